@@ -1,0 +1,23 @@
+# Every library from outside, found once. A missing one names its Debian package here, not later.
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(TBB REQUIRED)
+find_package(glm REQUIRED)
+find_package(embree REQUIRED CONFIG)
+find_package(assimp REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(OpenImageIO REQUIRED)
+
+# find_package(OpenCV) wants all of libopencv-dev (1 GB of drivers); the two modules used here do not.
+find_path(INK_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
+find_library(INK_OPENCV_CORE opencv_core REQUIRED)
+find_library(INK_OPENCV_IMGPROC opencv_imgproc REQUIRED)
+add_library(ink_opencv INTERFACE)
+target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
+target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
+
+if(NOT TARGET glm::glm)
+    add_library(glm::glm INTERFACE IMPORTED)
+endif()

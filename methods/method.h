@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/param.h"
+#include "edge/edge_image.h"
+#include "edge/laplacian.h"
+#include "raster/depth.h"
+#include "scene/scene.h"
+
+namespace ink::methods {
+
+/// What a method is told of one frame.
+struct Frame {
+    scene::View view;
+    int threads = 1;  ///< 1 is plain serial; the picture must not depend on it
+};
+
+/// A method whose code is a linear sum may declare it: the cost model, the planner and the
+/// cancellation study read this, nothing else.
+struct LinearCode {
+    raster::DepthEncoding encoding = raster::DepthEncoding::inverse;
+    double depth_weight = 0;      ///< code units for depth 0..1 (near = high)
+    double normal_weight[3] = {}; ///< code units for each view-space component's 0..1, (n+1)/2
+    int bits = 8;
+    bool wraps = false;           ///< else it saturates
+    edge::LaplacianResponse response;
+};
+
+/// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth, the
+/// score, another method or the clock. The harness owns the clock and calls the stages in this order.
+///
+/// A method is used by one thread at a time. Drawing the same view twice gives the same picture, and
+/// an empty or invisible scene gives zeros.
+class Method {
+  public:
+    virtual ~Method() = default;
+
+    /// Once per topology: adjacency, patches, labels, normals. The scene outlives the method's use of it.
+    virtual void prepare(const scene::Scene& scene) = 0;
+
+    /// Whenever a vertex or an instance moved, and once after prepare: world positions and what hangs
+    /// on them. `scene` has the topology that was prepared.
+    virtual void pose(const scene::Scene& scene) = 0;
+
+    /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
+    /// the view's size and any content, and leaves with a strength in every pixel.
+    virtual void draw(const Frame& frame, edge::EdgeImage& out) = 0;
+
+    /// Bytes a pixel of its buffers takes, depth included.
+    [[nodiscard]] virtual int bytes_per_px() const = 0;
+
+    /// Its code, if that is one linear sum.
+    [[nodiscard]] virtual std::optional<LinearCode> code() const { return std::nullopt; }
+};
+
+/// A row of the registry: all that is known of a method before it is made.
+struct MethodInfo {
+    std::string name;     ///< = folder = TOML key = value in rows = legend
+    std::string source;   ///< who described it, and where
+    std::string summary;  ///< one line for `inkbench list`
+    std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
+
+    /// A method with these settings, the rest at their defaults. Throws core::Error, where = name.
+    std::function<std::unique_ptr<Method>(const core::ParamValues&)> make;
+    /// The given settings and all defaults as text: what a row records.
+    std::function<core::ParamValues(const core::ParamValues&)> complete;
+};
+
+/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its knobs and a
+/// constructor from `Params`.
+template <class M>
+[[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
+    MethodInfo info{std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}};
+    info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
+        return std::make_unique<M>(M::table().read(values, name));
+    };
+    info.complete = [name = info.name](const core::ParamValues& values) {
+        const auto table = M::table();
+        return table.write(table.read(values, name));
+    };
+    return info;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ink::core {
+
+/// The one exception of the project: bad input, told so that the user can mend it.
+///
+/// `where` is the file, option or place; `what_happened` names the wrong value; `accepted` says what
+/// would have been taken (may be empty). `what()` joins the three into one line, which the program
+/// prints as it stands before it exits with code 2. A caller's bug is an assertion, never an Error.
+class Error : public std::runtime_error {
+  public:
+    Error(std::string where, std::string what_happened, std::string accepted = {})
+        : std::runtime_error(where + ": " + what_happened +
+                             (accepted.empty() ? std::string{} : " (accepted: " + accepted + ")")),
+          where_(std::move(where)),
+          what_happened_(std::move(what_happened)),
+          accepted_(std::move(accepted)) {}
+
+    [[nodiscard]] const std::string& where() const { return where_; }
+    [[nodiscard]] const std::string& what_happened() const { return what_happened_; }
+    [[nodiscard]] const std::string& accepted() const { return accepted_; }
+
+  private:
+    std::string where_;
+    std::string what_happened_;
+    std::string accepted_;
+};
+
+}  // namespace ink::core

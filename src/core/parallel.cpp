@@ -1,0 +1,31 @@
+#include "core/parallel.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cassert>
+#include <thread>
+
+namespace ink::core {
+
+void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
+    assert(threads >= 1);
+    if (threads == 1 || count <= 1) {
+        for (std::size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+        });
+    });
+}
+
+int hardware_threads() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace ink::core

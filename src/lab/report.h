@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+#include "lab/row.h"
+
+namespace ink::lab {
+
+/// A method's picture on one view, kept for the report.
+struct MethodPicture {
+    std::string method;
+    edge::EdgeImage strength;
+    int threshold = 128;  ///< the strength at which it was scored
+};
+
+/// One view that the report shows whole: truth and methods side by side.
+struct ShownView {
+    std::string scene;
+    std::string view;
+    core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
+    std::vector<MethodPicture> pictures;
+};
+
+/// Everything a report says.
+struct ReportData {
+    std::string command;  ///< how it was made, as the user typed it
+    std::vector<Row> rows;
+    std::vector<ShownView> views;  ///< one per scene, to keep the page under 20 MB
+    double elapsed_s = 0;
+};
+
+/// Writes a self-contained page: verdict table, error against time, per-class bars, truth and method
+/// side by side with the errors in colour, every row, provenance. No file beside it, no network.
+///
+/// Written beside `path` and renamed, so a reader never sees half a page. Throws core::Error if it
+/// cannot be written.
+void write_report(const ReportData& data, const std::filesystem::path& path);
+
+}  // namespace ink::lab

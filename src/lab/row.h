@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::lab {
+
+/// One cell of an experiment: one method, with its settings, on one view; one row of rows.csv.
+///
+/// Empty optionals are written as empty fields, never as 0 or NaN.
+struct Row {
+    std::string method;
+    std::string scene;
+    std::string view;
+    std::string split;  ///< train | heldout
+    int width = 0;
+    int height = 0;
+    int threads = 1;
+    std::uint64_t seed = 0;
+    std::string params;            ///< "key=value;key=value", every knob
+    std::string status = "ok";     ///< or what went wrong; the metrics below are then empty
+    std::optional<double> f_2px;
+    std::optional<double> f_1px;
+    std::optional<double> precision_2px;
+    std::optional<double> recall_2px;
+    std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
+    std::optional<double> mean_width_px;
+    std::optional<double> ap;
+    std::int64_t k_2px = 0;        ///< counts at 2 px, so that values can be pooled
+    std::int64_t n_pred = 0;
+    std::int64_t n_truth = 0;
+    std::int64_t surplus = 0;
+    std::int64_t off_line = 0;
+    std::int64_t lost = 0;
+    std::int64_t missing = 0;
+    std::optional<std::int64_t> prepare_ns;
+    std::optional<std::int64_t> pose_ns;
+    std::optional<std::int64_t> draw_ns;      ///< median over repetitions
+    std::optional<std::int64_t> draw_ns_q25;  ///< lower quartile
+    std::optional<std::int64_t> draw_ns_q75;  ///< upper quartile
+    std::optional<std::int64_t> draw_ns_min;
+    int draw_n = 0;                ///< repetitions
+    std::optional<int> bytes_per_px;
+    std::string image_hash;
+    std::int64_t truth_px = 0;
+    std::int64_t truth_merged_px = 0;
+    double crowded_share = 0;
+    std::int64_t triangles = 0;
+
+    [[nodiscard]] bool is_ok() const { return status == "ok"; }
+};
+
+/// The columns of rows.csv, in order, provenance last.
+[[nodiscard]] const std::vector<std::string>& row_columns();
+
+/// One CSV line (RFC 4180 quoting, no newline) with a field per column.
+[[nodiscard]] std::string to_csv(const Row& row);
+
+}  // namespace ink::lab

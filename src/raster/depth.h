@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+namespace ink::raster {
+
+/// Format of a pass's depth test. Always: larger is nearer, 0 is infinity, equal does not replace.
+enum class DepthFormat {
+    q32,  ///< q = 1/w rounded to float
+    z24,  ///< window depth, near 2^24-1 .. far 0, rounded to 24 bits as OpenGL stores it, near = high
+    z16,  ///< the same in 16 bits
+};
+
+/// How a *method* writes depth into a buffer it filters: an axis of the testbed, not a detail.
+///
+/// All are scaled to 0..1, 0 at `far`, 1 at `near` of the range in use, and continue beyond it.
+enum class DepthEncoding {
+    inverse,         ///< 1/w: affine on screen, so a plane's Laplacian is 0
+    linear,          ///< w
+    log,             ///< log w
+    zbuffer24,       ///< OpenGL's hyperbolic window depth, 24-bit steps
+    zbuffer16,       ///< the same, 16-bit steps
+    reversed_float,  ///< near / w as a float with a 0 at infinity
+};
+
+/// The distances between which an encoding runs from 0 to 1.
+struct DepthRange {
+    double near = 0;  ///< > 0
+    double far = 0;   ///< > near
+};
+
+/// `encoding` of distance `w` > 0: 1 at range.near, 0 at range.far (reversed_float: near/far there).
+/// w = infinity gives the limit: finite for inverse, zbuffer* and reversed_float, -infinity else.
+[[nodiscard]] double encode_depth(DepthEncoding encoding, double w, const DepthRange& range);
+
+}  // namespace ink::raster

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace ink::scene {
+
+/// The three vertex indices of a triangle, counter-clockwise seen from its front.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Indexed triangles in object space, as the file or the catalogue gave them: nothing repaired.
+///
+/// Invariant (checked by `check_scene`): every index is below `positions.size()`, all floats finite.
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;  ///< object space
+    std::vector<glm::vec3> normals;    ///< object space, unit; empty, or one per position
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> materials;  ///< empty (all material 0), or one per triangle
+};
+
+}  // namespace ink::scene

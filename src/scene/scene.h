@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/mesh.h"
+
+namespace ink::scene {
+
+/// A placed mesh. Its index in `Scene::instances` is its object id.
+struct Instance {
+    std::uint32_t mesh = 0;              ///< index into Scene::meshes
+    glm::dmat4 world_from_object{1};     ///< affine; may mirror or scale unevenly
+    std::string name;
+};
+
+/// A lamp for the shaded pictures; outlines do not know it.
+struct OmniLight {
+    glm::dvec3 p_world{0};
+    glm::vec3 color{1};
+    double range = 0;  ///< world units at which it visibly ends; 0 reaches everywhere
+};
+
+/// Which half of the suite a scene belongs to: views of one scene leak, so scenes are split, not views.
+enum class Split { train, heldout };
+
+/// Everything a method, the rasterizer and the truth may know.
+struct Scene {
+    std::string name;
+    Split split = Split::heldout;  ///< a user's model counts as held-out
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Camera> cameras;  ///< the scene's own views, near and far fitted
+    std::vector<OmniLight> lights;
+};
+
+/// The number of triangles over all instances (a mesh placed twice counts twice).
+///
+/// Triangles are numbered over the scene in this order: instance by instance, and within one as its
+/// mesh lists them. This *global triangle index* is what id planes and truth layers hold.
+[[nodiscard]] std::size_t triangle_count(const Scene& scene);
+
+/// A ball round all placed vertices that a triangle uses; radius 0 and centre 0 for an empty scene.
+[[nodiscard]] Sphere bounding_sphere(const Scene& scene);
+
+/// Throws Error (where = the scene's name) if an index is out of range, a number is not finite, an
+/// array has the wrong length, or there is no triangle at all. Importers and the catalogue call it.
+void check_scene(const Scene& scene);
+
+/// A hash of everything that could change a picture of the scene, cameras and lights excepted.
+[[nodiscard]] std::uint64_t scene_hash(const Scene& scene);
+
+/// `count` cameras round the bounding sphere (section 10 of the design: `--views N`), evenly turned
+/// about the vertical from a three-quarter view, at alternating heights, the whole ball in the frame
+/// of aspect `width_px : height_px`. Names are "view0", "view1", ... Empty for count 0.
+[[nodiscard]] std::vector<Camera> orbit_cameras(const Sphere& bounds,
+                                                int count,
+                                                double width_over_height);
+
+}  // namespace ink::scene

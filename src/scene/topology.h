@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace ink::scene {
+
+/// A triangle of the welded scene.
+struct Face {
+    std::array<std::uint32_t, 3> vertices{};  ///< into Topology::p_world, counter-clockwise
+    std::array<std::uint32_t, 3> edges{};     ///< edges[i] joins vertices[i] and vertices[(i+1)%3]
+    std::uint32_t object = 0;                 ///< instance index
+    std::uint32_t material = 0;               ///< unique over the scene only within one file
+    std::uint32_t triangle = 0;               ///< global triangle index (see triangle_count)
+};
+
+/// An undirected edge of the welded scene, a < b.
+struct Edge {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t first_face = 0;  ///< its faces are Topology::edge_faces[first_face, + face_count)
+    std::uint32_t face_count = 0;  ///< 1 boundary, 2 manifold, more non-manifold
+};
+
+/// What welding met; nothing of it is repaired.
+struct TopologyCounts {
+    std::size_t triangles = 0;         ///< in the scene
+    std::size_t degenerate = 0;        ///< dropped: two corners welded together, or exactly collinear
+    std::size_t duplicate = 0;         ///< dropped: the same three vertices again, in any order
+    std::size_t boundary_edges = 0;    ///< one face
+    std::size_t nonmanifold_edges = 0; ///< more than two faces
+    std::size_t inconsistent_edges = 0;  ///< two faces that run through it in the same direction
+};
+
+/// The scene as one welded polyhedron in world space: what truth and adjacency methods work on.
+struct Topology {
+    std::vector<glm::dvec3> p_world;
+    std::vector<Face> faces;
+    std::vector<Edge> edges;
+    std::vector<std::uint32_t> edge_faces;  ///< face indices, grouped by edge, ascending in each
+    TopologyCounts counts;
+
+    [[nodiscard]] std::span<const std::uint32_t> faces_of(const Edge& edge) const {
+        return {edge_faces.data() + edge.first_face, edge.face_count};
+    }
+};
+
+/// Welds vertices at bit-identical world positions over the whole scene (-0 equals 0) and builds the
+/// edges. Importers split meshes by material and by seam, so per-mesh indices say nothing.
+///
+/// O(n) expected. An empty scene gives an empty topology.
+[[nodiscard]] Topology weld(const Scene& scene);
+
+/// The angle by which the two faces at an edge deviate from flat, 0..pi, whichever way each is
+/// oriented: pi minus the angle between the directions from the edge into the two faces.
+[[nodiscard]] double bend_rad(const Topology& topology,
+                              const Edge& edge,
+                              std::uint32_t face0,
+                              std::uint32_t face1);
+
+}  // namespace ink::scene

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+
+namespace ink::score {
+
+/// How two pictures are compared (section 7 of the design).
+struct ScoreOptions {
+    double tolerance_px = 2;  ///< matched pixels are at most this far apart, centre to centre
+    int threshold = 128;      ///< predicted pixels have at least this strength, 1..255
+    bool thin = true;         ///< thin the prediction (Guo-Hall) after the threshold
+    int band_px = 0;          ///< pixels this close to the frame are taken out of both sets
+    std::optional<int> ignore_label;  ///< truth label that is neither required nor penalised
+};
+
+/// Recall of one label, from a matching of its own.
+struct ClassCount {
+    int label = 0;
+    std::int64_t k = 0;
+    std::int64_t n_truth = 0;
+};
+
+/// The counts of one comparison; every number is unique, whatever algorithm found it.
+///
+/// n_pred = k + surplus + off_line and n_truth = k + lost + missing.
+struct Score {
+    std::int64_t k = 0;         ///< size of a maximum one-to-one matching
+    std::int64_t n_pred = 0;
+    std::int64_t n_truth = 0;
+    std::int64_t surplus = 0;   ///< unmatched predicted pixels that have a truth pixel in reach
+    std::int64_t off_line = 0;  ///< predicted pixels without a truth pixel in reach
+    std::int64_t lost = 0;      ///< unmatched truth pixels that have a predicted pixel in reach
+    std::int64_t missing = 0;   ///< truth pixels without a predicted pixel in reach
+    double mean_width_px = 0;   ///< drawn pixels over thinned pixels, both before the band; 0 if none
+    std::vector<ClassCount> classes;  ///< one per label in the truth, ascending; empty if it is binary
+
+    /// 2k / (n_pred + n_truth); 1 if both are empty.
+    [[nodiscard]] double f() const;
+    /// k / n_pred; nothing if no pixel is predicted.
+    [[nodiscard]] std::optional<double> precision() const;
+    /// k / n_truth; nothing if there is no truth.
+    [[nodiscard]] std::optional<double> recall() const;
+};
+
+/// One point of a precision-recall curve: threshold k/100 of the full strength.
+struct CurveCount {
+    std::int64_t k = 0;
+    std::int64_t n_pred = 0;
+    std::int64_t n_truth = 0;
+};
+
+/// A truth image made ready to be scored against: labels 0 where nothing counts.
+struct ScoringTruth {
+    core::Image<std::uint8_t> labels;  ///< of real truth pixels, band and ignore taken out
+    edge::Mask ignore;                 ///< 1 under the ignore label (band taken out)
+    bool is_binary = true;             ///< no classes: labels are only {1} or only {255}
+};
+
+/// Takes band and ignore label out of a truth image; `rethin` then thins what is left, so that the
+/// stored truth scores exactly 1 against itself. `inkbench score` does not rethin (a foreign truth
+/// is never touched); `compare` does.
+[[nodiscard]] ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
+                                         const ScoreOptions& options,
+                                         bool rethin);
+
+/// Scores a strength image against a prepared truth of the same size (another size is an Error).
+[[nodiscard]] Score score(const edge::EdgeImage& prediction,
+                          const ScoringTruth& truth,
+                          const ScoreOptions& options);
+
+/// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in integers.
+/// Equal masks are matched once. Entry i is threshold (i+1)/100.
+[[nodiscard]] std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
+                                                     const ScoringTruth& truth,
+                                                     const ScoreOptions& options);
+
+/// Area under the precision envelope from recall 0 (all points with n_pred > 0).
+/// Without any truth: 1 if no threshold fires anywhere, else 0.
+[[nodiscard]] double average_precision(const std::array<CurveCount, 99>& curve);
+
+}  // namespace ink::score

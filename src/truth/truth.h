@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+#include "scene/scene.h"
+#include "truth/line_class.h"
+
+namespace ink::truth {
+
+/// What the truth depends on besides scene and view.
+struct TruthOptions {
+    double crease_rad = 0.6981317007977318;  ///< 40 degrees: faces that bend at least this much crease
+    bool material_seams = false;             ///< a seam also where only the material differs
+    int threads = 1;
+};
+
+/// A point of a visible line: where it is on the picture and how far away.
+struct CurvePoint {
+    double x_px = 0;
+    double y_px = 0;
+    double w = 0;  ///< distance along the gaze, world units
+};
+
+/// What lies behind a contour.
+enum class ContourKind : std::uint8_t { none, sky, other_object, self };
+
+/// A visible piece of one mesh edge, clipped to the picture, or several joined end to end.
+struct Curve {
+    LineClass line_class = LineClass::none;
+    ContourKind kind = ContourKind::none;  ///< contours only
+    std::uint32_t edge = 0;                ///< into the scene's Topology
+    float bend_rad = 0;                    ///< how far the two seen faces deviate from flat; 0 for one
+    CurvePoint begin;
+    CurvePoint end;
+};
+
+/// What is seen at pixel centres, by one Embree ray each: for attribution, and for the `sampled` row.
+struct Layers {
+    core::Image<std::uint32_t> triangle;  ///< global triangle index, `kNoTriangle` where there is sky
+    core::Image<std::uint32_t> patch;     ///< smooth patch, `kNoTriangle` where there is sky
+    core::Image<float> n_dot_v;           ///< |cos| between facet normal and ray; 0 for sky
+    core::Image<float> w;                 ///< distance along the gaze; infinity for sky
+};
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffU;
+
+/// Counts of one trace, for rows and for the curious.
+struct TruthCounts {
+    std::size_t triangles = 0;
+    std::size_t degenerate = 0;
+    std::size_t duplicate = 0;
+    std::size_t defect_edges = 0;     ///< boundaries that no picture can show; not scored
+    std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
+    std::size_t samples = 0;
+    std::size_t rays = 0;
+    std::size_t merged_px = 0;   ///< truth pixels that thinning the union removed
+    double crowded_share = 0;    ///< share of drawn truth pixels that fell under the ignore map
+};
+
+/// The exact outline of a scene from a view.
+struct Truth {
+    core::Image<std::uint8_t> labels;  ///< LineClass per pixel: thinned, crowded blocks `ignore`
+    std::vector<Curve> curves;         ///< sub-pixel, every visible line, before any thinning
+    edge::EdgeImage sampled;           ///< the exact classes seen through ids at pixel centres
+    Layers layers;
+    TruthCounts counts;
+    double trace_s = 0;  ///< wall time of the trace (kept when it comes from the cache)
+};
+
+/// Traces the truth of the polyhedron as given (construction A of the design, section 5).
+///
+/// Lines are the scene's contours, boundaries, creases and seams, classified exactly from the eye; a
+/// line point is visible if the open segment from the eye meets no triangle but the edge's own faces.
+/// Intersection lines are not traced yet. Same result for every thread count. An empty picture or
+/// a scene that shows nothing gives labels of zeros.
+[[nodiscard]] Truth trace_truth(const scene::Scene& scene,
+                                const scene::View& view,
+                                const TruthOptions& options);
+
+}  // namespace ink::truth

@@ -1,0 +1,80 @@
+#include "core/param.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+
+namespace ink::core {
+namespace {
+
+enum class Fruit { apple, pear };
+struct Shared {
+    int count = 3;
+};
+struct Knobs : Shared {
+    double size = 0.5;
+    bool is_ripe = true;
+    Fruit fruit = Fruit::pear;
+};
+
+ParamTable<Knobs> table() {
+    return ParamTable<Knobs>()
+        .number(&Knobs::size, "size", {0, 1}, "px", "How large.")
+        .number(&Knobs::count, "count", {0, 9}, "", "How many.")
+        .flag(&Knobs::is_ripe, "is_ripe", "Whether it can be eaten.")
+        .choice(&Knobs::fruit, "fruit", {"apple", "pear"}, "Which.");
+}
+
+std::string message_of(const ParamValues& values) {
+    try {
+        (void)table().read(values, "basket");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ParamTable, DefaultsComeFromTheFields) {
+    const auto params = table().params();
+    EXPECT_EQ(params[0].default_value, 0.5);
+    EXPECT_EQ(params[1].default_value, 3);
+    EXPECT_EQ(params[2].default_value, 1);
+    EXPECT_EQ(params[3].default_value, 1);
+}
+
+TEST(ParamTable, ReadsEveryKind) {
+    const Knobs k = table().read(
+        {{"size", "0.25"}, {"count", "9"}, {"is_ripe", "false"}, {"fruit", "apple"}}, "basket");
+    EXPECT_EQ(k.size, 0.25);
+    EXPECT_EQ(k.count, 9);
+    EXPECT_FALSE(k.is_ripe);
+    EXPECT_EQ(k.fruit, Fruit::apple);
+}
+
+TEST(ParamTable, WhatIsWrittenIsReadBack) {
+    Knobs k;
+    k.size = 0.1;
+    k.fruit = Fruit::apple;
+    const ParamValues values = table().write(k);
+    EXPECT_EQ(values.at("size"), "0.1");
+    EXPECT_EQ(table().write(table().read(values, "basket")), values);
+}
+
+TEST(ParamTable, UnknownNameListsTheKnownAndTheNearest) {
+    EXPECT_EQ(message_of({{"siez", "1"}}),
+              "basket: there is no parameter 'siez' (accepted: size, count, is_ripe, fruit; did you "
+              "mean size?)");
+}
+
+TEST(ParamTable, ValuesOutsideTheirRangeNameTheRange) {
+    EXPECT_THAT(message_of({{"size", "1.5"}}), testing::HasSubstr("a number 0..1"));
+    EXPECT_THAT(message_of({{"size", "nan"}}), testing::HasSubstr("'nan'"));
+    EXPECT_THAT(message_of({{"size", "0.5x"}}), testing::HasSubstr("'0.5x'"));
+    EXPECT_THAT(message_of({{"count", "2.5"}}), testing::HasSubstr("a whole number 0..9"));
+    EXPECT_THAT(message_of({{"fruit", "plum"}}), testing::HasSubstr("apple | pear"));
+    EXPECT_THAT(message_of({{"is_ripe", "maybe"}}), testing::HasSubstr("true | false"));
+}
+
+}  // namespace
+}  // namespace ink::core
