@@ -12,9 +12,9 @@ namespace ink::image_io {
 
 using Rgb = glm::u8vec3;
 
-/// An image file as 8-bit grey. Palette PNGs give their indices' colours converted as any other RGB;
-/// colour is turned to luma (ITU-R 601: 299 R + 587 G + 114 B, rounded). 16-bit and float files are
-/// refused, since their scale is anybody's guess.
+/// An image file as 8-bit grey. Palette PNGs give their indices' colours converted as any other
+/// RGB; colour is turned to luma (ITU-R 601: 299 R + 587 G + 114 B, rounded). 16-bit and float
+/// files are refused, since their scale is anybody's guess.
 ///
 /// Throws core::Error with where = the path: missing, empty, not an image, not 8-bit.
 [[nodiscard]] core::Image<std::uint8_t> read_gray(const std::filesystem::path& path);

@@ -30,15 +30,17 @@ struct ClassCount {
 ///
 /// n_pred = k + surplus + off_line and n_truth = k + lost + missing.
 struct Score {
-    std::int64_t k = 0;         ///< size of a maximum one-to-one matching
+    std::int64_t k = 0;  ///< size of a maximum one-to-one matching
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
     std::int64_t surplus = 0;   ///< unmatched predicted pixels that have a truth pixel in reach
     std::int64_t off_line = 0;  ///< predicted pixels without a truth pixel in reach
     std::int64_t lost = 0;      ///< unmatched truth pixels that have a predicted pixel in reach
     std::int64_t missing = 0;   ///< truth pixels without a predicted pixel in reach
-    double mean_width_px = 0;   ///< drawn pixels over thinned pixels, both before the band; 0 if none
-    std::vector<ClassCount> classes;  ///< one per label in the truth, ascending; empty if it is binary
+    double mean_width_px =
+        0;  ///< drawn pixels over thinned pixels, both before the band; 0 if none
+    std::vector<ClassCount>
+        classes;  ///< one per label in the truth, ascending; empty if it is binary
 
     /// 2k / (n_pred + n_truth); 1 if both are empty.
     [[nodiscard]] double f() const;
@@ -74,8 +76,8 @@ struct ScoringTruth {
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
 
-/// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in integers.
-/// Equal masks are matched once. Entry i is threshold (i+1)/100.
+/// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in
+/// integers. Equal masks are matched once. Entry i is threshold (i+1)/100.
 [[nodiscard]] std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                                      const ScoringTruth& truth,
                                                      const ScoreOptions& options);
