@@ -89,11 +89,12 @@ struct ScoringTruth {
                                          const ScoreOptions& options,
                                          bool rethin);
 
-/// Scores a strength image against a prepared truth of the same size: threshold, thin, band, ignore,
-/// match, in this order. Exact; its time grows with the drawn pixels, hardly with the picture's size.
+/// Scores a strength image against a prepared truth of the same size: threshold, thin, band,
+/// ignore, match, in this order. Exact; its time grows with the drawn pixels, hardly with the
+/// picture's size.
 ///
-/// Throws core::Error for another size (both are named) or options outside their range. Empty images
-/// score 1, as any empty prediction of an empty truth does.
+/// Throws core::Error for another size (both are named) or options outside their range. Empty
+/// images score 1, as any empty prediction of an empty truth does.
 [[nodiscard]] Score score(const edge::EdgeImage& prediction,
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
