@@ -24,27 +24,29 @@ struct Frame {
 /// cancellation study read this, nothing else.
 struct LinearCode {
     raster::DepthEncoding encoding = raster::DepthEncoding::inverse;
-    double depth_weight = 0;      ///< code units for depth 0..1 (near = high)
-    double normal_weight[3] = {}; ///< code units for each view-space component's 0..1, (n+1)/2
+    double depth_weight = 0;       ///< code units for depth 0..1 (near = high)
+    double normal_weight[3] = {};  ///< code units for each view-space component's 0..1, (n+1)/2
     int bits = 8;
-    bool wraps = false;           ///< else it saturates
+    bool wraps = false;  ///< else it saturates
     edge::LaplacianResponse response;
 };
 
-/// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth, the
-/// score, another method or the clock. The harness owns the clock and calls the stages in this order.
+/// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth,
+/// the score, another method or the clock. The harness owns the clock and calls the stages in this
+/// order.
 ///
-/// A method is used by one thread at a time. Drawing the same view twice gives the same picture, and
-/// an empty or invisible scene gives zeros.
+/// A method is used by one thread at a time. Drawing the same view twice gives the same picture,
+/// and an empty or invisible scene gives zeros.
 class Method {
   public:
     virtual ~Method() = default;
 
-    /// Once per topology: adjacency, patches, labels, normals. The scene outlives the method's use of it.
+    /// Once per topology: adjacency, patches, labels, normals. The scene outlives the method's use
+    /// of it.
     virtual void prepare(const scene::Scene& scene) = 0;
 
-    /// Whenever a vertex or an instance moved, and once after prepare: world positions and what hangs
-    /// on them. `scene` has the topology that was prepared.
+    /// Whenever a vertex or an instance moved, and once after prepare: world positions and what
+    /// hangs on them. `scene` has the topology that was prepared.
     virtual void pose(const scene::Scene& scene) = 0;
 
     /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
@@ -60,9 +62,9 @@ class Method {
 
 /// A row of the registry: all that is known of a method before it is made.
 struct MethodInfo {
-    std::string name;     ///< = folder = TOML key = value in rows = legend
-    std::string source;   ///< who described it, and where
-    std::string summary;  ///< one line for `inkbench list`
+    std::string name;                 ///< = folder = TOML key = value in rows = legend
+    std::string source;               ///< who described it, and where
+    std::string summary;              ///< one line for `inkbench list`
     std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
 
     /// A method with these settings, the rest at their defaults. Throws core::Error, where = name.
@@ -75,7 +77,8 @@ struct MethodInfo {
 /// constructor from `Params`.
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
-    MethodInfo info{std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}};
+    MethodInfo info{
+        std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}};
     info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
         return std::make_unique<M>(M::table().read(values, name));
     };

@@ -7,9 +7,10 @@ namespace ink::core {
 
 /// The one exception of the project: bad input, told so that the user can mend it.
 ///
-/// `where` is the file, option or place; `what_happened` names the wrong value; `accepted` says what
-/// would have been taken (may be empty). `what()` joins the three into one line, which the program
-/// prints as it stands before it exits with code 2. A caller's bug is an assertion, never an Error.
+/// `where` is the file, option or place; `what_happened` names the wrong value; `accepted` says
+/// what would have been taken (may be empty). `what()` joins the three into one line, which the
+/// program prints as it stands before it exits with code 2. A caller's bug is an assertion, never
+/// an Error.
 class Error : public std::runtime_error {
   public:
     Error(std::string where, std::string what_happened, std::string accepted = {})

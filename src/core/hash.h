@@ -15,8 +15,8 @@ namespace ink::core {
 /// A running 64-bit hash of bytes: names results and cache files; not for secrets.
 ///
 /// The same bytes in the same order give the same value on every machine and in every version (the
-/// golden hashes of the tests rest on it). Reads eight bytes a step; each step is multiply-xorshift,
-/// the finaliser of MurmurHash3 (Appleby, public domain description).
+/// golden hashes of the tests rest on it). Reads eight bytes a step; each step is
+/// multiply-xorshift, the finaliser of MurmurHash3 (Appleby, public domain description).
 class Hasher {
   public:
     Hasher& bytes(const void* data, std::size_t size);

@@ -26,9 +26,7 @@ struct ImageView {
         return x >= 0 && y >= 0 && x < width_px && y < height_px;
     }
     [[nodiscard]] bool is_empty() const { return width_px == 0 || height_px == 0; }
-    operator ImageView<const T>() const
-        requires(!std::is_const_v<T>)
-    {
+    operator ImageView<const T>() const requires(!std::is_const_v<T>) {
         return {data, width_px, height_px, stride};
     }
 };

@@ -13,13 +13,15 @@ namespace ink::core {
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
     assert(threads >= 1);
     if (threads == 1 || count <= 1) {
-        for (std::size_t i = 0; i < count; ++i) body(i);
+        for (std::size_t i = 0; i < count; ++i)
+            body(i);
         return;
     }
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+            for (std::size_t i = range.begin(); i != range.end(); ++i)
+                body(i);
         });
     });
 }

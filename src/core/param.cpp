@@ -35,10 +35,13 @@ std::optional<double> parse_choice(const Param& param, std::string_view text) {
 
 std::optional<double> parse(const Param& param, std::string_view text) {
     switch (param.kind) {
-        case ParamKind::flag: return parse_flag(text);
-        case ParamKind::choice: return parse_choice(param, text);
+        case ParamKind::flag:
+            return parse_flag(text);
+        case ParamKind::choice:
+            return parse_choice(param, text);
         case ParamKind::integer:
-        case ParamKind::real: break;
+        case ParamKind::real:
+            break;
     }
     const auto value = parse_number(text);
     if (!value || *value < param.min || *value > param.max) return std::nullopt;
@@ -86,20 +89,28 @@ double parse_param(const Param& param, std::string_view text, std::string_view w
 
 std::string format_param(const Param& param, double value) {
     switch (param.kind) {
-        case ParamKind::flag: return value != 0 ? "true" : "false";
-        case ParamKind::choice: return param.choices.at(static_cast<std::size_t>(value));
-        case ParamKind::integer: return fmt::format("{}", static_cast<long long>(value));
-        case ParamKind::real: break;
+        case ParamKind::flag:
+            return value != 0 ? "true" : "false";
+        case ParamKind::choice:
+            return param.choices.at(static_cast<std::size_t>(value));
+        case ParamKind::integer:
+            return fmt::format("{}", static_cast<long long>(value));
+        case ParamKind::real:
+            break;
     }
     return fmt::format("{}", value);
 }
 
 std::string accepted_values(const Param& param) {
     switch (param.kind) {
-        case ParamKind::flag: return "true | false";
-        case ParamKind::choice: return fmt::format("{}", fmt::join(param.choices, " | "));
-        case ParamKind::integer: return fmt::format("a whole number {}..{}", param.min, param.max);
-        case ParamKind::real: break;
+        case ParamKind::flag:
+            return "true | false";
+        case ParamKind::choice:
+            return fmt::format("{}", fmt::join(param.choices, " | "));
+        case ParamKind::integer:
+            return fmt::format("a whole number {}..{}", param.min, param.max);
+        case ParamKind::real:
+            break;
     }
     return fmt::format("a number {}..{}", param.min, param.max);
 }
@@ -108,7 +119,8 @@ void check_known_params(const std::vector<Param>& params,
                         const ParamValues& values,
                         std::string_view where) {
     std::vector<std::string> names;
-    for (const Param& param : params) names.push_back(param.name);
+    for (const Param& param : params)
+        names.push_back(param.name);
     for (const auto& [name, text] : values) {
         if (std::find(names.begin(), names.end(), name) == names.end()) {
             throw Error(std::string(where),

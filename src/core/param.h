@@ -14,7 +14,8 @@ namespace ink::core {
 /// What kind of value a knob takes.
 enum class ParamKind { real, integer, flag, choice };
 
-/// One row of a `Param` table as everyone but the method sees it: command line, TOML, tuner, rows, docs.
+/// One row of a `Param` table as everyone but the method sees it: command line, TOML, tuner, rows,
+/// docs.
 ///
 /// Every value travels as a double: a flag is 0 or 1, a choice is its index in `choices`.
 struct Param {
@@ -48,15 +49,18 @@ void check_known_params(const std::vector<Param>& params,
                         const ParamValues& values,
                         std::string_view where);
 
-/// `names` joined by commas, with the nearest one suggested if `wrong` is at most two edits from it.
+/// `names` joined by commas, with the nearest one suggested if `wrong` is at most two edits from
+/// it.
 ///
 /// The "accepted" half of every message about an unknown name: parameter, method, scene, column.
-[[nodiscard]] std::string known_names(const std::vector<std::string>& names, std::string_view wrong);
+[[nodiscard]] std::string known_names(const std::vector<std::string>& names,
+                                      std::string_view wrong);
 
 /// The knobs of one parameter struct `P`, in the order they are shown.
 ///
-/// Each row binds a name to a field of `P`, so a knob has one default (the field's initialiser), one
-/// range and one sentence. Fields may be double, float, int, bool or an enum whose values are 0..n-1.
+/// Each row binds a name to a field of `P`, so a knob has one default (the field's initialiser),
+/// one range and one sentence. Fields may be double, float, int, bool or an enum whose values are
+/// 0..n-1.
 template <class P>
 class ParamTable {
   public:
@@ -69,7 +73,13 @@ class ParamTable {
                        std::string doc) {
         static_assert(std::is_arithmetic_v<F> && !std::is_same_v<F, bool>);
         const auto kind = std::is_integral_v<F> ? ParamKind::integer : ParamKind::real;
-        return add({std::move(name), kind, range.first, range.second, 0, {}, std::move(unit),
+        return add({std::move(name),
+                    kind,
+                    range.first,
+                    range.second,
+                    0,
+                    {},
+                    std::move(unit),
                     std::move(doc)},
                    field);
     }
@@ -88,7 +98,13 @@ class ParamTable {
                        std::string doc) {
         static_assert(std::is_enum_v<F>);
         const auto last = static_cast<double>(choices.size() - 1);
-        return add({std::move(name), ParamKind::choice, 0, last, 0, std::move(choices), "",
+        return add({std::move(name),
+                    ParamKind::choice,
+                    0,
+                    last,
+                    0,
+                    std::move(choices),
+                    "",
                     std::move(doc)},
                    field);
     }

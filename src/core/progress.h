@@ -7,8 +7,8 @@ namespace ink::core {
 
 /// One line on stderr that says how far long work is and how long it will take.
 ///
-/// Silent unless stderr is a terminal, so logs and pipes stay clean. Draws at most ten times a second
-/// and wipes its line when it goes. Not thread-safe: one thread reports.
+/// Silent unless stderr is a terminal, so logs and pipes stay clean. Draws at most ten times a
+/// second and wipes its line when it goes. Not thread-safe: one thread reports.
 class Progress {
   public:
     /// `total` steps are to come; `label` says of what ("compare"). 0 steps draw nothing.

@@ -36,10 +36,14 @@ Provenance collect() {
         {"openimageio", build_info::kOpenImageIO},
         {"onetbb", TBB_runtime_version()},
         {"assimp", build_info::kAssimp},
-        {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                            FMT_VERSION % 100)},
-        {"glm", fmt::format("{}.{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR,
-                            GLM_VERSION_PATCH, GLM_VERSION_REVISION)},
+        {"fmt",
+         fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+        {"glm",
+         fmt::format("{}.{}.{}.{}",
+                     GLM_VERSION_MAJOR,
+                     GLM_VERSION_MINOR,
+                     GLM_VERSION_PATCH,
+                     GLM_VERSION_REVISION)},
     };
     return p;
 }

@@ -33,8 +33,9 @@ struct ReportData {
     double elapsed_s = 0;
 };
 
-/// Writes a self-contained page: verdict table, error against time, per-class bars, truth and method
-/// side by side with the errors in colour, every row, provenance. No file beside it, no network.
+/// Writes a self-contained page: verdict table, error against time, per-class bars, truth and
+/// method side by side with the errors in colour, every row, provenance. No file beside it, no
+/// network.
 ///
 /// Written beside `path` and renamed, so a reader never sees half a page. Throws core::Error if it
 /// cannot be written.

@@ -20,8 +20,8 @@ struct Row {
     int height = 0;
     int threads = 1;
     std::uint64_t seed = 0;
-    std::string params;            ///< "key=value;key=value", every knob
-    std::string status = "ok";     ///< or what went wrong; the metrics below are then empty
+    std::string params;         ///< "key=value;key=value", every knob
+    std::string status = "ok";  ///< or what went wrong; the metrics below are then empty
     std::optional<double> f_2px;
     std::optional<double> f_1px;
     std::optional<double> precision_2px;
@@ -29,7 +29,7 @@ struct Row {
     std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
     std::optional<double> mean_width_px;
     std::optional<double> ap;
-    std::int64_t k_2px = 0;        ///< counts at 2 px, so that values can be pooled
+    std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
     std::int64_t surplus = 0;
@@ -42,7 +42,7 @@ struct Row {
     std::optional<std::int64_t> draw_ns_q25;  ///< lower quartile
     std::optional<std::int64_t> draw_ns_q75;  ///< upper quartile
     std::optional<std::int64_t> draw_ns_min;
-    int draw_n = 0;                ///< repetitions
+    int draw_n = 0;  ///< repetitions
     std::optional<int> bytes_per_px;
     std::string image_hash;
     std::int64_t truth_px = 0;

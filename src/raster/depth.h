@@ -7,7 +7,8 @@ namespace ink::raster {
 /// Format of a pass's depth test. Always: larger is nearer, 0 is infinity, equal does not replace.
 enum class DepthFormat {
     q32,  ///< q = 1/w rounded to float
-    z24,  ///< window depth, near 2^24-1 .. far 0, rounded to 24 bits as OpenGL stores it, near = high
+    z24,  ///< window depth, near 2^24-1 .. far 0, rounded to 24 bits as OpenGL stores it, near =
+          ///< high
     z16,  ///< the same in 16 bits
 };
 
@@ -29,8 +30,9 @@ struct DepthRange {
     double far = 0;   ///< > near
 };
 
-/// `encoding` of distance `w` > 0: 1 at range.near, 0 at range.far (reversed_float: near/far there).
-/// w = infinity gives the limit: finite for inverse, zbuffer* and reversed_float, -infinity else.
+/// `encoding` of distance `w` > 0: 1 at range.near, 0 at range.far (reversed_float: near/far
+/// there). w = infinity gives the limit: finite for inverse, zbuffer* and reversed_float, -infinity
+/// else.
 [[nodiscard]] double encode_depth(DepthEncoding encoding, double w, const DepthRange& range);
 
 }  // namespace ink::raster

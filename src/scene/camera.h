@@ -32,9 +32,9 @@ struct View {
 
 /// A camera at `eye_world` that looks at `target_world`, near and far not yet fitted.
 ///
-/// `up_world` need not be orthogonal to the gaze. If the two are parallel (or `up` is zero), another
-/// axis is taken, so the result is always a rotation. Throws Error if eye and target coincide or any
-/// number is not finite.
+/// `up_world` need not be orthogonal to the gaze. If the two are parallel (or `up` is zero),
+/// another axis is taken, so the result is always a rotation. Throws Error if eye and target
+/// coincide or any number is not finite.
 [[nodiscard]] Camera look_at(const glm::dvec3& eye_world,
                              const glm::dvec3& target_world,
                              const glm::dvec3& up_world,
@@ -53,15 +53,16 @@ class Projection {
     [[nodiscard]] glm::dvec3 to_view(const glm::dvec3& p_world) const {
         return view_from_world_ * (p_world - eye_world_);
     }
-    /// Clip space without its z: (x, y, w) with w = -z_view; screen coordinates are x/w, y/w, in px,
-    /// (0,0) the top left corner. Points with w < near are in front of the near plane.
+    /// Clip space without its z: (x, y, w) with w = -z_view; screen coordinates are x/w, y/w, in
+    /// px, (0,0) the top left corner. Points with w < near are in front of the near plane.
     [[nodiscard]] glm::dvec3 to_clip(const glm::dvec3& p_world) const {
         const glm::dvec3 p_view = to_view(p_world);
         const double w = -p_view.z;
-        return {focal_px_ * p_view.x + center_px_.x * w, center_px_.y * w - focal_px_ * p_view.y, w};
+        return {
+            focal_px_ * p_view.x + center_px_.x * w, center_px_.y * w - focal_px_ * p_view.y, w};
     }
-    /// The unit-depth direction through a point of the picture, world space: eye + w * direction lies
-    /// at distance w along the gaze and projects to (x_px, y_px).
+    /// The unit-depth direction through a point of the picture, world space: eye + w * direction
+    /// lies at distance w along the gaze and projects to (x_px, y_px).
     [[nodiscard]] glm::dvec3 ray_world(double x_px, double y_px) const;
 
     [[nodiscard]] const glm::dvec3& eye_world() const { return eye_world_; }

@@ -9,7 +9,7 @@ namespace ink::scene {
 
 /// One built-in scene: made by code, the same on every machine, with its own views and its split.
 struct CatalogueEntry {
-    std::string name;     ///< what `--scenes` and the rows call it
+    std::string name;  ///< what `--scenes` and the rows call it
     Split split;
     std::string summary;  ///< one line: what it is and what it tries
     Scene (*make)();      ///< checked, named, cameras fitted (16:9), lights set

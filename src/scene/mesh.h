@@ -13,7 +13,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Indexed triangles in object space, as the file or the catalogue gave them: nothing repaired.
 ///
-/// Invariant (checked by `check_scene`): every index is below `positions.size()`, all floats finite.
+/// Invariant (checked by `check_scene`): every index is below `positions.size()`, all floats
+/// finite.
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;  ///< object space

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,20 @@ namespace ink::scene {
 
 /// A placed mesh. Its index in `Scene::instances` is its object id.
 struct Instance {
-    std::uint32_t mesh = 0;              ///< index into Scene::meshes
-    glm::dmat4 world_from_object{1};     ///< affine; may mirror or scale unevenly
+    std::uint32_t mesh = 0;           ///< index into Scene::meshes
+    glm::dmat4 world_from_object{1};  ///< affine; may mirror or scale unevenly
     std::string name;
 };
+
+/// The world position of an object-space point: the one expression by which everyone places
+/// vertices, so that equal inputs weld bit for bit.
+[[nodiscard]] inline glm::dvec3 to_world(const Instance& instance, const glm::vec3& p_object) {
+    return glm::dvec3(instance.world_from_object * glm::dvec4(glm::dvec3(p_object), 1.0));
+}
+
+/// Whether the instance turns its mesh inside out (negative determinant). Its triangles are then
+/// taken with two corners swapped, so that their fronts stay fronts (glTF 2.0, section 3.7.4).
+[[nodiscard]] bool is_mirrored(const Instance& instance);
 
 /// A lamp for the shaded pictures; outlines do not know it.
 struct OmniLight {
@@ -24,7 +35,8 @@ struct OmniLight {
     double range = 0;  ///< world units at which it visibly ends; 0 reaches everywhere
 };
 
-/// Which half of the suite a scene belongs to: views of one scene leak, so scenes are split, not views.
+/// Which half of the suite a scene belongs to: views of one scene leak, so scenes are split, not
+/// views.
 enum class Split { train, heldout };
 
 /// Everything a method, the rasterizer and the truth may know.
@@ -54,8 +66,8 @@ void check_scene(const Scene& scene);
 [[nodiscard]] std::uint64_t scene_hash(const Scene& scene);
 
 /// `count` cameras round the bounding sphere (section 10 of the design: `--views N`), evenly turned
-/// about the vertical from a three-quarter view, at alternating heights, the whole ball in the frame
-/// of aspect `width_px : height_px`. Names are "view0", "view1", ... Empty for count 0.
+/// about the vertical from a three-quarter view, at alternating heights, the whole ball in the
+/// frame of aspect `width_px : height_px`. Names are "view0", "view1", ... Empty for count 0.
 [[nodiscard]] std::vector<Camera> orbit_cameras(const Sphere& bounds,
                                                 int count,
                                                 double width_over_height);

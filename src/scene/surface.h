@@ -15,7 +15,8 @@ enum class NormalSource {
     facet,  ///< one per triangle
 };
 
-/// The scene flattened for drawing: world-space corners, shared where position and normal are equal.
+/// The scene flattened for drawing: world-space corners, shared where position and normal are
+/// equal.
 ///
 /// `triangles[g]` is the triangle with global index g, degenerate ones included, so that ids agree.
 struct Surface {
@@ -31,9 +32,9 @@ struct Surface {
 /// The drawn surface with normals from `source`.
 ///
 /// A patch is what can be reached round a vertex over edges of two faces that bend by less than
-/// `crease_rad`; its normal there is the corner-angle-weighted mean of its faces' normals (Max 1999 and
-/// earlier practice). Faces of opposite orientation are not joined. A degenerate triangle gets the
-/// normal (0, 0, 1): it covers no pixel.
+/// `crease_rad`; its normal there is the corner-angle-weighted mean of its faces' normals (Max 1999
+/// and earlier practice). Faces of opposite orientation are not joined. A degenerate triangle gets
+/// the normal (0, 0, 1): it covers no pixel.
 [[nodiscard]] Surface flatten(const Scene& scene, NormalSource source, double crease_rad);
 
 /// For each triangle whether the eye sees its front (1), its back (-1) or its rim (0), exactly.

@@ -29,11 +29,11 @@ struct Edge {
 
 /// What welding met; nothing of it is repaired.
 struct TopologyCounts {
-    std::size_t triangles = 0;         ///< in the scene
-    std::size_t degenerate = 0;        ///< dropped: two corners welded together, or exactly collinear
-    std::size_t duplicate = 0;         ///< dropped: the same three vertices again, in any order
-    std::size_t boundary_edges = 0;    ///< one face
-    std::size_t nonmanifold_edges = 0; ///< more than two faces
+    std::size_t triangles = 0;       ///< in the scene
+    std::size_t degenerate = 0;      ///< dropped: two corners welded together, or exactly collinear
+    std::size_t duplicate = 0;       ///< dropped: the same three vertices again, in any order
+    std::size_t boundary_edges = 0;  ///< one face
+    std::size_t nonmanifold_edges = 0;   ///< more than two faces
     std::size_t inconsistent_edges = 0;  ///< two faces that run through it in the same direction
 };
 
@@ -50,8 +50,8 @@ struct Topology {
     }
 };
 
-/// Welds vertices at bit-identical world positions over the whole scene (-0 equals 0) and builds the
-/// edges. Importers split meshes by material and by seam, so per-mesh indices say nothing.
+/// Welds vertices at bit-identical world positions over the whole scene (-0 equals 0) and builds
+/// the edges. Importers split meshes by material and by seam, so per-mesh indices say nothing.
 ///
 /// O(n) expected. An empty scene gives an empty topology.
 [[nodiscard]] Topology weld(const Scene& scene);

@@ -30,13 +30,20 @@ inline constexpr std::array kLineClasses = {LineClass::contour,
 /// "contour", "boundary", ...: the one spelling of columns, keys and legends.
 [[nodiscard]] constexpr std::string_view name(LineClass c) {
     switch (c) {
-        case LineClass::none: return "none";
-        case LineClass::contour: return "contour";
-        case LineClass::boundary: return "boundary";
-        case LineClass::crease: return "crease";
-        case LineClass::intersection: return "intersection";
-        case LineClass::seam: return "seam";
-        case LineClass::ignore: return "ignore";
+        case LineClass::none:
+            return "none";
+        case LineClass::contour:
+            return "contour";
+        case LineClass::boundary:
+            return "boundary";
+        case LineClass::crease:
+            return "crease";
+        case LineClass::intersection:
+            return "intersection";
+        case LineClass::seam:
+            return "seam";
+        case LineClass::ignore:
+            return "ignore";
     }
     return "?";
 }

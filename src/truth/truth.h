@@ -14,8 +14,9 @@ namespace ink::truth {
 
 /// What the truth depends on besides scene and view.
 struct TruthOptions {
-    double crease_rad = 0.6981317007977318;  ///< 40 degrees: faces that bend at least this much crease
-    bool material_seams = false;             ///< a seam also where only the material differs
+    double crease_rad =
+        0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
+    bool material_seams = false;  ///< a seam also where only the material differs
     int threads = 1;
 };
 
@@ -34,17 +35,19 @@ struct Curve {
     LineClass line_class = LineClass::none;
     ContourKind kind = ContourKind::none;  ///< contours only
     std::uint32_t edge = 0;                ///< into the scene's Topology
-    float bend_rad = 0;                    ///< how far the two seen faces deviate from flat; 0 for one
+    float bend_rad = 0;  ///< how far the two seen faces deviate from flat; 0 for one
     CurvePoint begin;
     CurvePoint end;
 };
 
-/// What is seen at pixel centres, by one Embree ray each: for attribution, and for the `sampled` row.
+/// What is seen at pixel centres, by one Embree ray each: for attribution, and for the `sampled`
+/// row.
 struct Layers {
-    core::Image<std::uint32_t> triangle;  ///< global triangle index, `kNoTriangle` where there is sky
-    core::Image<std::uint32_t> patch;     ///< smooth patch, `kNoTriangle` where there is sky
-    core::Image<float> n_dot_v;           ///< |cos| between facet normal and ray; 0 for sky
-    core::Image<float> w;                 ///< distance along the gaze; infinity for sky
+    core::Image<std::uint32_t>
+        triangle;                      ///< global triangle index, `kNoTriangle` where there is sky
+    core::Image<std::uint32_t> patch;  ///< smooth patch, `kNoTriangle` where there is sky
+    core::Image<float> n_dot_v;        ///< |cos| between facet normal and ray; 0 for sky
+    core::Image<float> w;              ///< distance along the gaze; infinity for sky
 };
 inline constexpr std::uint32_t kNoTriangle = 0xffffffffU;
 
@@ -57,8 +60,8 @@ struct TruthCounts {
     std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
     std::size_t samples = 0;
     std::size_t rays = 0;
-    std::size_t merged_px = 0;   ///< truth pixels that thinning the union removed
-    double crowded_share = 0;    ///< share of drawn truth pixels that fell under the ignore map
+    std::size_t merged_px = 0;  ///< truth pixels that thinning the union removed
+    double crowded_share = 0;   ///< share of drawn truth pixels that fell under the ignore map
 };
 
 /// The exact outline of a scene from a view.
@@ -73,10 +76,10 @@ struct Truth {
 
 /// Traces the truth of the polyhedron as given (construction A of the design, section 5).
 ///
-/// Lines are the scene's contours, boundaries, creases and seams, classified exactly from the eye; a
-/// line point is visible if the open segment from the eye meets no triangle but the edge's own faces.
-/// Intersection lines are not traced yet. Same result for every thread count. An empty picture or
-/// a scene that shows nothing gives labels of zeros.
+/// Lines are the scene's contours, boundaries, creases and seams, classified exactly from the eye;
+/// a line point is visible if the open segment from the eye meets no triangle but the edge's own
+/// faces. Intersection lines are not traced yet. Same result for every thread count. An empty
+/// picture or a scene that shows nothing gives labels of zeros.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,
                                 const TruthOptions& options);

@@ -1,0 +1,74 @@
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/error.h"
+
+namespace ink::scene {
+namespace {
+
+bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The axis least aligned with `direction`: a stand-in for an up vector that says nothing.
+glm::dvec3 least_aligned_axis(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    if (size.x <= size.y && size.x <= size.z) return {1, 0, 0};
+    return size.y <= size.z ? glm::dvec3{0, 1, 0} : glm::dvec3{0, 0, 1};
+}
+
+}  // namespace
+
+Camera look_at(const glm::dvec3& eye_world,
+               const glm::dvec3& target_world,
+               const glm::dvec3& up_world,
+               double fov_y_rad) {
+    const glm::dvec3 gaze = target_world - eye_world;
+    const double distance = glm::length(gaze);
+    if (!is_finite(eye_world) || !is_finite(target_world) || !is_finite(up_world)) {
+        throw core::Error("camera", "eye, target or up is not finite", "finite numbers");
+    }
+    if (!std::isfinite(distance) || distance == 0) {
+        throw core::Error(
+            "camera", "eye and target are the same point or too far apart", "two different points");
+    }
+    const glm::dvec3 back = gaze / -distance;
+    glm::dvec3 right = glm::cross(up_world, back);
+    // Below this the direction of `right` is rounding noise, not the user's up.
+    if (glm::length(right) <= 1e-9 * glm::length(up_world) || glm::length(up_world) == 0) {
+        right = glm::cross(least_aligned_axis(back), back);
+    }
+    right = glm::normalize(right);
+    const glm::dvec3 up = glm::cross(back, right);
+
+    Camera camera;
+    camera.eye_world = eye_world;
+    camera.view_from_world = glm::transpose(glm::dmat3(right, up, back));
+    camera.fov_y_rad = fov_y_rad;
+    return camera;
+}
+
+void fit_clip_range(Camera& camera, const Sphere& bounds) {
+    const double distance = glm::length(camera.eye_world - bounds.center_world);
+    const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
+    camera.far = distance + radius;
+    camera.near = std::max(distance - radius, 1e-4 * radius);
+}
+
+Projection::Projection(const View& view)
+    : eye_world_(view.camera.eye_world),
+      view_from_world_(view.camera.view_from_world),
+      focal_px_(view.height_px / (2 * std::tan(view.camera.fov_y_rad / 2))),
+      center_px_(view.width_px / 2.0, view.height_px / 2.0, 0) {}
+
+glm::dvec3 Projection::ray_world(double x_px, double y_px) const {
+    const glm::dvec3 d_view{
+        (x_px - center_px_.x) / focal_px_, (center_px_.y - y_px) / focal_px_, -1};
+    return glm::transpose(view_from_world_) * d_view;
+}
+
+}  // namespace ink::scene

@@ -1,0 +1,158 @@
+#include "scene/predicates.h"
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace ink::scene {
+namespace {
+
+constexpr double kHalfUlp =
+    std::numeric_limits<double>::epsilon() / 2;  // 2^-53, Shewchuk's epsilon
+
+/// A sum of doubles that do not overlap, smallest first: exact arithmetic as Shewchuk 1997 has it.
+///
+/// 192 terms hold the largest sum that orient3d needs: six products of three two-term differences.
+struct Expansion {
+    std::array<double, 192> terms;
+    int size = 0;
+
+    void push(double term) {
+        if (term == 0) return;
+        assert(size < static_cast<int>(terms.size()));
+        terms[static_cast<std::size_t>(size++)] = term;
+    }
+    /// The largest term outweighs the rest, so it carries the sign.
+    [[nodiscard]] int sign() const {
+        if (size == 0) return 0;
+        return terms[static_cast<std::size_t>(size - 1)] > 0 ? 1 : -1;
+    }
+};
+
+struct Split {
+    double high;
+    double low;
+};
+
+/// a + b = high + low exactly (Knuth; Shewchuk, theorem 7).
+Split two_sum(double a, double b) {
+    const double high = a + b;
+    const double b_virtual = high - a;
+    const double a_virtual = high - b_virtual;
+    return {high, (a - a_virtual) + (b - b_virtual)};
+}
+
+/// a * b = high + low exactly.
+Split two_product(double a, double b) {
+    const double high = a * b;
+    return {high, std::fma(a, b, -high)};
+}
+
+/// Adds one double to an expansion in place (Shewchuk, grow-expansion, theorem 10).
+void grow(Expansion& e, double b) {
+    Expansion result;
+    double q = b;
+    for (int i = 0; i < e.size; ++i) {
+        const Split s = two_sum(q, e.terms[static_cast<std::size_t>(i)]);
+        result.push(s.low);
+        q = s.high;
+    }
+    result.push(q);
+    e = result;
+}
+
+Expansion difference(double a, double b) {
+    const Split s = two_sum(a, -b);
+    Expansion e;
+    e.push(s.low);
+    e.push(s.high);
+    return e;
+}
+
+/// Term by term: short expansions only, so the plain double loop is good enough.
+Expansion product(const Expansion& a, const Expansion& b) {
+    Expansion result;
+    for (int i = 0; i < a.size; ++i) {
+        for (int j = 0; j < b.size; ++j) {
+            const Split p = two_product(a.terms[static_cast<std::size_t>(i)],
+                                        b.terms[static_cast<std::size_t>(j)]);
+            grow(result, p.low);
+            grow(result, p.high);
+        }
+    }
+    return result;
+}
+
+void add(Expansion& sum, const Expansion& e, double factor) {
+    for (int i = 0; i < e.size; ++i)
+        grow(sum, factor * e.terms[static_cast<std::size_t>(i)]);
+}
+
+/// a*d - b*c of exact differences.
+Expansion minor_of(const Expansion& a, const Expansion& b, const Expansion& c, const Expansion& d) {
+    Expansion result = product(a, d);
+    add(result, product(b, c), -1.0);
+    return result;
+}
+
+struct Row {
+    Expansion x, y, z;
+};
+
+Row exact_row(const glm::dvec3& p, const glm::dvec3& origin) {
+    return {difference(p.x, origin.x), difference(p.y, origin.y), difference(p.z, origin.z)};
+}
+
+int orient3d_exact(const glm::dvec3& a,
+                   const glm::dvec3& b,
+                   const glm::dvec3& c,
+                   const glm::dvec3& d) {
+    const Row ad = exact_row(a, d);
+    const Row bd = exact_row(b, d);
+    const Row cd = exact_row(c, d);
+    Expansion det = product(ad.z, minor_of(bd.x, bd.y, cd.x, cd.y));
+    add(det, product(bd.z, minor_of(cd.x, cd.y, ad.x, ad.y)), 1.0);
+    add(det, product(cd.z, minor_of(ad.x, ad.y, bd.x, bd.y)), 1.0);
+    return det.sign();
+}
+
+/// The exact sign of (bx-ax)(cy-ay) - (by-ay)(cx-ax) in one coordinate plane.
+int orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
+    const double left = (bx - ax) * (cy - ay);
+    const double right = (by - ay) * (cx - ax);
+    const double det = left - right;
+    // Shewchuk, ccwerrboundA.
+    const double bound = (3 + 16 * kHalfUlp) * kHalfUlp * (std::abs(left) + std::abs(right));
+    if (std::abs(det) > bound) return det > 0 ? 1 : -1;
+    const Expansion exact =
+        minor_of(difference(bx, ax), difference(by, ay), difference(cx, ax), difference(cy, ay));
+    return exact.sign();
+}
+
+}  // namespace
+
+int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+    const glm::dvec3 ad = a - d;
+    const glm::dvec3 bd = b - d;
+    const glm::dvec3 cd = c - d;
+    const double bxcy = bd.x * cd.y, cxby = cd.x * bd.y;
+    const double cxay = cd.x * ad.y, axcy = ad.x * cd.y;
+    const double axby = ad.x * bd.y, bxay = bd.x * ad.y;
+    const double det = ad.z * (bxcy - cxby) + bd.z * (cxay - axcy) + cd.z * (axby - bxay);
+    const double permanent = (std::abs(bxcy) + std::abs(cxby)) * std::abs(ad.z) +
+                             (std::abs(cxay) + std::abs(axcy)) * std::abs(bd.z) +
+                             (std::abs(axby) + std::abs(bxay)) * std::abs(cd.z);
+    // Shewchuk, o3derrboundA: above it the rounded determinant has the right sign.
+    const double bound = (7 + 56 * kHalfUlp) * kHalfUlp * permanent;
+    if (std::abs(det) > bound) return det > 0 ? 1 : -1;
+    return orient3d_exact(a, b, c, d);
+}
+
+bool is_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return orient2d(a.x, a.y, b.x, b.y, c.x, c.y) == 0 &&
+           orient2d(a.y, a.z, b.y, b.z, c.y, c.z) == 0 &&
+           orient2d(a.z, a.x, b.z, b.x, c.z, c.x) == 0;
+}
+
+}  // namespace ink::scene

@@ -1,0 +1,165 @@
+#include "scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "core/error.h"
+#include "core/hash.h"
+
+namespace ink::scene {
+namespace {
+
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_mesh(const Mesh& mesh, const std::string& where) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (!is_finite(mesh.positions[i])) {
+            throw core::Error(where, fmt::format("vertex {} is not finite", i), "finite numbers");
+        }
+    }
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        if (!is_finite(mesh.normals[i])) {
+            throw core::Error(where, fmt::format("normal {} is not finite", i), "finite numbers");
+        }
+    }
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
+        throw core::Error(
+            where,
+            fmt::format("{} normals for {} vertices", mesh.normals.size(), mesh.positions.size()),
+            "none, or one per vertex");
+    }
+    if (!mesh.materials.empty() && mesh.materials.size() != mesh.triangles.size()) {
+        throw core::Error(
+            where,
+            fmt::format(
+                "{} materials for {} triangles", mesh.materials.size(), mesh.triangles.size()),
+            "none, or one per triangle");
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (const std::uint32_t v : mesh.triangles[t]) {
+            if (v >= mesh.positions.size()) {
+                throw core::Error(where,
+                                  fmt::format("triangle {} uses vertex {}", t, v),
+                                  fmt::format("0..{}", mesh.positions.size() - 1));
+            }
+        }
+    }
+}
+
+void check_instance(const Scene& scene, std::size_t index) {
+    const Instance& instance = scene.instances[index];
+    const std::string where = fmt::format("{}, instance {}", scene.name, index);
+    if (instance.mesh >= scene.meshes.size()) {
+        throw core::Error(where,
+                          fmt::format("it places mesh {}", instance.mesh),
+                          fmt::format("one of {} meshes", scene.meshes.size()));
+    }
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(instance.world_from_object[column][row])) {
+                throw core::Error(where, "its transform is not finite", "finite numbers");
+            }
+        }
+    }
+}
+
+/// Calls `visit` with the world position of every corner of every placed triangle.
+template <class Visit>
+void for_each_corner(const Scene& scene, Visit visit) {
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        for (const Triangle& triangle : mesh.triangles) {
+            for (const std::uint32_t v : triangle)
+                visit(to_world(instance, mesh.positions[v]));
+        }
+    }
+}
+
+}  // namespace
+
+bool is_mirrored(const Instance& instance) {
+    return glm::determinant(glm::dmat3(instance.world_from_object)) < 0;
+}
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Instance& instance : scene.instances) {
+        count += scene.meshes[instance.mesh].triangles.size();
+    }
+    return count;
+}
+
+Sphere bounding_sphere(const Scene& scene) {
+    // The box's centre, and the farthest corner from it: at most sqrt(3) too large, and stable.
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    for_each_corner(scene, [&](const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    });
+    if (!(low.x <= high.x)) return {};
+    Sphere sphere{(low + high) * 0.5, 0};
+    for_each_corner(scene, [&](const glm::dvec3& p) {
+        sphere.radius = std::max(sphere.radius, glm::length(p - sphere.center_world));
+    });
+    return sphere;
+}
+
+void check_scene(const Scene& scene) {
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        check_mesh(scene.meshes[m], fmt::format("{}, mesh {}", scene.name, m));
+    }
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        check_instance(scene, i);
+    if (triangle_count(scene) == 0) {
+        throw core::Error(scene.name, "it has no triangle", "a scene with at least one");
+    }
+}
+
+std::uint64_t scene_hash(const Scene& scene) {
+    core::Hasher hasher;
+    for (const Mesh& mesh : scene.meshes) {
+        hasher.items(std::span(mesh.positions)).items(std::span(mesh.normals));
+        hasher.items(std::span(mesh.triangles)).items(std::span(mesh.materials));
+    }
+    for (const Instance& instance : scene.instances) {
+        hasher.value(instance.mesh).value(instance.world_from_object);
+    }
+    return hasher.result();
+}
+
+std::vector<Camera> orbit_cameras(const Sphere& bounds, int count, double width_over_height) {
+    constexpr double kFirstTurn_rad = 35 * std::numbers::pi / 180;
+    constexpr double kHigh_rad = 25 * std::numbers::pi / 180;
+    constexpr double kLow_rad = 8 * std::numbers::pi / 180;
+    const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
+
+    std::vector<Camera> cameras;
+    for (int i = 0; i < count; ++i) {
+        const double turn_rad = kFirstTurn_rad + 2 * std::numbers::pi * i / count;
+        const double height_rad = i % 2 == 0 ? kHigh_rad : kLow_rad;
+        const glm::dvec3 outward{std::sin(turn_rad) * std::cos(height_rad),
+                                 std::sin(height_rad),
+                                 std::cos(turn_rad) * std::cos(height_rad)};
+        const double half_y_rad = Camera{}.fov_y_rad / 2;
+        const double half_x_rad = std::atan(std::tan(half_y_rad) * width_over_height);
+        const double distance = 1.02 * radius / std::sin(std::min(half_x_rad, half_y_rad));
+        Camera camera = look_at(bounds.center_world + outward * distance,
+                                bounds.center_world,
+                                {0, 1, 0},
+                                Camera{}.fov_y_rad);
+        camera.name = fmt::format("view{}", i);
+        fit_clip_range(camera, bounds);
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+}  // namespace ink::scene

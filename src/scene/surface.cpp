@@ -1,0 +1,267 @@
+#include "scene/surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+
+#include "scene/predicates.h"
+
+namespace ink::scene {
+namespace {
+
+/// Calls `visit(object, instance, mesh, t, triangle)` per placed triangle, corners swapped if
+/// mirrored.
+template <class Visit>
+void for_each_triangle(const Scene& scene, Visit visit) {
+    for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
+        const Instance& instance = scene.instances[object];
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const bool mirrored = is_mirrored(instance);
+        for (const Triangle& stored : mesh.triangles) {
+            Triangle triangle = stored;
+            if (mirrored) std::swap(triangle[1], triangle[2]);
+            visit(object, instance, mesh, triangle);
+        }
+    }
+}
+
+/// Sets of corners that share a normal: plain union-find with path halving.
+class CornerSets {
+  public:
+    explicit CornerSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    /// The lower root wins, so that the numbering does not depend on the order of joins.
+    void join(std::uint32_t i, std::uint32_t j) {
+        i = find(i);
+        j = find(j);
+        parent_[std::max(i, j)] = std::min(i, j);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+std::uint32_t corner_at(const Face& face, std::uint32_t vertex) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == vertex) return i;
+    }
+    assert(false && "the face does not touch the vertex");
+    return 0;
+}
+
+bool runs_forward(const Face& face, const Edge& edge) {
+    return face.vertices[(corner_at(face, edge.a) + 1) % 3] == edge.b;
+}
+
+/// Corner 3f+i of every face, joined across the edges that are smooth.
+CornerSets join_smooth_corners(const Topology& topology, double crease_rad) {
+    CornerSets sets(topology.faces.size() * 3);
+    for (const Edge& edge : topology.edges) {
+        if (edge.face_count != 2) continue;
+        const auto faces = topology.faces_of(edge);
+        const Face& f = topology.faces[faces[0]];
+        const Face& g = topology.faces[faces[1]];
+        if (runs_forward(f, edge) == runs_forward(g, edge)) continue;
+        if (bend_rad(topology, edge, faces[0], faces[1]) >= crease_rad) continue;
+        for (const std::uint32_t v : {edge.a, edge.b}) {
+            sets.join(3 * faces[0] + corner_at(f, v), 3 * faces[1] + corner_at(g, v));
+        }
+    }
+    return sets;
+}
+
+glm::dvec3 area_vector(const Topology& topology, const Face& face) {
+    const glm::dvec3 a = topology.p_world[face.vertices[0]];
+    return glm::cross(topology.p_world[face.vertices[1]] - a,
+                      topology.p_world[face.vertices[2]] - a);
+}
+
+double corner_angle_rad(const Topology& topology, const Face& face, std::size_t corner) {
+    const glm::dvec3 p = topology.p_world[face.vertices[corner]];
+    const glm::dvec3 u = topology.p_world[face.vertices[(corner + 1) % 3]] - p;
+    const glm::dvec3 v = topology.p_world[face.vertices[(corner + 2) % 3]] - p;
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+glm::vec3 unit_or_z(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? glm::vec3(v / length) : glm::vec3(0, 0, 1);
+}
+
+Surface patch_surface(const Scene& scene, double crease_rad) {
+    const Topology topology = weld(scene);
+    CornerSets sets = join_smooth_corners(topology, crease_rad);
+
+    std::vector<glm::dvec3> sums(topology.faces.size() * 3, glm::dvec3(0));
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+        const Face& face = topology.faces[f];
+        const glm::dvec3 normal = glm::dvec3(area_vector(topology, face));
+        const glm::dvec3 unit = normal / std::max(glm::length(normal), 1e-300);
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            sums[sets.find(3 * f + i)] += unit * corner_angle_rad(topology, face, i);
+        }
+    }
+
+    // Dropped triangles (degenerate, duplicate) keep their index and get corners of their own.
+    Surface surface;
+    std::vector<std::uint32_t> vertex_of_set(sums.size(), 0xffffffffU);
+    std::uint32_t f = 0;
+    std::uint32_t triangle_index = 0;
+    const auto add_vertex = [&](const glm::dvec3& p, const glm::vec3& n) {
+        surface.p_world.push_back(p);
+        surface.n_world.push_back(n);
+        return static_cast<std::uint32_t>(surface.p_world.size() - 1);
+    };
+    for_each_triangle(scene,
+                      [&](std::uint32_t object,
+                          const Instance& instance,
+                          const Mesh& mesh,
+                          const Triangle& triangle) {
+                          Triangle drawn{};
+                          const bool kept = f < topology.faces.size() &&
+                                            topology.faces[f].triangle == triangle_index;
+                          std::array<glm::dvec3, 3> p;
+                          for (std::size_t i = 0; i < 3; ++i)
+                              p[i] = to_world(instance, mesh.positions[triangle[i]]);
+                          const glm::vec3 facet = unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0]));
+                          for (std::uint32_t i = 0; i < 3; ++i) {
+                              if (!kept) {
+                                  drawn[i] = add_vertex(p[i], facet);
+                                  continue;
+                              }
+                              const std::uint32_t set = sets.find(3 * f + i);
+                              if (vertex_of_set[set] == 0xffffffffU) {
+                                  vertex_of_set[set] = add_vertex(p[i], unit_or_z(sums[set]));
+                              }
+                              drawn[i] = vertex_of_set[set];
+                          }
+                          if (kept) ++f;
+                          ++triangle_index;
+                          surface.triangles.push_back(drawn);
+                          surface.object.push_back(object);
+                      });
+    return surface;
+}
+
+/// One corner per triangle and vertex, each with the triangle's own normal.
+Surface facet_surface(const Scene& scene) {
+    Surface surface;
+    for_each_triangle(scene,
+                      [&](std::uint32_t object,
+                          const Instance& instance,
+                          const Mesh& mesh,
+                          const Triangle& triangle) {
+                          const auto first = static_cast<std::uint32_t>(surface.p_world.size());
+                          for (const std::uint32_t v : triangle) {
+                              surface.p_world.push_back(to_world(instance, mesh.positions[v]));
+                          }
+                          const glm::dvec3* p = surface.p_world.data() + first;
+                          surface.n_world.insert(surface.n_world.end(),
+                                                 3,
+                                                 unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0])));
+                          surface.triangles.push_back({first, first + 1, first + 2});
+                          surface.object.push_back(object);
+                      });
+    return surface;
+}
+
+/// Turns normals as the inverse transpose does, and copes with flat scales: the cofactor matrix,
+/// with a mirror's sign taken out again, since outward stays outward.
+glm::dmat3 normal_transform(const Instance& instance) {
+    const glm::dmat3 m(instance.world_from_object);
+    const glm::dmat3 cofactor(
+        glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return cofactor * (is_mirrored(instance) ? -1.0 : 1.0);
+}
+
+/// Vertices as the meshes have them, placed; normals too where a mesh has them and they are asked
+/// for.
+Surface mesh_surface(const Scene& scene, bool with_normals) {
+    Surface surface;
+    std::vector<std::uint32_t> first_vertex;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        first_vertex.push_back(static_cast<std::uint32_t>(surface.p_world.size()));
+        for (const glm::vec3& p : mesh.positions)
+            surface.p_world.push_back(to_world(instance, p));
+        if (!with_normals) continue;
+        const glm::dmat3 turn = normal_transform(instance);
+        for (const glm::vec3& n : mesh.normals) {
+            surface.n_world.push_back(unit_or_z(turn * glm::dvec3(n)));
+        }
+    }
+    for_each_triangle(
+        scene, [&](std::uint32_t object, const Instance&, const Mesh&, const Triangle& triangle) {
+            const std::uint32_t first = first_vertex[object];
+            surface.triangles.push_back(
+                {first + triangle[0], first + triangle[1], first + triangle[2]});
+            surface.object.push_back(object);
+        });
+    return surface;
+}
+
+/// File normals where a mesh has them, patch normals where it has none.
+Surface file_surface(const Scene& scene, double crease_rad) {
+    const bool all =
+        std::all_of(scene.instances.begin(), scene.instances.end(), [&](auto& instance) {
+            const Mesh& mesh = scene.meshes[instance.mesh];
+            return mesh.normals.size() == mesh.positions.size();
+        });
+    if (all) return mesh_surface(scene, true);
+
+    Surface surface = patch_surface(scene, crease_rad);
+    std::uint32_t triangle_index = 0;
+    for_each_triangle(
+        scene,
+        [&](std::uint32_t, const Instance& instance, const Mesh& mesh, const Triangle& triangle) {
+            Triangle& drawn = surface.triangles[triangle_index++];
+            if (mesh.normals.empty()) return;
+            const glm::dmat3 turn = normal_transform(instance);
+            for (std::size_t i = 0; i < 3; ++i) {
+                surface.p_world.push_back(surface.p_world[drawn[i]]);
+                surface.n_world.push_back(unit_or_z(turn * glm::dvec3(mesh.normals[triangle[i]])));
+                drawn[i] = static_cast<std::uint32_t>(surface.p_world.size() - 1);
+            }
+        });
+    return surface;
+}
+
+}  // namespace
+
+Surface flatten(const Scene& scene) {
+    return mesh_surface(scene, false);
+}
+
+Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
+    switch (source) {
+        case NormalSource::file:
+            return file_surface(scene, crease_rad);
+        case NormalSource::patch:
+            return patch_surface(scene, crease_rad);
+        case NormalSource::facet:
+            return facet_surface(scene);
+    }
+    return {};
+}
+
+std::vector<std::int8_t> facings(const Surface& surface, const glm::dvec3& eye_world) {
+    std::vector<std::int8_t> result(surface.triangles.size());
+    for (std::size_t t = 0; t < result.size(); ++t) {
+        const auto& [a, b, c] = surface.triangles[t];
+        result[t] = static_cast<std::int8_t>(
+            facing(surface.p_world[a], surface.p_world[b], surface.p_world[c], eye_world));
+    }
+    return result;
+}
+
+}  // namespace ink::scene

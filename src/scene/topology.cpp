@@ -1,0 +1,203 @@
+#include "scene/topology.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/hash.h"
+#include "scene/predicates.h"
+
+namespace ink::scene {
+namespace {
+
+constexpr std::uint32_t kFree = 0xffffffffU;
+
+/// Numbers keys in the order in which they first appear; open addressing, linear probing.
+///
+/// `K` needs == and a hash functor; keys are kept, so the table is also the list of them.
+template <class K, class Hash>
+class Numbering {
+  public:
+    explicit Numbering(std::size_t expected) {
+        slots_.assign(std::bit_ceil(std::max<std::size_t>(16, expected * 2)), kFree);
+    }
+    /// The number of `key`, and whether it is new.
+    std::pair<std::uint32_t, bool> insert(const K& key) {
+        if (keys_.size() * 2 >= slots_.size()) rebuild(slots_.size() * 2);
+        const std::size_t slot = find(key);
+        if (slots_[slot] != kFree) return {slots_[slot], false};
+        slots_[slot] = static_cast<std::uint32_t>(keys_.size());
+        keys_.push_back(key);
+        return {slots_[slot], true};
+    }
+    [[nodiscard]] std::vector<K>& keys() { return keys_; }
+
+  private:
+    [[nodiscard]] std::size_t find(const K& key) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t slot = Hash{}(key)&mask;
+        while (slots_[slot] != kFree && !(keys_[slots_[slot]] == key))
+            slot = (slot + 1) & mask;
+        return slot;
+    }
+    void rebuild(std::size_t size) {
+        slots_.assign(size, kFree);
+        for (std::uint32_t i = 0; i < keys_.size(); ++i)
+            slots_[find(keys_[i])] = i;
+    }
+
+    std::vector<std::uint32_t> slots_;
+    std::vector<K> keys_;
+};
+
+struct PointHash {
+    std::size_t operator()(const glm::dvec3& p) const { return core::Hasher().value(p).result(); }
+};
+using EdgeKey = std::pair<std::uint32_t, std::uint32_t>;
+struct EdgeHash {
+    std::size_t operator()(const EdgeKey& e) const {
+        return core::Hasher().value(static_cast<std::uint64_t>(e.first) << 32 | e.second).result();
+    }
+};
+using FaceKey = std::array<std::uint32_t, 3>;
+struct FaceHash {
+    std::size_t operator()(const FaceKey& f) const { return core::Hasher().value(f).result(); }
+};
+
+/// -0 and 0 are one place, and must hash alike.
+glm::dvec3 without_negative_zero(const glm::dvec3& p) {
+    return p + 0.0;
+}
+
+FaceKey sorted(FaceKey key) {
+    std::sort(key.begin(), key.end());
+    return key;
+}
+
+/// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
+/// dropped.
+void weld_faces(const Scene& scene, Topology& topology) {
+    const std::size_t count = triangle_count(scene);
+    Numbering<glm::dvec3, PointHash> points(count / 2);
+    Numbering<FaceKey, FaceHash> seen(count);
+    topology.counts.triangles = count;
+
+    std::uint32_t triangle_index = 0;
+    for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
+        const Instance& instance = scene.instances[object];
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        const bool mirrored = is_mirrored(instance);
+        std::vector<std::uint32_t> welded(mesh.positions.size(), kFree);
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++triangle_index) {
+            Face face;
+            face.object = object;
+            face.material = mesh.materials.empty() ? 0 : mesh.materials[t];
+            face.triangle = triangle_index;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t v = mesh.triangles[t][i];
+                if (welded[v] == kFree) {
+                    const glm::dvec3 p = to_world(instance, mesh.positions[v]);
+                    welded[v] = points.insert(without_negative_zero(p)).first;
+                }
+                face.vertices[i] = welded[v];
+            }
+            if (mirrored) std::swap(face.vertices[1], face.vertices[2]);
+
+            const auto& [a, b, c] = face.vertices;
+            const auto& p = points.keys();
+            if (a == b || b == c || c == a || is_collinear(p[a], p[b], p[c])) {
+                ++topology.counts.degenerate;
+            } else if (!seen.insert(sorted(face.vertices)).second) {
+                ++topology.counts.duplicate;
+            } else {
+                topology.faces.push_back(face);
+            }
+        }
+    }
+    topology.p_world = std::move(points.keys());
+}
+
+bool runs_forward(const Face& face, const Edge& edge) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
+    }
+    return false;
+}
+
+void count_edges(Topology& topology) {
+    for (const Edge& edge : topology.edges) {
+        if (edge.face_count == 1) ++topology.counts.boundary_edges;
+        if (edge.face_count > 2) ++topology.counts.nonmanifold_edges;
+        if (edge.face_count != 2) continue;
+        const auto faces = topology.faces_of(edge);
+        if (runs_forward(topology.faces[faces[0]], edge) ==
+            runs_forward(topology.faces[faces[1]], edge)) {
+            ++topology.counts.inconsistent_edges;
+        }
+    }
+}
+
+/// Numbers the edges in the order in which the faces meet them and lists each edge's faces.
+void build_edges(Topology& topology) {
+    Numbering<EdgeKey, EdgeHash> keys(topology.faces.size() * 3 / 2);
+    for (Face& face : topology.faces) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [a, b] = std::minmax(face.vertices[i], face.vertices[(i + 1) % 3]);
+            face.edges[i] = keys.insert({a, b}).first;
+        }
+    }
+    topology.edges.reserve(keys.keys().size());
+    for (const EdgeKey& key : keys.keys())
+        topology.edges.push_back({key.first, key.second, 0, 0});
+    for (const Face& face : topology.faces) {
+        for (const std::uint32_t e : face.edges)
+            ++topology.edges[e].face_count;
+    }
+    std::uint32_t first = 0;
+    for (Edge& edge : topology.edges) {
+        edge.first_face = first;
+        first += edge.face_count;
+    }
+    topology.edge_faces.resize(first);
+    std::vector<std::uint32_t> filled(topology.edges.size(), 0);
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+        for (const std::uint32_t e : topology.faces[f].edges) {
+            topology.edge_faces[topology.edges[e].first_face + filled[e]++] = f;
+        }
+    }
+}
+
+/// The direction from the edge into the face, orthogonal to the edge; not normalised.
+glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) {
+    const auto is_opposite = [&](std::uint32_t v) { return v != edge.a && v != edge.b; };
+    const auto opposite = std::find_if(face.vertices.begin(), face.vertices.end(), is_opposite);
+    assert(opposite != face.vertices.end());
+    const glm::dvec3 a = topology.p_world[edge.a];
+    const glm::dvec3 along = glm::normalize(topology.p_world[edge.b] - a);
+    const glm::dvec3 to_opposite = topology.p_world[*opposite] - a;
+    return to_opposite - along * glm::dot(along, to_opposite);
+}
+
+}  // namespace
+
+Topology weld(const Scene& scene) {
+    Topology topology;
+    weld_faces(scene, topology);
+    build_edges(topology);
+    count_edges(topology);
+    return topology;
+}
+
+double bend_rad(const Topology& topology,
+                const Edge& edge,
+                std::uint32_t face0,
+                std::uint32_t face1) {
+    const glm::dvec3 d0 = inward(topology, edge, topology.faces[face0]);
+    const glm::dvec3 d1 = inward(topology, edge, topology.faces[face1]);
+    return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
+}
+
+}  // namespace ink::scene

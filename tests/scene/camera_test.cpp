@@ -1,0 +1,79 @@
+#include "scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/error.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::scene {
+namespace {
+
+constexpr double kRightAngle_rad = std::numbers::pi / 2;
+
+TEST(Camera, LooksAlongMinusZWithYUp) {
+    const Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, kRightAngle_rad);
+    const Projection projection({camera, 200, 100});
+    const glm::dvec3 target = projection.to_view({0, 0, 0});
+    EXPECT_EQ(target, glm::dvec3(0, 0, -5));
+    EXPECT_GT(projection.to_view({1, 0, 0}).x, 0);
+    EXPECT_GT(projection.to_view({0, 1, 0}).y, 0);
+}
+
+TEST(Projection, CentreIsTheMiddleOfThePictureAndYRunsDown) {
+    const Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, kRightAngle_rad);
+    const Projection projection({camera, 200, 100});
+    const glm::dvec3 middle = projection.to_clip({0, 0, 0});
+    EXPECT_DOUBLE_EQ(middle.x / middle.z, 100);
+    EXPECT_DOUBLE_EQ(middle.y / middle.z, 50);
+    // 90 degrees: at distance 5 the upper frame lies 5 up.
+    const glm::dvec3 top = projection.to_clip({0, 5, 0});
+    EXPECT_NEAR(top.y / top.z, 0, 1e-12);
+    const glm::dvec3 right = projection.to_clip({10, 0, 0});
+    EXPECT_NEAR(right.x / right.z, 200, 1e-12);
+}
+
+TEST(Projection, RayHitsThePixelItWasCastThrough) {
+    const Camera camera = look_at({1, 2, 3}, {-4, 0.5, 2}, {0, 1, 0.2}, 0.7);
+    const Projection projection({camera, 640, 480});
+    const glm::dvec3 p_clip =
+        projection.to_clip(camera.eye_world + 7.0 * projection.ray_world(12.5, 400));
+    EXPECT_NEAR(p_clip.x / p_clip.z, 12.5, 1e-9);
+    EXPECT_NEAR(p_clip.y / p_clip.z, 400, 1e-9);
+    EXPECT_NEAR(p_clip.z, 7, 1e-12);
+}
+
+TEST(Camera, UpAlongTheGazeStillGivesARotation) {
+    const Camera camera = look_at({0, 9, 0}, {0, 0, 0}, {0, 1, 0}, 0.7);
+    EXPECT_NEAR(glm::determinant(camera.view_from_world), 1, 1e-12);
+}
+
+TEST(Camera, EyeOnTargetIsAnError) {
+    EXPECT_THROW((void)look_at({1, 1, 1}, {1, 1, 1}, {0, 1, 0}, 0.7), core::Error);
+    EXPECT_THROW((void)look_at({1, 1, 1}, {NAN, 1, 1}, {0, 1, 0}, 0.7), core::Error);
+}
+
+TEST(OrbitCameras, KeepTheWholeBallInTheFrame) {
+    const Scene scene = scene_of(unit_cube());
+    const Sphere bounds = bounding_sphere(scene);
+    EXPECT_NEAR(bounds.radius, std::sqrt(3.0), 1e-12);
+    for (const double aspect : {16.0 / 9, 0.5}) {
+        for (const Camera& camera : orbit_cameras(bounds, 5, aspect)) {
+            const Projection projection({camera, static_cast<int>(100 * aspect), 100});
+            for (const glm::vec3& p : scene.meshes[0].positions) {
+                const glm::dvec3 p_clip = projection.to_clip(glm::dvec3(p));
+                EXPECT_GT(p_clip.z, camera.near);
+                EXPECT_LT(p_clip.z, camera.far);
+                EXPECT_GE(p_clip.x / p_clip.z, 0);
+                EXPECT_LE(p_clip.x / p_clip.z, 100 * aspect);
+                EXPECT_GE(p_clip.y / p_clip.z, 0);
+                EXPECT_LE(p_clip.y / p_clip.z, 100);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ink::scene
