@@ -1,35 +1,15 @@
 #include "score/pixel_list.h"
 
 #include <cmath>
-#include <cstring>
+
+#include "edge/set_pixels.h"
 
 namespace ink::score {
-namespace {
-
-/// Calls `visit(x)` for each byte of a row that is not 0, eight bytes a step where all are 0.
-template <class Visit>
-void visit_nonzero(const std::uint8_t* row, int width_px, Visit visit) {
-    int x = 0;
-    for (; x + 8 <= width_px; x += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, row + x, sizeof word);
-        if (word == 0) continue;
-        for (int i = x; i < x + 8; ++i) {
-            if (row[i] != 0) visit(i);
-        }
-    }
-    for (; x < width_px; ++x) {
-        if (row[x] != 0) visit(x);
-    }
-}
-
-}  // namespace
-
 PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label) {
     row_begin_.reserve(static_cast<std::size_t>(image.height_px()) + 1);
     for (int y = 0; y < image.height_px(); ++y) {
         const std::uint8_t* row = image.row(y);
-        visit_nonzero(row, image.width_px(), [&](int x) {
+        edge::visit_set_pixels(row, image.width_px(), [&](int x) {
             if (label == 0 || row[x] == label) x_.push_back(x);
         });
         row_begin_.push_back(x_.size());

@@ -67,8 +67,7 @@ std::vector<std::uint8_t> labels_in_use(const core::Image<std::uint8_t>& labels)
     return used;
 }
 
-bool is_binary(const std::vector<std::uint8_t>& labels, TruthReading reading) {
-    if (reading != TruthReading::automatic) return reading == TruthReading::binary;
+bool is_binary(const std::vector<std::uint8_t>& labels) {
     return labels.empty() || (labels.size() == 1 && (labels[0] == 1 || labels[0] == 255));
 }
 
@@ -129,6 +128,21 @@ Drawing drawn_pixels(const edge::EdgeImage& prediction,
     return drawing;
 }
 
+/// Each class against all that is drawn, with a matching of its own: which of the equally good
+/// global matchings was found must not decide a recall.
+std::vector<ClassCount> match_classes(const PixelList& drawn,
+                                      const ScoringTruth& truth,
+                                      const Disk& disk) {
+    std::vector<ClassCount> classes;
+    for (const std::uint8_t label : truth.labels_in_use) {
+        const PixelList of_class(truth.labels, label);
+        classes.push_back({.label = label,
+                           .k = match_pixels(drawn, of_class, disk).k,
+                           .n_truth = static_cast<std::int64_t>(of_class.size())});
+    }
+    return classes;
+}
+
 }  // namespace
 
 double Score::f() const {
@@ -172,9 +186,8 @@ ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
     clear_band(truth.labels, options.band_px);
     truth.ignore = take_out_ignore(truth.labels, options.ignore_label);
     if (rethin) thin_labels(truth.labels);
-    truth.class_labels = labels_in_use(truth.labels);
-    truth.is_binary = is_binary(truth.class_labels, options.truth_reading);
-    if (truth.is_binary) truth.class_labels.clear();
+    truth.labels_in_use = labels_in_use(truth.labels);
+    truth.is_binary = is_binary(truth.labels_in_use);
     return truth;
 }
 
@@ -193,12 +206,7 @@ Score score(const edge::EdgeImage& prediction,
     result.lost = counts.right_reached - counts.k;
     result.missing = result.n_truth - counts.right_reached;
     result.mean_width_px = drawing.mean_width_px;
-    for (const std::uint8_t label : truth.class_labels) {
-        const PixelList of_class(truth.labels, label);
-        result.classes.push_back({.label = label,
-                                  .k = match_pixels(drawing.pixels, of_class, lists.disk).k,
-                                  .n_truth = static_cast<std::int64_t>(of_class.size())});
-    }
+    if (!truth.is_binary) result.classes = match_classes(drawing.pixels, truth, lists.disk);
     return result;
 }
 

@@ -10,13 +10,6 @@
 
 namespace ink::score {
 
-/// How the labels of a truth image are read.
-enum class TruthReading {
-    automatic,  ///< only {1} or only {255} beside 0 is a yes-or-no picture, else labels are classes
-    binary,     ///< every label but 0 is a line, of no class
-    classes,    ///< every label is a class, also when only one is there
-};
-
 /// How two pictures are compared (section 7 of the design).
 struct ScoreOptions {
     double tolerance_px =
@@ -26,7 +19,6 @@ struct ScoreOptions {
     int band_px = 0;      ///< pixels this close to the frame are taken out of both sets; >= 0
     std::optional<int>
         ignore_label;  ///< truth label that is neither required nor penalised; 1..255
-    TruthReading truth_reading = TruthReading::automatic;
 };
 
 /// Throws core::Error, which names the field and its range, if an option is outside its range.
@@ -72,11 +64,12 @@ struct CurveCount {
 
 /// A truth image made ready to be scored against: labels 0 where nothing counts.
 struct ScoringTruth {
-    core::Image<std::uint8_t> labels;  ///< of real truth pixels, band and ignore taken out
-    edge::Mask ignore;                 ///< 1 under the ignore label (band taken out)
-    bool is_binary = true;             ///< no classes, as ScoreOptions::truth_reading has it
-    std::vector<std::uint8_t>
-        class_labels;  ///< the classes that are there, ascending; none if binary
+    core::Image<std::uint8_t> labels;         ///< of real truth pixels, band and ignore taken out
+    edge::Mask ignore;                        ///< 1 under the ignore label (band taken out)
+    std::vector<std::uint8_t> labels_in_use;  ///< without 0, ascending
+    /// No classes: labels_in_use is empty, {1} or {255}. Whoever knows that a lone 1 is a class
+    /// says so by setting this to false.
+    bool is_binary = true;
 };
 
 /// Takes band and ignore label out of a truth image; `rethin` then thins what is left, so that the
@@ -89,11 +82,12 @@ struct ScoringTruth {
                                          const ScoreOptions& options,
                                          bool rethin);
 
-/// Scores a strength image against a prepared truth of the same size: threshold, thin, band, ignore,
-/// match, in this order. Exact; its time grows with the drawn pixels, hardly with the picture's size.
+/// Scores a strength image against a prepared truth of the same size: threshold, thin, band,
+/// ignore, match, in this order. Exact; its time grows with the drawn pixels, hardly with the
+/// picture's size.
 ///
-/// Throws core::Error for another size (both are named) or options outside their range. Empty images
-/// score 1, as any empty prediction of an empty truth does.
+/// Throws core::Error for another size (both are named) or options outside their range. Empty
+/// images score 1, as any empty prediction of an empty truth does.
 [[nodiscard]] Score score(const edge::EdgeImage& prediction,
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
