@@ -214,10 +214,13 @@ void convert_cameras(const aiScene& scene,
 }
 
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {
-    const bool is_known = importer.IsExtensionSupported(path.extension().string());
     ImportReply reply;
-    reply.status = is_known ? ImportStatus::not_readable : ImportStatus::unknown_format;
     reply.reason = importer.GetErrorString();
+    reply.status = ImportStatus::not_readable;
+    if (reply.reason.starts_with("No suitable reader found")) {
+        const bool is_known = importer.IsExtensionSupported(path.extension().string());
+        reply.status = is_known ? ImportStatus::wrong_content : ImportStatus::unknown_format;
+    }
     return reply;
 }
 
@@ -231,6 +234,7 @@ ImportReply read_model(const std::filesystem::path& path) {
         reply.faces_read += scene->mMeshes[m]->mNumFaces;
         reply.vertices_read += scene->mMeshes[m]->mNumVertices;
     }
+    if (reply.faces_read == 0) return reply;  // the validation would only say it less clearly
     // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
     // sorting by kind would split meshes and reorder vertices.
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate);
