@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "edge/set_pixels.h"
+
 namespace ink::edge {
 namespace {
 
@@ -85,11 +87,10 @@ Thinner::Thinner(const Mask& mask)
     for (int y = 0; y < height_px_; ++y) {
         const std::uint8_t* from = mask.row(y);
         const std::ptrdiff_t first = (y + 1) * stride_ + 1;
-        for (int x = 0; x < width_px_; ++x) {
-            if (from[x] == 0) continue;
+        visit_set_pixels(from, width_px_, [&](int x) {
             cells_[static_cast<std::size_t>(first + x)] = kSet | kWaits | (kWaits << 1);
             waiting_[0].push_back(first + x);
-        }
+        });
     }
     waiting_[1] = waiting_[0];
 }
