@@ -12,6 +12,9 @@ namespace ink::house {
 
 using Findings = std::vector<std::string>;
 
+/// The rooms of the table: folders of src/, and methods.
+[[nodiscard]] std::vector<std::string> room_names();
+
 /// Rooms include only what the table of the design's section 2 allows, by path from src/ or the
 /// root; a method includes no other method.
 [[nodiscard]] Findings check_arrows(const SourceTree& tree);

@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace ink::house {
 namespace {
@@ -28,6 +29,32 @@ const SourceFile* SourceTree::find(const std::string& path) const {
 
 bool SourceTree::has_folder(const std::string& path) const {
     return std::find(folders.begin(), folders.end(), path) != folders.end();
+}
+
+bool starts_with(const std::string& text, const std::string& prefix) {
+    return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+bool ends_with(const std::string& text, const std::string& suffix) {
+    return text.size() >= suffix.size() &&
+           text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+bool is_code(const SourceFile& file) {
+    return ends_with(file.path, ".h") || ends_with(file.path, ".cpp") ||
+           ends_with(file.path, ".h.in");
+}
+
+void for_each_line(const SourceFile& file,
+                   const std::function<void(int, const std::string&)>& visit) {
+    std::istringstream lines(file.text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);)
+        visit(++number, line);
+}
+
+std::string at(const SourceFile& file, int line) {
+    return file.path + ":" + std::to_string(line) + ": ";
 }
 
 SourceTree read_tree(const std::filesystem::path& root) {

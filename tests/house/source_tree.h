@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,18 @@ struct SourceTree {
 /// Walks the disk instead of asking git, so that it works in an unpacked archive. A file that holds
 /// a zero byte is no text and is left out.
 [[nodiscard]] SourceTree read_tree(const std::filesystem::path& root);
+
+[[nodiscard]] bool starts_with(const std::string& text, const std::string& prefix);
+[[nodiscard]] bool ends_with(const std::string& text, const std::string& suffix);
+
+/// Whether the file is C++, generated headers' templates included.
+[[nodiscard]] bool is_code(const SourceFile& file);
+
+/// Calls `visit` with each line and its number, from 1.
+void for_each_line(const SourceFile& file,
+                   const std::function<void(int, const std::string&)>& visit);
+
+/// "path:line: ", the head of a finding.
+[[nodiscard]] std::string at(const SourceFile& file, int line);
 
 }  // namespace ink::house
