@@ -21,8 +21,7 @@ struct CompareArgs {
     std::vector<std::string> settings;
     ViewOptions views;
     std::string out = "inkbench-out";
-    std::string cache;
-    bool no_cache = false;
+    CacheOptions cache;
     double crease_deg = 40;
     int threads = 1;
     int repetitions = 15;
@@ -45,10 +44,10 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     }
     options.measure.max_repetitions = args.repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
-    options.truth.crease_rad = checked_crease_rad(args.crease_deg);
-    options.truth.threads = core::hardware_threads();
+    options.trace.truth.crease_rad = checked_crease_rad(args.crease_deg);
+    options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
-    if (!args.no_cache) options.cache = args.cache.empty() ? default_cache() : args.cache;
+    options.trace.cache = cache_folder(args.cache);
     options.seed = args.seed;
     return options;
 }
@@ -92,8 +91,7 @@ void add_compare_command(CLI::App& app) {
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
     command->add_option("--seed", args->seed, "Recorded in the rows")->capture_default_str();
-    command->add_option("--cache", args->cache, "Folder of traced truths (~/.cache/inkbench)");
-    command->add_flag("--no-cache", args->no_cache, "Trace every truth anew");
+    add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
         "Exit codes: 0 done, 1 the run is void, 2 bad input, 130 interrupted.");

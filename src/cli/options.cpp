@@ -123,7 +123,14 @@ double checked_crease_rad(double crease_deg) {
     return crease_deg * kRadPerDeg;
 }
 
-std::filesystem::path default_cache() {
+void add_cache_options(CLI::App& command, CacheOptions& options) {
+    command.add_option("--cache", options.folder, "Folder of traced truths (~/.cache/inkbench)");
+    command.add_flag("--no-cache", options.none, "Trace anew and keep nothing");
+}
+
+std::filesystem::path cache_folder(const CacheOptions& options) {
+    if (options.none) return {};
+    if (!options.folder.empty()) return options.folder;
     if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0') {
         return std::filesystem::path(xdg) / "inkbench";
     }

@@ -32,9 +32,17 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// --crease as given, in radians, or an Error unless 0..180 degrees.
 [[nodiscard]] double checked_crease_rad(double crease_deg);
 
-/// Where truths are kept unless the user says: $XDG_CACHE_HOME/inkbench or ~/.cache/inkbench; empty
-/// if neither is set.
-[[nodiscard]] std::filesystem::path default_cache();
+/// Where traced truths are kept.
+struct CacheOptions {
+    std::string folder;  ///< "" is $XDG_CACHE_HOME/inkbench, or ~/.cache/inkbench
+    bool none = false;
+};
+
+/// Adds --cache and --no-cache to a command.
+void add_cache_options(CLI::App& command, CacheOptions& options);
+
+/// The folder the options mean; empty if truths are not to be kept or there is no home for them.
+[[nodiscard]] std::filesystem::path cache_folder(const CacheOptions& options);
 
 /// Throws core::Error unless a PNG can be written to `path`: its name ends in .png, and its folder
 /// is there and writable. Called before any work, so that an hour is not lost to a typing error.

@@ -67,7 +67,7 @@ Scored score_picture(const edge::EdgeImage& picture,
     return scored;
 }
 
-void fill_scores(const Scored& scored, const score::ScoringTruth&, Row& row) {
+void fill_scores(const Scored& scored, Row& row) {
     const score::Score& s = scored.at_2px;
     row.f_2px = s.f();
     row.f_1px = scored.at_1px.f();

@@ -9,16 +9,10 @@
 #include "edge/edge_image.h"
 #include "lab/entrants.h"
 #include "lab/row.h"
+#include "lab/tracing.h"
 #include "score/score.h"
-#include "truth/truth.h"
 
 namespace ink::lab {
-
-/// How every comparison is scored (section 7 of the design): pixels this close to the frame do not
-/// count.
-inline constexpr int kBand_px = 6;
-inline constexpr double kTolerance_px = 2;
-inline constexpr double kStrictTolerance_px = 1;
 
 /// How often and with what a method is timed.
 struct MeasureOptions {
@@ -46,8 +40,8 @@ struct Scored {
                                    const score::ScoringTruth& truth,
                                    int threshold);
 
-/// Writes the metrics of `scored` and the counts of `truth` into `row`.
-void fill_scores(const Scored& scored, const score::ScoringTruth& truth, Row& row);
+/// Writes the metrics of `scored` into `row`.
+void fill_scores(const Scored& scored, Row& row);
 
 /// Writes median, quartiles, minimum and number of `draw_ns` into `row`; none leaves it empty.
 void fill_times(std::vector<std::int64_t> draw_ns, Row& row);

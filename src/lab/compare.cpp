@@ -12,7 +12,6 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
-#include "truth/truth_cache.h"
 
 namespace ink::lab {
 namespace {
@@ -24,26 +23,6 @@ struct Shot {
     int threshold = 128;
     Scored scored;
 };
-
-/// A view's truth, as traced and as scored against.
-struct ViewTruth {
-    truth::Truth traced;
-    score::ScoringTruth scoring;
-};
-
-ViewTruth trace_view(const Subject& subject,
-                     const scene::View& view,
-                     const CompareOptions& options) {
-    score::ScoreOptions score_options;
-    score_options.band_px = kBand_px;
-    score_options.ignore_label = static_cast<int>(truth::LineClass::ignore);
-    ViewTruth result;
-    result.traced = truth::cached_truth(subject.scene, view, options.truth, options.cache);
-    result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
-    // A truth without any pixel is one of classes all the same.
-    result.scoring.is_binary = false;
-    return result;
-}
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
     edge::EdgeImage picture(labels.width_px(), labels.height_px());
@@ -103,7 +82,7 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
-        fill_scores(shot.scored, truth.scoring, shot.row);
+        fill_scores(shot.scored, shot.row);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     for (Shot& shot : shots) {
@@ -179,7 +158,7 @@ class Comparison {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
         ViewTruth truth;
         try {
-            truth = trace_view(subject, view, options_);
+            truth = trace_view(subject.scene, view, options_.trace);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
         } catch (const std::bad_alloc&) {

@@ -8,6 +8,7 @@
 #include "lab/ods.h"
 #include "lab/report.h"
 #include "lab/suite.h"
+#include "lab/tracing.h"
 
 namespace ink::lab {
 
@@ -15,11 +16,10 @@ namespace ink::lab {
 struct CompareOptions {
     std::vector<Entrant> entrants;
     MeasureOptions measure;
-    truth::TruthOptions truth;
-    std::filesystem::path out;    ///< directory: rows.csv, curves.csv, report.html, figures
-    std::filesystem::path cache;  ///< of truths; empty: none
-    std::uint64_t seed = 0;       ///< recorded; nothing here is random yet
-    std::string command;          ///< as the user typed it, for the report
+    TraceOptions trace;
+    std::filesystem::path out;  ///< directory: rows.csv, curves.csv, report.html, figures
+    std::uint64_t seed = 0;     ///< recorded; nothing here is random yet
+    std::string command;        ///< as the user typed it, for the report
 };
 
 /// What came of a comparison.

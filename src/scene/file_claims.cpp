@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 namespace ink::scene {
 namespace {
@@ -66,35 +68,48 @@ std::uint64_t ply_type_bytes(std::string_view type) {
     return 4;
 }
 
-/// Reads "element vertex 8" and its kin up to "end_header".
+/// What the lines of a PLY header add up to.
+struct PlyHeader {
+    FileClaims claims;
+    bool is_binary = false;
+    std::uint64_t element_count = 0;  ///< of the element being described
+    std::uint64_t least_bytes = 0;    ///< of the elements alone
+    std::uint64_t least_lines = 0;    ///< one each for the header's own and for every element
+};
+
+/// Adds one header line, such as "element vertex 8" or "property list uchar int vertex_indices".
+void add_ply_line(const std::vector<std::string>& words, PlyHeader& header) {
+    if (words.size() < 3) return;
+    if (words[0] == "format") header.is_binary = words[1].starts_with("binary");
+    if (words[0] == "element") {
+        std::uint64_t count = 0;
+        std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
+        count = std::min(count, kMostCounted);
+        header.element_count = count;
+        header.least_lines += count;
+        if (words[1] == "vertex") header.claims.vertices = count;
+        if (words[1] == "face") header.claims.faces = count;
+    }
+    if (words[0] == "property") {
+        const bool is_list = words[1] == "list";  // of which only the length is sure to be there
+        header.least_bytes += header.element_count * ply_type_bytes(words[is_list ? 2 : 1]);
+    }
+}
+
 FileClaims ply_claims(Bytes head) {
     std::istringstream lines{std::string(as_text(head))};
-    FileClaims claims;
+    PlyHeader header;
     std::string line;
-    std::uint64_t count = 0;
-    std::uint64_t least_bytes = 0;
-    bool is_binary = false;
     while (std::getline(lines, line)) {
-        std::istringstream words(line);
-        std::string keyword;
-        std::string first;
-        std::string second;
-        words >> keyword >> first >> second;
-        if (keyword == "end_header") {
-            if (is_binary) claims.bytes = least_bytes;  // and the header, but nobody needs that
-            return claims;
+        ++header.least_lines;
+        std::istringstream stream(line);
+        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+        if (!words.empty() && words[0] == "end_header") {
+            if (header.is_binary) header.claims.bytes = header.least_bytes;
+            if (!header.is_binary) header.claims.lines = header.least_lines;
+            return header.claims;
         }
-        if (keyword == "format") is_binary = first.starts_with("binary");
-        if (keyword == "element") {
-            count = 0;
-            std::from_chars(second.data(), second.data() + second.size(), count);
-            count = std::min(count, kMostCounted);
-            if (first == "vertex") claims.vertices = count;
-            if (first == "face") claims.faces = count;
-        }
-        // Of a list only its length is sure to be there.
-        if (keyword == "property")
-            least_bytes += count * ply_type_bytes(first == "list" ? second : first);
+        add_ply_line(words, header);
     }
     return {};  // no end of the header in sight: let the reader complain
 }

@@ -13,6 +13,7 @@ struct FileClaims {
     std::optional<std::uint64_t> bytes{};     ///< the file has at least this many
     std::optional<std::uint64_t> vertices{};  ///< it holds exactly this many
     std::optional<std::uint64_t> faces{};     ///< likewise, before triangulation
+    std::optional<std::uint64_t> lines{};     ///< a text of at least this many
     bool ends_early = false;                  ///< a text that lacks its closing word
 };
 

@@ -32,6 +32,8 @@ constexpr const char* kSomeFormats =
     ".obj, .ply, .stl, .off, .3ds, .glb, .gltf, .fbx, .dae, .md2, .md3, .mdl and others that "
     "Assimp "
     "reads";
+constexpr const char* kWholeFile = "a whole, valid model file";
+constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
 constexpr std::size_t kHeadBytes = 64 << 10;
 constexpr std::size_t kTailBytes = 4 << 10;
 constexpr std::size_t kMostNameChars = 80;
@@ -98,6 +100,22 @@ std::uint64_t readable_size(const std::filesystem::path& path, const Complaint& 
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+/// The number of lines, the last one counted even without its end.
+std::uint64_t count_lines(std::ifstream& file) {
+    file.clear();
+    file.seekg(0);
+    std::uint64_t lines = 0;
+    std::vector<char> block(kHeadBytes);
+    char last = '\n';
+    while (file.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+           file.gcount() > 0) {
+        const auto end = block.begin() + file.gcount();
+        lines += static_cast<std::uint64_t>(std::count(block.begin(), end, '\n'));
+        last = *(end - 1);
+    }
+    return lines + (last == '\n' ? 0 : 1);
+}
+
 std::vector<std::byte> read_at(std::ifstream& file, std::uint64_t offset, std::size_t most) {
     std::vector<std::byte> bytes(most);
     file.clear();
@@ -118,10 +136,13 @@ FileClaims claims_of(const std::filesystem::path& path, const Complaint& complai
         complain(fmt::format("the file is cut short: its header promises {} bytes, it has {}",
                              *claims.bytes,
                              size),
-                 "a whole file");
+                 kWholeFile);
     }
-    if (claims.ends_early)
-        complain("the file is cut short: its end mark is missing", "a whole file");
+    if (claims.lines && count_lines(file) < *claims.lines) {
+        complain(fmt::format("the file is cut short: its header promises {} lines", *claims.lines),
+                 kWholeFile);
+    }
+    if (claims.ends_early) complain("the file is cut short: its end mark is missing", kWholeFile);
     return claims;
 }
 
@@ -181,24 +202,28 @@ ImportReply reply_of(const ChildOutcome& outcome,
         case ChildEnd::exited:
             break;
     }
-    auto reply = outcome.code == 0 ? read_reply(outcome.output) : std::nullopt;
-    if (!reply)
+    if (outcome.code == kCannotStart) {
+        complain(fmt::format("its reader cannot start within {}", with_unit(limits.memory_bytes)));
+    }
+    if (outcome.code != 0) {
         complain(fmt::format("its reader failed without an answer (exit code {})", outcome.code));
+    }
+    auto reply = read_reply(outcome.output);
+    if (!reply) complain("its reader gave a damaged answer");
     return std::move(*reply);
 }
 
 /// Throws unless the reply holds a scene with all that the file's header promised.
 void check_reply(const ImportReply& reply, const FileClaims& claims, const Complaint& complain) {
-    const std::string reason =
-        reply.reason.empty()
-            ? std::string{}
-            : fmt::format("; Assimp says \"{}\"", printable(reply.reason, kMostReasonChars));
     switch (reply.status) {
         case ImportStatus::unknown_format:
             complain("is not a kind of model file that can be read", kSomeFormats);
+        case ImportStatus::wrong_content:
+            complain("its content is not what its extension says, nor any other model", kWholeFile);
         case ImportStatus::not_readable:
-            complain(fmt::format("cannot be read as a model{}", reason),
-                     "a whole, valid model file");
+            complain(fmt::format("cannot be read as a model; Assimp says \"{}\"",
+                                 printable(reply.reason, kMostReasonChars)),
+                     kWholeFile);
         case ImportStatus::out_of_memory:
         case ImportStatus::scene:
             break;
@@ -207,13 +232,13 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
         complain(fmt::format("only {} of the {} vertices in its header could be read",
                              reply.vertices_read,
                              *claims.vertices),
-                 "a whole, valid model file");
+                 kWholeFile);
     }
     if (claims.faces && reply.faces_read < *claims.faces) {
         complain(fmt::format("only {} of the {} faces in its header could be read",
                              reply.faces_read,
                              *claims.faces),
-                 "a whole, valid model file");
+                 kWholeFile);
     }
 }
 
@@ -266,7 +291,10 @@ void check_numbers(const Scene& scene, const Complaint& complain) {
     try {
         check_scene(scene);
     } catch (const core::Error& error) {
-        complain(fmt::format("{}: {}", error.where(), error.what_happened()), error.accepted());
+        // "name, mesh 3" without the name, for the path stands there already.
+        const std::size_t name_end = std::min(error.where().size(), scene.name.size() + 2);
+        const std::string place = error.where().substr(name_end);
+        complain((place.empty() ? place : place + ": ") + error.what_happened(), error.accepted());
     }
     const Sphere bounds = bounding_sphere(scene);
     if (!std::isfinite(bounds.radius)) complain("its extent is not finite", "finite numbers");

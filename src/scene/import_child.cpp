@@ -5,8 +5,10 @@
 // (import.cpp) sets the limits before it starts this one. The only file that includes Assimp.
 
 #include <assimp/camera.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -157,30 +159,44 @@ void convert_meshes(const aiScene& scene,
     }
 }
 
+/// The name of the reader that took the file, such as "glTF2 Importer".
+std::string reader_name(const Assimp::Importer& importer) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    const aiImporterDesc* about =
+        index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
+    return about == nullptr ? std::string{} : about->mName;
+}
+
+/// Assimp's glTF reader before 5.3 multiplies the angle by the aspect (its issue 4435).
+bool multiplies_gltf_angles() {
+    return aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3);
+}
+
 /// The camera's vertical angle. Assimp's documentation speaks of half the horizontal angle, its
-/// readers (glTF, FBX, Collada) store all of it. Where a file names no aspect, Assimp's glTF reader
-/// hands on the vertical angle as it is, which an aspect of 1 undoes; for the others it is a guess.
-double vertical_fov_rad(const aiCamera& camera) {
+/// readers (glTF, FBX, Collada; its issue 2256) store all of it. Where a file names no aspect, the
+/// glTF reader hands on the vertical angle as it is, which an aspect of 1 undoes; for the others it
+/// is a guess.
+double vertical_fov_rad(const aiCamera& camera, bool is_gltf) {
     const double aspect = camera.mAspect > 0.05F && camera.mAspect < 20 ? camera.mAspect : 1;
+    if (is_gltf && multiplies_gltf_angles()) return camera.mHorizontalFOV / aspect;
     return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect);
 }
 
-ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode>& nodes) {
+ImportedCamera convert_camera(const aiCamera& from,
+                              const std::vector<PlacedNode>& nodes,
+                              bool is_gltf) {
     const auto home = std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& placed) {
         return placed.node->mName == from.mName;
     });
     const glm::dmat4 world = home == nodes.end() ? glm::dmat4{1} : home->world_from_node;
-    const glm::dvec3 eye = world * glm::dvec4(to_glm(from.mPosition), 1);
+    // A glTF camera sits in its node's origin; Assimp writes the node's translation here once more.
+    const glm::dvec3 eye_node = is_gltf ? glm::dvec3{0} : to_glm(from.mPosition);
+    const glm::dvec3 eye = world * glm::dvec4(eye_node, 1);
     return {.name = from.mName.C_Str(),
             .eye_world = eye,
             .target_world = eye + glm::dmat3(world) * to_glm(from.mLookAt),
             .up_world = glm::dmat3(world) * to_glm(from.mUp),
-            .fov_y_rad = vertical_fov_rad(from)};
-}
-
-bool is_3ds(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return file.get() == 'M' && file.get() == 'M';
+            .fov_y_rad = vertical_fov_rad(from, is_gltf)};
 }
 
 /// The cameras of a 3DS file by our own reader, turned and scaled as Assimp turned the model.
@@ -197,27 +213,26 @@ std::vector<ImportedCamera> cameras_of_3ds(const std::filesystem::path& path,
     return cameras;
 }
 
-void convert_cameras(const aiScene& scene,
-                     const std::vector<PlacedNode>& nodes,
-                     const std::filesystem::path& path,
-                     ImportReply& reply) {
-    if (scene.mNumCameras == 0 || nodes.empty()) return;
-    if (is_3ds(path)) {
-        reply.cameras = cameras_of_3ds(path, nodes.front().world_from_node);
-        return;
-    }
+std::vector<ImportedCamera> convert_cameras(const aiScene& scene,
+                                            const std::vector<PlacedNode>& nodes,
+                                            bool is_gltf) {
+    std::vector<ImportedCamera> cameras;
     for (unsigned c = 0; c < scene.mNumCameras; ++c) {
         const aiCamera& camera = *scene.mCameras[c];
         const bool is_parallel = camera.mOrthographicWidth > 0;  // we have no such camera
-        if (!is_parallel) reply.cameras.push_back(convert_camera(camera, nodes));
+        if (!is_parallel) cameras.push_back(convert_camera(camera, nodes, is_gltf));
     }
+    return cameras;
 }
 
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {
-    const bool is_known = importer.IsExtensionSupported(path.extension().string());
     ImportReply reply;
-    reply.status = is_known ? ImportStatus::not_readable : ImportStatus::unknown_format;
     reply.reason = importer.GetErrorString();
+    reply.status = ImportStatus::not_readable;
+    if (reply.reason.starts_with("No suitable reader found")) {
+        const bool is_known = importer.IsExtensionSupported(path.extension().string());
+        reply.status = is_known ? ImportStatus::wrong_content : ImportStatus::unknown_format;
+    }
     return reply;
 }
 
@@ -231,13 +246,17 @@ ImportReply read_model(const std::filesystem::path& path) {
         reply.faces_read += scene->mMeshes[m]->mNumFaces;
         reply.vertices_read += scene->mMeshes[m]->mNumVertices;
     }
+    if (reply.faces_read == 0) return reply;  // the validation would only say it less clearly
     // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
     // sorting by kind would split meshes and reorder vertices.
     scene = importer.ApplyPostProcessing(aiProcess_ValidateDataStructure | aiProcess_Triangulate);
     if (scene == nullptr) return refusal(importer, path);
     const std::vector<PlacedNode> nodes = placed_nodes(*scene);
     convert_meshes(*scene, nodes, reply);
-    convert_cameras(*scene, nodes, path, reply);
+    const std::string reader = reader_name(importer);
+    const bool is_3ds = reader.starts_with("Discreet 3DS") && !nodes.empty();
+    reply.cameras = is_3ds ? cameras_of_3ds(path, nodes.front().world_from_node)
+                           : convert_cameras(*scene, nodes, reader.starts_with("glTF2"));
     return reply;
 }
 

@@ -17,6 +17,7 @@ namespace ink::scene {
 enum class ImportStatus : std::uint32_t {
     scene,           ///< the rest of the reply holds
     not_readable,    ///< no reader takes it; `reason` is the library's own
+    wrong_content,   ///< no reader recognises it, though its extension is known
     unknown_format,  ///< no reader takes it, and its extension is not known either
     out_of_memory,
 };

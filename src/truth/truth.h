@@ -84,4 +84,16 @@ struct Truth {
                                 const scene::View& view,
                                 const TruthOptions& options);
 
+struct Model;
+
+/// How one view of a model is traced; nothing here changes a result.
+struct TruthTrace {
+    int threads = 1;
+    bool layers = true;  ///< also layers and `sampled`; without, both stay empty
+};
+
+/// The same from a model (model.h) that serves many views; `trace_s` then leaves the model's own
+/// time out.
+[[nodiscard]] Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace);
+
 }  // namespace ink::truth

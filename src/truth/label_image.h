@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/image.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+
+/// The truth image of some curves and what making it thin left out.
+struct LabelImage {
+    core::Image<std::uint8_t> labels;  ///< LineClass per pixel
+    std::size_t merged_px = 0;         ///< drawn pixels that thinning the union removed
+    double crowded_share = 0;          ///< share of the drawn pixels that lie in crowded blocks
+};
+
+/// Draws curves as the truth image (design, section 5): a pixel that holds a sample of a line, every
+/// 1/16 px along it, both ends included, rounded down; the lower label wins; the union is thinned.
+///
+/// 8x8 blocks (the first at (0,0); cut off at right and bottom) more than a quarter full before
+/// thinning are crowded: all their pixels become `ignore`. What is left is thinned again, so that
+/// thinning the lines of the result changes nothing.
+[[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px);
+
+}  // namespace ink::truth
