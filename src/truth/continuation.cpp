@@ -131,8 +131,7 @@ std::optional<Continuation> continuation(const Border& border,
         const glm::dvec3 into = across * (sign / sine);
         const double cosine = glm::dot(border.inward, into);
         const double bend =
-            std::acos(-1.0) -
-            std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
+            std::acos(-1.0) - std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
         if (bend >= options.crease_rad) continue;
         const Stretch s = shared_stretch(border, triangle, into, options.tolerance);
         if ((s.end - s.begin) * border.length < kShortestStretch * options.tolerance) continue;

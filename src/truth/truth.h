@@ -94,6 +94,8 @@ struct TruthTrace {
 
 /// The same from a model (model.h) that serves many views; `trace_s` then leaves the model's own
 /// time out.
-[[nodiscard]] Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace);
+[[nodiscard]] Truth trace_truth(const Model& model,
+                                const scene::View& view,
+                                const TruthTrace& trace);
 
 }  // namespace ink::truth
