@@ -1,30 +1,36 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace ink::edge {
 
 /// How the output of MOTE's filter becomes a strength.
 enum class Response {
-    absolute,  ///< |L|
+    absolute,  ///< |L|: a line two pixels wide, one on each side of a step
     positive,  ///< max(L, 0): a line one pixel wide, on the high side
-    wrap,      ///< L modulo 256, shifted and masked: the literal uint8 reading of the source
+    wrap,  ///< L modulo 2^code_bits, shifted and masked: the literal uint8 reading of the source
 };
 
 /// "Scaling the output and clipping some bits off": strength = min(255, (v with its low `clip_bits`
 /// cleared) << scale_bits), v the response. With clip_bits >= 2, |L| <= 2 gives 0.
+///
+/// `wrap` keeps the low 8 bits of the shifted value instead of its minimum with 255, as a uint8
+/// would; a small negative L is then a strong line.
 struct LaplacianResponse {
     Response response = Response::absolute;
-    int clip_bits = 2;   ///< 0..15 low bits cleared before scaling
-    int scale_bits = 0;  ///< -8..7: shift left (right if negative) after it
+    int clip_bits = 2;        ///< 0..15 low bits cleared before scaling
+    int scale_bits = 0;       ///< -15..15: shift left (right if negative) after it
+    int code_bits = 8;        ///< 1..16: bits of the filtered code
+    bool code_wraps = false;  ///< the code is known modulo 2^code_bits only, and so is L, which is
+                              ///< then taken between -2^(code_bits-1) and 2^(code_bits-1) - 1
 };
 
-/// The strength of one Laplacian value.
+/// The strength of one Laplacian value, |laplacian| <= 4 * 65535.
 [[nodiscard]] std::uint8_t respond(int laplacian, const LaplacianResponse& response);
 
 /// One row of the filter 0 -1 0 / -1 4 -1 / 0 -1 0: out[x] = respond(4 mid[x] - up[x] - down[x] -
-/// mid[x-1] - mid[x+1]) for x in [0, width). mid[-1] and mid[width] must be readable.
+/// mid[x-1] - mid[x+1]) for x in [0, width). mid[-1] and mid[width] must be readable; `out`
+/// overlaps no input. Width 0 writes nothing.
 void laplacian_row(const std::uint8_t* up,
                    const std::uint8_t* mid,
                    const std::uint8_t* down,

@@ -12,20 +12,25 @@ namespace ink::image_io {
 
 using Rgb = glm::u8vec3;
 
-/// An image file as 8-bit grey. Palette PNGs give their indices' colours converted as any other
-/// RGB; colour is turned to luma (ITU-R 601: 299 R + 587 G + 114 B, rounded). 16-bit and float
-/// files are refused, since their scale is anybody's guess.
+/// An image file as 8-bit grey, (0,0) top left, values as they are in the file.
 ///
-/// Throws core::Error with where = the path: missing, empty, not an image, not 8-bit.
+/// Colour becomes luma (ITU-R 601: 0.299 R + 0.587 G + 0.114 B in 16-bit fixed point, rounded),
+/// palette pictures by their colours; alpha is left out, not multiplied in. Grey of 1, 2 or 4 bits
+/// is spread to 0..255. 16-bit and float files are refused, since their scale is anybody's guess.
+///
+/// Throws core::Error with where = the path: missing, empty, not an image, cut off, not 8-bit, or
+/// larger than 2^27 pixels.
 [[nodiscard]] core::Image<std::uint8_t> read_gray(const std::filesystem::path& path);
 
 /// Writes a PNG beside `path` and renames it, so that a half-written file is never seen.
 ///
-/// Throws core::Error with where = the path if it cannot be written.
+/// Throws core::Error with where = the path if it cannot be written or the image is empty; nothing
+/// is left behind then, and a file that was there before stays.
 void write_png(const core::Image<std::uint8_t>& image, const std::filesystem::path& path);
 void write_png(const core::Image<Rgb>& image, const std::filesystem::path& path);
 
-/// The same file as bytes, for pages that carry their pictures.
+/// The same file as bytes, for pages that carry their pictures. Throws core::Error on an empty
+/// image.
 [[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image);
 [[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image);
 

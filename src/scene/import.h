@@ -12,19 +12,30 @@ namespace ink::scene {
 /// How far a foreign file is trusted: it is parsed in a child process that cannot do more than
 /// this.
 struct ImportLimits {
-    std::filesystem::path
-        child;           ///< the import executable; empty: `inkbench_import` beside this program
-    double wall_s = 60;  ///< it is killed after this long
+    /// The import executable; empty: `inkbench_import` in this program's own folder.
+    std::filesystem::path child;
+    double wall_s = 60;                       ///< it is killed after this long
     std::uint64_t memory_bytes = 8ULL << 30;  ///< of address space
-    std::uint64_t output_bytes = 8ULL << 30;  ///< of scene data it may hand back
+    std::uint64_t output_bytes = 2ULL << 30;  ///< of scene data it may hand back
+    /// Over all instances: a small file may place one mesh a million times.
+    std::uint64_t triangles = 100'000'000;
 };
 
 /// The scene in any file that Assimp reads, checked (`check_scene`), named by the file's stem, with
-/// the file's own cameras (near and far fitted) and its node tree flattened to instances.
+/// the file's own cameras (near and far fitted) and its node tree flattened to instances: one for
+/// each use of a mesh by a node, and no mesh without triangles. Points and lines are left out.
 ///
-/// Throws Error with where = the path: no such file, empty, not a model, cut short, no triangle, a
-/// vertex that is not finite, or a child that crashed, hung or asked for too much memory. Z-up
-/// formats arrive as Assimp turns them. The scene's split is held-out.
+/// Vertices stay as the file has them; z-up formats are turned by the instances' transforms, as
+/// Assimp turns them. A mesh keeps its normals (made unit) only if every triangle with an area has
+/// good ones. Material numbers are unique within the file. Names are printable; those of cameras
+/// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
+/// is held-out.
+///
+/// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
+/// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,
+/// a number that is not finite, more than the limits allow, or a reader that crashed, hung or asked
+/// for too much memory; with where = the import executable if that is missing. Safe to call from
+/// several threads; leaves no process behind.
 [[nodiscard]] Scene import_scene(const std::filesystem::path& path,
                                  const ImportLimits& limits = {});
 

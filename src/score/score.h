@@ -12,12 +12,17 @@ namespace ink::score {
 
 /// How two pictures are compared (section 7 of the design).
 struct ScoreOptions {
-    double tolerance_px = 2;  ///< matched pixels are at most this far apart, centre to centre
-    int threshold = 128;      ///< predicted pixels have at least this strength, 1..255
-    bool thin = true;         ///< thin the prediction (Guo-Hall) after the threshold
-    int band_px = 0;          ///< pixels this close to the frame are taken out of both sets
-    std::optional<int> ignore_label;  ///< truth label that is neither required nor penalised
+    /// Matched pixels are at most this far apart, centre to centre; more than 0, at most 64.
+    double tolerance_px = 2;
+    int threshold = 128;  ///< predicted pixels have at least this strength, 1..255
+    bool thin = true;     ///< thin the prediction (Guo-Hall) after the threshold
+    int band_px = 0;      ///< pixels this close to the frame are taken out of both sets; >= 0
+    /// Truth label that is neither required nor penalised; 1..255.
+    std::optional<int> ignore_label = std::nullopt;
 };
+
+/// Throws core::Error, which names the field and its range, if an option is outside its range.
+void check(const ScoreOptions& options);
 
 /// Recall of one label, from a matching of its own.
 struct ClassCount {
@@ -59,25 +64,39 @@ struct CurveCount {
 
 /// A truth image made ready to be scored against: labels 0 where nothing counts.
 struct ScoringTruth {
-    core::Image<std::uint8_t> labels;  ///< of real truth pixels, band and ignore taken out
-    edge::Mask ignore;                 ///< 1 under the ignore label (band taken out)
-    bool is_binary = true;             ///< no classes: labels are only {1} or only {255}
+    core::Image<std::uint8_t> labels;         ///< of real truth pixels, band and ignore taken out
+    edge::Mask ignore;                        ///< 1 under the ignore label (band taken out)
+    std::vector<std::uint8_t> labels_in_use;  ///< without 0, ascending
+    /// No classes: labels_in_use is empty, {1} or {255}. Whoever knows that a lone 1 is a class
+    /// says so by setting this to false.
+    bool is_binary = true;
 };
 
 /// Takes band and ignore label out of a truth image; `rethin` then thins what is left, so that the
-/// stored truth scores exactly 1 against itself. `inkbench score` does not rethin (a foreign truth
-/// is never touched); `compare` does.
+/// stored truth scores exactly 1 against itself: draw `labels` of the result, not of the file,
+/// since thinning comes before the band. `inkbench score` does not rethin (a foreign truth is never
+/// touched); `compare` does.
+///
+/// Throws core::Error for options outside their range.
 [[nodiscard]] ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
                                          const ScoreOptions& options,
                                          bool rethin);
 
-/// Scores a strength image against a prepared truth of the same size (another size is an Error).
+/// Scores a strength image against a prepared truth of the same size: threshold, thin, band,
+/// ignore, match, in this order. Exact; its time grows with the drawn pixels, hardly with the
+/// picture's size.
+///
+/// Throws core::Error for another size (both are named) or options outside their range. Empty
+/// images score 1, as any empty prediction of an empty truth does.
 [[nodiscard]] Score score(const edge::EdgeImage& prediction,
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
 
 /// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in
-/// integers. Equal masks are matched once. Entry i is threshold (i+1)/100.
+/// integers. Equal masks are matched once. Entry i is threshold (i+1)/100. `options.threshold` is
+/// not read.
+///
+/// Throws core::Error as score() does.
 [[nodiscard]] std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                                      const ScoringTruth& truth,
                                                      const ScoreOptions& options);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+/// One function per subcommand: it adds itself to the program; its callback runs when it is chosen.
+///
+/// A callback throws core::Error for bad input (exit 2) and CLI::RuntimeError(1) when it ran but a
+/// check failed.
+namespace ink::cli {
+
+void add_compare_command(CLI::App& app);
+void add_draw_command(CLI::App& app);
+void add_truth_command(CLI::App& app);
+void add_score_command(CLI::App& app);
+void add_list_command(CLI::App& app);
+
+}  // namespace ink::cli

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "core/error.h"
+#include "core/parallel.h"
+#include "lab/compare.h"
+#include "lab/verdict.h"
+
+namespace ink::cli {
+namespace {
+
+constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
+
+struct CompareArgs {
+    std::vector<std::string> models;
+    std::string scenes;
+    std::string methods;
+    std::vector<std::string> settings;
+    ViewOptions views;
+    std::string out = "inkbench-out";
+    CacheOptions cache;
+    double crease_deg = 40;
+    int threads = 1;
+    int repetitions = 15;
+    std::uint64_t seed = 0;
+};
+
+std::vector<std::string> names_of(const CompareArgs& args) {
+    std::vector<std::string> names = lab::split_list(args.scenes);
+    names.insert(names.end(), args.models.begin(), args.models.end());
+    return names;
+}
+
+lab::CompareOptions compare_options(const CompareArgs& args) {
+    lab::CompareOptions options;
+    options.entrants = lab::make_entrants(args.methods, args.settings);
+    options.measure.threads = checked_threads(args.threads);
+    if (args.repetitions < 1 || args.repetitions > 10000) {
+        throw core::Error(
+            "--repetitions", fmt::format("{} is not possible", args.repetitions), "1..10000");
+    }
+    options.measure.max_repetitions = args.repetitions;
+    options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
+    options.trace.truth.crease_rad = checked_crease_rad(args.crease_deg);
+    options.trace.truth.threads = core::hardware_threads();
+    options.out = args.out;
+    options.trace.cache = cache_folder(args.cache);
+    options.seed = args.seed;
+    return options;
+}
+
+void run_compare(const CompareArgs& args, const std::string& command_line) {
+    lab::CompareOptions options = compare_options(args);
+    options.command = command_line;
+    const lab::CompareResult result =
+        lab::compare(lab::load_subjects(names_of(args), view_request(args.views)), options);
+    fmt::print("{}\n", lab::verdict_table(result.rows));
+    fmt::print("report: {}\n", result.report.string());
+    for (const std::string& reason : result.void_reasons) {
+        fmt::print(stderr, "inkbench: this run is void: {}\n", reason);
+    }
+    if (result.is_interrupted) {
+        fmt::print(stderr, "inkbench: interrupted; the finished rows are in {}\n", args.out);
+        throw CLI::RuntimeError(kInterrupted);
+    }
+    if (!result.void_reasons.empty()) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app) {
+    auto args = std::make_shared<CompareArgs>();
+    auto* command = app.add_subcommand(
+        "compare", "Draw, trace, score and time methods on scenes; write rows, figures, a report");
+    command->add_option("models", args->models, "Model files; none and no --scenes: the catalogue");
+    command->add_option("--scenes", args->scenes, "Built-in scenes a,b (see inkbench list scenes)");
+    command->add_option("--methods", args->methods, "Methods a,b (all unless given)");
+    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_view_options(*command, args->views);
+    command->add_option("--out", args->out, "Folder for rows.csv, curves.csv, report.html, figures")
+        ->capture_default_str();
+    command->add_option("--crease", args->crease_deg, "Crease angle of the truth, degrees")
+        ->capture_default_str();
+    command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
+        ->capture_default_str();
+    command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
+        ->capture_default_str();
+    command->add_option("--seed", args->seed, "Recorded in the rows")->capture_default_str();
+    add_cache_options(*command, args->cache);
+    command->footer(
+        "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
+        "Exit codes: 0 done, 1 the run is void, 2 bad input, 130 interrupted.");
+    command->callback([args, &app] {
+        std::string line = "inkbench compare";
+        for (const CLI::Option* option : app.get_subcommand("compare")->get_options()) {
+            if (option->count() == 0) continue;
+            for (const std::string& value : option->results()) {
+                const bool is_flag = option->get_expected_max() == 0;
+                if (!option->get_positional()) line += " " + option->get_name();
+                if (!is_flag) line += " " + value;
+            }
+        }
+        run_compare(*args, line);
+    });
+}
+
+}  // namespace ink::cli

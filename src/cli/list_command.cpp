@@ -1,0 +1,19 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.h"
+#include "lab/listing.h"
+
+namespace ink::cli {
+
+void add_list_command(CLI::App& app) {
+    auto* command = app.add_subcommand("list", "List methods, scenes, parameters and metrics");
+    auto what = std::make_shared<std::string>("all");
+    command->add_option("what", *what, "all, methods, scenes, params or metrics")
+        ->capture_default_str();
+    command->footer("Example: inkbench list params");
+    command->callback([what] { fmt::print("{}", lab::listing(*what)); });
+}
+
+}  // namespace ink::cli

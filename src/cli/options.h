@@ -1,0 +1,51 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lab/suite.h"
+
+namespace ink::cli {
+
+/// The options by which every command says which views it means, as text until `view_request` reads
+/// them.
+struct ViewOptions {
+    std::string size = "1280x720";
+    std::string views;  ///< a number, or "file"
+    std::vector<std::string> eyes;
+    std::vector<std::string> targets;
+    std::string up = "0,1,0";
+    double fov_deg = 40;
+};
+
+/// Adds --size, --views, --eye, --target, --up and --fov to a command.
+void add_view_options(CLI::App& command, ViewOptions& options);
+
+/// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
+[[nodiscard]] lab::ViewRequest view_request(const ViewOptions& options);
+
+/// --threads as given, or an Error unless 1..256.
+[[nodiscard]] int checked_threads(int threads);
+
+/// --crease as given, in radians, or an Error unless 0..180 degrees.
+[[nodiscard]] double checked_crease_rad(double crease_deg);
+
+/// Where traced truths are kept.
+struct CacheOptions {
+    std::string folder;  ///< "" is $XDG_CACHE_HOME/inkbench, or ~/.cache/inkbench
+    bool none = false;
+};
+
+/// Adds --cache and --no-cache to a command.
+void add_cache_options(CLI::App& command, CacheOptions& options);
+
+/// The folder the options mean; empty if truths are not to be kept or there is no home for them.
+[[nodiscard]] std::filesystem::path cache_folder(const CacheOptions& options);
+
+/// Throws core::Error unless a PNG can be written to `path`: its name ends in .png, and its folder
+/// is there and writable. Called before any work, so that an hour is not lost to a typing error.
+void check_png_path(const std::filesystem::path& path);
+
+}  // namespace ink::cli

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "cli/commands.h"
+#include "lab/score_files.h"
+
+namespace ink::cli {
+namespace {
+
+/// The command line of `score`.
+struct ScoreArguments {
+    lab::ScoreRequest request;
+    bool no_thin = false;
+    bool as_json = false;
+};
+
+/// null where there is no value: neither 0 nor NaN, which would slip into a mean.
+nlohmann::ordered_json number_or_null(std::optional<double> value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+std::optional<double> mean_width(const score::Score& s) {
+    return s.mean_width_px > 0 ? std::optional(s.mean_width_px) : std::nullopt;
+}
+
+std::string json_text(const score::Score& s) {
+    nlohmann::ordered_json json = {
+        {"k", s.k},
+        {"n_pred", s.n_pred},
+        {"n_truth", s.n_truth},
+        {"f", s.f()},
+        {"precision", number_or_null(s.precision())},
+        {"recall", number_or_null(s.recall())},
+        {"surplus", s.surplus},
+        {"off_line", s.off_line},
+        {"lost", s.lost},
+        {"missing", s.missing},
+        {"mean_width", number_or_null(mean_width(s))},
+        {"classes", nlohmann::ordered_json::object()},
+    };
+    for (const score::ClassCount& c : s.classes) {
+        json["classes"][std::to_string(c.label)] = {{"k", c.k}, {"n_truth", c.n_truth}};
+    }
+    return json.dump(2) + "\n";
+}
+
+std::string four_places(std::optional<double> value) {
+    return value ? fmt::format("{:.4f}", *value) : "-";
+}
+
+std::string table_text(const lab::ScoreRequest& request, const score::Score& s) {
+    std::string text = fmt::format("{} against {}\n",
+                                   request.prediction.filename().string(),
+                                   request.truth.filename().string());
+    text += fmt::format("within {} px, strength {} and above, {}\n\n",
+                        request.options.tolerance_px,
+                        request.options.threshold,
+                        request.options.thin ? "thinned" : "not thinned");
+    text += fmt::format("  F           {:.4f}\n", s.f());
+    text +=
+        fmt::format("  precision   {:>6}   {} predicted = {} matched + {} surplus + {} off line\n",
+                    four_places(s.precision()),
+                    s.n_pred,
+                    s.k,
+                    s.surplus,
+                    s.off_line);
+    text += fmt::format("  recall      {:>6}   {} true = {} matched + {} lost + {} missing\n",
+                        four_places(s.recall()),
+                        s.n_truth,
+                        s.k,
+                        s.lost,
+                        s.missing);
+    text += fmt::format("  mean width  {:>6} px\n",
+                        s.mean_width_px > 0 ? fmt::format("{:.2f}", s.mean_width_px) : "-");
+    if (s.classes.empty()) return text;
+    text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
+    for (const score::ClassCount& c : s.classes) {
+        text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
+                            lab::label_text(c.label),
+                            static_cast<double>(c.k) / static_cast<double>(c.n_truth),
+                            c.k,
+                            c.n_truth);
+    }
+    return text;
+}
+
+void run_score(ScoreArguments a) {
+    a.request.options.thin = !a.no_thin;
+    const score::Score result = lab::score_files(a.request);
+    fmt::print("{}", a.as_json ? json_text(result) : table_text(a.request, result));
+}
+
+}  // namespace
+
+void add_score_command(CLI::App& app) {
+    auto* command = app.add_subcommand("score", "Score an outline image against a truth image");
+    auto a = std::make_shared<ScoreArguments>();
+    command
+        ->add_option(
+            "prediction", a->request.prediction, "8-bit image, 0 no line .. 255 the strongest")
+        ->required();
+    command
+        ->add_option(
+            "truth",
+            a->request.truth,
+            "8-bit image, 0 no line; only 1 or only 255 beside it is a line of no class, else "
+            "every value is a class")
+        ->required();
+    command
+        ->add_option("--tol",
+                     a->request.options.tolerance_px,
+                     "matched pixels are at most this far apart, px")
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--threshold", a->request.options.threshold, "strength of a predicted pixel, 1..255")
+        ->capture_default_str();
+    command->add_flag("--no-thin", a->no_thin, "take the prediction as wide as it is drawn");
+    command
+        ->add_option(
+            "--band", a->request.options.band_px, "leave out this many pixels along the frame")
+        ->capture_default_str();
+    command->add_option("--ignore",
+                        a->request.options.ignore_label,
+                        "truth value, 1..255, that is neither required nor penalised");
+    command->add_flag("--json", a->as_json, "print JSON instead of a table");
+    command->footer("Example: inkbench score pred.png truth.png --tol 1 --json");
+    command->callback([a] { run_score(*a); });
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace ink::edge {
+
+/// Calls `visit(x)` for each of the `width_px` bytes at `row` that is not 0, from left to right.
+///
+/// Lines cover a percent or two of a picture, so eight bytes are passed over at once where all are
+/// 0.
+template <class Visit>
+void visit_set_pixels(const std::uint8_t* row, int width_px, Visit visit) {
+    int x = 0;
+    for (; x + 8 <= width_px; x += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, row + x, sizeof word);
+        if (word == 0) continue;
+        for (int i = x; i < x + 8; ++i) {
+            if (row[i] != 0) visit(i);
+        }
+    }
+    for (; x < width_px; ++x) {
+        if (row[x] != 0) visit(x);
+    }
+}
+
+}  // namespace ink::edge

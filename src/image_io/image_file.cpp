@@ -1,0 +1,229 @@
+#include "image_io/image_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <random>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace ink::image_io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
+constexpr const char* kAccepted = "an 8-bit grey or colour image, such as a PNG";
+
+/// Another library's message on one line, short enough for one.
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    constexpr std::size_t kLongest = 160;
+    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+    return text;
+}
+
+/// What the file system alone can tell to be wrong.
+void check_file(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) throw core::Error(path.string(), "no such file", kAccepted);
+    if (!fs::is_regular_file(status)) throw core::Error(path.string(), "not a file", kAccepted);
+    if (fs::file_size(path, error) == 0 && !error) {
+        throw core::Error(path.string(), "the file is empty", kAccepted);
+    }
+}
+
+std::uint32_t big_endian(const std::array<unsigned char, 8>& bytes) {
+    return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
+           std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+/// Refuses a PNG whose chunks do not reach to its end mark. Its own library would notice, but talks
+/// to stderr past everybody when it does.
+void check_not_cut(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::array<unsigned char, 8> head{};
+    const auto read_head = [&] {
+        return static_cast<bool>(file.read(reinterpret_cast<char*>(head.data()), std::ssize(head)));
+    };
+    constexpr std::array<unsigned char, 8> kSignature = {
+        0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    if (!read_head() || head != kSignature) return;  // another format, or none: not for us to say
+    constexpr std::int64_t kChecksumBytes = 4;
+    const auto size = static_cast<std::int64_t>(fs::file_size(path));
+    while (read_head()) {
+        const std::int64_t next =
+            static_cast<std::int64_t>(file.tellg()) + big_endian(head) + kChecksumBytes;
+        if (next > size) break;
+        if (std::equal(head.begin() + 4, head.end(), "IEND")) return;
+        file.seekg(next);
+    }
+    throw core::Error(path.string(), "the file is cut off", kAccepted);
+}
+
+/// Refuses what cannot become 8-bit grey without a guess.
+void check_spec(const OIIO::ImageSpec& spec, const fs::path& path) {
+    if (spec.format != OIIO::TypeDesc::UINT8) {
+        throw core::Error(path.string(),
+                          fmt::format("its pixels are {}, not 8-bit", spec.format.c_str()),
+                          kAccepted);
+    }
+    if (spec.nchannels < 1 || spec.nchannels > 4) {
+        throw core::Error(
+            path.string(), fmt::format("it has {} channels", spec.nchannels), kAccepted);
+    }
+    const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || pixels > kMaxPixels) {
+        throw core::Error(path.string(),
+                          fmt::format("its size is {} x {} px", spec.width, spec.height),
+                          "1 x 1 px to 2^27 px in all");
+    }
+}
+
+/// Luma in the 16-bit fixed point that image programs share, so that all of them see one grey.
+std::uint8_t luma(const std::uint8_t* rgb) {
+    return static_cast<std::uint8_t>(
+        (rgb[0] * 19595U + rgb[1] * 38470U + rgb[2] * 7471U + 0x8000U) >> 16);
+}
+
+core::Image<std::uint8_t> to_gray(const std::vector<std::uint8_t>& samples,
+                                  const OIIO::ImageSpec& spec) {
+    core::Image<std::uint8_t> gray(spec.width, spec.height);
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    for (std::size_t i = 0; i < gray.size(); ++i) {
+        const std::uint8_t* pixel = samples.data() + i * channels;
+        gray.data()[i] = channels < 3 ? pixel[0] : luma(pixel);
+    }
+    return gray;
+}
+
+/// A grey or RGB picture, as the file library wants it.
+struct Samples {
+    const void* data = nullptr;
+    int width_px = 0;
+    int height_px = 0;
+    int channels = 1;
+};
+
+Samples samples_of(const core::Image<std::uint8_t>& image) {
+    return {image.data(), image.width_px(), image.height_px(), 1};
+}
+Samples samples_of(const core::Image<Rgb>& image) {
+    static_assert(sizeof(Rgb) == 3);
+    return {image.data(), image.width_px(), image.height_px(), 3};
+}
+
+std::vector<std::uint8_t> encode(const Samples& samples, const std::string& where) {
+    if (samples.width_px == 0 || samples.height_px == 0) {
+        throw core::Error(where, "the picture is empty", "at least 1 x 1 px");
+    }
+    std::vector<std::uint8_t> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create("picture.png", &memory);
+    if (!output) throw core::Error(where, "no PNG writer: " + one_line(OIIO::geterror()));
+    const OIIO::ImageSpec spec(
+        samples.width_px, samples.height_px, samples.channels, OIIO::TypeDesc::UINT8);
+    if (!output->open("picture.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, samples.data) || !output->close()) {
+        throw core::Error(where, "cannot be encoded: " + one_line(output->geterror()));
+    }
+    return bytes;
+}
+
+/// A file under another name that takes its place when it is whole, and vanishes otherwise.
+class FileInWaiting {
+  public:
+    explicit FileInWaiting(const fs::path& path) : path_(path), waiting_(path) {
+        std::random_device random;
+        waiting_ += fmt::format(".{:08x}{:08x}.part", random(), random());
+    }
+    FileInWaiting(const FileInWaiting&) = delete;
+    FileInWaiting& operator=(const FileInWaiting&) = delete;
+    ~FileInWaiting() {
+        std::error_code ignored;
+        if (!is_placed_) fs::remove(waiting_, ignored);
+    }
+
+    void write(const std::vector<std::uint8_t>& bytes) {
+        std::FILE* file = std::fopen(waiting_.c_str(), "wbx");
+        if (file == nullptr) fail(errno);
+        const std::size_t written = std::fwrite(bytes.data(), 1, bytes.size(), file);
+        int problem = written == bytes.size() ? 0 : errno;
+        // A full disk may show only when the last buffer goes out.
+        if (std::fclose(file) != 0 && problem == 0) problem = errno;
+        if (problem != 0 || written != bytes.size()) fail(problem);
+    }
+
+    void place() {
+        std::error_code error;
+        fs::rename(waiting_, path_, error);
+        if (error) fail(error.value());
+        is_placed_ = true;
+    }
+
+  private:
+    [[noreturn]] void fail(int problem) const {
+        throw core::Error(path_.string(),
+                          "cannot be written: " + std::generic_category().message(problem),
+                          "a file name in a folder that can be written to");
+    }
+
+    fs::path path_;
+    fs::path waiting_;
+    bool is_placed_ = false;
+};
+
+void write(const Samples& samples, const fs::path& path) {
+    const std::vector<std::uint8_t> bytes = encode(samples, path.string());
+    FileInWaiting file(path);
+    file.write(bytes);
+    file.place();
+}
+
+}  // namespace
+
+core::Image<std::uint8_t> read_gray(const fs::path& path) {
+    check_file(path);
+    check_not_cut(path);
+    OIIO::ImageSpec wishes;
+    wishes.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(path.string(), &wishes);
+    if (!input) {
+        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), kAccepted);
+    }
+    const OIIO::ImageSpec spec = input->spec();
+    check_spec(spec, path);
+    std::vector<std::uint8_t> samples(static_cast<std::size_t>(spec.image_pixels()) *
+                                      static_cast<std::size_t>(spec.nchannels));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, samples.data())) {
+        throw core::Error(
+            path.string(), "cannot be read: " + one_line(input->geterror()), kAccepted);
+    }
+    return to_gray(samples, spec);
+}
+
+std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image) {
+    return encode(samples_of(image), "png");
+}
+std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image) {
+    return encode(samples_of(image), "png");
+}
+
+void write_png(const core::Image<std::uint8_t>& image, const fs::path& path) {
+    write(samples_of(image), path);
+}
+void write_png(const core::Image<Rgb>& image, const fs::path& path) {
+    write(samples_of(image), path);
+}
+
+}  // namespace ink::image_io

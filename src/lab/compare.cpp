@@ -1,0 +1,232 @@
+#include "lab/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "lab/csv.h"
+#include "lab/figures.h"
+#include "lab/interrupt.h"
+
+namespace ink::lab {
+namespace {
+
+/// One picture of a view on its way to a row.
+struct Shot {
+    Row row;
+    edge::EdgeImage picture;
+    int threshold = 128;
+    Scored scored;
+};
+
+edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
+    edge::EdgeImage picture(labels.width_px(), labels.height_px());
+    std::transform(
+        labels.data(), labels.data() + labels.size(), picture.data(), [](std::uint8_t label) {
+            return label != 0 ? 255 : 0;
+        });
+    return picture;
+}
+
+/// The rows that stand in every run and are no methods: floor, truth itself, one-sample ceiling.
+std::vector<Shot> bracket_shots(const ViewTruth& truth) {
+    std::vector<Shot> shots(3);
+    const auto& labels = truth.scoring.labels;
+    shots[0].row.method = "none";
+    shots[0].picture = edge::EdgeImage(labels.width_px(), labels.height_px());
+    shots[1].row.method = "sampled";
+    shots[1].picture = truth.traced.sampled;
+    shots[2].row.method = "oracle";
+    shots[2].picture = full_strength(labels);
+    return shots;
+}
+
+std::vector<Shot> method_shots(std::vector<std::unique_ptr<PreparedMethod>>& methods,
+                               const scene::View& view,
+                               const MeasureOptions& measure) {
+    std::vector<edge::EdgeImage> pictures;
+    std::vector<DrawTimes> times = draw_in_turns(methods, view, measure, pictures);
+    std::vector<Shot> shots(methods.size());
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        shots[i].row = methods[i]->row();
+        shots[i].picture = std::move(pictures[i]);
+        shots[i].threshold = methods[i]->threshold();
+        if (!times[i].failure.empty()) shots[i].row.status = times[i].failure;
+        fill_times(std::move(times[i].draw_ns), shots[i].row);
+    }
+    return shots;
+}
+
+void fill_place(const Subject& subject,
+                const scene::View& view,
+                const CompareOptions& options,
+                Row& row) {
+    row.scene = subject.scene.name;
+    row.view = view.camera.name;
+    row.split = subject.scene.split == scene::Split::train ? "train" : "heldout";
+    row.width = view.width_px;
+    row.height = view.height_px;
+    row.threads = options.measure.threads;
+    row.seed = options.seed;
+    row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
+}
+
+void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
+    // Scores are not timed, so they may use every core.
+    core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
+        Shot& shot = shots[i];
+        if (!shot.row.is_ok()) return;
+        shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
+        fill_scores(shot.scored, shot.row);
+        shot.row.image_hash = core::image_hash(shot.picture);
+    });
+    for (Shot& shot : shots) {
+        shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
+        shot.row.crowded_share = truth.traced.counts.crowded_share;
+    }
+}
+
+/// A run whose brackets do not come out as they must says nothing about methods either.
+void check_brackets(const std::vector<Shot>& shots, std::vector<std::string>& reasons) {
+    for (const Shot& shot : shots) {
+        const Row& row = shot.row;
+        if (!row.is_ok() || !row.f_2px) continue;
+        if (row.method == "oracle" && *row.f_2px != 1) {
+            reasons.push_back(fmt::format(
+                "oracle has F = {:.6f} on {} {}, not 1", *row.f_2px, row.scene, row.view));
+        }
+        if (row.method == "none" && row.n_truth > 0 && *row.f_2px != 0) {
+            reasons.push_back(fmt::format(
+                "none has F = {:.6f} on {} {}, not 0", *row.f_2px, row.scene, row.view));
+        }
+    }
+}
+
+ShownView shown_view(const ViewTruth& truth, const std::vector<Shot>& shots) {
+    ShownView shown{shots.front().row.scene, shots.front().row.view, truth.traced.labels, {}};
+    for (const Shot& shot : shots) {
+        if (!shot.row.is_ok() || shot.row.method == "none" || shot.row.method == "oracle") continue;
+        shown.pictures.push_back({shot.row.method, shot.picture, shot.threshold});
+    }
+    return shown;
+}
+
+/// One comparison under way: what is written as it goes, and what the report will need.
+class Comparison {
+  public:
+    explicit Comparison(const CompareOptions& options)
+        : options_(options),
+          rows_(options.out / "rows.csv", row_columns()),
+          curves_(options.out / "curves.csv", curve_columns()) {}
+
+    void run_subject(const Subject& subject,
+                     const std::function<void(const scene::View&)>& before) {
+        std::vector<std::unique_ptr<PreparedMethod>> methods;
+        for (const Entrant& entrant : options_.entrants) {
+            methods.push_back(std::make_unique<PreparedMethod>(entrant, subject.scene));
+        }
+        for (const scene::View& view : subject.views) {
+            if (is_interrupted()) return;
+            before(view);
+            run_view(subject, view, methods);
+        }
+    }
+
+    CompareResult finish(double elapsed_s) {
+        rows_.finish();
+        curves_.finish();
+        ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
+        write_figures(data, options_.out);
+        const auto report = options_.out / "report.html";
+        write_report(data, report);
+        return {std::move(result_rows_),
+                ods_on_training(cell_curves_),
+                report,
+                is_interrupted(),
+                std::move(void_reasons_)};
+    }
+
+  private:
+    void run_view(const Subject& subject,
+                  const scene::View& view,
+                  std::vector<std::unique_ptr<PreparedMethod>>& methods) {
+        std::vector<Shot> shots = method_shots(methods, view, options_.measure);
+        ViewTruth truth;
+        try {
+            truth = trace_view(subject.scene, view, options_.trace);
+            std::vector<Shot> brackets = bracket_shots(truth);
+            std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const std::bad_alloc&) {
+            for (Shot& shot : shots)
+                shot.row.status = "too_large: no memory to trace the truth";
+        }
+        for (Shot& shot : shots)
+            fill_place(subject, view, options_, shot.row);
+        if (!truth.traced.labels.is_empty()) score_shots(truth, shots);
+        check_brackets(shots, void_reasons_);
+        for (const Shot& shot : shots)
+            write(shot, subject.scene.split);
+        const bool is_first_view = &view == &subject.views.front();
+        if (is_first_view && !truth.traced.labels.is_empty()) {
+            shown_.push_back(shown_view(truth, shots));
+        }
+    }
+
+    void write(const Shot& shot, scene::Split split) {
+        rows_.write(to_csv(shot.row));
+        result_rows_.push_back(shot.row);
+        if (!shot.row.is_ok()) return;
+        curves_.write(curve_csv(shot.row, shot.scored.curve));
+        if (shot.row.draw_ns) {
+            cell_curves_.push_back(
+                {shot.row.method, split == scene::Split::train, shot.scored.curve});
+        }
+    }
+
+    const CompareOptions& options_;
+    CsvFile rows_;
+    CsvFile curves_;
+    std::vector<Row> result_rows_;
+    std::vector<CellCurve> cell_curves_;
+    std::vector<ShownView> shown_;
+    std::vector<std::string> void_reasons_;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure || !std::filesystem::is_directory(folder)) {
+        throw core::Error(
+            folder.string(), "this folder cannot be made", "a writable place for --out");
+    }
+}
+
+}  // namespace
+
+CompareResult compare(std::vector<Subject> subjects, const CompareOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    const InterruptGuard guard;
+    const auto start = Clock::now();
+    make_folder(options.out);
+
+    int total = 0;
+    for (const Subject& subject : subjects)
+        total += static_cast<int>(subject.views.size());
+    core::Progress progress("compare", total);
+    Comparison comparison(options);
+    int done = 0;
+    for (const Subject& subject : subjects) {
+        if (is_interrupted()) break;
+        comparison.run_subject(subject, [&](const scene::View& view) {
+            progress.report(done++, fmt::format("{} {}", subject.scene.name, view.camera.name));
+        });
+    }
+    return comparison.finish(std::chrono::duration<double>(Clock::now() - start).count());
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lab/cell.h"
+#include "lab/ods.h"
+#include "lab/report.h"
+#include "lab/suite.h"
+#include "lab/tracing.h"
+
+namespace ink::lab {
+
+/// A comparison: methods x scenes x views.
+struct CompareOptions {
+    std::vector<Entrant> entrants;
+    MeasureOptions measure;
+    TraceOptions trace;
+    std::filesystem::path out;  ///< directory: rows.csv, curves.csv, report.html, figures
+    std::uint64_t seed = 0;     ///< recorded; nothing here is random yet
+    std::string command;        ///< as the user typed it, for the report
+};
+
+/// What came of a comparison.
+struct CompareResult {
+    std::vector<Row> rows;
+    std::vector<OdsPoint> ods;     ///< best thresholds over the training scenes of this run
+    std::filesystem::path report;  ///< the page that was written
+    bool is_interrupted = false;   ///< Ctrl-C: what was finished is there
+    std::vector<std::string> void_reasons;  ///< bracket rows that did not come out as they must
+};
+
+/// Draws, traces, scores and times every cell, and writes the results to `options.out`.
+///
+/// For each view the bracket rows come first: `none` (F = 0 where there is truth), `oracle` (the
+/// stored truth itself, F = 1) and `sampled`. A cell that fails is a row with its status. Rows are
+/// on disk as soon as their view is finished. Throws core::Error if `out` cannot be written, before
+/// any work.
+[[nodiscard]] CompareResult compare(std::vector<Subject> subjects, const CompareOptions& options);
+
+}  // namespace ink::lab

@@ -1,0 +1,83 @@
+#include "lab/listing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/param.h"
+#include "lab/row.h"
+#include "methods/registry.h"
+#include "scene/catalogue.h"
+
+namespace ink::lab {
+namespace {
+
+std::string list_methods() {
+    std::string text;
+    text += fmt::format("methods (inkbench compare --methods a,b)\n");
+    for (const methods::MethodInfo& info : methods::registry()) {
+        text += fmt::format(
+            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+    }
+    return text;
+}
+
+std::string list_scenes() {
+    std::string text;
+    text += fmt::format("scenes (inkbench compare --scenes a,b)\n");
+    for (const scene::CatalogueEntry& entry : scene::catalogue()) {
+        const scene::Scene made = entry.make();
+        text += fmt::format("  {:<16} {:<8} {:>6} triangles, {} views  {}\n",
+                            entry.name,
+                            entry.split == scene::Split::train ? "train" : "heldout",
+                            scene::triangle_count(made),
+                            made.cameras.size(),
+                            entry.summary);
+    }
+    return text;
+}
+
+std::string list_params() {
+    std::string text;
+    text += fmt::format("parameters (--set key=value, or --set method.key=value)\n");
+    for (const methods::MethodInfo& info : methods::registry()) {
+        text += fmt::format("  {}\n", info.name);
+        for (const core::Param& param : info.params) {
+            text += fmt::format("    {:<16} {:<10} {}{}{}  {}\n",
+                                param.name,
+                                core::format_param(param, param.default_value),
+                                core::accepted_values(param),
+                                param.unit.empty() ? "" : ", ",
+                                param.unit,
+                                param.doc);
+        }
+    }
+    return text;
+}
+
+std::string list_metrics() {
+    std::string text;
+    text += fmt::format("columns of rows.csv\n");
+    for (const std::string& column : lab::row_columns())
+        text += fmt::format("  {}\n", column);
+    return text;
+}
+
+}  // namespace
+
+std::string listing(const std::string& what) {
+    const std::vector<std::string> known = {"all", "methods", "scenes", "params", "metrics"};
+    if (std::find(known.begin(), known.end(), what) == known.end()) {
+        throw core::Error(
+            "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
+    }
+    std::string text;
+    if (what == "all" || what == "methods") text += list_methods();
+    if (what == "all" || what == "scenes") text += list_scenes();
+    if (what == "all" || what == "params") text += list_params();
+    if (what == "all" || what == "metrics") text += list_metrics();
+    return text;
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,67 @@
+#include "lab/tracing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "truth/truth_cache.h"
+
+namespace ink::lab {
+
+ViewTruth trace_view(const scene::Scene& scene,
+                     const scene::View& view,
+                     const TraceOptions& options) {
+    score::ScoreOptions score_options;
+    score_options.band_px = kBand_px;
+    score_options.ignore_label = static_cast<int>(truth::LineClass::ignore);
+    ViewTruth result;
+    result.traced = truth::cached_truth(scene, view, options.truth, options.cache);
+    result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
+    result.scoring.is_binary = false;
+    return result;
+}
+
+std::string truth_summary(const truth::Truth& truth) {
+    std::string text =
+        fmt::format("{:<14} {:>9} {:>9} {:>12}\n", "class", "pixels", "curves", "length px");
+    for (const truth::LineClass c : truth::kLineClasses) {
+        const auto label = static_cast<std::uint8_t>(c);
+        const auto pixels =
+            std::count(truth.labels.data(), truth.labels.data() + truth.labels.size(), label);
+        std::size_t curves = 0;
+        double length_px = 0;
+        for (const truth::Curve& curve : truth.curves) {
+            if (curve.line_class != c) continue;
+            ++curves;
+            length_px +=
+                std::hypot(curve.end.x_px - curve.begin.x_px, curve.end.y_px - curve.begin.y_px);
+        }
+        text += fmt::format("{:<14} {:>9} {:>9} {:>12.1f}{}\n",
+                            truth::name(c),
+                            pixels,
+                            curves,
+                            length_px,
+                            c == truth::LineClass::intersection ? "   (not traced yet)" : "");
+    }
+    const truth::TruthCounts& n = truth.counts;
+    text += fmt::format(
+        "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
+        "{}\n"
+        "samples {}, rays {}, merged by thinning {} px, crowded {:.2f} % of truth pixels\n"
+        "traced in {:.3f} s\n",
+        n.triangles,
+        n.degenerate,
+        n.duplicate,
+        n.defect_edges,
+        n.candidate_edges,
+        n.samples,
+        n.rays,
+        n.merged_px,
+        100 * n.crowded_share,
+        truth.trace_s);
+    return text;
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lab/suite.h"
+#include "score/score.h"
+#include "truth/truth.h"
+
+namespace ink::lab {
+
+/// How every comparison is scored (section 7 of the design): pixels this close to the frame do not
+/// count.
+inline constexpr int kBand_px = 6;
+inline constexpr double kTolerance_px = 2;
+inline constexpr double kStrictTolerance_px = 1;
+
+/// How a truth is traced, and where truths are kept (an empty path: nowhere).
+struct TraceOptions {
+    truth::TruthOptions truth;
+    std::filesystem::path cache;
+};
+
+/// A view's truth, as traced and as scored against: without band and ignored pixels, thinned again,
+/// so that it scores exactly 1 against itself.
+struct ViewTruth {
+    truth::Truth traced;
+    score::ScoringTruth scoring;
+};
+
+/// Traces `view` of `scene`, or reads it from the cache.
+[[nodiscard]] ViewTruth trace_view(const scene::Scene& scene,
+                                   const scene::View& view,
+                                   const TraceOptions& options);
+
+/// What a trace found, for a terminal: pixels and curves per class, counts, time.
+[[nodiscard]] std::string truth_summary(const truth::Truth& truth);
+
+}  // namespace ink::lab

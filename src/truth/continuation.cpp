@@ -1,0 +1,226 @@
+#include "truth/continuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/parallel.h"
+#include "truth/box_tree.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kRelativeTolerance = 1e-6;
+constexpr double kShortestStretch = 8;  ///< tolerances
+constexpr std::size_t kChunk = 1024;    ///< faces a task
+
+/// A boundary edge and the only face it has.
+struct Border {
+    std::uint32_t edge = 0;
+    std::uint32_t face = 0;
+    glm::dvec3 a, b;
+    glm::dvec3 along;   ///< unit, from a to b
+    glm::dvec3 inward;  ///< unit, into the face, orthogonal to the edge
+    double length = 0;
+};
+
+glm::dvec3 opposite_vertex(const scene::Topology& topology,
+                           const scene::Edge& edge,
+                           const scene::Face& face) {
+    for (const std::uint32_t v : face.vertices) {
+        if (v != edge.a && v != edge.b) return topology.p_world[v];
+    }
+    return topology.p_world[edge.a];
+}
+
+std::vector<Border> list_borders(const scene::Topology& topology, double shortest) {
+    std::vector<Border> borders;
+    for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
+        const scene::Edge& edge = topology.edges[e];
+        if (edge.face_count != 1) continue;
+        Border border;
+        border.edge = e;
+        border.face = topology.faces_of(edge)[0];
+        border.a = topology.p_world[edge.a];
+        border.b = topology.p_world[edge.b];
+        border.length = glm::length(border.b - border.a);
+        if (border.length <= shortest) continue;
+        border.along = (border.b - border.a) / border.length;
+        const glm::dvec3 to_opposite =
+            opposite_vertex(topology, edge, topology.faces[border.face]) - border.a;
+        border.inward =
+            glm::normalize(to_opposite - border.along * glm::dot(border.along, to_opposite));
+        borders.push_back(border);
+    }
+    return borders;
+}
+
+BoxTree tree_of(const std::vector<Border>& borders, double tolerance) {
+    std::vector<Box> boxes(borders.size());
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+        for (const glm::dvec3& p : {borders[i].a, borders[i].b}) {
+            boxes[i].add(p - tolerance);
+            boxes[i].add(p + tolerance);
+        }
+    }
+    return BoxTree(std::move(boxes));
+}
+
+/// Parameters of an edge, 0..1.
+struct Stretch {
+    double begin = 0;
+    double end = 1;
+
+    /// Keeps the part where at_begin + t (at_end - at_begin) >= 0.
+    void keep_positive(double at_begin, double at_end) {
+        if (at_begin >= 0 && at_end >= 0) return;
+        if (at_begin < 0 && at_end < 0) {
+            end = begin - 1;
+            return;
+        }
+        const double root = at_begin / (at_begin - at_end);
+        if (at_begin < 0) {
+            begin = std::max(begin, root);
+        } else {
+            end = std::min(end, root);
+        }
+    }
+};
+
+struct Triangle {
+    std::array<glm::dvec3, 3> p;
+    glm::dvec3 normal;  ///< unit
+};
+
+/// Where the edge runs within the tolerance of the triangle's plane and its points, moved a little
+/// along `into`, lie inside it.
+Stretch shared_stretch(const Border& border,
+                       const Triangle& triangle,
+                       const glm::dvec3& into,
+                       double tolerance) {
+    Stretch stretch;
+    const auto height = [&](const glm::dvec3& p) {
+        return glm::dot(triangle.normal, p - triangle.p[0]);
+    };
+    const double height_a = height(border.a), height_b = height(border.b);
+    stretch.keep_positive(tolerance - height_a, tolerance - height_b);
+    stretch.keep_positive(tolerance + height_a, tolerance + height_b);
+    // Two tolerances: a face whose border lies within one of the edge then holds the point, and one
+    // that ends at the edge from the same side as the edge's own face does not.
+    const glm::dvec3 a = border.a + 2 * tolerance * into;
+    const glm::dvec3 b = border.b + 2 * tolerance * into;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 side = triangle.p[(i + 1) % 3] - triangle.p[i];
+        const glm::dvec3 inward = glm::cross(triangle.normal, side);
+        stretch.keep_positive(glm::dot(inward, a - triangle.p[i]),
+                              glm::dot(inward, b - triangle.p[i]));
+    }
+    return stretch;
+}
+
+/// How the triangle continues the face at the border, if it does.
+std::optional<Continuation> continuation(const Border& border,
+                                         const Triangle& triangle,
+                                         const ContinuationOptions& options) {
+    const glm::dvec3 across = glm::cross(triangle.normal, border.along);
+    const double sine = glm::length(across);
+    // The edge pierces the triangle steeply: they share a point, not a stretch.
+    if (sine < 0.5) return std::nullopt;
+    for (const double sign : {1.0, -1.0}) {
+        const glm::dvec3 into = across * (sign / sine);
+        const double cosine = glm::dot(border.inward, into);
+        const double bend =
+            std::acos(-1.0) - std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
+        if (bend >= options.crease_rad) continue;
+        const Stretch s = shared_stretch(border, triangle, into, options.tolerance);
+        if (s.end <= s.begin) continue;
+        return Continuation{border.edge, s.begin, s.end, 0, into};
+    }
+    return std::nullopt;
+}
+
+/// Takes away the stretches of one edge that, joined with those they touch, are no longer than a
+/// contact at a corner. `begin` to `end` are the stretches of the edge in ascending order.
+void keep_long_runs(std::vector<Continuation>::const_iterator begin,
+                    std::vector<Continuation>::const_iterator end,
+                    double shortest,
+                    std::vector<Continuation>& kept) {
+    while (begin != end) {
+        double run_end = begin->t_end;
+        auto next = begin + 1;
+        for (; next != end && next->t_begin <= run_end + shortest / 2; ++next)
+            run_end = std::max(run_end, next->t_end);
+        if (run_end - begin->t_begin >= shortest) kept.insert(kept.end(), begin, next);
+        begin = next;
+    }
+}
+
+/// The same for all edges.
+std::vector<Continuation> without_contacts(const scene::Topology& topology,
+                                           const std::vector<Continuation>& sorted,
+                                           double shortest) {
+    std::vector<Continuation> kept;
+    for (auto begin = sorted.begin(); begin != sorted.end();) {
+        auto end = begin;
+        while (end != sorted.end() && end->edge == begin->edge)
+            ++end;
+        const scene::Edge& edge = topology.edges[begin->edge];
+        const double length = glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
+        keep_long_runs(begin, end, shortest / length, kept);
+        begin = end;
+    }
+    return kept;
+}
+
+Triangle triangle_of(const scene::Topology& topology, const scene::Face& face) {
+    Triangle t;
+    for (std::size_t i = 0; i < 3; ++i)
+        t.p[i] = topology.p_world[face.vertices[i]];
+    t.normal = glm::normalize(glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]));
+    return t;
+}
+
+}  // namespace
+
+double weld_tolerance(const scene::Topology& topology) {
+    Box box;
+    for (const glm::dvec3& p : topology.p_world)
+        box.add(p);
+    return topology.p_world.empty() ? 0 : kRelativeTolerance * glm::length(box.high - box.low);
+}
+
+std::vector<Continuation> find_continuations(const scene::Topology& topology,
+                                             const ContinuationOptions& options) {
+    const auto borders = list_borders(topology, kShortestStretch * options.tolerance);
+    const BoxTree tree = tree_of(borders, options.tolerance);
+    std::vector<std::vector<Continuation>> found((topology.faces.size() + kChunk - 1) / kChunk);
+    if (borders.empty()) return {};
+
+    core::parallel_for(found.size(), options.threads, [&](std::size_t chunk) {
+        const std::size_t end = std::min(topology.faces.size(), (chunk + 1) * kChunk);
+        for (std::size_t f = chunk * kChunk; f < end; ++f) {
+            const Triangle triangle = triangle_of(topology, topology.faces[f]);
+            Box box;
+            for (const glm::dvec3& p : triangle.p)
+                box.add(p);
+            tree.for_each(box, [&](std::uint32_t i) {
+                if (borders[i].face == f) return;
+                auto c = continuation(borders[i], triangle, options);
+                if (!c) return;
+                c->face = static_cast<std::uint32_t>(f);
+                found[chunk].push_back(*c);
+            });
+        }
+    });
+
+    std::vector<Continuation> all;
+    for (const auto& part : found)
+        all.insert(all.end(), part.begin(), part.end());
+    std::sort(all.begin(), all.end(), [](const Continuation& x, const Continuation& y) {
+        return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
+    });
+    return without_contacts(topology, all, kShortestStretch * options.tolerance);
+}
+
+}  // namespace ink::truth

@@ -1,0 +1,68 @@
+#pragma once
+
+/// The one door to Embree: what versions 3 and 4 call differently has one name here.
+///
+/// Only `eye_scene.cpp` includes this header. Filters travel with the query in both versions; in 3
+/// they sit in the context, in 4 in the arguments, and the scene must be told so when it is made.
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace ink::truth::embree {
+
+#if RTC_VERSION_MAJOR >= 4
+
+using Context = RTCRayQueryContext;
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
+
+inline void init_context(Context& context) {
+    rtcInitRayQueryContext(&context);
+}
+
+inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay& ray) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    arguments.filter = filter;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    rtcOccluded1(scene, &ray, &arguments);
+}
+
+inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    arguments.filter = filter;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    rtcIntersect1(scene, &ray, &arguments);
+}
+
+#else
+
+using Context = RTCIntersectContext;
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+
+inline void init_context(Context& context) {
+    rtcInitIntersectContext(&context);
+}
+
+inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay& ray) {
+    context.filter = filter;
+    rtcOccluded1(scene, &context, &ray);
+}
+
+inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
+    context.filter = filter;
+    rtcIntersect1(scene, &context, &ray);
+}
+
+#endif
+
+}  // namespace ink::truth::embree

@@ -1,0 +1,167 @@
+#include "truth/eye_scene.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "truth/embree.h"
+
+namespace ink::truth {
+
+struct EyeScene::Handles {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    Handles() = default;
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+    ~Handles() {
+        if (scene != nullptr) rtcReleaseScene(scene);
+        if (device != nullptr) rtcReleaseDevice(device);
+    }
+};
+
+/// What a filter knows of the query that called it; Embree hands the context back by its address.
+struct EyeSceneQuery {
+    embree::Context context;  // first: the filter casts its address back
+    EyeScene::Callback confirm;
+    float best_t = std::numeric_limits<float>::infinity();
+    std::uint32_t best_face = RTC_INVALID_GEOMETRY_ID;
+};
+
+namespace {
+
+struct Float3 {
+    float x, y, z;
+};
+
+/// The power of two that scales the farthest vertex to below 1.
+double unit_scale(const scene::Topology& topology, const glm::dvec3& eye_world) {
+    double farthest = 0;
+    for (const glm::dvec3& p : topology.p_world) {
+        const glm::dvec3 d = glm::abs(p - eye_world);
+        farthest = std::max({farthest, d.x, d.y, d.z});
+    }
+    return farthest > 0 ? std::ldexp(1.0, -std::ilogb(farthest) - 1) : 1.0;
+}
+
+void* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
+    void* data = rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(float), count);
+    if (data == nullptr && count > 0) {
+        throw core::Error("truth", "Embree found no memory for the scene", "a smaller scene");
+    }
+    return data;
+}
+
+void attach_triangles(RTCDevice device,
+                      RTCScene rtc_scene,
+                      const scene::Topology& topology,
+                      const std::vector<Float3>& p_eye) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<Float3*>(
+        new_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, p_eye.size()));
+    std::copy(p_eye.begin(), p_eye.end(), vertices);
+    auto* indices = static_cast<std::uint32_t*>(
+        new_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, topology.faces.size()));
+    for (const scene::Face& face : topology.faces)
+        indices = std::copy(face.vertices.begin(), face.vertices.end(), indices);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(rtc_scene, geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+RTCRay make_ray(const EyeRay& ray, double scale) {
+    const double length = glm::length(ray.direction_world);
+    const glm::dvec3 d = ray.direction_world / length;
+    RTCRay result{};
+    result.dir_x = static_cast<float>(d.x);
+    result.dir_y = static_cast<float>(d.y);
+    result.dir_z = static_cast<float>(d.z);
+    result.tnear = static_cast<float>(ray.t_near * length * scale);
+    result.tfar = static_cast<float>(ray.t_far * length * scale);
+    result.mask = 0xffffffffU;
+    return result;
+}
+
+void confirm_any(const RTCFilterFunctionNArguments* args) {
+    auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
+    assert(args->N == 1);
+    if (args->valid[0] == 0) return;
+    const unsigned face = RTCHitN_primID(args->hit, args->N, 0);
+    if (!query.confirm.function(query.confirm.object, face)) args->valid[0] = 0;
+}
+
+/// Equal distances go to the lower face, or the answer would hang on the order of the tree's
+/// leaves.
+void confirm_first(const RTCFilterFunctionNArguments* args) {
+    auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
+    assert(args->N == 1);
+    if (args->valid[0] == 0) return;
+    const unsigned face = RTCHitN_primID(args->hit, args->N, 0);
+    const float t = RTCRayN_tfar(args->ray, args->N, 0);
+    const bool is_better = t < query.best_t || (t == query.best_t && face < query.best_face);
+    if (!is_better || !query.confirm.function(query.confirm.object, face)) {
+        args->valid[0] = 0;
+        return;
+    }
+    query.best_t = t;
+    query.best_face = face;
+}
+
+}  // namespace
+
+EyeScene::EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads)
+    : handles_(std::make_unique<Handles>()), scale_(unit_scale(topology, eye_world)) {
+    const std::string config = "threads=" + std::to_string(threads);
+    handles_->device = rtcNewDevice(config.c_str());
+    if (handles_->device == nullptr) {
+        throw core::Error("truth", "Embree could not start", "a CPU with at least SSE2");
+    }
+    handles_->scene = rtcNewScene(handles_->device);
+    rtcSetSceneFlags(handles_->scene, embree::kSceneFlags);
+    std::vector<Float3> p_eye;
+    p_eye.reserve(topology.p_world.size());
+    for (const glm::dvec3& p : topology.p_world) {
+        const glm::dvec3 d = (p - eye_world) * scale_;
+        p_eye.push_back(
+            {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
+    }
+    if (!topology.faces.empty()) {
+        attach_triangles(handles_->device, handles_->scene, topology, p_eye);
+    }
+    rtcCommitScene(handles_->scene);
+    if (rtcGetDeviceError(handles_->device) != RTC_ERROR_NONE) {
+        throw core::Error("truth", "Embree could not build the scene", "a smaller scene");
+    }
+}
+
+EyeScene::~EyeScene() = default;
+
+bool EyeScene::any_of(const EyeRay& ray, Callback confirm) const {
+    EyeSceneQuery query{};
+    embree::init_context(query.context);
+    query.confirm = confirm;
+    RTCRay rtc_ray = make_ray(ray, scale_);
+    embree::occluded(handles_->scene, query.context, &confirm_any, rtc_ray);
+    return rtc_ray.tfar < 0;
+}
+
+std::optional<EyeScene::Hit> EyeScene::first_of(const EyeRay& ray, Callback confirm) const {
+    EyeSceneQuery query{};
+    embree::init_context(query.context);
+    query.confirm = confirm;
+    RTCRayHit rtc_ray{};
+    rtc_ray.ray = make_ray(ray, scale_);
+    rtc_ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect(handles_->scene, query.context, &confirm_first, rtc_ray);
+    if (rtc_ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const double length = glm::length(ray.direction_world);
+    return Hit{rtc_ray.hit.primID, rtc_ray.ray.tfar / (length * scale_)};
+}
+
+}  // namespace ink::truth

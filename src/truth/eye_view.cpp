@@ -1,0 +1,170 @@
+#include "truth/eye_view.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/parallel.h"
+#include "scene/predicates.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr std::size_t kChunk = 4096;  ///< vertices, faces or edges a task
+constexpr double kShortestSlit = 4;   ///< weld tolerances
+
+template <class Body>
+void for_all(std::size_t count, int threads, Body&& body) {
+    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
+        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+        for (std::size_t i = chunk * kChunk; i < end; ++i)
+            body(i);
+    });
+}
+
+std::uint32_t opposite_vertex(const scene::Face& face, const scene::Edge& edge) {
+    for (const std::uint32_t v : face.vertices) {
+        if (v != edge.a && v != edge.b) return v;
+    }
+    return edge.a;
+}
+
+/// Of two faces on the same side of an edge, whether the first hides the second there.
+bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::uint32_t f1) {
+    const scene::Topology& topology = eye.model.topology;
+    const auto& p = topology.p_world;
+    const glm::dvec3& v0 = p[opposite_vertex(topology.faces[f0], edge)];
+    const glm::dvec3& v1 = p[opposite_vertex(topology.faces[f1], edge)];
+    const int other = scene::orient3d(p[edge.a], p[edge.b], v0, v1);
+    if (other == 0) return f0 < f1;
+    return other != scene::orient3d(p[edge.a], p[edge.b], v0, eye.eye_world());
+}
+
+LineClass class_of(const EyeView& eye, std::uint32_t e) {
+    const scene::Edge& edge = eye.model.topology.edges[e];
+    if (edge.face_count == 1) {
+        return eye.side(edge, 0) == 0 ? LineClass::none : LineClass::boundary;
+    }
+    if (edge.face_count == 2) {
+        const int side0 = eye.side(edge, 0), side1 = eye.side(edge, 1);
+        if (side0 * side1 < 0) return eye.model.flat_class[e];
+        return side0 == 0 && side1 == 0 ? LineClass::none : LineClass::contour;
+    }
+    const SeenFaces seen = eye.seen_faces(edge);
+    if (seen.left == kNoFace && seen.right == kNoFace) return LineClass::none;
+    if (seen.left == kNoFace || seen.right == kNoFace) return LineClass::contour;
+    return eye.model.class_across(edge, seen.left, seen.right);
+}
+
+/// Boundary, seam or none (defect) for one stretch between neighbouring ends of continuations.
+LineClass class_between(const EyeView& eye,
+                        std::uint32_t own_face,
+                        std::span<const Continuation> goes_on,
+                        double t) {
+    LineClass result = LineClass::boundary;
+    for (const Continuation& c : goes_on) {
+        if (t < c.t_begin || t > c.t_end || !eye.goes_on(c)) continue;
+        if (!eye.model.is_seam(own_face, c.face)) return LineClass::none;
+        result = LineClass::seam;
+    }
+    return result;
+}
+
+void append(std::vector<ClassStretch>& stretches, const ClassStretch& next) {
+    if (!stretches.empty() && stretches.back().line_class == next.line_class) {
+        stretches.back().t_end = next.t_end;
+    } else {
+        stretches.push_back(next);
+    }
+}
+
+}  // namespace
+
+EyeView::EyeView(const Model& model_, const scene::View& view, int threads)
+    : model(model_),
+      projection(view),
+      view_from_world(view.camera.view_from_world),
+      width_px(view.width_px),
+      height_px(view.height_px),
+      near(view.camera.near) {
+    const scene::Topology& topology = model.topology;
+    p_clip.resize(topology.p_world.size());
+    for_all(p_clip.size(), threads, [&](std::size_t v) {
+        p_clip[v] = projection.to_clip(topology.p_world[v]);
+    });
+    facing.resize(topology.faces.size());
+    for_all(facing.size(), threads, [&](std::size_t f) {
+        const auto& [a, b, c] = topology.faces[f].vertices;
+        const auto& p = topology.p_world;
+        facing[f] = static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world()));
+    });
+    edge_class.resize(topology.edges.size());
+    for_all(edge_class.size(), threads, [&](std::size_t e) {
+        edge_class[e] = class_of(*this, static_cast<std::uint32_t>(e));
+    });
+}
+
+SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
+    SeenFaces seen;
+    const auto faces = model.topology.faces_of(edge);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const int s = side(edge, i);
+        if (s == 0) continue;
+        std::uint32_t& nearest = s < 0 ? seen.left : seen.right;
+        if (nearest == kNoFace || hides(*this, edge, faces[i], nearest)) nearest = faces[i];
+    }
+    return seen;
+}
+
+bool EyeView::goes_on(const Continuation& continuation) const {
+    const scene::Topology& topology = model.topology;
+    const scene::Edge& edge = topology.edges[continuation.edge];
+    const glm::dvec3 a = topology.p_world[edge.a] - eye_world();
+    const glm::dvec3 b = topology.p_world[edge.b] - eye_world();
+    // orient3d(a, b, eye, v) has the sign of -(a x b).(v - a), where v is beyond the edge.
+    const double across = -glm::dot(glm::cross(a, b), continuation.into_world);
+    return side(edge, 0) * across < 0;
+}
+
+LineClass EyeView::class_at(std::uint32_t edge, double t) const {
+    if (edge_class[edge] != LineClass::boundary) return edge_class[edge];
+    const auto continuations = model.continuations_of(edge);
+    if (continuations.empty()) return LineClass::boundary;
+    const std::uint32_t own = model.topology.faces_of(model.topology.edges[edge])[0];
+    return class_between(*this, own, continuations, t);
+}
+
+std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
+    const LineClass whole = eye.edge_class[e];
+    if (whole == LineClass::none) return {};
+    const auto continuations = eye.model.continuations_of(e);
+    if (whole != LineClass::boundary || continuations.empty()) return {{whole, 0, 1}};
+
+    const scene::Topology& topology = eye.model.topology;
+    const scene::Edge& edge = topology.edges[e];
+    const double length = glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
+    const double slit = kShortestSlit * eye.model.tolerance / length;
+    std::vector<double> ends = {0, 1};
+    for (const Continuation& c : continuations) {
+        ends.push_back(c.t_begin);
+        ends.push_back(c.t_end);
+    }
+    std::sort(ends.begin(), ends.end());
+
+    std::vector<ClassStretch> all;
+    double begin = 0;
+    for (const double end : ends) {
+        // A slit is what rounding left between two neighbours; it goes to the stretch after it, the
+        // last one to the stretch before it.
+        if (end - begin < slit && end < 1) continue;
+        if (end - begin < slit && !all.empty()) {
+            all.back().t_end = end;
+            continue;
+        }
+        append(all, {eye.class_at(e, begin + (end - begin) / 2), begin, end});
+        begin = end;
+    }
+    std::erase_if(all, [](const ClassStretch& s) { return s.line_class == LineClass::none; });
+    return all;
+}
+
+}  // namespace ink::truth

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "scene/camera.h"
+#include "truth/model.h"
+
+namespace ink::truth {
+
+inline constexpr std::uint32_t kNoFace = 0xffffffffU;
+
+/// The faces of an edge that the eye sees to either side of it, kNoFace where there is none.
+struct SeenFaces {
+    std::uint32_t left = kNoFace;
+    std::uint32_t right = kNoFace;
+};
+
+/// What one eye makes of a model: the exact facing of faces and class of edges, and where vertices
+/// are on the picture. Borrows the model.
+struct EyeView {
+    const Model& model;
+    scene::Projection projection;
+    glm::dmat3 view_from_world;
+    int width_px = 0;
+    int height_px = 0;
+    double near = 0;
+    std::vector<glm::dvec3> p_clip;     ///< per vertex, (x, y, w) as Projection::to_clip has them
+    std::vector<std::int8_t> facing;    ///< per face: 1 front, -1 back, 0 edge-on, exact
+    std::vector<LineClass> edge_class;  ///< per edge; a boundary here may yet be a defect in parts
+
+    EyeView(const Model& model, const scene::View& view, int threads);
+
+    [[nodiscard]] const glm::dvec3& eye_world() const { return projection.eye_world(); }
+
+    /// On which side of the plane through the eye and the edge its i-th face lies: 1, -1, or 0 for
+    /// a face in that plane. Exact.
+    [[nodiscard]] int side(const scene::Edge& edge, std::size_t i) const {
+        return facing[model.topology.edge_faces[edge.first_face + i]] *
+               model.runs[edge.first_face + i];
+    }
+
+    /// Of several faces on one side only the one nearest the eye is seen; ties go to the lowest.
+    [[nodiscard]] SeenFaces seen_faces(const scene::Edge& edge) const;
+
+    /// Whether the face of a boundary edge and what continues it lie on different sides of it: then
+    /// the surface goes on before the eye; else it folds there, and the eye sees its rim.
+    [[nodiscard]] bool goes_on(const Continuation& continuation) const;
+
+    /// The class of a point of an edge: edge_class, save that a stretch of boundary across which
+    /// the surface goes on is a `seam` if another object goes on and else `none`: a defect, not
+    /// drawn.
+    [[nodiscard]] LineClass class_at(std::uint32_t edge, double t) const;
+};
+
+/// A stretch of an edge that has one class.
+struct ClassStretch {
+    LineClass line_class = LineClass::none;
+    double t_begin = 0;
+    double t_end = 1;
+};
+
+/// The stretches of an edge that are lines, ascending; slits shorter than a few weld tolerances
+/// between two defects count as defect.
+[[nodiscard]] std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t edge);
+
+}  // namespace ink::truth

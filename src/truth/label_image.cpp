@@ -1,0 +1,128 @@
+#include "truth/label_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edge/thin.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kSamplesPerPx = 16;
+constexpr int kBlock_px = 8;
+constexpr int kFullOutOf4 = 3;  ///< a block is full if more than this many quarters of it are drawn
+
+using Labels = core::Image<std::uint8_t>;
+
+void draw(const Curve& curve, Labels& labels) {
+    const double dx = curve.end.x_px - curve.begin.x_px;
+    const double dy = curve.end.y_px - curve.begin.y_px;
+    const int steps = static_cast<int>(std::ceil(std::hypot(dx, dy) * kSamplesPerPx));
+    const auto label = static_cast<std::uint8_t>(curve.line_class);
+    for (int i = 0; i <= steps; ++i) {
+        const double s = steps == 0 ? 0.0 : static_cast<double>(i) / steps;
+        const int x = static_cast<int>(std::floor(curve.begin.x_px + s * dx));
+        const int y = static_cast<int>(std::floor(curve.begin.y_px + s * dy));
+        if (!labels.contains(x, y)) continue;
+        std::uint8_t& pixel = labels.at(x, y);
+        if (pixel == 0 || label < pixel) pixel = label;
+    }
+}
+
+edge::Mask drawn(const Labels& labels) {
+    edge::Mask mask(labels.width_px(), labels.height_px());
+    std::transform(labels.data(), labels.data() + labels.size(), mask.data(), [](std::uint8_t l) {
+        return static_cast<std::uint8_t>(l != 0 &&
+                                         l != static_cast<std::uint8_t>(LineClass::ignore));
+    });
+    return mask;
+}
+
+std::size_t count(const edge::Mask& mask) {
+    return static_cast<std::size_t>(std::count(mask.data(), mask.data() + mask.size(), 1));
+}
+
+/// Labels where the mask is on.
+void keep(Labels& labels, const edge::Mask& mask) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const bool is_ignore = labels.data()[i] == static_cast<std::uint8_t>(LineClass::ignore);
+        if (mask.data()[i] == 0 && !is_ignore) labels.data()[i] = 0;
+    }
+}
+
+/// 8x8 blocks of an image, the last ones of a row or column cut off by its border.
+class Blocks {
+  public:
+    Blocks(int width_px, int height_px)
+        : width_px_(width_px),
+          height_px_(height_px),
+          drawn_((width_px + kBlock_px - 1) / kBlock_px, (height_px + kBlock_px - 1) / kBlock_px) {}
+
+    /// Counts the set pixels of each block.
+    void count_in(const edge::Mask& mask) {
+        for (int y = 0; y < height_px_; ++y) {
+            for (int x = 0; x < width_px_; ++x)
+                drawn_.at(x / kBlock_px, y / kBlock_px) += mask.at(x, y);
+        }
+    }
+    [[nodiscard]] int columns() const { return drawn_.width_px(); }
+    [[nodiscard]] int rows() const { return drawn_.height_px(); }
+    [[nodiscard]] bool is_full(int column, int row) const {
+        const int width = std::min(kBlock_px, width_px_ - column * kBlock_px);
+        const int height = std::min(kBlock_px, height_px_ - row * kBlock_px);
+        return kFullOutOf4 * width * height < 4 * drawn_.at(column, row);
+    }
+    /// Full itself, or beside a full one.
+    [[nodiscard]] bool is_crowded(int column, int row) const {
+        for (int r = std::max(0, row - 1); r <= std::min(rows() - 1, row + 1); ++r) {
+            for (int c = std::max(0, column - 1); c <= std::min(columns() - 1, column + 1); ++c) {
+                if (is_full(c, r)) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    int width_px_, height_px_;
+    core::Image<int> drawn_;
+};
+
+/// Marks crowded blocks in `labels` as `ignore`; returns how many drawn pixels they hold.
+std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
+    Blocks blocks(labels.width_px(), labels.height_px());
+    blocks.count_in(before_thinning);
+    core::Image<std::uint8_t> is_crowded(blocks.columns(), blocks.rows());
+    for (int row = 0; row < blocks.rows(); ++row) {
+        for (int column = 0; column < blocks.columns(); ++column)
+            is_crowded.at(column, row) = blocks.is_crowded(column, row) ? 1 : 0;
+    }
+    std::size_t crowded = 0;
+    for (int y = 0; y < labels.height_px(); ++y) {
+        for (int x = 0; x < labels.width_px(); ++x) {
+            if (is_crowded.at(x / kBlock_px, y / kBlock_px) == 0) continue;
+            labels.at(x, y) = static_cast<std::uint8_t>(LineClass::ignore);
+            crowded += before_thinning.at(x, y);
+        }
+    }
+    return crowded;
+}
+
+}  // namespace
+
+LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px) {
+    LabelImage result;
+    result.labels = Labels(width_px, height_px);
+    for (const Curve& curve : curves)
+        draw(curve, result.labels);
+    const edge::Mask before = drawn(result.labels);
+    const edge::Mask thinned = edge::thin(before);
+    const std::size_t n = count(before);
+    result.merged_px = n - count(thinned);
+    keep(result.labels, thinned);
+    const std::size_t crowded = ignore_crowded(before, result.labels);
+    result.crowded_share = n == 0 ? 0 : static_cast<double>(crowded) / static_cast<double>(n);
+    keep(result.labels, edge::thin(drawn(result.labels)));
+    return result;
+}
+
+}  // namespace ink::truth

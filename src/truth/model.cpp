@@ -1,0 +1,120 @@
+#include "truth/model.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/parallel.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr std::size_t kChunk = 4096;  ///< edges a task
+
+std::int8_t run_of(const scene::Face& face, const scene::Edge& edge) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == edge.a) {
+            return face.vertices[(i + 1) % 3] == edge.b ? std::int8_t{1} : std::int8_t{-1};
+        }
+    }
+    return 0;
+}
+
+void classify_edges(Model& model, int threads) {
+    const scene::Topology& topology = model.topology;
+    const std::size_t count = topology.edges.size();
+    model.runs.resize(topology.edge_faces.size());
+    model.flat_class.assign(count, LineClass::none);
+    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
+        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+        for (std::size_t e = chunk * kChunk; e < end; ++e) {
+            const scene::Edge& edge = topology.edges[e];
+            const auto faces = topology.faces_of(edge);
+            for (std::size_t i = 0; i < faces.size(); ++i)
+                model.runs[edge.first_face + i] = run_of(topology.faces[faces[i]], edge);
+            if (faces.size() == 2) {
+                model.flat_class[e] = model.class_across(edge, faces[0], faces[1]);
+            }
+        }
+    });
+}
+
+/// The representative of a face's patch; halves the path as it goes (Tarjan and van Leeuwen 1984).
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t f) {
+    while (parent[f] != f) {
+        parent[f] = parent[parent[f]];
+        f = parent[f];
+    }
+    return f;
+}
+
+void join_patches(Model& model) {
+    const scene::Topology& topology = model.topology;
+    std::vector<std::uint32_t> parent(topology.faces.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        const auto faces = topology.faces_of(topology.edges[e]);
+        if (faces.size() != 2 || model.flat_class[e] != LineClass::none) continue;
+        const auto [low, high] =
+            std::minmax({root_of(parent, faces[0]), root_of(parent, faces[1])});
+        parent[high] = low;
+    }
+    // The lowest face is the root, so numbers are given before they are asked for.
+    model.patch.resize(topology.faces.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+        const std::uint32_t root = root_of(parent, f);
+        model.patch[f] = root == f ? count++ : model.patch[root];
+    }
+}
+
+std::size_t count_defects(const Model& model) {
+    std::size_t count = 0;
+    std::uint32_t last = 0xffffffffU;
+    for (const Continuation& c : model.continuations) {
+        const std::uint32_t own = model.topology.faces_of(model.topology.edges[c.edge])[0];
+        if (c.edge == last || model.is_seam(own, c.face)) continue;
+        last = c.edge;
+        ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const {
+    const auto begin =
+        std::lower_bound(continuations.begin(),
+                         continuations.end(),
+                         edge,
+                         [](const Continuation& c, std::uint32_t e) { return c.edge < e; });
+    auto end = begin;
+    while (end != continuations.end() && end->edge == edge)
+        ++end;
+    return {begin, end};
+}
+
+LineClass Model::class_across(const scene::Edge& edge,
+                              std::uint32_t face0,
+                              std::uint32_t face1) const {
+    if (scene::bend_rad(topology, edge, face0, face1) >= crease_rad) return LineClass::crease;
+    return is_seam(face0, face1) ? LineClass::seam : LineClass::none;
+}
+
+Model build_model(const scene::Scene& scene, const TruthOptions& options) {
+    Model model;
+    model.topology = scene::weld(scene);
+    model.crease_rad = options.crease_rad;
+    model.material_seams = options.material_seams;
+    model.tolerance = weld_tolerance(model.topology);
+    classify_edges(model, options.threads);
+    join_patches(model);
+    model.continuations = find_continuations(model.topology,
+                                             {.tolerance = model.tolerance,
+                                              .crease_rad = options.crease_rad,
+                                              .threads = options.threads});
+    model.defect_edges = count_defects(model);
+    return model;
+}
+
+}  // namespace ink::truth

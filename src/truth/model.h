@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/topology.h"
+#include "truth/continuation.h"
+#include "truth/line_class.h"
+
+namespace ink::truth {
+
+struct TruthOptions;
+
+/// What truth knows of a scene before there is an eye: build it once, trace many views.
+struct Model {
+    scene::Topology topology;
+    double crease_rad = 0;
+    bool material_seams = false;
+    double tolerance = 0;  ///< weld tolerance, world units
+    /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else
+    /// -1.
+    std::vector<std::int8_t> runs;
+    /// Per edge of two faces its class where the eye sees them on either side (none, crease or
+    /// seam); none for other edges.
+    std::vector<LineClass> flat_class;
+    /// Per face its smooth patch, numbered from 0 in face order: what can be reached over edges of
+    /// two faces that are neither crease nor seam.
+    std::vector<std::uint32_t> patch;
+    std::vector<Continuation> continuations;  ///< sorted by edge
+    std::size_t defect_edges = 0;  ///< boundary edges with a stretch where the same object goes on
+
+    /// The stretches of one boundary edge across which the surface goes on.
+    [[nodiscard]] std::span<const Continuation> continuations_of(std::uint32_t edge) const;
+
+    /// Whether a flat join of the two faces is a seam.
+    [[nodiscard]] bool is_seam(std::uint32_t face0, std::uint32_t face1) const {
+        const scene::Face& f0 = topology.faces[face0];
+        const scene::Face& f1 = topology.faces[face1];
+        return f0.object != f1.object || (material_seams && f0.material != f1.material);
+    }
+
+    /// The class of an edge whose seen faces, one on either side, are these: none, crease or seam.
+    [[nodiscard]] LineClass class_across(const scene::Edge& edge,
+                                         std::uint32_t face0,
+                                         std::uint32_t face1) const;
+};
+
+/// Welds the scene and finds what no eye changes. An empty scene gives an empty model.
+[[nodiscard]] Model build_model(const scene::Scene& scene, const TruthOptions& options);
+
+}  // namespace ink::truth

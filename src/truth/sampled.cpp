@@ -1,0 +1,284 @@
+#include "truth/sampled.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/parallel.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kAtHit_px = 1e-3;  ///< design, section 5: an end triangle this near counts as hit
+constexpr double kSameDepth = 1e-10;  ///< relative: rounding between two ways to reach one depth
+constexpr int kMostSteps = 100000;    ///< faces a walk may cross; against endless loops only
+
+/// The segment from one pixel centre to its neighbour: s = 0 at the one, 1 at the other.
+struct Segment {
+    double x_px = 0, y_px = 0;  ///< of s = 0
+    double dx = 0, dy = 0;      ///< one of them 1 or -1, the other 0
+};
+
+/// A point of the mesh above the segment's line, in the plane of that line and the eye: s = u / w.
+struct PlanePoint {
+    double u = 0;
+    double w = 0;
+    [[nodiscard]] double s() const { return u / w; }
+};
+
+/// Above zero if p lies further along the segment than o on a face that holds both, as far as the
+/// face is before the eye; holds for w of either sign.
+double ahead(const PlanePoint& p, const PlanePoint& o) {
+    return p.u * o.w - o.u * p.w;
+}
+
+struct Crossing {
+    std::uint32_t edge = 0;
+    double t = 0;  ///< on the edge, from a to b
+    PlanePoint point;
+};
+
+/// A face that a walk ran over: q = 1/w there is slope * s + offset, from s_begin to s_end.
+struct Piece {
+    double s_begin = 0, s_end = 0;
+    double slope = 0, offset = 0;
+};
+
+struct Feature {
+    std::uint32_t edge = 0;
+    double s = 0;
+    double q = 0;
+};
+
+/// What a walk met.
+struct Walk {
+    bool reached = false;            ///< the other face, without crossing a feature edge
+    std::optional<Feature> feature;  ///< the first feature edge it crossed
+    std::vector<Piece> pieces;
+
+    /// 1/w of the walked surface at s, nothing where the walk did not come.
+    [[nodiscard]] std::optional<double> q_at(double s) const {
+        for (const Piece& piece : pieces) {
+            if (s <= piece.s_end) return piece.slope * s + piece.offset;
+        }
+        return std::nullopt;
+    }
+};
+
+class Walker {
+  public:
+    explicit Walker(const EyeView& eye) : eye_(eye) {}
+
+    /// Walks from `face` at s = 0 towards s = 1 until `goal`, a feature edge, or the end.
+    void walk(const Segment& segment, std::uint32_t face, std::uint32_t goal, Walk& out) {
+        segment_ = segment;
+        out.reached = false;
+        out.feature.reset();
+        out.pieces.clear();
+        std::uint32_t entered = kNoEdge;
+        double s = -std::numeric_limits<double>::infinity();
+        for (int step = 0; step < kMostSteps && face != kNoFace; ++step) {
+            if (face == goal) {
+                out.reached = true;
+                return;
+            }
+            const auto exit = leave(face, entered, s, out);
+            if (!exit || exit->point.w < eye_.near || exit->point.s() < s - kAtHit_px) return;
+            if (exit->point.s() > 1 + kAtHit_px) {
+                look_round(face, goal, out);
+                return;
+            }
+            s = exit->point.s();
+            const LineClass line_class = eye_.class_at(exit->edge, exit->t);
+            if (line_class != LineClass::none) {
+                out.feature = {exit->edge, s, 1 / exit->point.w};
+                return;
+            }
+            face = across(*exit, face);
+            entered = eye_.model.topology.edges[exit->edge].face_count == 1 ? kNoEdge : exit->edge;
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kNoEdge = 0xffffffffU;
+
+    [[nodiscard]] double height(const glm::dvec3& p) const {
+        return segment_.dx != 0 ? p.y - segment_.y_px * p.z : p.x - segment_.x_px * p.z;
+    }
+    [[nodiscard]] double along(const glm::dvec3& p) const {
+        return segment_.dx != 0 ? (p.x - segment_.x_px * p.z) * segment_.dx
+                                : (p.y - segment_.y_px * p.z) * segment_.dy;
+    }
+
+    /// Where the segment's line crosses an edge. Zero height counts as above, always, so a face is
+    /// crossed at two of its edges or none, and both its neighbours agree.
+    [[nodiscard]] std::optional<Crossing> crossing(std::uint32_t e) const {
+        const scene::Edge& edge = eye_.model.topology.edges[e];
+        const glm::dvec3& a = eye_.p_clip[edge.a];
+        const glm::dvec3& b = eye_.p_clip[edge.b];
+        const double height_a = height(a), height_b = height(b);
+        if ((height_a >= 0) == (height_b >= 0)) return std::nullopt;
+        const double t = height_a / (height_a - height_b);
+        return Crossing{e, t, {along(a) + t * (along(b) - along(a)), a.z + t * (b.z - a.z)}};
+    }
+
+    /// The crossing through which the walk leaves a face; notes the face's piece of the profile.
+    std::optional<Crossing> leave(std::uint32_t f, std::uint32_t entered, double s, Walk& out) {
+        std::optional<Crossing> in, exit;
+        for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
+            const auto c = crossing(e);
+            if (!c) continue;
+            if (!in) {
+                in = c;
+            } else {
+                exit = c;
+            }
+        }
+        if (!exit) return std::nullopt;
+        const bool is_backwards =
+            entered == kNoEdge ? ahead(exit->point, in->point) < 0 : exit->edge == entered;
+        if (is_backwards) std::swap(in, exit);
+        const PlanePoint& p = in->point;
+        const PlanePoint& o = exit->point;
+        const double scale = ahead(o, p);
+        if (scale != 0) {
+            const double end = o.w < eye_.near ? std::numeric_limits<double>::infinity() : o.s();
+            out.pieces.push_back({s, end, (p.w - o.w) / scale, (o.u - p.u) / scale});
+        }
+        return exit;
+    }
+
+    /// The face seen beyond an edge that is no line.
+    [[nodiscard]] std::uint32_t across(const Crossing& at, std::uint32_t from) const {
+        const scene::Edge& edge = eye_.model.topology.edges[at.edge];
+        const auto faces = eye_.model.topology.faces_of(edge);
+        if (faces.size() == 2) return faces[0] == from ? faces[1] : faces[0];
+        if (faces.size() == 1) {
+            for (const Continuation& c : eye_.model.continuations_of(at.edge)) {
+                if (at.t >= c.t_begin && at.t <= c.t_end && eye_.goes_on(c)) return c.face;
+            }
+            return kNoFace;
+        }
+        const SeenFaces seen = eye_.seen_faces(edge);
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            if (faces[i] == from) return eye_.side(edge, i) < 0 ? seen.right : seen.left;
+        }
+        return kNoFace;
+    }
+
+    /// The walk ended in a face that holds the far centre, which is not the one that the ray met:
+    /// the ray may have been a hair beside. Looks over the edges within 1e-3 px for the goal.
+    void look_round(std::uint32_t f, std::uint32_t goal, Walk& out) const {
+        if (goal == kNoFace) return;
+        for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
+            const scene::Edge& edge = eye_.model.topology.edges[e];
+            const auto faces = eye_.model.topology.faces_of(edge);
+            if (std::find(faces.begin(), faces.end(), goal) == faces.end()) continue;
+            const auto t = near_end(edge);
+            if (!t) continue;
+            if (eye_.class_at(e, *t) == LineClass::none) {
+                out.reached = true;
+            } else {
+                const double w =
+                    eye_.p_clip[edge.a].z + *t * (eye_.p_clip[edge.b].z - eye_.p_clip[edge.a].z);
+                out.feature = {e, 1, 1 / w};
+            }
+            return;
+        }
+    }
+
+    /// The parameter of the edge's point nearest to s = 1 on the screen, if it is within 1e-3 px.
+    [[nodiscard]] std::optional<double> near_end(const scene::Edge& edge) const {
+        const glm::dvec3& a = eye_.p_clip[edge.a];
+        const glm::dvec3& b = eye_.p_clip[edge.b];
+        if (a.z <= 0 || b.z <= 0) return std::nullopt;
+        const double ax = along(a) / a.z - 1, ay = height(a) / a.z;
+        const double dx = along(b) / b.z - 1 - ax, dy = height(b) / b.z - ay;
+        const double length2 = dx * dx + dy * dy;
+        const double s = length2 > 0 ? std::clamp(-(ax * dx + ay * dy) / length2, 0.0, 1.0) : 0.0;
+        if (std::hypot(ax + s * dx, ay + s * dy) > kAtHit_px) return std::nullopt;
+        return s * a.z / ((1 - s) * b.z + s * a.z);
+    }
+
+    const EyeView& eye_;
+    Segment segment_;
+};
+
+/// Whether a feature that one walk crossed is in front of what the walk from the other end ran
+/// over.
+bool is_in_front(const Feature& feature, const Walk& other, double near) {
+    if (other.feature && other.feature->edge == feature.edge) return true;
+    const auto q = other.q_at(1 - feature.s);
+    if (!q || *q * near > 1 + kSameDepth) return true;
+    return feature.q >= *q * (1 - kSameDepth);
+}
+
+/// Which end of a segment a line between them is drawn at.
+enum class Mark : std::uint8_t { none, first, second };
+
+class PairRule {
+  public:
+    explicit PairRule(const EyeView& eye) : near_(eye.near), walker_(eye) {}
+
+    Mark mark(const Segment& forward, std::uint32_t first, std::uint32_t second) {
+        const Segment back{
+            forward.x_px + forward.dx, forward.y_px + forward.dy, -forward.dx, -forward.dy};
+        walk(forward, first, second, there_);
+        if (there_.reached) return Mark::none;
+        walk(back, second, first, back_);
+        if (back_.reached) return Mark::none;
+        const bool at_first = there_.feature && is_in_front(*there_.feature, back_, near_);
+        const bool at_second = back_.feature && is_in_front(*back_.feature, there_, near_);
+        if (at_first && at_second) {
+            const bool is_second_nearer = there_.feature->edge != back_.feature->edge &&
+                                          back_.feature->q > there_.feature->q * (1 + kSameDepth);
+            return is_second_nearer ? Mark::second : Mark::first;
+        }
+        return at_first ? Mark::first : at_second ? Mark::second : Mark::none;
+    }
+
+  private:
+    void walk(const Segment& segment, std::uint32_t face, std::uint32_t goal, Walk& out) {
+        walker_.walk(segment, face, goal, out);
+    }
+
+    double near_;
+    Walker walker_;
+    Walk there_, back_;
+};
+
+}  // namespace
+
+edge::EdgeImage draw_sampled(const EyeView& eye,
+                             const core::Image<std::uint32_t>& face,
+                             int threads) {
+    const int width = face.width_px(), height = face.height_px();
+    edge::EdgeImage image(width, height);
+    // Rows are walked side by side, so a vertical pair only notes which of its two pixels is drawn.
+    core::Image<Mark> below(width, height, Mark::none);
+    core::parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
+        PairRule rule(eye);
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < width; ++x) {
+            const std::uint32_t here = face.at(x, y);
+            if (x + 1 < width && face.at(x + 1, y) != here) {
+                const Mark mark = rule.mark({x + 0.5, y + 0.5, 1, 0}, here, face.at(x + 1, y));
+                if (mark == Mark::first) image.at(x, y) = 255;
+                if (mark == Mark::second) image.at(x + 1, y) = 255;
+            }
+            if (y + 1 < height && face.at(x, y + 1) != here) {
+                below.at(x, y) = rule.mark({x + 0.5, y + 0.5, 0, 1}, here, face.at(x, y + 1));
+            }
+        }
+    });
+    for (int y = 0; y + 1 < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (below.at(x, y) == Mark::first) image.at(x, y) = 255;
+            if (below.at(x, y) == Mark::second) image.at(x, y + 1) = 255;
+        }
+    }
+    return image;
+}
+
+}  // namespace ink::truth

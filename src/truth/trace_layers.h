@@ -1,0 +1,18 @@
+#pragma once
+
+#include "truth/eye_scene.h"
+#include "truth/eye_view.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+
+/// Layers, and the same triangles by their index in the welded topology.
+struct TracedLayers {
+    Layers layers;
+    core::Image<std::uint32_t> face;  ///< kNoFace where there is sky
+};
+
+/// What is seen at pixel centres, one ray each; faces in front of the near plane are not there.
+[[nodiscard]] TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads);
+
+}  // namespace ink::truth

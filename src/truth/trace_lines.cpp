@@ -1,0 +1,238 @@
+#include "truth/trace_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/parallel.h"
+#include "scene/topology.h"
+#include "truth/visibility.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kSpacing_px = 1.0 / 4;     ///< samples are at most this far apart
+constexpr double kBisected_px = 1.0 / 512;  ///< a change lies in an interval no longer than this
+
+// The first and last sample stand this far inside: at a vertex itself many faces touch the point,
+// and whether one of them hides it says nothing about the line.
+constexpr double kInset_px = 1.0 / 1024;
+
+constexpr std::size_t kChunk = 64;  ///< edges a task
+
+/// What can change along a line. `plain`: visible, and not a contour.
+enum class State : std::uint8_t { hidden, plain, against_sky, against_other, against_self };
+
+/// A stretch of an edge inside the picture, parameterised by s in 0..1, uniform on the screen.
+struct ScreenLine {
+    std::uint32_t edge = 0;
+    LineClass line_class = LineClass::none;
+    double t_begin = 0, t_end = 1;  ///< parameters on the edge
+    double w_begin = 0, w_end = 0;
+    glm::dvec2 begin_px{0}, end_px{0};
+    double length_px = 0;
+
+    /// The parameter on the edge of the point s of the way along on the screen: 1/w is linear in s.
+    [[nodiscard]] double edge_parameter(double s) const {
+        const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
+        return t_begin + along * (t_end - t_begin);
+    }
+    [[nodiscard]] double w_at(double s) const {
+        return w_begin * w_end / ((1 - s) * w_end + s * w_begin);
+    }
+    [[nodiscard]] CurvePoint point_at(double s) const {
+        return {begin_px.x + s * (end_px.x - begin_px.x),
+                begin_px.y + s * (end_px.y - begin_px.y),
+                w_at(s)};
+    }
+};
+
+/// Keeps of [t0, t1] the part where the linear function with these end values is not negative.
+/// False if nothing is left (Liang and Barsky 1984).
+bool clip_to_positive(double at_0, double at_1, double& t0, double& t1) {
+    if (at_0 >= 0 && at_1 >= 0) return true;
+    if (at_0 < 0 && at_1 < 0) return false;
+    const double root = at_0 / (at_0 - at_1);
+    if (at_0 < 0) {
+        t0 = std::max(t0, root);
+    } else {
+        t1 = std::min(t1, root);
+    }
+    return t0 < t1;
+}
+
+std::optional<ScreenLine> clip(const EyeView& eye, std::uint32_t e, const ClassStretch& stretch) {
+    const scene::Edge& edge = eye.model.topology.edges[e];
+    const glm::dvec3& a = eye.p_clip[edge.a];
+    const glm::dvec3& b = eye.p_clip[edge.b];
+    double t0 = stretch.t_begin, t1 = stretch.t_end;
+    const double width = eye.width_px, height = eye.height_px;
+    if (!clip_to_positive(a.z - eye.near, b.z - eye.near, t0, t1) ||
+        !clip_to_positive(a.x, b.x, t0, t1) ||
+        !clip_to_positive(width * a.z - a.x, width * b.z - b.x, t0, t1) ||
+        !clip_to_positive(a.y, b.y, t0, t1) ||
+        !clip_to_positive(height * a.z - a.y, height * b.z - b.y, t0, t1)) {
+        return std::nullopt;
+    }
+    const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
+    const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
+    ScreenLine line{.edge = e, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
+    line.w_begin = begin.z;
+    line.w_end = end.z;
+    line.begin_px = glm::dvec2(begin) / begin.z;
+    line.end_px = glm::dvec2(end) / end.z;
+    line.length_px = std::hypot(line.end_px.x - line.begin_px.x, line.end_px.y - line.begin_px.y);
+    return line;
+}
+
+/// Follows one line and notes its visible pieces.
+class LineTracer {
+  public:
+    LineTracer(const EyeView& eye, const Visibility& visibility, TracedLines& out)
+        : eye_(eye), visibility_(visibility), out_(out) {}
+
+    void trace(const ScreenLine& line) {
+        line_ = &line;
+        blocker_ = kNoFace;
+        const double inset = std::min(0.25, kInset_px / line.length_px);
+        const int steps = std::max(1, static_cast<int>(std::ceil(line.length_px / kSpacing_px)));
+        double s = line.length_px <= kBisected_px ? 0.5 : inset;
+        State state = state_at(s);
+        begin_s_ = 0;
+        for (int i = 1; i <= steps && line.length_px > kBisected_px; ++i) {
+            const double next_s = i == steps ? 1 - inset : static_cast<double>(i) / steps;
+            const State next = state_at(next_s);
+            bisect(s, state, next_s, next);
+            s = next_s;
+            state = next;
+        }
+        emit(begin_s_, 1, state);
+    }
+
+  private:
+    State state_at(double s) {
+        const scene::Topology& topology = eye_.model.topology;
+        const scene::Edge& edge = topology.edges[line_->edge];
+        const glm::dvec3& a = topology.p_world[edge.a];
+        const glm::dvec3& b = topology.p_world[edge.b];
+        const EdgePoint point{line_->edge, a + line_->edge_parameter(s) * (b - a), line_->w_at(s)};
+        ++out_.samples;
+        if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
+        if (line_->line_class != LineClass::contour) return State::plain;
+        switch (visibility_.kind_behind(point, out_.rays)) {
+            case ContourKind::other_object:
+                return State::against_other;
+            case ContourKind::self:
+                return State::against_self;
+            default:
+                return State::against_sky;
+        }
+    }
+
+    /// Finds every change of state that halving meets between two samples.
+    void bisect(double low, State at_low, double high, State at_high) {
+        while (at_low != at_high) {
+            double near_end = low, far_end = high;
+            State beyond = at_high;
+            while ((far_end - near_end) * line_->length_px > kBisected_px) {
+                const double middle = near_end + (far_end - near_end) / 2;
+                const State state = state_at(middle);
+                if (state == at_low) {
+                    near_end = middle;
+                } else {
+                    far_end = middle;
+                    beyond = state;
+                }
+            }
+            const double change = near_end + (far_end - near_end) / 2;
+            emit(begin_s_, change, at_low);
+            begin_s_ = change;
+            low = far_end;
+            at_low = beyond;
+        }
+    }
+
+    void emit(double begin, double end, State state) {
+        if (state == State::hidden) return;
+        Curve curve;
+        curve.line_class = line_->line_class;
+        curve.edge = line_->edge;
+        curve.kind = state == State::against_sky     ? ContourKind::sky
+                     : state == State::against_other ? ContourKind::other_object
+                     : state == State::against_self  ? ContourKind::self
+                                                     : ContourKind::none;
+        curve.begin = line_->point_at(begin);
+        curve.end = line_->point_at(end);
+        curve.bend_rad = bend();
+        out_.curves.push_back(curve);
+    }
+
+    /// How far the two seen faces deviate from flat; of a contour its first two faces.
+    [[nodiscard]] float bend() const {
+        const scene::Topology& topology = eye_.model.topology;
+        const scene::Edge& edge = topology.edges[line_->edge];
+        if (edge.face_count < 2) return 0;
+        const SeenFaces seen = eye_.seen_faces(edge);
+        if (seen.left == kNoFace || seen.right == kNoFace) {
+            const auto faces = topology.faces_of(edge);
+            return static_cast<float>(scene::bend_rad(topology, edge, faces[0], faces[1]));
+        }
+        return static_cast<float>(scene::bend_rad(topology, edge, seen.left, seen.right));
+    }
+
+    const EyeView& eye_;
+    const Visibility& visibility_;
+    TracedLines& out_;
+    const ScreenLine* line_ = nullptr;
+    std::uint32_t blocker_ = kNoFace;
+    double begin_s_ = 0;
+};
+
+std::vector<std::uint32_t> feature_edges(const EyeView& eye) {
+    std::vector<std::uint32_t> edges;
+    for (std::uint32_t e = 0; e < eye.edge_class.size(); ++e) {
+        if (eye.edge_class[e] != LineClass::none) edges.push_back(e);
+    }
+    return edges;
+}
+
+TracedLines trace_chunk(const EyeView& eye,
+                        const Visibility& visibility,
+                        std::span<const std::uint32_t> edges) {
+    TracedLines out;
+    LineTracer tracer(eye, visibility, out);
+    for (const std::uint32_t e : edges) {
+        bool is_inside = false;
+        for (const ClassStretch& stretch : line_stretches(eye, e)) {
+            const auto line = clip(eye, e, stretch);
+            if (!line) continue;
+            is_inside = true;
+            tracer.trace(*line);
+        }
+        if (is_inside) ++out.candidate_edges;
+    }
+    return out;
+}
+
+}  // namespace
+
+TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, int threads) {
+    const std::vector<std::uint32_t> edges = feature_edges(eye);
+    const Visibility visibility(eye, scene);
+    std::vector<TracedLines> parts((edges.size() + kChunk - 1) / kChunk);
+    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
+        const std::size_t begin = chunk * kChunk;
+        const std::size_t count = std::min(kChunk, edges.size() - begin);
+        parts[chunk] = trace_chunk(eye, visibility, {edges.data() + begin, count});
+    });
+    TracedLines all;
+    for (const TracedLines& part : parts) {
+        all.curves.insert(all.curves.end(), part.curves.begin(), part.curves.end());
+        all.candidate_edges += part.candidate_edges;
+        all.samples += part.samples;
+        all.rays += part.rays;
+    }
+    return all;
+}
+
+}  // namespace ink::truth

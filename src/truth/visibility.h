@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "truth/eye_scene.h"
+#include "truth/eye_view.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+
+/// A point of a mesh edge, and the edge it is a point of.
+struct EdgePoint {
+    std::uint32_t edge = 0;
+    glm::dvec3 p_world{0};
+    double w = 0;  ///< distance along the gaze
+};
+
+/// The exact rule of visibility: a point of an edge is visible if the open segment from the eye to
+/// it meets no triangle except the edge's own faces.
+///
+/// Embree offers candidates along the segment and 1/2048 px beside it (even its robust mode lets a
+/// ray slip between two triangles now and then); each is confirmed or dropped by exact predicates
+/// on the segment itself. A triangle whose plane holds the point, or the eye, does not block. What
+/// lies in front of the near plane is not there.
+class Visibility {
+  public:
+    Visibility(const EyeView& eye, const EyeScene& scene) : eye_(eye), scene_(scene) {}
+
+    /// Whether the point is visible. `blocker` is tried first and set to the face that blocked:
+    /// neighbouring points mostly hide behind the same one. `rays` counts up.
+    [[nodiscard]] bool is_visible(const EdgePoint& point,
+                                  std::uint32_t& blocker,
+                                  std::size_t& rays) const;
+
+    /// What lies behind a visible contour point: the object of the nearest face beyond it on the
+    /// line of sight, the edge's own faces left out.
+    [[nodiscard]] ContourKind kind_behind(const EdgePoint& point, std::size_t& rays) const;
+
+  private:
+    [[nodiscard]] bool blocks(std::uint32_t face, const EdgePoint& point) const;
+    [[nodiscard]] bool is_behind(std::uint32_t face, const EdgePoint& point) const;
+    [[nodiscard]] int side_of_point(std::uint32_t face, const EdgePoint& point) const;
+    [[nodiscard]] bool pierces(std::uint32_t face, const EdgePoint& point) const;
+    [[nodiscard]] bool is_cut_away(std::uint32_t face, const EdgePoint& point) const;
+    [[nodiscard]] bool is_own(std::uint32_t face, std::uint32_t edge) const;
+
+    const EyeView& eye_;
+    const EyeScene& scene_;
+};
+
+}  // namespace ink::truth

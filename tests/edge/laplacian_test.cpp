@@ -1,0 +1,133 @@
+#include "edge/laplacian.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "random_image.h"
+
+namespace ink::edge {
+namespace {
+
+/// The definition of the header once more, without a thought of speed.
+int plain_strength(long laplacian, const LaplacianResponse& r) {
+    const long modulus = 1L << r.code_bits;
+    const long wrapped = ((laplacian % modulus) + modulus) % modulus;
+    if (r.response == Response::wrap) {
+        long v = wrapped - wrapped % (1L << r.clip_bits);
+        v = r.scale_bits >= 0 ? v << r.scale_bits : v >> -r.scale_bits;
+        return static_cast<int>(v % 256);
+    }
+    long v = laplacian;
+    if (r.code_wraps) v = wrapped >= modulus / 2 ? wrapped - modulus : wrapped;
+    v = r.response == Response::absolute ? std::labs(v) : std::max(v, 0L);
+    v -= v % (1L << r.clip_bits);
+    v = r.scale_bits >= 0 ? v << r.scale_bits : v >> -r.scale_bits;
+    return static_cast<int>(std::min(v, 255L));
+}
+
+/// Every combination worth telling apart for codes of `bits` bits.
+std::vector<LaplacianResponse> responses(int bits) {
+    std::vector<LaplacianResponse> all;
+    for (const Response response : {Response::absolute, Response::positive, Response::wrap}) {
+        for (const int clip : {0, 2, 5, 15}) {
+            for (const int scale : {-15, -8, -1, 0, 1, 7, 15}) {
+                for (const bool wraps : {false, true}) {
+                    all.push_back({response, clip, scale, bits, wraps});
+                }
+            }
+        }
+    }
+    return all;
+}
+
+template <class T>
+class LaplacianRow : public testing::Test {};
+using Codes = testing::Types<std::uint8_t, std::uint16_t>;
+TYPED_TEST_SUITE(LaplacianRow, Codes);
+
+TYPED_TEST(LaplacianRow, IsTheDefinitionOnRandomImages) {
+    constexpr int kBits = 8 * sizeof(TypeParam);
+    constexpr int kWidth = 77;
+    const auto image = random_image<TypeParam>(kWidth + 2, 3, {0, (1 << kBits) - 1}, 1);
+    for (const LaplacianResponse& r : responses(kBits)) {
+        std::vector<std::uint8_t> out(kWidth);
+        laplacian_row(image.row(0) + 1, image.row(1) + 1, image.row(2) + 1, out.data(), kWidth, r);
+        for (int x = 0; x < kWidth; ++x) {
+            const long laplacian = 4L * image.at(x + 1, 1) - image.at(x + 1, 0) -
+                                   image.at(x + 1, 2) - image.at(x, 1) - image.at(x + 2, 1);
+            ASSERT_EQ(out[x], plain_strength(laplacian, r))
+                << "L " << laplacian << " clip " << r.clip_bits << " scale " << r.scale_bits;
+            ASSERT_EQ(respond(static_cast<int>(laplacian), r), out[x]);
+        }
+    }
+}
+
+TYPED_TEST(LaplacianRow, EqualsOpenCvInTheInterior) {
+    constexpr int kDepth = sizeof(TypeParam) == 1 ? CV_8U : CV_16U;
+    constexpr int kMax = (1 << (8 * sizeof(TypeParam))) - 1;
+    auto image = random_image<TypeParam>(61, 40, {0, kMax}, 2);
+    const cv::Mat codes(40, 61, CV_MAKETYPE(kDepth, 1), image.data());
+    cv::Mat theirs;
+    cv::Laplacian(codes, theirs, CV_64F, 1);
+
+    // OpenCV's kernel has the other sign: 0 1 0 / 1 -4 1 / 0 1 0.
+    const LaplacianResponse r{Response::positive, 0, sizeof(TypeParam) == 1 ? -2 : -10, 8, false};
+    std::vector<std::uint8_t> ours(59);
+    for (int y = 1; y < 39; ++y) {
+        laplacian_row(
+            image.row(y - 1) + 1, image.row(y) + 1, image.row(y + 1) + 1, ours.data(), 59, r);
+        for (int x = 1; x < 60; ++x) {
+            const int l = static_cast<int>(-theirs.at<double>(y, x));
+            ASSERT_EQ(ours[x - 1], std::min(std::max(l, 0) >> -r.scale_bits, 255));
+        }
+    }
+}
+
+TEST(Laplacian, AOnePixelStepIsTwoWideInAbsoluteAndOneInPositive) {
+    const std::vector<std::uint8_t> row = {40, 40, 40, 40, 90, 90, 90, 90};
+    std::vector<std::uint8_t> out(6);
+    const auto filtered = [&](Response response) {
+        laplacian_row(row.data() + 1, row.data() + 1, row.data() + 1, out.data(), 6, {response});
+        return out;
+    };
+    EXPECT_EQ(filtered(Response::absolute), (std::vector<std::uint8_t>{0, 0, 48, 48, 0, 0}));
+    EXPECT_EQ(filtered(Response::positive), (std::vector<std::uint8_t>{0, 0, 0, 48, 0, 0}));
+}
+
+TEST(Laplacian, ClippingTwoBitsSilencesUpToThree) {
+    for (int l = -3; l <= 3; ++l)
+        EXPECT_EQ(respond(l, {}), 0);
+    EXPECT_EQ(respond(4, {}), 4);
+    EXPECT_EQ(respond(-4, {}), 4);
+}
+
+TEST(Laplacian, LiteralWrapTurnsASmallNegativeIntoAStrongLine) {
+    LaplacianResponse literal;
+    literal.response = Response::wrap;
+    EXPECT_EQ(respond(3, literal), 0);
+    EXPECT_EQ(respond(-1, literal), 252);
+}
+
+TEST(Laplacian, AWrappedCodeIsReadTheShortWayRound) {
+    LaplacianResponse wrapping{Response::absolute, 0, 0, 8, true};
+    EXPECT_EQ(respond(255, wrapping), 1);
+    EXPECT_EQ(respond(-255, wrapping), 1);
+    EXPECT_EQ(respond(128, wrapping), 128);
+    wrapping.code_bits = 4;
+    EXPECT_EQ(respond(15, wrapping), 1);
+}
+
+TEST(Laplacian, NoWidthWritesNothing) {
+    const std::uint8_t in[3] = {1, 2, 3};
+    std::uint8_t out = 7;
+    laplacian_row(in, in + 1, in, &out, 0, {});
+    EXPECT_EQ(out, 7);
+}
+
+}  // namespace
+}  // namespace ink::edge
