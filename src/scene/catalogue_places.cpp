@@ -156,7 +156,7 @@ Scene make_horizon_scene() {
             stage.place(cube, "cube", Pose{{2.5 * column, 0, -2.5 * row}});
         }
     }
-    stage.view(EyeShot{"front", {1.25, 1.75, 8}, {1.25, 0.75, 0}, 45});
+    stage.view(EyeShot{"front", {1.25, 1.75, 5}, {1.25, 1, 0}, 50});
     stage.view(EyeShot{"three_quarter", {12, 7, 10}, {-2, 0, -12}, 45});
     stage.view(EyeShot{"grazing", {3.125, 0.625, 4.5}, {-1, 0.5, -12}, 50});
     return stage.finish();
