@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -75,7 +76,7 @@ std::string small_3ds() {
     for (const float number : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
         vertices += bytes_of(number);
     std::string faces = bytes_of<std::uint16_t>(1);
-    for (const std::uint16_t number : {0, 1, 2, 7})
+    for (const std::uint16_t number : std::array<std::uint16_t, 4>{0, 1, 2, 7})
         faces += bytes_of(number);
     const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
     const std::string object = chunk(0x4000, std::string("one\0", 4) + mesh);
