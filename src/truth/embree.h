@@ -16,9 +16,9 @@ namespace ink::truth::embree {
 #if RTC_VERSION_MAJOR >= 4
 
 using Context = RTCRayQueryContext;
-inline constexpr auto kSceneFlags = static_cast<RTCSceneFlags>(
-    static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
-    static_cast<int>(RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
 
 inline void init_context(Context& context) {
     rtcInitRayQueryContext(&context);
@@ -45,9 +45,9 @@ inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filte
 #else
 
 using Context = RTCIntersectContext;
-inline constexpr auto kSceneFlags = static_cast<RTCSceneFlags>(
-    static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
-    static_cast<int>(RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
 
 inline void init_context(Context& context) {
     rtcInitIntersectContext(&context);

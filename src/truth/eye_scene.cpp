@@ -96,7 +96,8 @@ void confirm_any(const RTCFilterFunctionNArguments* args) {
     if (!query.confirm.function(query.confirm.object, face)) args->valid[0] = 0;
 }
 
-/// Equal distances go to the lower face, or the answer would hang on the order of the tree's leaves.
+/// Equal distances go to the lower face, or the answer would hang on the order of the tree's
+/// leaves.
 void confirm_first(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
     assert(args->N == 1);

@@ -20,10 +20,10 @@ struct EyeRay {
 
 /// A welded scene as rays from one eye meet it: an Embree tree of float, eye-relative triangles.
 ///
-/// Embree's own answer is never the last word: its hits are *candidates* that the caller confirms. A
-/// candidate list may hold triangles that the exact segment misses, and the distance of a hit is good
-/// to about 1e-6 of it; what is hit depends neither on threads nor on the order of the triangles.
-/// Thread-safe once built. Keeps no reference to the topology.
+/// Embree's own answer is never the last word: its hits are *candidates* that the caller confirms.
+/// A candidate list may hold triangles that the exact segment misses, and the distance of a hit is
+/// good to about 1e-6 of it; what is hit depends neither on threads nor on the order of the
+/// triangles. Thread-safe once built. Keeps no reference to the topology.
 class EyeScene {
   public:
     EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads);
@@ -36,14 +36,15 @@ class EyeScene {
         double t = 0;            ///< in units of the ray's direction
     };
 
-    /// Offers each face along the ray to `confirm(face)`, in no order, until it says yes. True if it
-    /// did. A face may be offered more than once.
+    /// Offers each face along the ray to `confirm(face)`, in no order, until it says yes. True if
+    /// it did. A face may be offered more than once.
     template <class Confirm>
     [[nodiscard]] bool any(const EyeRay& ray, Confirm&& confirm) const {
         return any_of(ray, {&call<Confirm>, address_of(confirm)});
     }
 
-    /// The nearest face along the ray that `confirm(face)` accepts; of equally near ones the lowest.
+    /// The nearest face along the ray that `confirm(face)` accepts; of equally near ones the
+    /// lowest.
     template <class Confirm>
     [[nodiscard]] std::optional<Hit> first(const EyeRay& ray, Confirm&& confirm) const {
         return first_of(ray, {&call<Confirm>, address_of(confirm)});
@@ -68,7 +69,8 @@ class EyeScene {
     struct Handles;
     friend struct EyeSceneQuery;
     std::unique_ptr<Handles> handles_;
-    double scale_ = 1;  ///< a power of two that brings the scene near 1, so that floats never overflow
+    double scale_ =
+        1;  ///< a power of two that brings the scene near 1, so that floats never overflow
 };
 
 }  // namespace ink::truth

@@ -10,7 +10,8 @@ namespace ink::truth {
 namespace {
 
 /// The distance at which the ray direction meets the face's plane, in double, and the cosine there.
-void set_depth(const EyeView& eye, const glm::dvec3& ray, std::uint32_t f, float& w, float& cosine) {
+void set_depth(
+    const EyeView& eye, const glm::dvec3& ray, std::uint32_t f, float& w, float& cosine) {
     const auto& [a, b, c] = eye.model.topology.faces[f].vertices;
     const auto& p = eye.model.topology.p_world;
     const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
