@@ -1,53 +1,22 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "cli/commands.h"
-#include "core/error.h"
-#include "image_io/image_file.h"
-#include "score/score.h"
-#include "truth/line_class.h"
+#include "lab/score_files.h"
 
 namespace ink::cli {
 namespace {
 
-using Gray = core::Image<std::uint8_t>;
-
 /// The command line of `score`.
 struct ScoreArguments {
-    std::filesystem::path prediction;
-    std::filesystem::path truth;
-    score::ScoreOptions options;
+    lab::ScoreRequest request;
     bool no_thin = false;
     bool as_json = false;
 };
-
-std::string size_text(const Gray& image) {
-    return fmt::format("{} x {} px", image.width_px(), image.height_px());
-}
-
-/// What the pictures and the options must have in common; the files are named, as only we know
-/// them.
-void check_together(const ScoreArguments& a, const Gray& prediction, const Gray& truth) {
-    if (prediction.width_px() != truth.width_px() || prediction.height_px() != truth.height_px()) {
-        throw core::Error(a.prediction.string(),
-                          fmt::format("its size is {}, but that of {} is {}",
-                                      size_text(prediction),
-                                      a.truth.string(),
-                                      size_text(truth)),
-                          "two pictures of one size");
-    }
-    const int shorter_px = std::min(truth.width_px(), truth.height_px());
-    if (a.options.band_px > (shorter_px - 1) / 2) {
-        throw core::Error(
-            "--band",
-            fmt::format("{} px leave nothing of {}", a.options.band_px, size_text(truth)),
-            fmt::format("0..{}", (shorter_px - 1) / 2));
-    }
-}
 
 /// null where there is no value: neither 0 nor NaN, which would slip into a mean.
 nlohmann::ordered_json number_or_null(std::optional<double> value) {
@@ -83,21 +52,14 @@ std::string four_places(std::optional<double> value) {
     return value ? fmt::format("{:.4f}", *value) : "-";
 }
 
-/// "1 contour"; the number alone where this project has no class of it.
-std::string label_text(int label) {
-    for (const truth::LineClass c : truth::kLineClasses) {
-        if (static_cast<int>(c) == label) return fmt::format("{} {}", label, truth::name(c));
-    }
-    return std::to_string(label);
-}
-
-std::string table_text(const ScoreArguments& a, const score::Score& s) {
-    std::string text = fmt::format(
-        "{} against {}\n", a.prediction.filename().string(), a.truth.filename().string());
+std::string table_text(const lab::ScoreRequest& request, const score::Score& s) {
+    std::string text = fmt::format("{} against {}\n",
+                                   request.prediction.filename().string(),
+                                   request.truth.filename().string());
     text += fmt::format("within {} px, strength {} and above, {}\n\n",
-                        a.options.tolerance_px,
-                        a.options.threshold,
-                        a.options.thin ? "thinned" : "not thinned");
+                        request.options.tolerance_px,
+                        request.options.threshold,
+                        request.options.thin ? "thinned" : "not thinned");
     text += fmt::format("  F           {:.4f}\n", s.f());
     text +=
         fmt::format("  precision   {:>6}   {} predicted = {} matched + {} surplus + {} off line\n",
@@ -118,7 +80,7 @@ std::string table_text(const ScoreArguments& a, const score::Score& s) {
     text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
     for (const score::ClassCount& c : s.classes) {
         text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
-                            label_text(c.label),
+                            lab::label_text(c.label),
                             static_cast<double>(c.k) / static_cast<double>(c.n_truth),
                             c.k,
                             c.n_truth);
@@ -127,14 +89,9 @@ std::string table_text(const ScoreArguments& a, const score::Score& s) {
 }
 
 void run_score(ScoreArguments a) {
-    a.options.thin = !a.no_thin;
-    score::check(a.options);
-    const Gray prediction = image_io::read_gray(a.prediction);
-    const Gray labels = image_io::read_gray(a.truth);
-    check_together(a, prediction, labels);
-    const score::ScoringTruth truth = score::prepare_truth(labels, a.options, false);
-    const score::Score result = score::score(prediction, truth, a.options);
-    fmt::print("{}", a.as_json ? json_text(result) : table_text(a, result));
+    a.request.options.thin = !a.no_thin;
+    const score::Score result = lab::score_files(a.request);
+    fmt::print("{}", a.as_json ? json_text(result) : table_text(a.request, result));
 }
 
 }  // namespace
@@ -142,27 +99,33 @@ void run_score(ScoreArguments a) {
 void add_score_command(CLI::App& app) {
     auto* command = app.add_subcommand("score", "Score an outline image against a truth image");
     auto a = std::make_shared<ScoreArguments>();
-    command->add_option("prediction", a->prediction, "8-bit image, 0 no line .. 255 the strongest")
+    command
+        ->add_option(
+            "prediction", a->request.prediction, "8-bit image, 0 no line .. 255 the strongest")
         ->required();
     command
         ->add_option(
             "truth",
-            a->truth,
+            a->request.truth,
             "8-bit image, 0 no line; only 1 or only 255 beside it is a line of no class, else "
             "every value is a class")
         ->required();
     command
-        ->add_option(
-            "--tol", a->options.tolerance_px, "matched pixels are at most this far apart, px")
+        ->add_option("--tol",
+                     a->request.options.tolerance_px,
+                     "matched pixels are at most this far apart, px")
         ->capture_default_str();
     command
-        ->add_option("--threshold", a->options.threshold, "strength of a predicted pixel, 1..255")
+        ->add_option(
+            "--threshold", a->request.options.threshold, "strength of a predicted pixel, 1..255")
         ->capture_default_str();
     command->add_flag("--no-thin", a->no_thin, "take the prediction as wide as it is drawn");
-    command->add_option("--band", a->options.band_px, "leave out this many pixels along the frame")
+    command
+        ->add_option(
+            "--band", a->request.options.band_px, "leave out this many pixels along the frame")
         ->capture_default_str();
     command->add_option("--ignore",
-                        a->options.ignore_label,
+                        a->request.options.ignore_label,
                         "truth value, 1..255, that is neither required nor penalised");
     command->add_flag("--json", a->as_json, "print JSON instead of a table");
     command->footer("Example: inkbench score pred.png truth.png --tol 1 --json");

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <random>
 #include <system_error>
@@ -39,6 +41,34 @@ void check_file(const fs::path& path) {
     if (fs::file_size(path, error) == 0 && !error) {
         throw core::Error(path.string(), "the file is empty", kAccepted);
     }
+}
+
+std::uint32_t big_endian(const std::array<unsigned char, 8>& bytes) {
+    return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 |
+           std::uint32_t{bytes[2]} << 8 | bytes[3];
+}
+
+/// Refuses a PNG whose chunks do not reach to its end mark. Its own library would notice, but talks
+/// to stderr past everybody when it does.
+void check_not_cut(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::array<unsigned char, 8> head{};
+    const auto read_head = [&] {
+        return static_cast<bool>(file.read(reinterpret_cast<char*>(head.data()), std::ssize(head)));
+    };
+    constexpr std::array<unsigned char, 8> kSignature = {
+        0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    if (!read_head() || head != kSignature) return;  // another format, or none: not for us to say
+    constexpr std::int64_t kChecksumBytes = 4;
+    const auto size = static_cast<std::int64_t>(fs::file_size(path));
+    while (read_head()) {
+        const std::int64_t next =
+            static_cast<std::int64_t>(file.tellg()) + big_endian(head) + kChecksumBytes;
+        if (next > size) break;
+        if (std::equal(head.begin() + 4, head.end(), "IEND")) return;
+        file.seekg(next);
+    }
+    throw core::Error(path.string(), "the file is cut off", kAccepted);
 }
 
 /// Refuses what cannot become 8-bit grey without a guess.
@@ -164,6 +194,7 @@ void write(const Samples& samples, const fs::path& path) {
 
 core::Image<std::uint8_t> read_gray(const fs::path& path) {
     check_file(path);
+    check_not_cut(path);
     OIIO::ImageSpec wishes;
     wishes.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &wishes);

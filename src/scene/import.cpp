@@ -9,19 +9,15 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
-#include <cstring>
 #include <fstream>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "scene/child_process.h"
 #include "scene/file_claims.h"
+#include "scene/imported_scene.h"
 #include "scene/scene_stream.h"
 
 namespace ink::scene {
@@ -30,13 +26,11 @@ namespace {
 constexpr const char* kChildName = "inkbench_import";
 constexpr const char* kSomeFormats =
     ".obj, .ply, .stl, .off, .3ds, .glb, .gltf, .fbx, .dae, .md2, .md3, .mdl and others that "
-    "Assimp "
-    "reads";
+    "Assimp reads";
 constexpr const char* kWholeFile = "a whole, valid model file";
 constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
 constexpr std::size_t kHeadBytes = 64 << 10;
 constexpr std::size_t kTailBytes = 4 << 10;
-constexpr std::size_t kMostNameChars = 80;
 constexpr std::size_t kMostReasonChars = 160;
 
 /// Throws about one file.
@@ -50,23 +44,6 @@ class Complaint {
   private:
     std::string where_;
 };
-
-/// Foreign text as one printable line of plain characters, shortened to `most`.
-std::string printable(const std::string& text, std::size_t most) {
-    std::string line;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isspace(byte) != 0 || byte == 0) {
-            if (!line.empty() && line.back() != ' ') line.push_back(' ');
-        } else {
-            line.push_back(byte > 0x20 && byte < 0x7f ? c : '?');
-        }
-    }
-    while (!line.empty() && line.back() == ' ')
-        line.pop_back();
-    if (line.size() > most) line = line.substr(0, most - 3) + "...";
-    return line;
-}
 
 std::string lower_case(std::string text) {
     for (char& c : text)
@@ -242,100 +219,6 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
     }
 }
 
-bool is_usable_normal(const glm::vec3& n) {
-    const double length = glm::length(glm::dvec3(n));
-    return std::isfinite(length) && length > 0;
-}
-
-bool has_area(const Mesh& mesh, const Triangle& triangle) {
-    const glm::dvec3 a = mesh.positions[triangle[0]];
-    const glm::dvec3 b = mesh.positions[triangle[1]];
-    const glm::dvec3 c = mesh.positions[triangle[2]];
-    return glm::length(glm::cross(b - a, c - a)) > 0;
-}
-
-/// Makes the normals unit, or drops them all if a triangle that can be seen uses one that is none
-/// (many STL writers leave zeros): a mesh has normals or it has not.
-void tidy_normals(Mesh& mesh) {
-    const auto is_bad = [&](std::uint32_t v) { return !is_usable_normal(mesh.normals[v]); };
-    const bool has_bad =
-        std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
-            return !mesh.normals.empty() && std::any_of(triangle.begin(), triangle.end(), is_bad) &&
-                   has_area(mesh, triangle);
-        });
-    if (has_bad) mesh.normals.clear();
-    for (glm::vec3& n : mesh.normals) {
-        n = is_usable_normal(n) ? glm::vec3(glm::normalize(glm::dvec3(n))) : glm::vec3(0, 0, 1);
-    }
-}
-
-/// The checks of check_scene that must come before anything walks the meshes, and those that it
-/// leaves out.
-void check_counts(const Scene& scene, const ImportLimits& limits, const Complaint& complain) {
-    const auto is_placed = [&](const Instance& instance) {
-        return instance.mesh < scene.meshes.size();
-    };
-    if (!std::all_of(scene.instances.begin(), scene.instances.end(), is_placed)) {
-        complain("its reader placed a mesh that it did not hand over");
-    }
-    const std::size_t triangles = triangle_count(scene);
-    if (triangles == 0) complain("it holds no triangle", "a model with at least one");
-    if (triangles > limits.triangles) {
-        complain(fmt::format("it holds {} triangles", triangles),
-                 fmt::format("up to {}", limits.triangles));
-    }
-}
-
-/// check_scene, with the path in front of what it says.
-void check_numbers(const Scene& scene, const Complaint& complain) {
-    try {
-        check_scene(scene);
-    } catch (const core::Error& error) {
-        // "name, mesh 3" without the name, for the path stands there already.
-        const std::size_t name_end = std::min(error.where().size(), scene.name.size() + 2);
-        const std::string place = error.where().substr(name_end);
-        complain((place.empty() ? place : place + ": ") + error.what_happened(), error.accepted());
-    }
-    const Sphere bounds = bounding_sphere(scene);
-    if (!std::isfinite(bounds.radius)) complain("its extent is not finite", "finite numbers");
-}
-
-/// A camera's name as a word fit for tables and file names, not yet in `taken`.
-std::string camera_name(const std::string& wanted, std::set<std::string>& taken) {
-    std::string base = wanted.substr(0, kMostNameChars);
-    for (char& c : base) {
-        const bool is_plain =
-            (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-        if (!is_plain && c != '-') c = '_';
-    }
-    if (base.empty()) base = "camera";
-    std::string name = base;
-    for (int i = 2; !taken.insert(name).second; ++i)
-        name = fmt::format("{}_{}", base, i);
-    return name;
-}
-
-std::vector<Camera> usable_cameras(const std::vector<ImportedCamera>& imported,
-                                   const Sphere& bounds) {
-    std::vector<Camera> cameras;
-    std::set<std::string> taken;
-    for (const ImportedCamera& from : imported) {
-        constexpr double kLeastFov_rad = 1e-3;
-        constexpr double kMostFov_rad = std::numbers::pi - 1e-3;
-        if (!(from.fov_y_rad >= kLeastFov_rad && from.fov_y_rad <= kMostFov_rad)) continue;
-        try {
-            Camera camera =
-                look_at(from.eye_world, from.target_world, from.up_world, from.fov_y_rad);
-            camera.name = camera_name(from.name, taken);
-            fit_clip_range(camera, bounds);
-            cameras.push_back(std::move(camera));
-        } catch (const core::Error&) {
-            continue;  // it looks nowhere, which does not make the model worse
-        }
-    }
-    return cameras;
-}
-
 }  // namespace
 
 Scene import_scene(const std::filesystem::path& path, const ImportLimits& limits) {
@@ -352,28 +235,7 @@ Scene import_scene(const std::filesystem::path& path, const ImportLimits& limits
     }
     check_reply(reply, claims, complain);
 
-    Scene scene;
-    scene.name = path.stem().string();
-    scene.meshes = std::move(reply.meshes);
-    scene.instances = std::move(reply.instances);
-    check_counts(scene, limits, complain);
-    // Bad normals are dropped, bad vertices are not forgiven; indices are checked before both are
-    // read.
-    std::vector<std::vector<glm::vec3>> normals;
-    for (Mesh& mesh : scene.meshes) {
-        mesh.name = printable(mesh.name, kMostNameChars);
-        normals.push_back(std::exchange(mesh.normals, {}));
-    }
-    for (Instance& instance : scene.instances)
-        instance.name = printable(instance.name, kMostNameChars);
-    check_numbers(scene, complain);
-    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-        if (normals[m].size() != scene.meshes[m].positions.size()) continue;
-        scene.meshes[m].normals = std::move(normals[m]);
-        tidy_normals(scene.meshes[m]);
-    }
-    scene.cameras = usable_cameras(reply.cameras, bounding_sphere(scene));
-    return scene;
+    return scene_from_reply(std::move(reply), path, limits.triangles);
 }
 
 }  // namespace ink::scene

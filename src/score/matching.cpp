@@ -143,6 +143,22 @@ void Matcher::augment() {
     }
 }
 
+/// Counts before anything is stored, so that too many are a message and not a machine out of
+/// memory.
+void check_pairs(const PixelList& left, const PixelList& right, const Disk& disk) {
+    const auto reach = static_cast<std::size_t>(2 * disk.radius_px() + 1);
+    if (left.size() * reach * reach <= kMaxPairs) return;
+    std::size_t pairs = 0;
+    visit_reach(left, right, disk, [&](std::size_t, std::size_t first, std::size_t last) {
+        pairs += last - first;
+        if (pairs > kMaxPairs) {
+            throw core::Error("score",
+                              "more than 250 million pairs of pixels lie within the tolerance",
+                              "a smaller tolerance or thinner lines");
+        }
+    });
+}
+
 /// Appends the right side's lists: the left side's, turned round.
 void append_transposed(CandidateGraph& graph) {
     const std::size_t n_pairs = graph.neighbours.size();
@@ -165,20 +181,16 @@ void append_transposed(CandidateGraph& graph) {
 }  // namespace
 
 CandidateGraph candidate_graph(const PixelList& left, const PixelList& right, const Disk& disk) {
+    check_pairs(left, right, disk);
     CandidateGraph graph;
     graph.n_left = left.size();
     graph.n_right = right.size();
-    graph.begin.assign(left.size() + 1, 0);
+    graph.begin.assign(graph.n_left + 1, 0);
     visit_reach(left, right, disk, [&](std::size_t i, std::size_t first, std::size_t last) {
         for (std::size_t j = first; j < last; ++j) {
             graph.neighbours.push_back(static_cast<std::uint32_t>(graph.n_left + j));
         }
         graph.begin[i + 1] = static_cast<std::uint32_t>(graph.neighbours.size());
-        if (graph.neighbours.size() > kMaxPairs) {
-            throw core::Error("score",
-                              "more than 250 million pairs of pixels lie within the tolerance",
-                              "a smaller tolerance or thinner lines");
-        }
     });
     // Pixels out of reach were not visited: their lists are empty.
     for (std::size_t i = 0; i < graph.n_left; ++i) {

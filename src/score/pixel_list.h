@@ -64,24 +64,28 @@ template <class Visit>
 void visit_reach(const PixelList& from, const PixelList& to, const Disk& disk, Visit visit) {
     assert(from.height_px() == to.height_px());
     const int radius = disk.radius_px();
-    std::vector<std::size_t> cursor(static_cast<std::size_t>(2 * radius + 1));
+    // What a row of the disk holds moves to the right with the pixel, so each end only ever
+    // advances.
+    struct Window {
+        std::size_t first, last, row_end;
+    };
+    std::vector<Window> windows;
     for (int y = 0; y < from.height_px(); ++y) {
         const int y_first = std::max(0, y - radius);
         const int y_last = std::min(to.height_px() - 1, y + radius);
+        windows.clear();
         for (int v = y_first; v <= y_last; ++v) {
-            cursor[static_cast<std::size_t>(v - y_first)] = to.row_begin(v);
+            windows.push_back({to.row_begin(v), to.row_begin(v), to.row_begin(v + 1)});
         }
         for (std::size_t i = from.row_begin(y); i < from.row_begin(y + 1); ++i) {
             for (int v = y_first; v <= y_last; ++v) {
+                Window& w = windows[static_cast<std::size_t>(v - y_first)];
                 const int half_width = disk.half_width_px(v - y);
-                const std::size_t end = to.row_begin(v + 1);
-                std::size_t& first = cursor[static_cast<std::size_t>(v - y_first)];
-                while (first < end && to.x(first) < from.x(i) - half_width)
-                    ++first;
-                std::size_t last = first;
-                while (last < end && to.x(last) <= from.x(i) + half_width)
-                    ++last;
-                if (last > first) visit(i, first, last);
+                while (w.first < w.row_end && to.x(w.first) < from.x(i) - half_width)
+                    ++w.first;
+                while (w.last < w.row_end && to.x(w.last) <= from.x(i) + half_width)
+                    ++w.last;
+                if (w.last > w.first) visit(i, w.first, w.last);
             }
         }
     }

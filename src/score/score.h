@@ -12,13 +12,13 @@ namespace ink::score {
 
 /// How two pictures are compared (section 7 of the design).
 struct ScoreOptions {
-    double tolerance_px =
-        2;                ///< matched pixels are at most this far apart, centre to centre; (0, 64]
+    /// Matched pixels are at most this far apart, centre to centre; more than 0, at most 64.
+    double tolerance_px = 2;
     int threshold = 128;  ///< predicted pixels have at least this strength, 1..255
     bool thin = true;     ///< thin the prediction (Guo-Hall) after the threshold
     int band_px = 0;      ///< pixels this close to the frame are taken out of both sets; >= 0
-    std::optional<int>
-        ignore_label;  ///< truth label that is neither required nor penalised; 1..255
+    /// Truth label that is neither required nor penalised; 1..255.
+    std::optional<int> ignore_label = std::nullopt;
 };
 
 /// Throws core::Error, which names the field and its range, if an option is outside its range.

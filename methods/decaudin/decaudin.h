@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "edge/decaudin_filter.h"
+#include "methods/method.h"
+#include "methods/surface_inputs.h"
+
+namespace ink::methods {
+
+/// Decaudin's outlines from full depth and normal buffers: the reference of the seeds' line.
+class Decaudin : public Method {
+  public:
+    enum class Join {
+        max,     ///< the largest p
+        either,  ///< 1 - prod(1 - p): the soft "or"
+        length,  ///< the length of the vector of p, at most 1
+    };
+    struct Params : InputParams {
+        double k_depth = 0.02;
+        double k_normal = 0.25;
+        edge::KPlace k_place = edge::KPlace::inside;
+        Join join = Join::max;
+        double sky = -1;
+        int threshold = 128;
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit Decaudin(const Params& params);
+
+    void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+
+  private:
+    Params params_;
+    raster::PassFormat format_;
+    SurfaceInputs inputs_;
+    std::vector<float> values_;
+    std::vector<float> values_back_;
+};
+
+[[nodiscard]] MethodInfo decaudin();
+
+}  // namespace ink::methods

@@ -1,0 +1,87 @@
+#include "methods/mote16/mote16.h"
+
+namespace ink::methods {
+namespace {
+
+Field depth_field(int bits) {
+    return {.ranges = {.depth = static_cast<double>((1 << bits) - 1)},
+            .shift = 16 - bits,
+            .bits = bits};
+}
+
+/// The three components summed in the lowest `bits`, a third of the range each.
+Field normal_field(int bits) {
+    const double third = static_cast<double>((1 << bits) - 1) / 3;
+    return {.ranges = {.normal = {third, third, third}}, .shift = 0, .bits = bits};
+}
+
+Field component_field(int component, int shift) {
+    Field field;
+    field.shift = shift;
+    field.bits = 4;
+    field.ranges.normal[component] = 15;
+    return field;
+}
+
+std::vector<Field> fields(const Mote16::Params& params) {
+    switch (params.layout) {
+        case Mote16::Layout::eight_eight:
+            return {depth_field(8), normal_field(8)};
+        case Mote16::Layout::ten_six:
+            return {depth_field(10), normal_field(6)};
+        case Mote16::Layout::four_fours:
+            return {depth_field(4),
+                    component_field(0, 8),
+                    component_field(1, 4),
+                    component_field(2, 0)};
+        case Mote16::Layout::sum:
+            break;
+    }
+    return {{.ranges = {.depth = params.range_depth,
+                        .normal = {params.range_nx, params.range_ny, params.range_nz}},
+             .bits = 16}};
+}
+
+}  // namespace
+
+core::ParamTable<Mote16::Params> Mote16::table() {
+    core::ParamTable<Params> table;
+    const std::pair<double, double> range{0, 65535};
+    table
+        .choice(&Params::layout,
+                "layout",
+                {"sum", "8+8", "10+6", "4x4"},
+                "How 16 bits are shared out: guesses, the original is lost.")
+        .number(&Params::range_depth,
+                "range_depth",
+                range,
+                "code",
+                "Codes that depth 0..1 spans (layout = sum).")
+        .number(&Params::range_nx,
+                "range_nx",
+                range,
+                "code",
+                "Codes that the normal's x spans (layout = sum).")
+        .number(&Params::range_ny,
+                "range_ny",
+                range,
+                "code",
+                "Codes that the normal's y spans (layout = sum).")
+        .number(&Params::range_nz,
+                "range_nz",
+                range,
+                "code",
+                "Codes that the normal's z spans (layout = sum).");
+    return add_pack_params(table, 65535);
+}
+
+Mote16::Mote16(const Params& params)
+    : PackedBuffer(params, {.store = raster::Store::u16, .planes = 1, .fields = fields(params)}) {}
+
+MethodInfo mote16() {
+    return method_info<Mote16>("mote16",
+                               "Mononen, MOTE engine 1.1 (about 1999); bit layout guessed",
+                               "depth and normal in 16 bits, 4-neighbour Laplacian");
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "methods/packed_buffer.h"
+
+namespace ink::methods {
+
+/// MOTE's first buffer: depth and the normal's z in one byte, or in one byte each.
+class Mote2 : public PackedBuffer {
+  public:
+    enum class Combine {
+        sum,       ///< one code, one interpolant, one filter
+        separate,  ///< two codes, two filters, joined by their maximum
+    };
+    struct Params : PackParams {
+        Combine combine = Combine::sum;
+        double range_depth = 127;
+        double range_normal = 127;
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit Mote2(const Params& params);
+};
+
+[[nodiscard]] MethodInfo mote2();
+
+}  // namespace ink::methods

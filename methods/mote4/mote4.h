@@ -1,0 +1,23 @@
+#pragma once
+
+#include "methods/packed_buffer.h"
+
+namespace ink::methods {
+
+/// MOTE's second buffer: depth and all three components of the normal summed into one byte.
+class Mote4 : public PackedBuffer {
+  public:
+    struct Params : PackParams {
+        double range_depth = 63;
+        double range_nx = 63;
+        double range_ny = 63;
+        double range_nz = 63;
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit Mote4(const Params& params);
+};
+
+[[nodiscard]] MethodInfo mote4();
+
+}  // namespace ink::methods

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <vector>
+
+#include "methods/method.h"
+#include "methods/packed_sink.h"
+#include "methods/surface_inputs.h"
+
+namespace ink::methods {
+
+/// The knobs that all packed buffers share.
+struct PackParams : InputParams {
+    Packing packing = Packing::vertex;
+    Quantise quantise = Quantise::sum;
+    raster::Overflow overflow = raster::Overflow::saturate;
+    edge::Response response = edge::Response::absolute;
+    int clip_bits = 2;
+    int scale_bits = 0;
+    bool fatten = false;
+    int sky = 0;
+    int threshold =
+        16;  ///< in a byte, a quarter of a full-range step; smooth curvature stays below
+};
+
+/// Appends the rows of PackParams, those of InputParams first; `max_code` is the largest the store
+/// holds.
+template <class P>
+core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
+    return add_input_params(table)
+        .choice(
+            &P::packing,
+            "packing",
+            {"vertex", "pixel"},
+            "Pack at vertices and interpolate one number, or interpolate four and pack at pixels.")
+        .choice(&P::quantise,
+                "quantise",
+                {"sum", "each"},
+                "Round the sum once, or every channel before it is summed.")
+        .choice(&P::overflow,
+                "overflow",
+                {"saturate", "wrap"},
+                "What a code beyond its bits does; a wrapped one is filtered modulo its range.")
+        .choice(&P::response,
+                "response",
+                {"absolute", "positive", "wrap"},
+                "|L|, its positive half (one pixel wide), or L as a wrapped unsigned number.")
+        .number(&P::clip_bits, "clip_bits", {0, 7}, "bits", "Low bits of the response cleared.")
+        .number(&P::scale_bits,
+                "scale_bits",
+                {-8, 7},
+                "bits",
+                "Shift left of the response after clipping; right if negative.")
+        .flag(&P::fatten, "fatten", "Blur the codes slightly before the filter: fatter lines.")
+        .number(
+            &P::sky, "sky", {0, static_cast<double>(max_code)}, "code", "What empty pixels hold.")
+        .number(
+            &P::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+}
+
+/// Depth and normal packed into one or two small integers a pixel, and MOTE's filter over them.
+///
+/// The engine of mote2, mote4 and mote16, which differ in their CodeLayout alone.
+class PackedBuffer : public Method {
+  public:
+    PackedBuffer(const PackParams& params, CodeLayout layout);
+
+    void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    /// Declared where the code is one sum, rounded once.
+    [[nodiscard]] std::optional<LinearCode> code() const override;
+
+  private:
+    void pack_vertices(int threads);
+    [[nodiscard]] raster::PassInput pass_input() const;
+
+    PackParams params_;
+    Packer packer_;
+    raster::PassFormat format_;
+    SurfaceInputs inputs_;
+    std::vector<float> values_;
+    std::vector<float> values_back_;
+};
+
+}  // namespace ink::methods

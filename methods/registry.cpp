@@ -1,0 +1,37 @@
+#include "methods/registry.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "methods/decaudin/decaudin.h"
+#include "methods/mote16/mote16.h"
+#include "methods/mote2/mote2.h"
+#include "methods/mote4/mote4.h"
+
+namespace ink::methods {
+
+const std::vector<MethodInfo>& registry() {
+    // A static object of its own per method would register itself, and vanish with the object file
+    // that nobody else refers to when this is linked from a static library. Hence a list.
+    static const std::vector<MethodInfo> methods = {
+        decaudin(),
+        mote2(),
+        mote4(),
+        mote16(),
+    };
+    return methods;
+}
+
+const MethodInfo& find_method(const std::string& name) {
+    const auto& methods = registry();
+    const auto found = std::find_if(
+        methods.begin(), methods.end(), [&](const MethodInfo& info) { return info.name == name; });
+    if (found != methods.end()) return *found;
+    std::vector<std::string> names;
+    for (const MethodInfo& info : methods)
+        names.push_back(info.name);
+    throw core::Error(
+        "methods", "there is no method '" + name + "'", core::known_names(names, name));
+}
+
+}  // namespace ink::methods

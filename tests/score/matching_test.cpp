@@ -1,0 +1,220 @@
+#include "score/matching.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/error.h"
+#include "tests/score/pictures.h"
+
+namespace {
+
+using ink::score::Disk;
+using ink::score::match_pixels;
+using ink::score::MatchCounts;
+using ink::score::PixelList;
+
+using Points = std::vector<std::pair<int, int>>;
+
+Points points_of(const Picture& picture) {
+    Points points;
+    for (int y = 0; y < picture.height_px(); ++y) {
+        for (int x = 0; x < picture.width_px(); ++x) {
+            if (picture.at(x, y) != 0) points.emplace_back(x, y);
+        }
+    }
+    return points;
+}
+
+int square_distance(std::pair<int, int> a, std::pair<int, int> b) {
+    const int dx = a.first - b.first;
+    const int dy = a.second - b.second;
+    return dx * dx + dy * dy;
+}
+
+/// The best over every way to match left points from `i` on: tries them all.
+int best_by_trying(
+    const Points& left, const Points& right, std::size_t i, int limit, unsigned used) {
+    if (i == left.size()) return 0;
+    int best = best_by_trying(left, right, i + 1, limit, used);
+    for (std::size_t j = 0; j < right.size(); ++j) {
+        if ((used >> j & 1U) != 0 || square_distance(left[i], right[j]) > limit) continue;
+        best = std::max(best, 1 + best_by_trying(left, right, i + 1, limit, used | 1U << j));
+    }
+    return best;
+}
+
+/// Kuhn's algorithm, the shortest exact one: finds a place for left point `i`, moving others if
+/// need be.
+bool place(const std::vector<std::vector<int>>& wishes,
+           int i,
+           std::vector<int>& owner,
+           std::vector<bool>& is_tried) {
+    for (const int j : wishes[static_cast<std::size_t>(i)]) {
+        const auto right = static_cast<std::size_t>(j);
+        if (is_tried[right]) continue;
+        is_tried[right] = true;
+        if (owner[right] < 0 || place(wishes, owner[right], owner, is_tried)) {
+            owner[right] = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+int best_by_kuhn(const Points& left, const Points& right, int limit) {
+    std::vector<std::vector<int>> wishes(left.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        for (std::size_t j = 0; j < right.size(); ++j) {
+            if (square_distance(left[i], right[j]) <= limit)
+                wishes[i].push_back(static_cast<int>(j));
+        }
+    }
+    std::vector<int> owner(right.size(), -1);
+    int placed = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        std::vector<bool> is_tried(right.size());
+        placed += place(wishes, static_cast<int>(i), owner, is_tried);
+    }
+    return placed;
+}
+
+std::int64_t reached_by_trying(const Points& from, const Points& to, int limit) {
+    return std::count_if(from.begin(), from.end(), [&](auto a) {
+        return std::any_of(
+            to.begin(), to.end(), [&](auto b) { return square_distance(a, b) <= limit; });
+    });
+}
+
+MatchCounts match(const Picture& left, const Picture& right, double tolerance_px) {
+    return match_pixels(PixelList(left), PixelList(right), Disk(tolerance_px));
+}
+
+TEST(Matching, EqualsTryingEverythingOnSmallSets) {
+    std::mt19937 random(11);
+    const std::array limits = {1, 2, 4, 9};
+    for (int i = 0; i < 400; ++i) {
+        const Picture a = random_picture(5, 4, 0.25, 255, random);
+        const Picture b = random_picture(5, 4, 0.30, 255, random);
+        const Points left = points_of(a);
+        const Points right = points_of(b);
+        const int limit = limits[static_cast<std::size_t>(i) % limits.size()];
+        const MatchCounts counts = match(a, b, std::sqrt(limit));
+        ASSERT_EQ(counts.k, best_by_trying(left, right, 0, limit, 0)) << "pair " << i;
+        ASSERT_EQ(counts.left_reached, reached_by_trying(left, right, limit)) << "pair " << i;
+        ASSERT_EQ(counts.right_reached, reached_by_trying(right, left, limit)) << "pair " << i;
+    }
+}
+
+TEST(Matching, EqualsAnotherExactAlgorithmOnLargerSets) {
+    std::mt19937 random(13);
+    for (int i = 0; i < 40; ++i) {
+        const int limit = i % 2 == 0 ? 4 : 9;
+        const Picture a = random_picture(50, 40, 0.1 + 0.01 * i, 255, random);
+        const Picture b = random_picture(50, 40, 0.5 - 0.01 * i, 255, random);
+        ASSERT_EQ(match(a, b, std::sqrt(limit)).k, best_by_kuhn(points_of(a), points_of(b), limit))
+            << "pair " << i;
+    }
+}
+
+TEST(Matching, CountsCompetitionOverManyCopies) {
+    Picture wanting(400, 9);
+    Picture wanted(400, 9);
+    for (int x = 5; x < 400; x += 10) {
+        wanting.at(x - 1, 4) = wanting.at(x + 1, 4) = 1;
+        wanted.at(x, 4) = 1;
+    }
+    const MatchCounts counts = match(wanting, wanted, 1);
+    EXPECT_EQ(counts.k, 40);
+    EXPECT_EQ(counts.left_reached, 80);
+    EXPECT_EQ(counts.right_reached, 40);
+}
+
+TEST(Matching, TakesALongChainWhole) {
+    // Left pixels 0, 2, .., 998 and right pixels 1, 3, .., 999: only the pairing (0,1) (2,3) ..
+    // takes all.
+    Picture left(1000, 1);
+    Picture right(1000, 1);
+    for (int x = 0; x < 1000; x += 2) {
+        left.at(x, 0) = 1;
+        right.at(x + 1, 0) = 1;
+    }
+    EXPECT_EQ(match(left, right, 1).k, 500);
+}
+
+TEST(Matching, IsTheSameFromBothSidesAndTransposed) {
+    std::mt19937 random(12);
+    for (int i = 0; i < 60; ++i) {
+        const Picture a = random_picture(40, 30, 0.05 + 0.01 * i, 255, random);
+        const Picture b = random_picture(40, 30, 0.20, 255, random);
+        for (const double tolerance_px : {1.0, 1.5, 2.0, 3.0}) {
+            const MatchCounts there = match(a, b, tolerance_px);
+            const MatchCounts back = match(b, a, tolerance_px);
+            const MatchCounts turned = match(transposed(a), transposed(b), tolerance_px);
+            ASSERT_EQ(there.k, back.k);
+            ASSERT_EQ(there.left_reached, back.right_reached);
+            ASSERT_EQ(there.right_reached, back.left_reached);
+            ASSERT_EQ(there.k, turned.k);
+            ASSERT_EQ(there.left_reached, turned.left_reached);
+        }
+    }
+}
+
+TEST(Matching, OfNothingIsNothing) {
+    const Picture empty(8, 8);
+    Picture dot(8, 8);
+    dot.at(3, 3) = 1;
+    EXPECT_EQ(match(empty, empty, 2).k, 0);
+    EXPECT_EQ(match(dot, empty, 2).k, 0);
+    EXPECT_EQ(match(empty, dot, 2).right_reached, 0);
+    EXPECT_EQ(match(Picture(), Picture(), 2).k, 0);
+}
+
+TEST(Matching, RefusesMorePairsThanMemoryHolds) {
+    const Picture full(400, 400, 255);
+    EXPECT_THROW(static_cast<void>(match(full, full, 64)), ink::core::Error);
+}
+
+TEST(DiskOfTolerance, HoldsTheOffsetsWithinIt) {
+    // Squared: 1, 2.25, 4, 9, 16.
+    EXPECT_EQ(Disk(1).radius_px(), 1);
+    EXPECT_EQ(Disk(1).half_width_px(1), 0);
+    EXPECT_EQ(Disk(1.5).radius_px(), 1);
+    EXPECT_EQ(Disk(1.5).half_width_px(-1), 1);
+    EXPECT_EQ(Disk(2).half_width_px(1), 1);
+    EXPECT_EQ(Disk(3).half_width_px(2), 2);
+    EXPECT_EQ(Disk(4).half_width_px(0), 4);
+    EXPECT_EQ(Disk(0.5).radius_px(), 0);
+}
+
+TEST(DiskOfTolerance, SnapsASquareThatIsNearlyWhole) {
+    const double root = std::sqrt(13.0);
+    ASSERT_LT(root * root, 13.0);  // or the test shows nothing
+    EXPECT_EQ(Disk(root).half_width_px(2), 3);
+    EXPECT_EQ(Disk(root).half_width_px(3), 2);
+    EXPECT_EQ(Disk(root - 1e-5).half_width_px(3), 1);
+}
+
+TEST(PixelListOfAPicture, DropsPixelsAndKeepsRows) {
+    PixelList list(picture_of({"1.2", "...", ".12"}));
+    ASSERT_EQ(list.size(), 4U);
+    list.drop({0, 1, 1, 0});
+    ASSERT_EQ(list.size(), 2U);
+    EXPECT_EQ(list.row_begin(1), 1U);
+    EXPECT_EQ(list.row_begin(2), 1U);
+    EXPECT_EQ(list.row_begin(3), 2U);
+    EXPECT_EQ(list.x(0), 0);
+    EXPECT_EQ(list.x(1), 2);
+}
+
+TEST(PixelListOfAPicture, TakesOneLabel) {
+    const PixelList twos(picture_of({"1.2", "...", ".12"}), 2);
+    ASSERT_EQ(twos.size(), 2U);
+    EXPECT_EQ(twos.x(0), 2);
+    EXPECT_EQ(twos.row_begin(2), 1U);
+}
+
+}  // namespace

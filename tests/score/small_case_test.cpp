@@ -1,0 +1,197 @@
+// One case in full, small enough to stand here: what the independent scorer in Python makes of it.
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "score/score.h"
+#include "tests/score/pictures.h"
+
+namespace {
+
+using ink::score::prepare_truth;
+using ink::score::ScoreOptions;
+
+Picture truth_labels() {
+    return picture_of({"................................",
+                       "........................7777777.",
+                       "........1111....................",
+                       "......11....11................3.",
+                       ".....1........1.............33..",
+                       "....1..........1...........3....",
+                       "....1..........1..........3.....",
+                       "...1............1.......33......",
+                       "...1............1...222222222...",
+                       "...1............1...233.....2...",
+                       "...1............1...2.......2...",
+                       "....1..........1...32.......2...",
+                       "....1..........1.33.2.......2...",
+                       ".....1........1.3...2.......2...",
+                       "......11....11.3....2.......2...",
+                       "........1111.33.....222222222...",
+                       "............3...................",
+                       "................................"});
+}
+
+/// A circle off by one and 2 px wide, weaker lines, a ghost and some dust; strengths are 28 a
+/// digit.
+Picture drawn() {
+    return picture_of({"....1..89....................1.7",
+                       "................2...............",
+                       ".........9999.........77477777..",
+                       ".......9999999993...............",
+                       ".82...399....999...........34.5.",
+                       "7....99........99..19.......55..",
+                       ".....99.....2..99..........5....",
+                       "....99..9.....1.99.....7..5.....",
+                       "....99..........99......55......",
+                       "....99.6.......599..336433323...",
+                       "....99..........99..355.....3...",
+                       ".....99.....8..99...3.......3...",
+                       "....899........99..53..1....3...",
+                       "......999...5999.55.5.......3...",
+                       ".......99999699.5.6.3....6..3...",
+                       ".........9999..5....3.......3...",
+                       ".....6.......55.....3333233328..",
+                       "......9.....5..................."},
+                      28);
+}
+
+/// What the curve is from this threshold on, up to the next entry.
+struct Step {
+    std::size_t from;
+    std::int64_t k;
+    std::int64_t n_pred;
+};
+
+struct Expected {
+    const char* name;
+    ScoreOptions options;  ///< threshold 128
+    std::int64_t n_truth;
+    std::vector<Step> curve;
+    double ap;
+    std::int64_t drawn_in_reach;
+    std::int64_t truth_in_reach;
+    std::vector<std::pair<std::int64_t, std::int64_t>> classes;  ///< k, n_truth
+};
+
+void PrintTo(const Expected& e, std::ostream* out) {
+    *out << e.name;
+}
+
+class SmallCase : public testing::TestWithParam<Expected> {};
+
+TEST_P(SmallCase, Agrees) {
+    const Expected& e = GetParam();
+    const auto truth = prepare_truth(truth_labels(), e.options, false);
+    const auto curve = ink::score::score_curve(drawn(), truth, e.options);
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        if (step + 1 < e.curve.size() && e.curve[step + 1].from == i + 1) ++step;
+        EXPECT_EQ(curve[i].k, e.curve[step].k) << "threshold " << i + 1;
+        EXPECT_EQ(curve[i].n_pred, e.curve[step].n_pred) << "threshold " << i + 1;
+        EXPECT_EQ(curve[i].n_truth, e.n_truth) << "threshold " << i + 1;
+    }
+    EXPECT_NEAR(ink::score::average_precision(curve), e.ap, 1e-9);
+
+    const auto s = ink::score::score(drawn(), truth, e.options);
+    EXPECT_EQ(s.k, curve[49].k);  // 128 of 255 is the strength at 50 percent
+    EXPECT_EQ(s.n_pred - s.off_line, e.drawn_in_reach);
+    EXPECT_EQ(s.n_truth - s.missing, e.truth_in_reach);
+    ASSERT_EQ(s.classes.size(), e.classes.size());
+    for (std::size_t i = 0; i < s.classes.size(); ++i) {
+        EXPECT_EQ(s.classes[i].k, e.classes[i].first) << "class " << s.classes[i].label;
+        EXPECT_EQ(s.classes[i].n_truth, e.classes[i].second) << "class " << s.classes[i].label;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Score,
+                         SmallCase,
+                         testing::Values(Expected{"OnePixel",
+                                                  {.tolerance_px = 1},
+                                                  90,
+                                                  {{1, 81, 108},
+                                                   {11, 81, 103},
+                                                   {22, 79, 98},
+                                                   {33, 61, 78},
+                                                   {44, 58, 75},
+                                                   {55, 41, 57},
+                                                   {66, 39, 52},
+                                                   {77, 33, 42},
+                                                   {88, 32, 37},
+                                                   {99, 0, 0}},
+                                                  0.7459582923521897,
+                                                  59,
+                                                  65,
+                                                  {{33, 36}, {9, 30}, {17, 17}, {5, 7}}},
+                                         Expected{"TwoPixels",
+                                                  {.tolerance_px = 2},
+                                                  90,
+                                                  {{1, 86, 108},
+                                                   {11, 86, 103},
+                                                   {22, 85, 98},
+                                                   {33, 67, 78},
+                                                   {44, 65, 75},
+                                                   {55, 47, 57},
+                                                   {66, 44, 52},
+                                                   {77, 36, 42},
+                                                   {88, 34, 37},
+                                                   {99, 0, 0}},
+                                                  0.847920984190055,
+                                                  65,
+                                                  78,
+                                                  {{36, 36}, {13, 30}, {17, 17}, {7, 7}}},
+                                         Expected{"Unthinned",
+                                                  {.tolerance_px = 2, .thin = false},
+                                                  90,
+                                                  {{1, 90, 153},
+                                                   {11, 90, 148},
+                                                   {22, 90, 142},
+                                                   {33, 69, 115},
+                                                   {44, 67, 112},
+                                                   {55, 55, 92},
+                                                   {66, 52, 86},
+                                                   {77, 44, 76},
+                                                   {88, 43, 71},
+                                                   {99, 0, 0}},
+                                                  0.6338028169014085,
+                                                  102,
+                                                  78,
+                                                  {{36, 36}, {14, 30}, {17, 17}, {7, 7}}},
+                                         Expected{"Ignore",
+                                                  {.tolerance_px = 2, .ignore_label = 7},
+                                                  83,
+                                                  {{1, 79, 101},
+                                                   {11, 79, 97},
+                                                   {22, 78, 92},
+                                                   {33, 60, 72},
+                                                   {44, 59, 70},
+                                                   {55, 42, 52},
+                                                   {66, 39, 47},
+                                                   {77, 36, 42},
+                                                   {88, 34, 37},
+                                                   {99, 0, 0}},
+                                                  0.8359115373420916,
+                                                  60,
+                                                  71,
+                                                  {{36, 36}, {13, 30}, {17, 17}}},
+                                         Expected{"OneAndAHalfPixelsIgnore",
+                                                  {.tolerance_px = 1.5, .ignore_label = 7},
+                                                  83,
+                                                  {{1, 77, 100},
+                                                   {11, 77, 96},
+                                                   {22, 76, 91},
+                                                   {33, 58, 71},
+                                                   {44, 57, 69},
+                                                   {55, 39, 51},
+                                                   {66, 37, 46},
+                                                   {77, 35, 42},
+                                                   {88, 33, 37},
+                                                   {99, 0, 0}},
+                                                  0.7969470322632974,
+                                                  57,
+                                                  70,
+                                                  {{35, 36}, {10, 30}, {17, 17}}}),
+                         [](const auto& value) { return std::string(value.param.name); });
+
+}  // namespace
