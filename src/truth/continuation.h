@@ -33,9 +33,9 @@ struct ContinuationOptions {
 ///
 /// A face goes on from a point of the edge if it holds a point beside it (two tolerances into the
 /// face, orthogonal to the edge). So a face that meets the edge with its own border counts, and so
-/// does one that runs on below it. Stretches shorter than eight tolerances are contacts at a corner
-/// and are left out; edges as short as that have none. Says nothing about any eye: whether the two
-/// faces lie on different sides of the line of sight is for the caller to see.
+/// does one that runs on below it. Runs of stretches shorter than eight tolerances are contacts at
+/// a corner and are left out; edges as short as that have none. Says nothing about any eye: whether
+/// the two faces lie on different sides of the line of sight is for the caller to see.
 ///
 /// O((faces + boundary edges) log(boundary edges)) plus the pairs whose boxes touch.
 [[nodiscard]] std::vector<Continuation> find_continuations(const scene::Topology& topology,

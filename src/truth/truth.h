@@ -18,6 +18,7 @@ struct TruthOptions {
         0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
     bool material_seams = false;  ///< a seam also where only the material differs
     int threads = 1;
+    bool layers = true;  ///< also layers and `sampled`; without, both stay empty
 };
 
 /// A point of a visible line: where it is on the picture and how far away.

@@ -20,7 +20,7 @@ TEST(Page, EveryMethodHasItsPartsInOrder) {
     for (const MethodInfo& info : registry()) {
         const std::string page = page_of(info.name);
         std::size_t at = 0;
-        for (const std::string heading : {"# " + info.name,
+        for (const std::string& heading : {"# " + info.name,
                                           std::string("## Idea"),
                                           std::string("## Formula"),
                                           std::string("## Our reading"),

@@ -69,6 +69,35 @@ TEST(Picture, SkyAtTheWallsOwnCodeHidesIt) {
     EXPECT_TRUE(line_columns(hidden, 80).empty());
 }
 
+/// `view` with `px` more pixels on every side and the same scale: pixel (x, y) becomes (x+px,
+/// y+px).
+scene::View widened(scene::View view, int px) {
+    const double taller = (view.height_px + 2 * px) / static_cast<double>(view.height_px);
+    view.camera.fov_y_rad = 2 * std::atan(std::tan(view.camera.fov_y_rad / 2) * taller);
+    view.width_px += 2 * px;
+    view.height_px += 2 * px;
+    return view;
+}
+
+TEST(Picture, TilesLeaveNoSeam) {
+    // The same picture with its tiles elsewhere. A focal length that rounds otherwise may move a
+    // vertex by a 256th of a pixel here and there; a seam would show along whole tiles.
+    constexpr int kShift_px = 11;
+    const scene::Scene scene = cube_on_floor();
+    const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, {200, 150});
+    for (const MethodInfo& info : registry()) {
+        const auto image = drawn(info.name, {}, scene, {view, 1});
+        const auto moved = drawn(info.name, {}, scene, {widened(view, kShift_px), 1});
+        int differing = 0;
+        for (int y = 2; y + 2 < view.height_px; ++y) {
+            for (int x = 2; x + 2 < view.width_px; ++x) {
+                differing += image.at(x, y) != moved.at(x + kShift_px, y + kShift_px);
+            }
+        }
+        EXPECT_LE(differing, 8) << info.name;
+    }
+}
+
 TEST(Picture, ATriangleSeenFromItsBackUsesTheNegatedNormal) {
     scene::Scene front = cube_on_floor();
     scene::Scene back = front;

@@ -39,8 +39,11 @@ inline scene::Mesh floor_mesh(float size) {
 inline scene::Scene scene_of(std::vector<scene::Mesh> meshes) {
     scene::Scene scene;
     scene.name = "test";
-    for (std::uint32_t i = 0; i < meshes.size(); ++i)
-        scene.instances.push_back({.mesh = i});
+    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
+        scene::Instance instance;
+        instance.mesh = i;
+        scene.instances.push_back(instance);
+    }
     scene.meshes = std::move(meshes);
     return scene;
 }
