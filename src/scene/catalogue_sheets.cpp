@@ -152,12 +152,12 @@ Scene make_flag_scene() {
     stage.add("pole", make_cylinder(0.0625, 3, 24), {{0, -0.75, 0}});
     stage.add("knob", make_icosphere(0.14, 2), {{0, 2.3, 0}});
     const auto cloth = [](double u, double v) {
-        const double wave =
-            0.5 * u * std::sin(9 * u - 1.3 * v) + 0.2 * u * std::sin(15 * u + 2 * v);
-        const double back = 0.25 * u * std::sin(18 * u - 2.6 * v + 0.7);  // folds lean over
+        const double phase = 8 * u - 1.3 * v;
+        const double wave = u * (0.4 * std::sin(phase) + 0.1 * std::sin(13 * u + 2 * v));
+        const double back = 0.25 * u * std::sin(2 * phase + 0.7);  // folds lean over
         return glm::dvec3(0.1 + 3.25 * u + back, 2 * v - 0.35 * u * u, wave);
     };
-    stage.add("cloth", sheet_of({112, 40}, cloth));
+    stage.add("cloth", sheet_of({160, 40}, cloth));
     stage.view(Shot{"front", 0, 3});
     stage.view(Shot{"three_quarter", 36, 18});
     stage.view(Shot{"below", -48, -20});

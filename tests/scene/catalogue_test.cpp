@@ -37,7 +37,7 @@ const Golden kGolden[] = {
     {"teapot", false, 6320, 0xfe251aa1af4d5a33ULL}, {"rocket", true, 100, 0x2f824e6c08d1ed14ULL},
     {"gem", true, 148, 0xd580e8902f152c5cULL},      {"crystals", true, 416, 0xae3e4e5a20a3095fULL},
     {"letters", true, 124, 0x091a4b7ac118d8fdULL},  {"knot", true, 9216, 0xadfaf5c37c1ebbd0ULL},
-    {"chess", true, 16764, 0xff23d937726088faULL},  {"flag", false, 9376, 0x631e7fc322c04213ULL},
+    {"chess", true, 16764, 0xff23d937726088faULL},  {"flag", false, 13216, 0x36d4c825a9c13c6fULL},
     {"tree", true, 16128, 0x5faf7e9ff4cd9c4eULL},   {"staircase", true, 144, 0x80390f00d3bae4deULL},
     {"spiral", true, 2208, 0xc6ccf4af2f97aad3ULL},  {"fence", true, 792, 0x7f6dd31bb6288514ULL},
     {"room", false, 4728, 0x4e1a199d1e4e0445ULL},
