@@ -125,8 +125,9 @@ std::optional<Continuation> continuation(const Border& border,
                                          const ContinuationOptions& options) {
     const glm::dvec3 across = glm::cross(triangle.normal, border.along);
     const double sine = glm::length(across);
-    // The edge pierces the triangle steeply: they share a point, not a stretch.
-    if (sine < 0.5) return std::nullopt;
+    // The edge pierces the triangle steeply: they share a point, not a stretch. (Nor does a
+    // triangle so thin that its normal is not a number.)
+    if (!(sine >= 0.5)) return std::nullopt;
     for (const double sign : {1.0, -1.0}) {
         const glm::dvec3 into = across * (sign / sine);
         const double cosine = glm::dot(border.inward, into);

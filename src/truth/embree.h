@@ -13,6 +13,8 @@
 
 namespace ink::truth::embree {
 
+alignas(16) inline constexpr int kAllFour[4] = {-1, -1, -1, -1};  ///< every ray of a packet counts
+
 #if RTC_VERSION_MAJOR >= 4
 
 using Context = RTCRayQueryContext;
@@ -31,6 +33,17 @@ inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter
     arguments.filter = filter;
     arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
     rtcOccluded1(scene, &ray, &arguments);
+}
+
+inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay4& rays) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    arguments.filter = filter;
+    arguments.flags =
+        static_cast<RTCRayQueryFlags>(static_cast<int>(RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER) |
+                                      static_cast<int>(RTC_RAY_QUERY_FLAG_COHERENT));
+    rtcOccluded4(kAllFour, scene, &rays, &arguments);
 }
 
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
@@ -56,6 +69,12 @@ inline void init_context(Context& context) {
 inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay& ray) {
     context.filter = filter;
     rtcOccluded1(scene, &context, &ray);
+}
+
+inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay4& rays) {
+    context.filter = filter;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded4(kAllFour, scene, &context, &rays);
 }
 
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {

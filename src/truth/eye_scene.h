@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -14,6 +15,12 @@ namespace ink::truth {
 /// `direction_world` need not be of unit length; it is rounded to float once it is.
 struct EyeRay {
     glm::dvec3 direction_world{0};
+    double t_near = 0;
+    double t_far = 0;
+};
+
+/// The part of a ray that counts.
+struct RayRange {
     double t_near = 0;
     double t_far = 0;
 };
@@ -43,6 +50,14 @@ class EyeScene {
         return any_of(ray, {&call<Confirm>, address_of(confirm)});
     }
 
+    /// The same along any of four rays, which are followed together: quick where they run close by.
+    template <class Confirm>
+    [[nodiscard]] bool any_of_four(const std::array<glm::dvec3, 4>& directions_world,
+                                   const RayRange& range,
+                                   Confirm&& confirm) const {
+        return any_of_packet(directions_world, range, {&call<Confirm>, address_of(confirm)});
+    }
+
     /// The nearest face along the ray that `confirm(face)` accepts; of equally near ones the
     /// lowest.
     template <class Confirm>
@@ -64,6 +79,9 @@ class EyeScene {
         return (*static_cast<std::remove_reference_t<Confirm>*>(object))(face);
     }
     [[nodiscard]] bool any_of(const EyeRay& ray, Callback confirm) const;
+    [[nodiscard]] bool any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
+                                     const RayRange& range,
+                                     Callback confirm) const;
     [[nodiscard]] std::optional<Hit> first_of(const EyeRay& ray, Callback confirm) const;
 
     struct Handles;

@@ -90,20 +90,18 @@ bool Visibility::is_visible(const EdgePoint& point,
         blocker = face;
         return true;
     };
-    const auto is_blocked_along = [&](double dx_px, double dy_px) {
-        const double px = point.w / eye_.projection.focal_px();
-        const glm::dvec3 offset_view{dx_px * px, dy_px * px, 0};
-        EyeRay ray;
-        // Row vector times rotation: view space back to world.
-        ray.direction_world = point.p_world - eye_.eye_world() + offset_view * eye_.view_from_world;
-        ray.t_near = 0.99 * eye_.near / point.w;
-        ray.t_far = 1 + kPast;
-        ++rays;
-        return scene_.any(ray, confirm);
-    };
-    return !is_blocked_along(0, 0) && !is_blocked_along(kBeside, 0) &&
-           !is_blocked_along(-kBeside, 0) && !is_blocked_along(0, kBeside) &&
-           !is_blocked_along(0, -kBeside);
+    const glm::dvec3 to_point = point.p_world - eye_.eye_world();
+    const double t_near = 0.99 * eye_.near / point.w;
+    ++rays;
+    if (scene_.any({to_point, t_near, 1 + kPast}, confirm)) return false;
+    // Row vector times rotation: view space back to world.
+    const double beside = kBeside * point.w / eye_.projection.focal_px();
+    const glm::dvec3 right = glm::dvec3(beside, 0, 0) * eye_.view_from_world;
+    const glm::dvec3 up = glm::dvec3(0, beside, 0) * eye_.view_from_world;
+    rays += 4;
+    const std::array<glm::dvec3, 4> directions = {
+        to_point + right, to_point - right, to_point + up, to_point - up};
+    return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
 }
 
 ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) const {
