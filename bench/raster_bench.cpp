@@ -62,11 +62,8 @@ class HashSink : public raster::TileSink {
         const auto width = static_cast<std::size_t>(tile.width_px);
         for (int y = 0; y < tile.height_px; ++y) {
             hasher.bytes(tile.depth_row<std::uint32_t>(y), width * sizeof(std::uint32_t));
-            for (int i = 0; i < format_.planes(); ++i) {
-                if (format_.store == raster::Store::u8) hasher.bytes(tile.row<char>(i, y), width);
-                if (format_.store == raster::Store::f32)
-                    hasher.bytes(tile.row<float>(i, y), width * sizeof(float));
-            }
+            for (int i = 0; i < format_.planes(); ++i)
+                hasher.bytes(plane_row(tile, i, y), width * plane_bytes());
         }
         tiles_[{tile.y0_px, tile.x0_px}] = hasher.result();
     }
@@ -79,6 +76,14 @@ class HashSink : public raster::TileSink {
     }
 
   private:
+    [[nodiscard]] std::size_t plane_bytes() const {
+        return format_.store == raster::Store::u8 ? 1 : format_.store == raster::Store::u16 ? 2 : 4;
+    }
+    [[nodiscard]] const char* plane_row(const raster::Tile& tile, int plane, int y) const {
+        const auto* origin = static_cast<const char*>(tile.planes[static_cast<std::size_t>(plane)]);
+        return origin + y * tile.stride * static_cast<std::ptrdiff_t>(plane_bytes());
+    }
+
     raster::PassFormat format_;
     std::map<std::pair<int, int>, std::uint64_t> tiles_;
 };
@@ -120,7 +125,8 @@ void add_raster_benchmarks() {
     const std::vector<std::pair<std::string, raster::PassFormat>> formats = {
         {"depth", format_of(0, Store::none)},
         {"u8", format_of(1, Store::u8)},
-        {"u8x4", format_of(4, Store::u8)},
+        {"u8x2", format_of(2, Store::u8)},
+        {"u16", format_of(1, Store::u16)},
         {"f32x4", format_of(4, Store::f32)},
     };
     for (const std::string& mesh : mesh_names()) {

@@ -76,8 +76,9 @@ void fill_scores(const Scored& scored, Row& row) {
     for (const score::ClassCount& c : s.classes) {
         const auto line_class = static_cast<truth::LineClass>(c.label);
         if (c.n_truth == 0) continue;
-        row.recall_by_class[std::string(truth::name(line_class))] =
-            static_cast<double>(c.k) / static_cast<double>(c.n_truth);
+        const std::string name(truth::name(line_class));
+        row.recall_by_class[name] = static_cast<double>(c.k) / static_cast<double>(c.n_truth);
+        row.truth_px_by_class[name] = c.n_truth;
     }
     if (s.mean_width_px > 0) row.mean_width_px = s.mean_width_px;
     row.ap = score::average_precision(scored.curve);
@@ -88,6 +89,8 @@ void fill_scores(const Scored& scored, Row& row) {
     row.off_line = s.off_line;
     row.lost = s.lost;
     row.missing = s.missing;
+    row.k_1px = scored.at_1px.k;
+    row.n_pred_1px = scored.at_1px.n_pred;
     row.truth_px = s.n_truth;
 }
 

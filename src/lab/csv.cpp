@@ -21,10 +21,22 @@ CsvFile::CsvFile(std::filesystem::path path, const std::vector<std::string>& col
     if (!stream_) {
         throw core::Error(path_.string(), "it cannot be written", "a file in a writable folder");
     }
-    write(fmt::format("{}", fmt::join(columns, ",")));
+    write_flushed(fmt::format("{}", fmt::join(columns, ",")));
+}
+
+CsvFile::~CsvFile() {
+    if (!stream_.is_open() || has_lines_) return;
+    stream_.close();
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
 }
 
 void CsvFile::write(const std::string& lines) {
+    write_flushed(lines);
+    has_lines_ = true;
+}
+
+void CsvFile::write_flushed(const std::string& lines) {
     stream_ << lines << '\n' << std::flush;
     if (!stream_) {
         throw core::Error(part_.string(),

@@ -18,11 +18,14 @@ namespace ink::lab {
 ///
 /// Lines go to `path` + ".part", flushed one by one, so that a run that is killed leaves every
 /// finished line there; `finish` gives the file its name. A table that is destroyed unfinished
-/// keeps its part.
+/// keeps its part, unless that holds no line but the heading.
 class CsvFile {
   public:
     /// Throws core::Error (where = the path) if the file cannot be made.
     CsvFile(std::filesystem::path path, const std::vector<std::string>& columns);
+    ~CsvFile();
+    CsvFile(const CsvFile&) = delete;
+    CsvFile& operator=(const CsvFile&) = delete;
 
     /// Adds lines; `lines` has no final line break. Throws core::Error if the disk is full.
     void write(const std::string& lines);
@@ -30,9 +33,12 @@ class CsvFile {
     void finish();
 
   private:
+    void write_flushed(const std::string& lines);
+
     std::filesystem::path path_;
     std::filesystem::path part_;
     std::ofstream stream_;
+    bool has_lines_ = false;
 };
 
 /// The columns of curves.csv: the cell's key, then threshold_k, k, n_pred, n_truth.

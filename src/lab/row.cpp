@@ -49,6 +49,13 @@ Column recall(const std::string& line_class) {
             }};
 }
 
+Column truth_px(const std::string& line_class) {
+    return {"truth_px_" + line_class, [line_class](const Row& row) {
+                const auto found = row.truth_px_by_class.find(line_class);
+                return found == row.truth_px_by_class.end() ? "" : text_of(found->second);
+            }};
+}
+
 Column constant(std::string name, const std::string& value) {
     return {std::move(name), [value](const Row&) { return csv_field(value); }};
 }
@@ -101,6 +108,13 @@ std::vector<Column> make_columns() {
         counted("off_line", &Row::off_line),
         counted("lost", &Row::lost),
         counted("missing", &Row::missing),
+        counted("k_1px", &Row::k_1px),
+        counted("n_pred_1px", &Row::n_pred_1px),
+        truth_px("contour"),
+        truth_px("boundary"),
+        truth_px("crease"),
+        truth_px("intersection"),
+        truth_px("seam"),
         column("pose_ns", &Row::pose_ns),
         column("draw_ns_q25", &Row::draw_ns_q25),
         column("draw_ns_q75", &Row::draw_ns_q75),

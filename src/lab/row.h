@@ -27,6 +27,7 @@ struct Row {
     std::optional<double> precision_2px;
     std::optional<double> recall_2px;
     std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
+    std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
     std::optional<double> mean_width_px;
     std::optional<double> ap;
     std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled
@@ -36,6 +37,8 @@ struct Row {
     std::int64_t off_line = 0;
     std::int64_t lost = 0;
     std::int64_t missing = 0;
+    std::int64_t k_1px = 0;  ///< counts at 1 px; n_truth is the same
+    std::int64_t n_pred_1px = 0;
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
     std::optional<std::int64_t> draw_ns;      ///< median over repetitions
@@ -57,6 +60,9 @@ struct Row {
 [[nodiscard]] const std::vector<std::string>& row_columns();
 
 /// One CSV line (RFC 4180 quoting, no newline) with a field per column.
+///
+/// Numbers are in the shortest form that reads back to the same value, whatever the locale. Counts
+/// of a row that failed are empty, as its metrics are.
 [[nodiscard]] std::string to_csv(const Row& row);
 
 }  // namespace ink::lab

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lab/charts.h"
+#include "lab/palette.h"
+#include "lab/verdict.h"
+#include "truth/line_class.h"
+
+namespace ink::lab {
+namespace {
+
+constexpr double kWidth = 1000;
+constexpr double kGutter = 128;  // method names
+constexpr double kPanelGap = 26;
+constexpr double kTop = 40;  // panel headings
+constexpr double kRowHeight = 27;
+constexpr double kBarHeight = 15;
+constexpr double kValueWidth = 36;  // room for a value beside the longest bar
+constexpr std::string_view kTrack = R"(fill="#eff0f2")";
+
+using Summaries = std::vector<const MethodSummary*>;
+
+/// Methods, then the ceiling; floor and truth itself say nothing here.
+Summaries shown_in_chart(const std::vector<MethodSummary>& summaries) {
+    Summaries shown;
+    for (const MethodSummary& s : summaries) {
+        if (!s.is_bracket || s.method == "sampled") shown.push_back(&s);
+    }
+    return shown;
+}
+
+std::string clipped(const std::string& name, std::size_t longest) {
+    return name.size() <= longest ? name : name.substr(0, longest - 1) + "~";
+}
+
+/// What a panel without bars says.
+std::string_view absence(truth::LineClass c) {
+    return c == truth::LineClass::intersection ? "not traced yet" : "none on these views";
+}
+
+void draw_panel(Svg& svg, const Box& panel, truth::LineClass c, const Summaries& shown) {
+    const std::string name(truth::name(c));
+    const std::string fill = fmt::format("fill=\"{}\"", colour_of(c).hex);
+    svg.rect({panel.x, 12, 11, 11}, fill + R"( rx="2")");
+    svg.text(panel.x + 17, 22, name, {.is_bold = true});
+    const bool is_there = std::any_of(shown.begin(), shown.end(), [&](const MethodSummary* s) {
+        return s->recall_by_class.count(name) != 0;
+    });
+    if (!is_there) {
+        svg.text(panel.x, panel.y + 18, absence(c), {.fill = "#6b7280"});
+        return;
+    }
+    const double full = panel.width - kValueWidth;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double y = panel.y + kRowHeight * static_cast<double>(i);
+        svg.rect({panel.x, y + 5, full, kBarHeight}, kTrack);
+        const auto found = shown[i]->recall_by_class.find(name);
+        if (found == shown[i]->recall_by_class.end()) continue;
+        const double length = full * found->second;
+        const char* faint = shown[i]->is_bracket ? R"( opacity="0.45")" : "";
+        svg.rect({panel.x, y + 5, length, kBarHeight}, fill + faint);
+        svg.text(panel.x + full + 5, y + 17, format_share(found->second), {.size = 12});
+    }
+}
+
+}  // namespace
+
+Svg class_chart(const std::vector<MethodSummary>& summaries) {
+    const Summaries shown = shown_in_chart(summaries);
+    const double rows = std::max<double>(1, static_cast<double>(shown.size()));
+    const double height = kTop + kRowHeight * rows + 8;
+    Svg svg(kWidth, height);
+    if (shown.empty()) {
+        svg.text(kWidth / 2, height / 2, "No method was scored.", {"middle", "#6b7280", 14});
+        return svg;
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const double y = kTop + kRowHeight * static_cast<double>(i) + 17;
+        svg.text(kGutter - 14,
+                 y,
+                 clipped(shown[i]->method, 15),
+                 {"end", shown[i]->is_bracket ? "#6b7280" : "#20242a"});
+    }
+    const auto count = static_cast<double>(truth::kLineClasses.size());
+    const double width = (kWidth - kGutter - kPanelGap * (count - 1)) / count;
+    double x = kGutter;
+    for (const truth::LineClass c : truth::kLineClasses) {
+        draw_panel(svg, {x, kTop, width, height - kTop}, c, shown);
+        x += width + kPanelGap;
+    }
+    return svg;
+}
+
+}  // namespace ink::lab

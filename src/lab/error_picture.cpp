@@ -1,0 +1,180 @@
+#include "lab/error_picture.h"
+
+#include <algorithm>
+#include <cassert>
+#include <opencv2/imgproc.hpp>
+
+#include "edge/thin.h"
+#include "lab/palette.h"
+#include "score/pixel_list.h"
+#include "score/score.h"
+#include "truth/line_class.h"
+
+namespace ink::lab {
+namespace {
+
+using truth::LineClass;
+
+constexpr auto kIgnoreLabel = static_cast<std::uint8_t>(LineClass::ignore);
+
+/// `mask` without what is closer than `band_px` to the frame.
+edge::Mask without_band(const edge::Mask& mask, int band_px) {
+    edge::Mask inner(mask.width_px(), mask.height_px());
+    for (int y = band_px; y < mask.height_px() - band_px; ++y) {
+        for (int x = band_px; x < mask.width_px() - band_px; ++x)
+            inner.at(x, y) = mask.at(x, y);
+    }
+    return inner;
+}
+
+/// 1 at the pixels of `from` that have a pixel of `to` within the tolerance.
+edge::Mask near(const edge::Mask& from, const edge::Mask& to, double tolerance_px) {
+    const score::PixelList pixels(from);
+    const auto is_near =
+        score::within_reach(pixels, score::PixelList(to), score::Disk(tolerance_px));
+    edge::Mask mask(from.width_px(), from.height_px());
+    for (int y = 0; y < from.height_px(); ++y) {
+        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
+            mask.at(pixels.x(i), y) = is_near[i];
+        }
+    }
+    return mask;
+}
+
+/// For every pixel, the index (y * width + x) of the nearest set pixel of `mask`; -1 if none is
+/// set.
+std::vector<int> nearest_set(const edge::Mask& mask) {
+    std::vector<int> nearest(mask.size(), -1);
+    if (std::count(mask.data(), mask.data() + mask.size(), 1) == 0) return nearest;
+    cv::Mat zeros(mask.height_px(), mask.width_px(), CV_8U);
+    std::transform(mask.data(), mask.data() + mask.size(), zeros.data, [](std::uint8_t m) {
+        return m != 0 ? 0 : 255;
+    });
+    cv::Mat distances;
+    cv::Mat labels;
+    cv::distanceTransform(
+        zeros, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    // OpenCV numbers the set pixels; where each number lies is read off the set pixels themselves.
+    const auto* label = labels.ptr<int>();
+    std::vector<int> place(mask.size() + 1, -1);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (mask.data()[i] != 0) place[static_cast<std::size_t>(label[i])] = static_cast<int>(i);
+    }
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        nearest[i] = place[static_cast<std::size_t>(label[i])];
+    return nearest;
+}
+
+/// What thinned pixels are, outside the band: off the truth they are false, unless an ignored pixel
+/// excuses them.
+struct ThinMarks {
+    edge::Mask is_counted;
+    edge::Mask is_hit;
+    edge::Mask is_excused;
+
+    [[nodiscard]] Mark of(std::size_t i) const {
+        if (is_counted.data()[i] == 0) return Mark::ignored;
+        if (is_hit.data()[i] != 0) return Mark::hit;
+        return is_excused.data()[i] != 0 ? Mark::ignored : Mark::false_line;
+    }
+};
+
+ThinMarks judge(const edge::Mask& thin,
+                const score::ScoringTruth& truth,
+                const MarkOptions& options) {
+    ThinMarks marks;
+    marks.is_counted = without_band(thin, options.band_px);
+    marks.is_hit = near(marks.is_counted, truth.labels, options.tolerance_px);
+    marks.is_excused = near(marks.is_counted, truth.ignore, options.tolerance_px);
+    return marks;
+}
+
+glm::u8vec3 colour_of_mark(Mark mark) {
+    switch (mark) {
+        case Mark::paper:
+            return kPaper.rgb;
+        case Mark::ignored:
+            return kIgnoredColour.rgb;
+        case Mark::hit:
+            return kHitColour.rgb;
+        case Mark::false_line:
+            return kFalseColour.rgb;
+        case Mark::missing:
+            return kMissingColour.rgb;
+    }
+    return kPaper.rgb;
+}
+
+/// The most important pixel of each factor x factor block; `matters_more(a, b)` says a beats b.
+template <class T, class Order>
+core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_more) {
+    assert(factor >= 1);
+    const auto shrunk = [factor](int size) { return (size + factor - 1) / factor; };
+    core::Image<T> small(shrunk(image.width_px()), shrunk(image.height_px()));
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            T& kept = small.at(x / factor, y / factor);
+            if (matters_more(image.at(x, y), kept)) kept = image.at(x, y);
+        }
+    }
+    return small;
+}
+
+}  // namespace
+
+RgbImage error_picture(const Marks& marks) {
+    RgbImage picture(marks.width_px(), marks.height_px());
+    std::transform(marks.data(), marks.data() + marks.size(), picture.data(), colour_of_mark);
+    return picture;
+}
+
+RgbImage truth_picture(const core::Image<std::uint8_t>& labels) {
+    RgbImage picture(labels.width_px(), labels.height_px());
+    std::transform(
+        labels.data(), labels.data() + labels.size(), picture.data(), [](std::uint8_t label) {
+            return colour_of(static_cast<LineClass>(label)).rgb;
+        });
+    return picture;
+}
+
+Marks shrink(const Marks& image, int factor) {
+    return shrink_by(image, factor, [](Mark a, Mark b) { return a > b; });
+}
+
+core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int factor) {
+    // 0, "nothing", is the lowest number but matters least.
+    const auto rank = [](std::uint8_t label) { return label == 0 ? 256 : int{label}; };
+    return shrink_by(
+        labels, factor, [&](std::uint8_t a, std::uint8_t b) { return rank(a) < rank(b); });
+}
+
+Marks mark_errors(const core::Image<std::uint8_t>& labels,
+                  const edge::EdgeImage& strength,
+                  const MarkOptions& options) {
+    assert(labels.width_px() == strength.width_px() && labels.height_px() == strength.height_px());
+    Marks marks(labels.width_px(), labels.height_px());
+    if (marks.is_empty()) return marks;
+
+    score::ScoreOptions scoring;
+    scoring.band_px = options.band_px;
+    scoring.ignore_label = kIgnoreLabel;
+    const score::ScoringTruth truth = score::prepare_truth(labels, scoring, true);
+    const edge::Mask drawn = edge::threshold(strength, options.threshold);
+    const edge::Mask thin = edge::thin(drawn);
+    const ThinMarks thin_marks = judge(thin, truth, options);
+    const std::vector<int> nearest = nearest_set(thin);
+    const edge::Mask is_found = near(truth.labels, thin_marks.is_counted, options.tolerance_px);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (drawn.data()[i] != 0) {
+            const int line = thin.data()[i] != 0 ? static_cast<int>(i) : nearest[i];
+            marks.data()[i] = thin_marks.of(static_cast<std::size_t>(line));
+        } else if (labels.data()[i] == kIgnoreLabel) {
+            marks.data()[i] = Mark::ignored;
+        }
+        const bool is_missing = truth.labels.data()[i] != 0 && is_found.data()[i] == 0;
+        if (is_missing) marks.data()[i] = Mark::missing;
+    }
+    return marks;
+}
+
+}  // namespace ink::lab

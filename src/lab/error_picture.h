@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+
+namespace ink::lab {
+
+/// What a pixel of a picture tells, in the order in which it wins when pixels are merged.
+enum class Mark : std::uint8_t {
+    paper,       ///< nothing is there and nothing was drawn
+    ignored,     ///< under the ignore label, or so close to the frame that it does not count
+    hit,         ///< drawn, and its line runs within the tolerance of a true one
+    false_line,  ///< drawn, and its line runs along no true one
+    missing,     ///< a true line pixel without a drawn line within the tolerance
+};
+
+using Marks = core::Image<Mark>;
+using RgbImage = core::Image<glm::u8vec3>;
+
+/// How a picture is held against the truth.
+struct MarkOptions {
+    int threshold = 128;      ///< drawn is what has at least this strength
+    double tolerance_px = 2;  ///< centre to centre
+    int band_px = 6;          ///< pixels this close to the frame do not count
+};
+
+/// Says of every pixel of `strength` where it is right and where it is wrong.
+///
+/// The lines are thinned as the score thins them, and each thinned pixel is a hit if a true one
+/// lies within the tolerance. A drawn pixel that thinning removed is what its nearest thinned pixel
+/// is, so lines keep their width on the picture. This is distance alone: `missing` and `false_line`
+/// of thinned pixels are the score's `missing` and `off_line`, pixel for pixel, but its `lost` and
+/// `surplus` (two lines where there is one) look like hits, since which of them is matched is
+/// nobody's to say. `labels` holds truth::LineClass and has the size of `strength`; two empty
+/// images give an empty one.
+[[nodiscard]] Marks mark_errors(const core::Image<std::uint8_t>& labels,
+                                const edge::EdgeImage& strength,
+                                const MarkOptions& options);
+
+/// Marks in colour: paper white, hits dark, missing vermilion, false lines blue, ignored grey.
+[[nodiscard]] RgbImage error_picture(const Marks& marks);
+
+/// A truth image in colour, each class in its own (palette.h).
+[[nodiscard]] RgbImage truth_picture(const core::Image<std::uint8_t>& labels);
+
+/// `image` at 1/factor of its size (rounded up): each pixel is the one of its block that matters
+/// most, so that thin lines and rare errors survive, unlike in a mean. Marks: the later one in the
+/// enum. Labels: the lower class, `ignore` last.
+[[nodiscard]] Marks shrink(const Marks& image, int factor);
+[[nodiscard]] core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int factor);
+
+}  // namespace ink::lab

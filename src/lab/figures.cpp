@@ -1,0 +1,209 @@
+#include "lab/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <opencv2/imgproc.hpp>
+#include <set>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "image_io/image_file.h"
+#include "lab/charts.h"
+#include "lab/error_picture.h"
+#include "lab/palette.h"
+#include "lab/verdict.h"
+#include "lab/whole_file.h"
+
+namespace ink::lab {
+namespace {
+
+constexpr int kCellWidth_px = 480;  // wider pictures are shrunk by a whole factor
+constexpr int kGap_px = 12;
+constexpr int kCaptionHeight_px = 30;
+constexpr int kLegendHeight_px = 34;
+constexpr std::size_t kOverviewStrips = 8;
+
+int shrink_factor(int width_px) {
+    return std::max(1, (width_px + kCellWidth_px / 2) / kCellWidth_px);
+}
+
+/// OpenCV's letters know ASCII only.
+std::string ascii(const std::string& text) {
+    std::string plain;
+    for (const char c : text)
+        plain += (c >= ' ' && c <= '~') ? c : '?';
+    return plain;
+}
+
+void put_text(RgbImage& canvas, cv::Point place, const std::string& text, glm::u8vec3 colour) {
+    cv::Mat pixels(canvas.height_px(), canvas.width_px(), CV_8UC3, canvas.data());
+    cv::putText(pixels,
+                ascii(text),
+                place,
+                cv::FONT_HERSHEY_SIMPLEX,
+                0.48,
+                cv::Scalar(colour.r, colour.g, colour.b),
+                1,
+                cv::LINE_AA);
+}
+
+void put_image(RgbImage& canvas, int left, int top, const RgbImage& image) {
+    for (int y = 0; y < std::min(image.height_px(), canvas.height_px() - top); ++y) {
+        std::copy_n(image.row(y), image.width_px(), canvas.row(top + y) + left);
+    }
+}
+
+void put_frame(RgbImage& canvas, const cv::Rect& frame) {
+    cv::Mat pixels(canvas.height_px(), canvas.width_px(), CV_8UC3, canvas.data());
+    cv::rectangle(pixels, frame, cv::Scalar(kMist.rgb.r, kMist.rgb.g, kMist.rgb.b));
+}
+
+/// A picture of a strip with the words below it.
+struct Cell {
+    RgbImage picture;
+    std::string caption;
+};
+
+std::string caption_of(const std::vector<Row>& rows,
+                       const ShownView& view,
+                       const std::string& method) {
+    for (const Row& row : rows) {
+        if (row.scene != view.scene || row.view != view.view || row.method != method) continue;
+        std::string caption = fmt::format("{}  F {}", method, format_share(row.f_2px));
+        if (row.draw_ns) {
+            caption += fmt::format("  {} ms", format_ms(static_cast<double>(*row.draw_ns) * 1e-6));
+        }
+        return caption;
+    }
+    return method;
+}
+
+std::vector<Cell> cells_of(const ReportData& data, const ShownView& view) {
+    const int factor = shrink_factor(view.labels.width_px());
+    std::vector<Cell> cells;
+    cells.push_back({truth_picture(shrink(view.labels, factor)),
+                     fmt::format("{} {}: truth", view.scene, view.view)});
+    for (const MethodPicture& picture : view.pictures) {
+        const Marks marks =
+            mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
+        cells.push_back(
+            {error_picture(shrink(marks, factor)), caption_of(data.rows, view, picture.method)});
+    }
+    return cells;
+}
+
+RgbImage strip_of(const std::vector<Cell>& cells) {
+    const int width = cells.front().picture.width_px();
+    const int height = cells.front().picture.height_px();
+    const auto count = static_cast<int>(cells.size());
+    RgbImage strip(
+        count * (width + kGap_px) + kGap_px, height + kGap_px + kCaptionHeight_px, kPaper.rgb);
+    for (int i = 0; i < count; ++i) {
+        const int left = kGap_px + i * (width + kGap_px);
+        const Cell& cell = cells[static_cast<std::size_t>(i)];
+        put_image(strip, left, kGap_px, cell.picture);
+        put_frame(strip, {left - 1, kGap_px - 1, width + 2, height + 2});
+        // Captions that are too long are cut where the next picture's begins.
+        const auto letters = static_cast<std::size_t>(width / 9);
+        put_text(strip, {left, kGap_px + height + 20}, cell.caption.substr(0, letters), kInk.rgb);
+    }
+    return strip;
+}
+
+/// What the colours mean, `width_px` wide (as far as it fits).
+RgbImage legend(int width_px) {
+    const std::vector<std::pair<Colour, std::string>> entries = {
+        {kHitColour, "right"},
+        {kMissingColour, "missing line"},
+        {kFalseColour, "false line"},
+        {kIgnoredColour, "not counted"},
+        {colour_of(truth::LineClass::contour), "contour"},
+        {colour_of(truth::LineClass::boundary), "boundary"},
+        {colour_of(truth::LineClass::crease), "crease"},
+        {colour_of(truth::LineClass::seam), "seam"},
+    };
+    RgbImage image(width_px, kLegendHeight_px, kPaper.rgb);
+    int left = kGap_px;
+    for (const auto& [colour, words] : entries) {
+        const int needed = 24 + 9 * static_cast<int>(words.size()) + 14;
+        if (left + needed > width_px) break;
+        cv::Mat pixels(image.height_px(), image.width_px(), CV_8UC3, image.data());
+        cv::rectangle(pixels,
+                      {left, 10, 16, 12},
+                      cv::Scalar(colour.rgb.r, colour.rgb.g, colour.rgb.b),
+                      cv::FILLED);
+        put_text(image, {left + 22, 21}, words, kInk.rgb);
+        left += needed;
+    }
+    return image;
+}
+
+RgbImage stacked(const std::vector<RgbImage>& images) {
+    int width = 1;
+    int height = 0;
+    for (const RgbImage& image : images) {
+        width = std::max(width, image.width_px());
+        height += image.height_px();
+    }
+    RgbImage canvas(width, height, kPaper.rgb);
+    int top = 0;
+    for (const RgbImage& image : images) {
+        put_image(canvas, 0, top, image);
+        top += image.height_px();
+    }
+    return canvas;
+}
+
+void write_strips(const ReportData& data, const std::filesystem::path& folder) {
+    std::vector<RgbImage> strips(data.views.size());
+    core::parallel_for(data.views.size(), core::hardware_threads(), [&](std::size_t i) {
+        strips[i] = strip_of(cells_of(data, data.views[i]));
+    });
+    std::set<std::string> taken = {"overview"};
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        const std::string stem = file_stem(data.views[i].scene);
+        std::string name = stem;
+        for (int n = 2; !taken.insert(name).second; ++n)
+            name = fmt::format("{}.{}", stem, n);
+        image_io::write_png(stacked({strips[i], legend(strips[i].width_px())}),
+                            folder / (name + ".png"));
+    }
+    if (strips.empty()) return;
+    strips.resize(std::min(strips.size(), kOverviewStrips));
+    strips.push_back(legend(strips.front().width_px()));
+    image_io::write_png(stacked(strips), folder / "overview.png");
+}
+
+}  // namespace
+
+std::string file_stem(const std::string& scene) {
+    constexpr std::size_t kLongest = 80;
+    std::string stem;
+    for (const char c : scene.substr(0, kLongest)) {
+        const bool is_plain =
+            std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
+        stem += is_plain ? c : '_';
+    }
+    if (stem.empty() || stem[0] == '.') stem = "_" + stem;
+    return stem;
+}
+
+void write_figures(const ReportData& data, const std::filesystem::path& folder) {
+    const std::filesystem::path figures = folder / "figures";
+    std::error_code failure;
+    std::filesystem::create_directories(figures, failure);
+    if (failure) {
+        throw core::Error(
+            figures.string(), "this folder cannot be made", "a writable place for figures");
+    }
+    const std::vector<MethodSummary> summaries = summarise(data.rows);
+    write_whole_file(figures / "fronts.svg",
+                     front_chart(summaries).file("Error against time, per method"));
+    write_whole_file(figures / "classes.svg",
+                     class_chart(summaries).file("Recall per line class and method"));
+    write_strips(data, figures);
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,269 @@
+#include "lab/page.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <set>
+
+#include "core/provenance.h"
+#include "lab/charts.h"
+#include "lab/html.h"
+#include "lab/page_assets.h"
+#include "lab/page_scenes.h"
+#include "lab/page_tables.h"
+#include "lab/summary.h"
+#include "lab/verdict.h"
+
+namespace ink::lab {
+namespace {
+
+// The page stays under 20 MB; tables and charts take the rest.
+constexpr std::size_t kPictureBudget_bytes = 16'000'000;
+
+/// What the parts of the page are made from.
+struct Material {
+    const ReportData& data;
+    std::vector<MethodSummary> summaries;
+    Verdict verdict;
+    PageScenes scenes;
+    std::string failures;
+};
+
+const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
+                                  std::string_view method) {
+    for (const MethodSummary& s : summaries) {
+        if (s.method == method) return &s;
+    }
+    return nullptr;
+}
+
+std::string headline(const Verdict& verdict) {
+    if (verdict.best == nullptr) return "No verdict: no method was scored";
+    return escape(verdict.best->method) + " makes the fewest errors";
+}
+
+/// What the ceiling says of the winner, and who else is worth a look.
+std::string context_sentences(const Material& m) {
+    std::string text;
+    const MethodSummary* sampled = find_summary(m.summaries, "sampled");
+    if (m.verdict.best != nullptr && sampled != nullptr && sampled->f_2px) {
+        text += fmt::format(" Exact lines seen once per pixel centre would reach F {}.",
+                            format_share(sampled->f_2px));
+    }
+    std::vector<CostPoint> costs;
+    std::vector<const MethodSummary*> methods;
+    for (const MethodSummary& s : m.summaries) {
+        if (s.is_bracket || !s.f_2px || !s.draw_ms) continue;
+        costs.push_back({*s.draw_ms, 1 - *s.f_2px});
+        methods.push_back(&s);
+    }
+    std::string front;
+    for (const std::size_t index : pareto_front(costs)) {
+        front += (front.empty() ? "" : ", ") + methods[index]->method;
+    }
+    if (methods.size() > 1) {
+        text += fmt::format(" No method is both faster and better than these: {}.", front);
+    }
+    return escape(text);
+}
+
+std::string fact(std::string_view name, const std::string& value, std::string_view unit = "") {
+    return fmt::format("<div><dt>{}</dt><dd>{}{}</dd></div>",
+                       name,
+                       value,
+                       unit.empty() ? "" : fmt::format(" <small>{}</small>", unit));
+}
+
+std::string facts_html(const Material& m) {
+    std::set<std::string> scenes;
+    std::set<std::pair<std::string, std::string>> views;
+    for (const Row& row : m.data.rows) {
+        scenes.insert(row.scene);
+        views.insert({row.scene, row.view});
+    }
+    int methods = 0;
+    for (const MethodSummary& s : m.summaries)
+        methods += s.is_bracket ? 0 : 1;
+    std::string facts;
+    if (const MethodSummary* best = m.verdict.best) {
+        facts += fact("F at 2 px", format_share(best->f_2px));
+        if (best->draw_ms) facts += fact("its frame", format_ms(best->draw_ms), "ms");
+    }
+    facts += fact("methods", std::to_string(methods));
+    facts += fact("scenes", std::to_string(scenes.size()));
+    facts += fact("views", std::to_string(views.size()));
+    return fmt::format("<dl class=\"facts\">{}</dl>", facts);
+}
+
+/// Bracket rows that did not come out as they must make the whole run void.
+std::string void_html(const std::vector<Row>& rows) {
+    std::string items;
+    for (const Row& row : rows) {
+        if (!row.is_ok() || !row.f_2px) continue;
+        const bool is_wrong_oracle = row.method == "oracle" && *row.f_2px != 1;
+        const bool is_wrong_none = row.method == "none" && row.n_truth > 0 && *row.f_2px != 0;
+        if (!is_wrong_oracle && !is_wrong_none) continue;
+        items += fmt::format("<li>{} has F {} on {}, view {}</li>",
+                             row.method,
+                             format_share(row.f_2px),
+                             escape(row.scene),
+                             escape(row.view));
+    }
+    if (items.empty()) return "";
+    return fmt::format(
+        "<div class=\"warning\" role=\"alert\"><strong>This run is void.</strong> "
+        "Its brackets do not come out as they must:<ul>{}</ul></div>",
+        items);
+}
+
+std::string header_html(const Material& m) {
+    return fmt::format(
+        "<header><div class=\"wrap\"><div class=\"brand\">{}<span><strong>Inkbench</strong> · "
+        "which outline method makes the fewest errors at a time budget?</span></div><h1>{}</h1>"
+        "<p class=\"lead\">{}{}</p>{}{}</div></header>\n",
+        page_mark(),
+        headline(m.verdict),
+        escape(verdict_sentence(m.data.rows, m.summaries)),
+        context_sentences(m),
+        facts_html(m),
+        void_html(m.data.rows));
+}
+
+std::string nav_html(const Material& m) {
+    std::string links;
+    const auto link = [&links](std::string_view anchor, std::string_view words) {
+        links += fmt::format("<a href=\"#{}\">{}</a>", anchor, words);
+    };
+    link("verdict", "Verdict");
+    link("time", "Error against time");
+    link("classes", "Line classes");
+    link("by-scene", "By scene");
+    link("pictures", "Pictures");
+    if (!m.failures.empty()) link("failed", "Failed cells");
+    link("rows", "All rows");
+    link("about", "How to read this");
+    return fmt::format(
+        "<nav aria-label=\"Parts of the report\"><div class=\"wrap\">{}</div></nav>\n", links);
+}
+
+std::string section(std::string_view id,
+                    std::string_view title,
+                    std::string_view intro,
+                    const std::string& content) {
+    return fmt::format("<section id=\"{}\"><h2>{}</h2>{}{}</section>\n",
+                       id,
+                       title,
+                       intro.empty() ? "" : fmt::format("<p class=\"soft\">{}</p>", intro),
+                       content);
+}
+
+std::string chart_html(const Svg& chart, std::string_view title) {
+    return fmt::format("<div class=\"scroll chart\">{}</div>", chart.inline_element(title));
+}
+
+std::string about_html() {
+    return R"html(<p><strong>F</strong> joins precision and recall: F = 2 K / (drawn + true), with K the
+largest number of drawn and true pixels that can be paired one to one, at most 2 px (or 1 px) apart. Lines
+are thinned first, and 6 px at the frame do not count. The <strong>error</strong> is 1 − F.
+<strong>Pooled</strong> values add the counts of all views before they divide; mean and median take every
+view alike. A cell that failed is in none of them.</p>
+<p>The <strong>95 % interval</strong> comes from drawing views again and again, with replacement; the bars
+along the time axis are quartiles over views. <strong>Truth</strong> is traced from the exact polyhedron as
+given. Methods were tuned, if at all, on <strong>training</strong> scenes only; look at the
+<strong>held-out</strong> column before you believe a lead.</p>
+<p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
+itself. <strong>sampled</strong> knows the exact lines but sees each pixel once, at its centre: the real
+ceiling of every method that does so.</p>
+<p><strong>Not here yet:</strong> <code>intersection</code> lines (two surfaces that pierce each other) are
+not traced, so a method that draws them is charged with false lines; the second construction of the truth
+that cross-checks the first, truth images as EXR, curves as SVG and skip statistics come in a later
+version.</p>)html";
+}
+
+std::string provenance_html(const ReportData& data) {
+    const core::Provenance& p = core::provenance();
+    std::string list;
+    const auto add = [&list](std::string_view name, const std::string& value) {
+        list += fmt::format("<dt>{}</dt><dd>{}</dd>", escape(name), escape(value));
+    };
+    if (!data.command.empty()) {
+        list += fmt::format("<dt>command</dt><dd><code>{}</code></dd>", escape(data.command));
+    }
+    add("made", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr))));
+    if (data.elapsed_s > 0) add("took", fmt::format("{:.1f} s", data.elapsed_s));
+    add("version",
+        fmt::format("{}, commit {}{}", p.version, p.commit, p.dirty ? " with changes on top" : ""));
+    add("compiler", p.compiler);
+    add("flags", p.flags);
+    add("processor", p.cpu);
+    add("instructions", p.simd);
+    std::string libraries;
+    for (const auto& [name, version] : p.libraries) {
+        libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
+    }
+    add("libraries", libraries);
+    return fmt::format("<dl class=\"provenance\">{}</dl>", list);
+}
+
+std::string main_html(const Material& m) {
+    const std::vector<Row>& rows = m.data.rows;
+    std::string html = section("verdict",
+                               "Verdict",
+                               "Highest of a column in bold. Grey rows are brackets, not methods.",
+                               verdict_html(m.summaries));
+    html += section("time",
+                    "Error against time",
+                    "One point per method. The grey staircase is the lowest error to be had at "
+                    "each time; a method above it is beaten in both.",
+                    chart_html(front_chart(m.summaries), "Error 1 - F at 2 px against draw time"));
+    html += section("classes",
+                    "Recall per line class",
+                    "How much of each kind of true line was found within 2 px, pooled over views.",
+                    chart_html(class_chart(m.summaries), "Recall per line class and method"));
+    html += section("by-scene",
+                    "F by scene",
+                    "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "
+                    "method of each scene in bold.",
+                    scene_heat_html(rows, m.summaries, pictured_scenes(m.scenes)));
+    html += section("pictures",
+                    "Truth and methods, side by side",
+                    "One view per scene. Drag across a picture, or move the divider below it with "
+                    "the arrow keys: truth to the left, the method to the right.",
+                    scenes_html(m.scenes, rows));
+    if (!m.failures.empty()) {
+        html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
+    }
+    html += section("rows",
+                    "All rows",
+                    "The same rows, with every column, are in <code>rows.csv</code>; the curves "
+                    "over 99 thresholds in <code>curves.csv</code>. Press a heading to sort.",
+                    "<div class=\"tools\"><label>Filter <input type=\"search\" id=\"filter-rows\" "
+                    "placeholder=\"method, scene ...\"></label></div>" +
+                        rows_html(rows));
+    html += section("about", "How to read this", "", about_html() + provenance_html(m.data));
+    return html;
+}
+
+}  // namespace
+
+std::string report_page(const ReportData& data) {
+    Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows)};
+    material.verdict = find_verdict(material.summaries);
+    material.scenes = encode_scenes(data.views, kPictureBudget_bytes);
+    return fmt::format(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>Inkbench: {}</title>\n<style>{}</style></head>\n<body>\n{}{}"
+        "<main class=\"wrap\">\n{}</main>\n<footer class=\"wrap\">Made by inkbench {}. This page "
+        "needs no other file and no network.</footer>\n<script>{}</script>\n</body></html>\n",
+        headline(material.verdict),
+        page_style(),
+        header_html(material),
+        nav_html(material),
+        main_html(material),
+        escape(core::provenance().version),
+        page_script());
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,271 @@
+#include "lab/page_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/parallel.h"
+#include "image_io/image_file.h"
+#include "lab/error_picture.h"
+#include "lab/html.h"
+#include "lab/page_tables.h"
+#include "lab/palette.h"
+#include "lab/summary.h"
+#include "lab/verdict.h"
+
+namespace ink::lab {
+namespace {
+
+constexpr int kThumbWidth_px = 208;  // shown at half of that: sharp on dense screens
+
+std::string uri_of(const RgbImage& picture) {
+    return png_uri(image_io::encode_png(picture));
+}
+
+int thumb_factor(int width_px) {
+    return std::max(1, (width_px + kThumbWidth_px / 2) / kThumbWidth_px);
+}
+
+PagePicture truth_of(const ShownView& view, int factor) {
+    const auto draw = [&](int f) { return uri_of(truth_picture(shrink(view.labels, f))); };
+    return {"", draw(factor), draw(thumb_factor(view.labels.width_px()))};
+}
+
+PagePicture errors_of(const ShownView& view, const MethodPicture& picture, int factor) {
+    const Marks marks =
+        mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
+    const auto draw = [&](int f) { return uri_of(error_picture(shrink(marks, f))); };
+    return {picture.method, draw(factor), draw(thumb_factor(view.labels.width_px()))};
+}
+
+std::vector<PageScene> encode_at(const std::vector<ShownView>& views, int factor) {
+    struct Job {
+        std::size_t view;
+        std::size_t picture;
+    };
+    std::vector<PageScene> scenes;
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const std::size_t count = views[i].pictures.size() + 1;
+        scenes.push_back({&views[i], std::vector<PagePicture>(count)});
+        for (std::size_t j = 0; j < count; ++j)
+            jobs.push_back({i, j});
+    }
+    core::parallel_for(jobs.size(), core::hardware_threads(), [&](std::size_t index) {
+        const auto [i, j] = jobs[index];
+        PagePicture& out = scenes[i].pictures[j];
+        out = j == 0 ? truth_of(views[i], factor)
+                     : errors_of(views[i], views[i].pictures[j - 1], factor);
+    });
+    return scenes;
+}
+
+std::size_t size_of(const PageScene& scene) {
+    std::size_t size = 0;
+    for (const PagePicture& picture : scene.pictures)
+        size += picture.size();
+    return size;
+}
+
+std::size_t size_of(const std::vector<PageScene>& scenes) {
+    std::size_t size = 0;
+    for (const PageScene& scene : scenes)
+        size += size_of(scene);
+    return size;
+}
+
+const Row* find_row(const std::vector<Row>& rows,
+                    const ShownView& view,
+                    const std::string& method) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+        return row.scene == view.scene && row.view == view.view && row.method == method;
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+/// "F .912 · 3.10 ms", and what went wrong below.
+std::string words_on(const Row* row) {
+    if (row == nullptr) return "";
+    std::string line = "F " + format_share(row->f_2px);
+    if (row->draw_ns)
+        line += fmt::format(" · {} ms", format_ms(static_cast<double>(*row->draw_ns) * 1e-6));
+    return fmt::format(
+        "<span>{}</span><span>{} missing, {} off line</span>", line, row->missing, row->off_line);
+}
+
+std::string alt_of(const ShownView& view, const PagePicture& picture, const Row* row) {
+    const std::string place = fmt::format("{}, view {}", view.scene, view.view);
+    if (picture.method.empty()) return escape("True lines of " + place + ", coloured by class");
+    std::string text = fmt::format("Lines of {} on {}, errors in colour", picture.method, place);
+    if (row != nullptr && row->is_ok()) {
+        text += fmt::format(": F {}, {} pixels missing, {} off the lines",
+                            format_share(row->f_2px),
+                            row->missing,
+                            row->off_line);
+    }
+    return escape(text);
+}
+
+std::string swatch(const Colour& colour, std::string_view words) {
+    return fmt::format("<li><i style=\"background:{}\"></i>{}</li>", colour.hex, words);
+}
+
+std::string legend_html() {
+    std::string truth_colours;
+    for (const truth::LineClass c : truth::kLineClasses)
+        truth_colours += swatch(colour_of(c), truth::name(c));
+    return fmt::format(
+        "<ul class=\"legend\" aria-label=\"Colours of methods' pictures\">{}{}{}{}</ul>"
+        "<ul class=\"legend\" aria-label=\"Colours of the truth\"><li class=\"soft\">Truth:</li>{}"
+        "</ul>",
+        swatch(kHitColour, "right, within 2 px of a true line"),
+        swatch(kMissingColour, "missing: a true line nobody drew"),
+        swatch(kFalseColour, "false: drawn where no line is"),
+        swatch(kIgnoredColour, "not counted: crowded, or at the frame"),
+        truth_colours);
+}
+
+std::string tools_html(const PageScenes& scenes) {
+    std::vector<std::string> methods;
+    for (const PageScene& scene : scenes.scenes) {
+        for (const PagePicture& picture : scene.pictures) {
+            const bool is_known =
+                std::find(methods.begin(), methods.end(), picture.method) != methods.end();
+            if (!picture.method.empty() && !is_known) methods.push_back(picture.method);
+        }
+    }
+    std::string options;
+    for (const std::string& method : methods)
+        options += fmt::format("<option>{}</option>", escape(method));
+    return fmt::format(
+        "<div class=\"tools\"><label>In every scene show <select id=\"pick-method\">{}</select>"
+        "</label><label>Layout <select id=\"pick-layout\"><option value=\"slide\">divider"
+        "</option><option value=\"pair\">side by side</option></select></label>"
+        "<label>Zoom <select id=\"pick-zoom\"><option value=\"1\">fit</option><option "
+        "value=\"2\">2 ×</option><option value=\"4\">4 ×</option></select></label></div>",
+        options);
+}
+
+std::string stage_html(const PageScene& scene, const std::vector<Row>& rows) {
+    const ShownView& view = *scene.view;
+    std::string images;
+    for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
+        const PagePicture& picture = scene.pictures[i];
+        const Row* row = find_row(rows, view, picture.method);
+        const std::string kind = i == 0 ? "truth" : i == 1 ? "pred on" : "pred";
+        images += fmt::format(R"(<img class="{}" data-method="{}" alt="{}" src="{}">)",
+                              kind,
+                              escape(picture.method),
+                              alt_of(view, picture, row),
+                              picture.whole);
+    }
+    const bool has_methods = scene.pictures.size() > 1;
+    const std::string range = fmt::format(
+        R"(<input type="range" min="0" max="100" step="1" value="50" aria-label="Divider between truth, left, and method, right, on {}">)",
+        escape(view.scene));
+    return fmt::format(
+        "<figure><div class=\"view\"><div class=\"frame\">{}{}</div></div>{}<figcaption "
+        "class=\"side\"><span>truth, coloured by class</span><span class=\"right\">{}</span>"
+        "</figcaption></figure>",
+        images,
+        has_methods ? "<span class=\"grip\" aria-hidden=\"true\"></span>" : "",
+        has_methods ? range : "",
+        has_methods ? escape(scene.pictures[1].method) + ", errors in colour" : "");
+}
+
+std::string picker_html(const PageScene& scene,
+                        const std::vector<Row>& rows,
+                        const std::string& anchor) {
+    std::string choices;
+    for (std::size_t i = 1; i < scene.pictures.size(); ++i) {
+        const PagePicture& picture = scene.pictures[i];
+        choices += fmt::format(
+            R"(<label><input type="radio" name="{}" value="{}"{}><img alt="" src="{}"><span><b>{}</b>{}</span></label>)",
+            anchor,
+            escape(picture.method),
+            i == 1 ? " checked" : "",
+            picture.thumb,
+            escape(picture.method),
+            words_on(find_row(rows, *scene.view, picture.method)));
+    }
+    if (choices.empty()) return "<p class=\"note\">No method drew this view.</p>";
+    return fmt::format(
+        "<fieldset class=\"picker\"><legend>Compare the truth with</legend>{}</fieldset>", choices);
+}
+
+std::string scene_html(const PageScene& scene,
+                       const std::vector<Row>& rows,
+                       const std::string& anchor) {
+    const ShownView& view = *scene.view;
+    const auto any = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+        return row.scene == view.scene && row.view == view.view;
+    });
+    const std::string facts =
+        any == rows.end() ? ""
+                          : fmt::format(
+                                "<span class=\"tag\">{}</span><span class=\"note\">{} × {} px, "
+                                "{} triangles</span>",
+                                any->split == "train" ? "training" : "held-out",
+                                any->width,
+                                any->height,
+                                any->triangles);
+    return fmt::format(
+        "<article class=\"scene\" id=\"{}\"><div><h3>{}</h3><span class=\"note\">view {}</span>{}"
+        "</div><div class=\"stage\">{}{}</div></article>\n",
+        anchor,
+        escape(view.scene),
+        escape(view.view),
+        facts,
+        stage_html(scene, rows),
+        picker_html(scene, rows, anchor));
+}
+
+std::string room_note(const PageScenes& scenes) {
+    std::string note;
+    if (scenes.shrink_factor > 1) {
+        note += fmt::format(
+            "To keep this page small, pictures are shown at 1/{} of their size; of "
+            "each block the worst pixel is kept, so errors look thicker than they "
+            "are. ",
+            scenes.shrink_factor);
+    }
+    if (scenes.left_out > 0) {
+        note += fmt::format("{} more scene{} had no room here; the strips are beside this page.",
+                            scenes.left_out,
+                            scenes.left_out == 1 ? "" : "s");
+    }
+    return note.empty() ? "" : fmt::format("<p class=\"note\">{}</p>", note);
+}
+
+}  // namespace
+
+PageScenes encode_scenes(const std::vector<ShownView>& views, std::size_t budget_bytes) {
+    PageScenes scenes;
+    for (const int factor : {1, 2, 4, 8}) {
+        scenes.scenes = encode_at(views, factor);
+        scenes.shrink_factor = factor;
+        if (size_of(scenes.scenes) <= budget_bytes) return scenes;
+    }
+    while (size_of(scenes.scenes) > budget_bytes) {
+        scenes.scenes.pop_back();
+        ++scenes.left_out;
+    }
+    return scenes;
+}
+
+std::vector<std::string> pictured_scenes(const PageScenes& scenes) {
+    std::vector<std::string> names;
+    for (const PageScene& scene : scenes.scenes)
+        names.push_back(scene.view->scene);
+    return names;
+}
+
+std::string scenes_html(const PageScenes& scenes, const std::vector<Row>& rows) {
+    if (scenes.scenes.empty()) return "<p class=\"note\">No view was drawn.</p>";
+    std::string html = legend_html() + tools_html(scenes) + room_note(scenes);
+    for (std::size_t i = 0; i < scenes.scenes.size(); ++i)
+        html += scene_html(scenes.scenes[i], rows, fmt::format("scene-{}", i + 1));
+    return html;
+}
+
+}  // namespace ink::lab

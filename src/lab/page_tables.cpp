@@ -1,0 +1,344 @@
+#include "lab/page_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "lab/html.h"
+#include "lab/verdict.h"
+#include "truth/line_class.h"
+
+namespace ink::lab {
+namespace {
+
+/// A column of the verdict table; `value` is what the best cell of the column is found by.
+struct VerdictColumn {
+    std::string group;    ///< heading above the heading; equal neighbours share one cell
+    std::string heading;  ///< HTML
+    std::function<std::string(const MethodSummary&)> cell;  ///< HTML
+    std::function<std::optional<double>(const MethodSummary&)> value = nullptr;
+};
+
+VerdictColumn share_column(std::string group,
+                           std::string heading,
+                           std::optional<double> MethodSummary::*field) {
+    return {std::move(group),
+            std::move(heading),
+            [field](const MethodSummary& s) { return format_share(s.*field); },
+            [field](const MethodSummary& s) { return s.*field; }};
+}
+
+VerdictColumn recall_column(const std::string& name) {
+    const auto recall = [name](const MethodSummary& s) -> std::optional<double> {
+        const auto found = s.recall_by_class.find(name);
+        if (found == s.recall_by_class.end()) return std::nullopt;
+        return found->second;
+    };
+    return {"recall per class, 2 px",
+            name,
+            [recall](const MethodSummary& s) { return format_share(recall(s)); },
+            recall};
+}
+
+std::string range_cell(const MethodSummary& s) {
+    if (!s.f_2px_range) return "-";
+    return fmt::format("<span class=\"range\">{}–{}</span>",
+                       format_share(s.f_2px_range->low),
+                       format_share(s.f_2px_range->high));
+}
+
+std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& summaries) {
+    const char* kF = "F at 2 px";
+    std::vector<VerdictColumn> columns = {
+        share_column(kF, "pooled", &MethodSummary::f_2px),
+        {kF, "95 %", range_cell},
+        share_column(kF, "training", &MethodSummary::f_train),
+        share_column(kF, "held-out", &MethodSummary::f_heldout),
+        share_column(kF, "mean", &MethodSummary::f_mean),
+        share_column(kF, "median", &MethodSummary::f_median),
+        share_column("at 1 px", "F", &MethodSummary::f_1px),
+        share_column("at 2 px", "prec.", &MethodSummary::precision),
+        share_column("at 2 px", "recall", &MethodSummary::recall),
+    };
+    for (const truth::LineClass c : truth::kLineClasses) {
+        const std::string name(truth::name(c));
+        const bool is_there = std::any_of(summaries.begin(), summaries.end(), [&](const auto& s) {
+            return s.recall_by_class.count(name) != 0;
+        });
+        if (is_there) columns.push_back(recall_column(name));
+    }
+    columns.push_back({"line", "width px", [](const MethodSummary& s) {
+                           return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
+                       }});
+    columns.push_back({"cost",
+                       "draw ms",
+                       [](const MethodSummary& s) { return format_ms(s.draw_ms); },
+                       [](const MethodSummary& s) -> std::optional<double> {
+                           if (!s.draw_ms) return std::nullopt;
+                           return -*s.draw_ms;
+                       }});
+    columns.push_back({"cost", "B/px", [](const MethodSummary& s) {
+                           return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
+                       }});
+    columns.push_back(
+        {"cells", "views", [](const MethodSummary& s) { return fmt::format("{}", s.views); }});
+    columns.push_back({"cells", "failed", [](const MethodSummary& s) {
+                           return s.failed == 0 ? "0" : fmt::format("<b>{}</b>", s.failed);
+                       }});
+    return columns;
+}
+
+bool starts_group(const std::vector<VerdictColumn>& columns, std::size_t i) {
+    return i == 0 || columns[i].group != columns[i - 1].group;
+}
+
+std::string verdict_head(const std::vector<VerdictColumn>& columns) {
+    std::string groups = "<tr class=\"groups\"><td></td>";
+    std::string headings = "<tr><th scope=\"col\">method</th>";
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const char* edge = starts_group(columns, i) ? " class=\"group\"" : "";
+        headings += fmt::format("<th scope=\"col\"{}>{}</th>", edge, columns[i].heading);
+        if (!starts_group(columns, i)) continue;
+        std::size_t end = i + 1;
+        while (end < columns.size() && !starts_group(columns, end))
+            ++end;
+        groups += fmt::format("<th scope=\"colgroup\" colspan=\"{}\" class=\"group\">{}</th>",
+                              end - i,
+                              columns[i].group);
+    }
+    return fmt::format("<thead>{}</tr>{}</tr></thead>", groups, headings);
+}
+
+/// The highest value of a column among methods; brackets do not compete.
+std::optional<double> best_of(const VerdictColumn& column,
+                              const std::vector<MethodSummary>& summaries) {
+    std::optional<double> best;
+    if (!column.value) return best;
+    for (const MethodSummary& s : summaries) {
+        if (!s.is_bracket) best = std::max(best, column.value(s));
+    }
+    return best;
+}
+
+/// Red as the error grows: white at F = 1, full from F = .4 down.
+std::string heat_style(double f) {
+    const double t = std::clamp((1 - f) / 0.6, 0.0, 1.0);
+    const auto mix = [t](double from, double to) {
+        return static_cast<int>(from + (to - from) * t + 0.5);
+    };
+    return fmt::format("background:rgb({},{},{})", mix(255, 232), mix(255, 138), mix(255, 84));
+}
+
+std::vector<std::string> scenes_of(const std::vector<Row>& rows) {
+    std::vector<std::string> scenes;
+    for (const Row& row : rows) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) {
+            scenes.push_back(row.scene);
+        }
+    }
+    return scenes;
+}
+
+std::string_view split_words(const std::string& split) {
+    return split == "train" ? "training" : "held-out";
+}
+
+std::string scene_heading(const std::vector<std::string>& pictured, const Row& first) {
+    const std::string name = escape(first.scene);
+    const std::string anchor = scene_anchor(pictured, first.scene);
+    const std::string link =
+        anchor.empty() ? name : fmt::format("<a href=\"#{}\">{}</a>", anchor, name);
+    return fmt::format("<th scope=\"row\" title=\"{}\">{}</th><td class=\"name\">{}</td>",
+                       name,
+                       link,
+                       split_words(first.split));
+}
+
+std::string heat_line(const std::vector<const Row*>& of_scene,
+                      const std::vector<std::string>& methods) {
+    std::vector<std::optional<double>> values;
+    std::optional<double> best;
+    for (const std::string& method : methods) {
+        std::vector<const Row*> of_cell;
+        for (const Row* row : of_scene) {
+            if (row->method == method) of_cell.push_back(row);
+        }
+        values.push_back(pooled_f(of_cell));
+        if (!is_bracket(method)) best = std::max(best, values.back());
+    }
+    std::string line;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!values[i]) {
+            line += "<td>-</td>";
+            continue;
+        }
+        const bool is_best = !is_bracket(methods[i]) && values[i] == best;
+        line += fmt::format(R"(<td style="{}">{}{}{}</td>)",
+                            heat_style(*values[i]),
+                            is_best ? "<b>" : "",
+                            format_share(values[i]),
+                            is_best ? "</b>" : "");
+    }
+    return line;
+}
+
+/// A column of the table of all rows.
+struct RowColumn {
+    std::string heading;
+    bool is_text = false;
+    std::function<std::string(const Row&)> cell;  ///< plain text
+};
+
+RowColumn share_of_row(std::string heading, std::optional<double> Row::*field) {
+    return {
+        std::move(heading), false, [field](const Row& row) { return format_share(row.*field); }};
+}
+
+std::vector<RowColumn> row_page_columns() {
+    return {
+        {"method", true, [](const Row& row) { return row.method; }},
+        {"scene", true, [](const Row& row) { return row.scene; }},
+        {"view", true, [](const Row& row) { return row.view; }},
+        {"split", true, [](const Row& row) { return std::string(split_words(row.split)); }},
+        {"size px",
+         true,
+         [](const Row& row) { return fmt::format("{} × {}", row.width, row.height); }},
+        share_of_row("F 2px", &Row::f_2px),
+        share_of_row("F 1px", &Row::f_1px),
+        share_of_row("prec.", &Row::precision_2px),
+        share_of_row("recall", &Row::recall_2px),
+        share_of_row("AP", &Row::ap),
+        {"width px",
+         false,
+         [](const Row& row) {
+             return row.mean_width_px ? fmt::format("{:.2f}", *row.mean_width_px) : "-";
+         }},
+        {"draw ms",
+         false,
+         [](const Row& row) {
+             return row.draw_ns ? format_ms(static_cast<double>(*row.draw_ns) * 1e-6) : "-";
+         }},
+        {"truth px",
+         false,
+         [](const Row& row) { return row.is_ok() ? fmt::format("{}", row.truth_px) : "-"; }},
+        {"missing",
+         false,
+         [](const Row& row) { return row.is_ok() ? fmt::format("{}", row.missing) : "-"; }},
+        {"off line",
+         false,
+         [](const Row& row) { return row.is_ok() ? fmt::format("{}", row.off_line) : "-"; }},
+        {"status", true, [](const Row& row) { return row.status; }},
+        {"parameters", true, [](const Row& row) { return row.params; }},
+    };
+}
+
+}  // namespace
+
+std::string verdict_html(const std::vector<MethodSummary>& summaries) {
+    const std::vector<VerdictColumn> columns = verdict_columns(summaries);
+    const Verdict verdict = find_verdict(summaries);
+    std::string body;
+    bool has_bracket = false;
+    for (const MethodSummary& s : summaries) {
+        std::string classes = &s == verdict.best ? "best" : "";
+        if (s.is_bracket) classes = has_bracket ? "bracket" : "bracket first-bracket";
+        has_bracket = has_bracket || s.is_bracket;
+        body += fmt::format(R"(<tr class="{}"><th scope="row">{}</th>)", classes, escape(s.method));
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::optional<double> best = best_of(columns[i], summaries);
+            const bool is_best = !s.is_bracket && best && columns[i].value(s) == best;
+            body += fmt::format("<td{}>{}{}{}</td>",
+                                starts_group(columns, i) ? " class=\"group\"" : "",
+                                is_best ? "<b>" : "",
+                                columns[i].cell(s),
+                                is_best ? "</b>" : "");
+        }
+        body += "</tr>\n";
+    }
+    return fmt::format(
+        "<div class=\"scroll\"><table class=\"verdict\">{}<tbody>{}</tbody></table></div>",
+        verdict_head(columns),
+        body);
+}
+
+std::string scene_anchor(const std::vector<std::string>& pictured_scenes,
+                         const std::string& scene) {
+    const auto found = std::find(pictured_scenes.begin(), pictured_scenes.end(), scene);
+    if (found == pictured_scenes.end()) return "";
+    return fmt::format("scene-{}", found - pictured_scenes.begin() + 1);
+}
+
+std::string scene_heat_html(const std::vector<Row>& rows,
+                            const std::vector<MethodSummary>& summaries,
+                            const std::vector<std::string>& pictured_scenes) {
+    std::vector<std::string> methods;
+    std::string head = "<th scope=\"col\">scene</th><td></td>";
+    for (const MethodSummary& s : summaries) {
+        if (s.is_bracket && s.method != "sampled") continue;
+        methods.push_back(s.method);
+        head += fmt::format("<th scope=\"col\">{}</th>", escape(s.method));
+    }
+    std::string body;
+    for (const std::string& scene : scenes_of(rows)) {
+        std::vector<const Row*> of_scene;
+        for (const Row& row : rows) {
+            if (row.scene == scene) of_scene.push_back(&row);
+        }
+        body += fmt::format("<tr>{}{}</tr>\n",
+                            scene_heading(pictured_scenes, *of_scene.front()),
+                            heat_line(of_scene, methods));
+    }
+    return fmt::format(
+        "<div class=\"scroll\"><table class=\"heat\"><thead><tr>{}</tr></thead>"
+        "<tbody>{}</tbody></table></div>",
+        head,
+        body);
+}
+
+std::string failures_html(const std::vector<Row>& rows) {
+    std::string body;
+    for (const Row& row : rows) {
+        if (row.is_ok()) continue;
+        body += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>"
+            "<td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
+            escape(row.method),
+            escape(row.scene),
+            escape(row.view),
+            escape(row.status));
+    }
+    if (body.empty()) return "";
+    return fmt::format(
+        "<div class=\"scroll\"><table class=\"wide\"><thead><tr>"
+        "<th scope=\"col\">method</th><td class=\"text\">scene</td>"
+        "<td class=\"text\">view</td><td class=\"text\">what went wrong</td></tr>"
+        "</thead><tbody>{}</tbody></table></div>",
+        body);
+}
+
+std::string rows_html(const std::vector<Row>& rows) {
+    const std::vector<RowColumn> columns = row_page_columns();
+    std::string head;
+    for (const RowColumn& column : columns) {
+        head += fmt::format(R"(<th scope="col"{}><button type="button">{}</button></th>)",
+                            column.is_text ? " class=\"text\"" : "",
+                            column.heading);
+    }
+    std::string body;
+    for (const Row& row : rows) {
+        body += "<tr>";
+        for (const RowColumn& column : columns) {
+            body += fmt::format(
+                "<td{}>{}</td>", column.is_text ? " class=\"text\"" : "", escape(column.cell(row)));
+        }
+        body += "</tr>\n";
+    }
+    return fmt::format(
+        "<div class=\"rows\" tabindex=\"0\"><table><thead><tr>{}</tr></thead>"
+        "<tbody>{}</tbody></table></div>",
+        head,
+        body);
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lab/row.h"
+
+namespace ink::lab {
+
+/// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
+[[nodiscard]] bool is_bracket(std::string_view method);
+
+/// A range that holds a value with a stated confidence, or the middle half of some values.
+struct Interval {
+    double low = 0;
+    double high = 0;
+};
+
+/// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
+/// an empty value never enters a mean.
+struct MethodSummary {
+    std::string method;
+    bool is_bracket = false;
+    int views = 0;                        ///< rows without failure
+    int failed = 0;                       ///< rows with one
+    std::optional<double> f_2px;          ///< of the counts pooled over its views
+    std::optional<Interval> f_2px_range;  ///< 95 %, bootstrap over views; two views at least
+    std::optional<double> f_train;        ///< pooled over the views of training scenes
+    std::optional<double> f_heldout;      ///< pooled over those of held-out scenes
+    std::optional<double> f_mean;         ///< over views, each counting alike
+    std::optional<double> f_median;
+    std::optional<double> f_1px;      ///< pooled
+    std::optional<double> precision;  ///< pooled, 2 px
+    std::optional<double> recall;
+    std::map<std::string, double> recall_by_class;  ///< pooled, classes present only
+    std::optional<double> mean_width_px;            ///< mean over views
+    std::optional<double> draw_ms;                  ///< median over views
+    std::optional<Interval> draw_ms_quartiles;      ///< over views
+    std::optional<int> bytes_per_px;                ///< the largest
+};
+
+/// One summary per method, in order of first appearance, the bracket rows last.
+[[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<Row>& rows);
+
+/// F of the counts of all of `rows` that did not fail, pooled; nothing if there is none. 1 where
+/// neither a pixel is drawn nor one is there.
+[[nodiscard]] std::optional<double> pooled_f(const std::vector<const Row*>& rows);
+
+/// By how much the pooled F of `a` exceeds that of `b`, as a 95 % interval: views that both have
+/// are drawn again and again, each pair as one (a paired bootstrap). Nothing with fewer than two.
+[[nodiscard]] std::optional<Interval> f_lead(const std::vector<Row>& rows,
+                                             const std::string& a,
+                                             const std::string& b);
+
+/// The error of a method, and what it pays for it.
+struct CostPoint {
+    double time = 0;
+    double error = 0;
+};
+
+/// Indices of the points that no other beats in both, from the fastest to the one with the lowest
+/// error. Of equal points the first stays.
+[[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points);
+
+/// The q-quantile (0..1) of `values`, linear between the two nearest; nothing if there are none.
+[[nodiscard]] std::optional<double> quantile(std::vector<double> values, double q);
+
+/// Which method wins and which is cheapest, of those that are no brackets; null if none was scored
+/// (or, for `cheapest`, timed). They point into the summaries.
+struct Verdict {
+    const MethodSummary* best = nullptr;
+    const MethodSummary* runner_up = nullptr;
+    const MethodSummary* cheapest = nullptr;
+};
+
+[[nodiscard]] Verdict find_verdict(const std::vector<MethodSummary>& summaries);
+
+}  // namespace ink::lab

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/row.h"
+#include "lab/summary.h"
+
+namespace ink::lab {
+
+/// F, precision or recall as tables show it: ".912", "1.000"; "-" for nothing.
+[[nodiscard]] std::string format_share(const std::optional<double>& share);
+
+/// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
+[[nodiscard]] std::string format_ms(const std::optional<double>& ms);
+
+/// The table of a comparison for a terminal, at most 110 columns wide: a line per method, the
+/// brackets `none`, `sampled` and `oracle` marked with a star, recalls per class below, and one
+/// sentence that names the method with the lowest error and what it costs against the cheapest.
+///
+/// Ends without a line break. No rows give the sentence alone.
+[[nodiscard]] std::string verdict_table(const std::vector<Row>& rows);
+
+/// The same as a Markdown table, for a README.
+[[nodiscard]] std::string verdict_markdown(const std::vector<Row>& rows);
+
+/// The sentence by itself, plain text.
+[[nodiscard]] std::string verdict_sentence(const std::vector<Row>& rows,
+                                           const std::vector<MethodSummary>& summaries);
+
+}  // namespace ink::lab

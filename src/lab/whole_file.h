@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace ink::lab {
+
+/// Writes `text` to a file beside `path` and renames it to `path`, so that nobody sees half of it.
+///
+/// Throws core::Error (where = the path) if it cannot be written; nothing is left behind then, and
+/// an older file of that name stays as it was.
+void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace ink::lab
