@@ -19,14 +19,17 @@
 namespace ink::lab {
 namespace {
 
-constexpr int kCellWidth_px = 480;  // wider pictures are shrunk by a whole factor
+constexpr int kStripCell_px = 480;  // wider pictures are shrunk by a whole factor
+constexpr int kOverviewCell_px = 300;
+constexpr double kFontScale = 0.48;
+constexpr int kLetter_px = 9;  // mean advance at that scale
 constexpr int kGap_px = 12;
 constexpr int kCaptionHeight_px = 30;
 constexpr int kLegendHeight_px = 34;
 constexpr std::size_t kOverviewStrips = 8;
 
-int shrink_factor(int width_px) {
-    return std::max(1, (width_px + kCellWidth_px / 2) / kCellWidth_px);
+int shrink_factor(int width_px, int cell_px) {
+    return std::max(1, (width_px + cell_px / 2) / cell_px);
 }
 
 /// OpenCV's letters know ASCII only.
@@ -43,7 +46,7 @@ void put_text(RgbImage& canvas, cv::Point place, const std::string& text, glm::u
                 ascii(text),
                 place,
                 cv::FONT_HERSHEY_SIMPLEX,
-                0.48,
+                kFontScale,
                 cv::Scalar(colour.r, colour.g, colour.b),
                 1,
                 cv::LINE_AA);
@@ -80,8 +83,8 @@ std::string caption_of(const std::vector<Row>& rows,
     return method;
 }
 
-std::vector<Cell> cells_of(const ReportData& data, const ShownView& view) {
-    const int factor = shrink_factor(view.labels.width_px());
+std::vector<Cell> cells_of(const ReportData& data, const ShownView& view, int cell_px) {
+    const int factor = shrink_factor(view.labels.width_px(), cell_px);
     std::vector<Cell> cells;
     cells.push_back({truth_picture(shrink(view.labels, factor)),
                      fmt::format("{} {}: truth", view.scene, view.view)});
@@ -106,7 +109,7 @@ RgbImage strip_of(const std::vector<Cell>& cells) {
         put_image(strip, left, kGap_px, cell.picture);
         put_frame(strip, {left - 1, kGap_px - 1, width + 2, height + 2});
         // Captions that are too long are cut where the next picture's begins.
-        const auto letters = static_cast<std::size_t>(width / 9);
+        const auto letters = static_cast<std::size_t>(width / kLetter_px);
         put_text(strip, {left, kGap_px + height + 20}, cell.caption.substr(0, letters), kInk.rgb);
     }
     return strip;
@@ -127,7 +130,7 @@ RgbImage legend(int width_px) {
     RgbImage image(width_px, kLegendHeight_px, kPaper.rgb);
     int left = kGap_px;
     for (const auto& [colour, words] : entries) {
-        const int needed = 24 + 9 * static_cast<int>(words.size()) + 14;
+        const int needed = 24 + kLetter_px * static_cast<int>(words.size()) + 14;
         if (left + needed > width_px) break;
         cv::Mat pixels(image.height_px(), image.width_px(), CV_8UC3, image.data());
         cv::rectangle(pixels,
@@ -156,11 +159,17 @@ RgbImage stacked(const std::vector<RgbImage>& images) {
     return canvas;
 }
 
-void write_strips(const ReportData& data, const std::filesystem::path& folder) {
-    std::vector<RgbImage> strips(data.views.size());
-    core::parallel_for(data.views.size(), core::hardware_threads(), [&](std::size_t i) {
-        strips[i] = strip_of(cells_of(data, data.views[i]));
+/// The strips of the first `count` views, each as wide as its cells need.
+std::vector<RgbImage> strips_of(const ReportData& data, std::size_t count, int cell_px) {
+    std::vector<RgbImage> strips(std::min(count, data.views.size()));
+    core::parallel_for(strips.size(), core::hardware_threads(), [&](std::size_t i) {
+        strips[i] = strip_of(cells_of(data, data.views[i], cell_px));
     });
+    return strips;
+}
+
+void write_strips(const ReportData& data, const std::filesystem::path& folder) {
+    const auto strips = strips_of(data, data.views.size(), kStripCell_px);
     std::set<std::string> taken = {"overview"};
     for (std::size_t i = 0; i < strips.size(); ++i) {
         const std::string stem = file_stem(data.views[i].scene);
@@ -170,9 +179,15 @@ void write_strips(const ReportData& data, const std::filesystem::path& folder) {
         image_io::write_png(stacked({strips[i], legend(strips[i].width_px())}),
                             folder / (name + ".png"));
     }
+}
+
+void write_overview(const ReportData& data, const std::filesystem::path& folder) {
+    auto strips = strips_of(data, kOverviewStrips, kOverviewCell_px);
     if (strips.empty()) return;
-    strips.resize(std::min(strips.size(), kOverviewStrips));
-    strips.push_back(legend(strips.front().width_px()));
+    int width_px = 0;
+    for (const RgbImage& strip : strips)
+        width_px = std::max(width_px, strip.width_px());
+    strips.push_back(legend(width_px));
     image_io::write_png(stacked(strips), folder / "overview.png");
 }
 
@@ -204,6 +219,7 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
     write_whole_file(figures / "classes.svg",
                      class_chart(summaries).file("Recall per line class and method"));
     write_strips(data, figures);
+    write_overview(data, figures);
 }
 
 }  // namespace ink::lab

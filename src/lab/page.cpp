@@ -124,7 +124,7 @@ std::string header_html(const Material& m) {
         "<p class=\"lead\">{}{}</p>{}{}</div></header>\n",
         page_mark(),
         headline(m.verdict),
-        escape(verdict_sentence(m.data.rows, m.summaries)),
+        escape(verdict_details(m.data.rows, m.summaries)),
         context_sentences(m),
         facts_html(m),
         void_html(m.data.rows));
@@ -226,11 +226,12 @@ std::string main_html(const Material& m) {
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "
                     "method of each scene in bold.",
                     scene_heat_html(rows, m.summaries, pictured_scenes(m.scenes)));
-    html += section("pictures",
-                    "Truth and methods, side by side",
-                    "One view per scene. Drag across a picture, or move the divider below it with "
-                    "the arrow keys: truth to the left, the method to the right.",
-                    scenes_html(m.scenes, rows));
+    html += section(
+        "pictures",
+        "Truth and methods, side by side",
+        "One view per scene. Drag across a picture, or move the divider below it with "
+        "the arrow keys: truth to the left, the method to the right.",
+        scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
