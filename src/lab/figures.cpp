@@ -83,16 +83,34 @@ std::string caption_of(const std::vector<Row>& rows,
     return method;
 }
 
-std::vector<Cell> cells_of(const ReportData& data, const ShownView& view, int cell_px) {
+/// Truth and errors of a view, once, for strips of any size.
+struct MarkedView {
+    const ShownView* view = nullptr;
+    std::vector<Marks> marks;  ///< one per picture of the view
+};
+
+std::vector<MarkedView> mark_views(const std::vector<ShownView>& views) {
+    std::vector<MarkedView> marked(views.size());
+    core::parallel_for(views.size(), core::hardware_threads(), [&](std::size_t i) {
+        marked[i].view = &views[i];
+        for (const MethodPicture& picture : views[i].pictures) {
+            const Marks marks =
+                mark_errors(views[i].labels, picture.strength, {.threshold = picture.threshold});
+            marked[i].marks.push_back(marks);
+        }
+    });
+    return marked;
+}
+
+std::vector<Cell> cells_of(const std::vector<Row>& rows, const MarkedView& marked, int cell_px) {
+    const ShownView& view = *marked.view;
     const int factor = shrink_factor(view.labels.width_px(), cell_px);
     std::vector<Cell> cells;
     cells.push_back({truth_picture(shrink(view.labels, factor)),
                      fmt::format("{} {}: truth", view.scene, view.view)});
-    for (const MethodPicture& picture : view.pictures) {
-        const Marks marks =
-            mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
-        cells.push_back(
-            {error_picture(shrink(marks, factor)), caption_of(data.rows, view, picture.method)});
+    for (std::size_t i = 0; i < marked.marks.size(); ++i) {
+        cells.push_back({error_picture(shrink(marked.marks[i], factor)),
+                         caption_of(rows, view, view.pictures[i].method)});
     }
     return cells;
 }
@@ -159,34 +177,35 @@ RgbImage stacked(const std::vector<RgbImage>& images) {
     return canvas;
 }
 
-/// The strips of the first `count` views, each as wide as its cells need.
-std::vector<RgbImage> strips_of(const ReportData& data, std::size_t count, int cell_px) {
-    std::vector<RgbImage> strips(std::min(count, data.views.size()));
-    core::parallel_for(strips.size(), core::hardware_threads(), [&](std::size_t i) {
-        strips[i] = strip_of(cells_of(data, data.views[i], cell_px));
-    });
-    return strips;
-}
-
-void write_strips(const ReportData& data, const std::filesystem::path& folder) {
-    const auto strips = strips_of(data, data.views.size(), kStripCell_px);
+void write_strips(const std::vector<Row>& rows,
+                  const std::vector<MarkedView>& views,
+                  const std::filesystem::path& folder) {
+    std::vector<std::string> names;
     std::set<std::string> taken = {"overview"};
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        const std::string stem = file_stem(data.views[i].scene);
+    for (const MarkedView& marked : views) {
+        const std::string stem = file_stem(marked.view->scene);
         std::string name = stem;
         for (int n = 2; !taken.insert(name).second; ++n)
             name = fmt::format("{}.{}", stem, n);
-        image_io::write_png(stacked({strips[i], legend(strips[i].width_px())}),
-                            folder / (name + ".png"));
+        names.push_back(name + ".png");
     }
+    core::parallel_for(views.size(), core::hardware_threads(), [&](std::size_t i) {
+        const RgbImage strip = strip_of(cells_of(rows, views[i], kStripCell_px));
+        image_io::write_png(stacked({strip, legend(strip.width_px())}), folder / names[i]);
+    });
 }
 
-void write_overview(const ReportData& data, const std::filesystem::path& folder) {
-    auto strips = strips_of(data, kOverviewStrips, kOverviewCell_px);
-    if (strips.empty()) return;
+/// The first strips below each other, small enough to open a README with.
+void write_overview(const std::vector<Row>& rows,
+                    const std::vector<MarkedView>& views,
+                    const std::filesystem::path& folder) {
+    std::vector<RgbImage> strips;
     int width_px = 0;
-    for (const RgbImage& strip : strips)
-        width_px = std::max(width_px, strip.width_px());
+    for (std::size_t i = 0; i < std::min(kOverviewStrips, views.size()); ++i) {
+        strips.push_back(strip_of(cells_of(rows, views[i], kOverviewCell_px)));
+        width_px = std::max(width_px, strips.back().width_px());
+    }
+    if (strips.empty()) return;
     strips.push_back(legend(width_px));
     image_io::write_png(stacked(strips), folder / "overview.png");
 }
@@ -218,8 +237,9 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
                      front_chart(summaries).file("Error against time, per method"));
     write_whole_file(figures / "classes.svg",
                      class_chart(summaries).file("Recall per line class and method"));
-    write_strips(data, figures);
-    write_overview(data, figures);
+    const std::vector<MarkedView> views = mark_views(data.views);
+    write_strips(data.rows, views, figures);
+    write_overview(data.rows, views, figures);
 }
 
 }  // namespace ink::lab
