@@ -5,11 +5,6 @@
 #include <glm/geometric.hpp>
 
 namespace ink::methods {
-namespace {
-
-constexpr double kNearestShareOfFar = 1.0 / 64;
-
-}  // namespace
 
 raster::DepthRange depth_range(RangeSource source,
                                const scene::Camera& camera,
@@ -19,10 +14,8 @@ raster::DepthRange depth_range(RangeSource source,
         const glm::dvec3 center_view =
             camera.view_from_world * (bounds.center_world - camera.eye_world);
         const double far = -center_view.z + bounds.radius;
-        if (far > camera.near) {
-            const double near = std::max(-center_view.z - bounds.radius, far * kNearestShareOfFar);
-            range = {std::max(near, camera.near), far};
-        }
+        const double near = -center_view.z - bounds.radius;
+        if (far > camera.near) range = {std::max(near, camera.near), far};
     }
     // A flat scene seen face-on has no extent; 1/w needs some.
     range.far = std::max(range.far, range.near * (1 + 1e-6));

@@ -17,9 +17,8 @@ enum class RangeSource {
 /// The distances between which depth runs from 1 to 0 on one view. Both positive, near < far,
 /// whatever the sphere: one wholly behind the eye gives the camera's range.
 ///
-/// `fit` is centre distance -+ radius. An eye inside the sphere, or close to it, would make near 0
-/// and leave 1/w nothing for the scene, so near is at least far / 64; what stands nearer has a
-/// depth above 1.
+/// `fit` is centre distance -+ radius, near no less than the camera's: nothing nearer is drawn, so
+/// whatever is drawn has a depth of 0..1 and no code built to fit can overflow.
 [[nodiscard]] raster::DepthRange depth_range(RangeSource source,
                                              const scene::Camera& camera,
                                              const scene::Sphere& bounds);

@@ -18,7 +18,8 @@ struct PackParams : InputParams {
     int scale_bits = 0;
     bool fatten = false;
     int sky = 0;
-    int threshold = 4;  ///< the smallest strength that two clipped bits leave
+    int threshold =
+        16;  ///< in a byte, a quarter of a full-range step; smooth curvature stays below
 };
 
 /// Appends the rows of PackParams, those of InputParams first; `max_code` is the largest the store

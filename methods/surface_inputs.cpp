@@ -1,9 +1,7 @@
 #include "methods/surface_inputs.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "core/parallel.h"
@@ -12,14 +10,6 @@ namespace ink::methods {
 namespace {
 
 constexpr std::size_t kRun = 4096;
-
-/// A triangle cut at a plane: up to four corners, in order.
-struct Polygon {
-    std::array<std::uint32_t, 4> corners{};
-    std::uint32_t count = 0;
-
-    void add(std::uint32_t corner) { corners[count++] = corner; }
-};
 
 }  // namespace
 
@@ -54,56 +44,23 @@ void SurfaceInputs::see(const Frame& frame) {
 
 void SurfaceInputs::transform(const Frame& frame) {
     const std::size_t count = surface_.p_world.size();
-    p_clip_.resize(count);
-    n_view_.resize(count);
+    vertices_.p_clip.resize(count);
+    vertices_.n_view.resize(count);
     const scene::Projection projection(frame.view);
     const glm::mat3 view_from_world(camera_.view_from_world);
-    std::atomic<bool> crosses_near = false;
+    std::atomic<bool> needs_cutting = false;
     for_runs(count, frame.threads, [&](std::size_t first, std::size_t last) {
-        double nearest = camera_.near;
+        bool found = false;
         for (std::size_t i = first; i < last; ++i) {
-            p_clip_[i] = projection.to_clip(surface_.p_world[i]);
-            n_view_[i] = view_from_world * surface_.n_world[i];
-            nearest = std::min(nearest, p_clip_[i].z);
+            const glm::dvec3 p = projection.to_clip(surface_.p_world[i]);
+            vertices_.p_clip[i] = p;
+            vertices_.n_view[i] = view_from_world * surface_.n_world[i];
+            found |= needs_cut(p, camera_.near);
         }
-        if (nearest < camera_.near) crosses_near = true;
+        if (found) needs_cutting = true;
     });
-    is_cut_ = crosses_near;
-    if (is_cut_) cut_at_near(camera_.near);
-}
-
-/// Both neighbours of an edge compute its cut from the same end, so they get the same bits.
-void SurfaceInputs::cut_at_near(double near) {
-    cut_triangles_.clear();
-    cut_facing_.clear();
-    const auto is_inside = [&](std::uint32_t v) { return p_clip_[v].z >= near; };
-    const auto cut = [&](std::uint32_t inside, std::uint32_t outside) {
-        const glm::dvec3 a = p_clip_[inside];
-        const glm::dvec3 b = p_clip_[outside];
-        const double t = (a.z - near) / (a.z - b.z);
-        const glm::dvec3 p = a + t * (b - a);
-        const glm::vec3 n = glm::mix(n_view_[inside], n_view_[outside], static_cast<float>(t));
-        p_clip_.emplace_back(p.x, p.y, near);
-        n_view_.push_back(n);
-        return static_cast<std::uint32_t>(p_clip_.size() - 1);
-    };
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-        const scene::Triangle& triangle = surface_.triangles[t];
-        Polygon polygon;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t from = triangle[i];
-            const std::uint32_t to = triangle[(i + 1) % 3];
-            if (is_inside(from)) polygon.add(from);
-            if (is_inside(from) != is_inside(to)) {
-                polygon.add(is_inside(from) ? cut(from, to) : cut(to, from));
-            }
-        }
-        for (std::uint32_t i = 2; i < polygon.count; ++i) {
-            cut_triangles_.push_back(
-                {polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]});
-            cut_facing_.push_back(facing_[t]);
-        }
-    }
+    is_cut_ = needs_cutting;
+    if (is_cut_) cut_triangles(surface_.triangles, facing_, camera_.near, vertices_, cut_);
 }
 
 void SurfaceInputs::gather_channels(const DepthCarrier& carrier,
@@ -117,8 +74,8 @@ void SurfaceInputs::gather_channels(const DepthCarrier& carrier,
             const float depth = carrier.at_vertex(w(i));
             front[4 * i] = back[4 * i] = depth;
             for (int k = 0; k < 3; ++k) {
-                front[4 * i + 1 + k] = n_view_[i][k];
-                back[4 * i + 1 + k] = -n_view_[i][k];
+                front[4 * i + 1 + k] = vertices_.n_view[i][k];
+                back[4 * i + 1 + k] = -vertices_.n_view[i][k];
             }
         }
     });
@@ -126,9 +83,9 @@ void SurfaceInputs::gather_channels(const DepthCarrier& carrier,
 
 raster::PassInput SurfaceInputs::pass_input() const {
     raster::PassInput input;
-    input.p_clip = p_clip_;
-    input.triangles = is_cut_ ? std::span(cut_triangles_) : std::span(surface_.triangles);
-    input.facing = is_cut_ ? std::span(cut_facing_) : std::span(facing_);
+    input.p_clip = vertices_.p_clip;
+    input.triangles = is_cut_ ? std::span(cut_.triangles) : std::span(surface_.triangles);
+    input.facing = is_cut_ ? std::span(cut_.facing) : std::span(facing_);
     input.near = camera_.near;
     input.far = camera_.far;
     return input;

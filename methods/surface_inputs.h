@@ -10,6 +10,7 @@
 #include "core/param.h"
 #include "methods/depth_code.h"
 #include "methods/method.h"
+#include "methods/vertex_cut.h"
 #include "raster/pass.h"
 #include "scene/surface.h"
 
@@ -68,8 +69,7 @@ core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
 /// twice.
 ///
 /// Every corner that a triangle uses lies at or beyond the near plane: triangles that cross it are
-/// cut first, so that what is computed at vertices (1/w above all) is computed at the cut, as a
-/// 1998 engine did.
+/// cut before anything is computed at vertices, as a 1998 engine did (methods/vertex_cut.h).
 class SurfaceInputs {
   public:
     explicit SurfaceInputs(const InputParams& params);
@@ -84,9 +84,9 @@ class SurfaceInputs {
     /// Whether there is nothing to draw.
     [[nodiscard]] bool is_empty() const { return surface_.triangles.empty(); }
     /// Corners that see() left, those at cuts included.
-    [[nodiscard]] std::size_t corner_count() const { return p_clip_.size(); }
+    [[nodiscard]] std::size_t corner_count() const { return vertices_.p_clip.size(); }
     /// Their normals in view space, unit but at cuts; of a triangle's front side.
-    [[nodiscard]] std::span<const glm::vec3> n_view() const { return n_view_; }
+    [[nodiscard]] std::span<const glm::vec3> n_view() const { return vertices_.n_view; }
     [[nodiscard]] const raster::DepthRange& range() const { return range_; }
     /// Depth as `carrier` carries it and the view-space normal, four floats per corner: `front`,
     /// and `back` with the normal negated.
@@ -96,25 +96,24 @@ class SurfaceInputs {
                          std::vector<float>& back) const;
     /// Distance of corner i along the gaze; what a cut left unused counts as lying at the near
     /// plane.
-    [[nodiscard]] double w(std::size_t i) const { return std::max(p_clip_[i].z, camera_.near); }
+    [[nodiscard]] double w(std::size_t i) const {
+        return std::max(vertices_.p_clip[i].z, camera_.near);
+    }
     /// A pass over this surface that still lacks values and sky.
     [[nodiscard]] raster::PassInput pass_input() const;
 
   private:
     void transform(const Frame& frame);
-    void cut_at_near(double near);
 
     InputParams params_;
     scene::Surface surface_;
     scene::Sphere bounds_;
     std::uint64_t posed_hash_ = 0;
 
-    std::vector<glm::dvec3> p_clip_;
-    std::vector<glm::vec3> n_view_;
+    CutVertices vertices_;
     std::vector<std::int8_t> facing_;
-    std::vector<scene::Triangle> cut_triangles_;
-    std::vector<std::int8_t> cut_facing_;
-    bool is_cut_ = false;
+    CutTriangles cut_;
+    bool is_cut_ = false;  ///< whether `cut_` is drawn in place of the surface's own triangles
     scene::Camera camera_;
     raster::DepthRange range_;
 };

@@ -16,8 +16,11 @@ class Mote16 : public PackedBuffer {
         four_fours,   ///< depth, x, y, z in 4 bits each, depth highest
     };
     struct Params : PackParams {
-        /// Strength 4 is then 256 codes of 65536, what it is 1 of 256 codes in a byte.
-        Params() { scale_bits = -6; }
+        /// Strengths are then finer than a byte's by four; the threshold stands at the same step.
+        Params() {
+            scale_bits = -6;
+            threshold = 64;
+        }
         Layout layout = Layout::sum;
         double range_depth = 16383;
         double range_nx = 16383;

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "lab/entrants.h"
 
 namespace ink::cli {
 namespace {

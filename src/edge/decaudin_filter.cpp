@@ -1,10 +1,24 @@
 #include "edge/decaudin_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
 namespace ink::edge {
+namespace {
+
+constexpr int kStretch = 64;
+
+// By value: std::min and std::max hand on references, which keeps the compiler from vectorising.
+inline float lower(float a, float b) {
+    return b < a ? b : a;
+}
+inline float higher(float a, float b) {
+    return a < b ? b : a;
+}
+
+}  // namespace
 
 void decaudin_g_row(const float* up, const float* mid, const float* down, float* g, int width) {
     float* __restrict out = g;
@@ -25,17 +39,26 @@ void decaudin_p_row(const float* g_up,
                     int width,
                     const DecaudinK& k) {
     assert(k.k > 0);
-    // ((d / k)^2 and d^2 / k as one product each: (d * scale)^2 * factor.
+    // (d / k)^2 and d^2 / k as one product each: (d * scale)^2 * factor.
     const float scale = k.place == KPlace::inside ? 1 / k.k : 1;
     const float factor = k.place == KPlace::inside ? 1 : 1 / k.k;
-    float* __restrict out = p;
-    const auto low = [&](int x) { return std::min(std::min(g_up[x], g_mid[x]), g_down[x]); };
-    const auto high = [&](int x) { return std::max(std::max(g_up[x], g_mid[x]), g_down[x]); };
-    for (int x = 0; x < width; ++x) {
-        const float g_min = std::min(std::min(low(x - 1), low(x)), low(x + 1));
-        const float g_max = std::max(std::max(high(x - 1), high(x)), high(x + 1));
-        const float d = (g_max - g_min) * scale;
-        out[x] = std::min(d * d * factor, 1.0F);
+    // Columns first, then rows, a stretch at a time: half the comparisons, nothing allocated.
+    std::array<float, kStretch + 2> low;
+    std::array<float, kStretch + 2> high;
+    for (int x0 = 0; x0 < width; x0 += kStretch) {
+        const int count = std::min(kStretch, width - x0);
+        for (int i = 0; i < count + 2; ++i) {
+            const int x = x0 + i - 1;
+            low[i] = lower(lower(g_up[x], g_mid[x]), g_down[x]);
+            high[i] = higher(higher(g_up[x], g_mid[x]), g_down[x]);
+        }
+        float* __restrict out = p + x0;
+        for (int i = 0; i < count; ++i) {
+            const float g_min = lower(lower(low[i], low[i + 1]), low[i + 2]);
+            const float g_max = higher(higher(high[i], high[i + 1]), high[i + 2]);
+            const float d = (g_max - g_min) * scale;
+            out[i] = lower(d * d * factor, 1.0F);
+        }
     }
 }
 

@@ -35,4 +35,23 @@ struct DepthRange {
 /// else.
 [[nodiscard]] double encode_depth(DepthEncoding encoding, double w, const DepthRange& range);
 
+/// Rounds q = 1/w to the whole steps of z24 or z16: with d = (1/near - q) / (1/near - 1/far)
+/// OpenGL's window depth, max - d * max to the nearest, at least 1.
+class QuantisedDepth {
+  public:
+    /// `near` and `far` are not looked at for q32.
+    QuantisedDepth(DepthFormat format, double near, double far);
+
+    [[nodiscard]] std::uint32_t of(double q) const {
+        const double z = q * scale_ + offset_;  // the half of rounding is in the offset
+        if (!(z >= 1)) return 1;
+        return z >= steps_ ? static_cast<std::uint32_t>(steps_) : static_cast<std::uint32_t>(z);
+    }
+
+  private:
+    double steps_;
+    double scale_ = 0;
+    double offset_ = 0;
+};
+
 }  // namespace ink::raster

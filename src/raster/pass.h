@@ -56,7 +56,8 @@ struct PassFormat {
     [[nodiscard]] int planes() const {
         return store == Store::none ? 0 : (interpolants > 0 ? interpolants : 1);
     }
-    /// Bytes a pixel keeps, depth included: what a row's `bytes_per_px` reports.
+    /// Bytes a pixel keeps, depth included (q32 4, z24 3, z16 2): what a row's `bytes_per_px`
+    /// reports, whatever a buffer pads it to.
     [[nodiscard]] int bytes_per_px() const;
 };
 

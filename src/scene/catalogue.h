@@ -12,10 +12,13 @@ struct CatalogueEntry {
     std::string name;  ///< what `--scenes` and the rows call it
     Split split;
     std::string summary;  ///< one line: what it is and what it tries
-    Scene (*make)();      ///< checked, named, cameras fitted (16:9), lights set
+    Scene (*build)();     ///< without name, split and check: call `make`
+
+    /// The scene: checked, named, in its split, 16:9 cameras fitted, lights set.
+    [[nodiscard]] Scene make() const;
 };
 
-/// All built-in scenes in a fixed order; names are unique.
+/// All built-in scenes in a fixed order, training scenes first; names are unique.
 [[nodiscard]] const std::vector<CatalogueEntry>& catalogue();
 
 /// The scene called `name`. Throws Error that lists the known names if there is none.

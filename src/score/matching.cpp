@@ -143,9 +143,11 @@ void Matcher::augment() {
     }
 }
 
-/// Counted before anything is stored, so that too many are a message and not a machine out of
+/// Counts before anything is stored, so that too many are a message and not a machine out of
 /// memory.
-std::size_t count_pairs(const PixelList& left, const PixelList& right, const Disk& disk) {
+void check_pairs(const PixelList& left, const PixelList& right, const Disk& disk) {
+    const auto reach = static_cast<std::size_t>(2 * disk.radius_px() + 1);
+    if (left.size() * reach * reach <= kMaxPairs) return;
     std::size_t pairs = 0;
     visit_reach(left, right, disk, [&](std::size_t, std::size_t first, std::size_t last) {
         pairs += last - first;
@@ -155,7 +157,6 @@ std::size_t count_pairs(const PixelList& left, const PixelList& right, const Dis
                               "a smaller tolerance or thinner lines");
         }
     });
-    return pairs;
 }
 
 /// Appends the right side's lists: the left side's, turned round.
@@ -180,11 +181,11 @@ void append_transposed(CandidateGraph& graph) {
 }  // namespace
 
 CandidateGraph candidate_graph(const PixelList& left, const PixelList& right, const Disk& disk) {
+    check_pairs(left, right, disk);
     CandidateGraph graph;
     graph.n_left = left.size();
     graph.n_right = right.size();
     graph.begin.assign(graph.n_left + 1, 0);
-    graph.neighbours.reserve(2 * count_pairs(left, right, disk));
     visit_reach(left, right, disk, [&](std::size_t i, std::size_t first, std::size_t last) {
         for (std::size_t j = first; j < last; ++j) {
             graph.neighbours.push_back(static_cast<std::uint32_t>(graph.n_left + j));

@@ -75,7 +75,9 @@ class BoxTree {
         const glm::dvec3 size = box.high - box.low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t middle = begin + (end - begin) / 2;
-        const auto key = [&](std::uint32_t i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
+        const auto key = [&](std::uint32_t i) {
+            return boxes_[i].low[axis] + boxes_[i].high[axis];
+        };
         std::nth_element(order_.begin() + begin,
                          order_.begin() + middle,
                          order_.begin() + end,

@@ -125,20 +125,53 @@ std::optional<Continuation> continuation(const Border& border,
                                          const ContinuationOptions& options) {
     const glm::dvec3 across = glm::cross(triangle.normal, border.along);
     const double sine = glm::length(across);
-    // The edge pierces the triangle steeply: they share a point, not a stretch.
-    if (sine < 0.5) return std::nullopt;
+    // The edge pierces the triangle steeply: they share a point, not a stretch. (Nor does a
+    // triangle so thin that its normal is not a number.)
+    if (!(sine >= 0.5)) return std::nullopt;
     for (const double sign : {1.0, -1.0}) {
         const glm::dvec3 into = across * (sign / sine);
         const double cosine = glm::dot(border.inward, into);
         const double bend =
-            std::acos(-1.0) -
-            std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
+            std::acos(-1.0) - std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
         if (bend >= options.crease_rad) continue;
         const Stretch s = shared_stretch(border, triangle, into, options.tolerance);
-        if ((s.end - s.begin) * border.length < kShortestStretch * options.tolerance) continue;
+        if (s.end <= s.begin) continue;
         return Continuation{border.edge, s.begin, s.end, 0, into};
     }
     return std::nullopt;
+}
+
+/// Takes away the stretches of one edge that, joined with those they touch, are no longer than a
+/// contact at a corner. `begin` to `end` are the stretches of the edge in ascending order.
+void keep_long_runs(std::vector<Continuation>::const_iterator begin,
+                    std::vector<Continuation>::const_iterator end,
+                    double shortest,
+                    std::vector<Continuation>& kept) {
+    while (begin != end) {
+        double run_end = begin->t_end;
+        auto next = begin + 1;
+        for (; next != end && next->t_begin <= run_end + shortest / 2; ++next)
+            run_end = std::max(run_end, next->t_end);
+        if (run_end - begin->t_begin >= shortest) kept.insert(kept.end(), begin, next);
+        begin = next;
+    }
+}
+
+/// The same for all edges.
+std::vector<Continuation> without_contacts(const scene::Topology& topology,
+                                           const std::vector<Continuation>& sorted,
+                                           double shortest) {
+    std::vector<Continuation> kept;
+    for (auto begin = sorted.begin(); begin != sorted.end();) {
+        auto end = begin;
+        while (end != sorted.end() && end->edge == begin->edge)
+            ++end;
+        const scene::Edge& edge = topology.edges[begin->edge];
+        const double length = glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
+        keep_long_runs(begin, end, shortest / length, kept);
+        begin = end;
+    }
+    return kept;
 }
 
 Triangle triangle_of(const scene::Topology& topology, const scene::Face& face) {
@@ -188,7 +221,7 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
     std::sort(all.begin(), all.end(), [](const Continuation& x, const Continuation& y) {
         return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
     });
-    return all;
+    return without_contacts(topology, all, kShortestStretch * options.tolerance);
 }
 
 }  // namespace ink::truth

@@ -11,11 +11,11 @@ namespace ink::truth {
 /// A stretch of a boundary edge across which the surface goes on, though no vertices are shared:
 /// a T-junction, a crack narrower than the weld tolerance, a flat overlap.
 struct Continuation {
-    std::uint32_t edge = 0;     ///< an edge of one face
-    double t_begin = 0;         ///< the stretch is a + t (b - a), t_begin <= t <= t_end
+    std::uint32_t edge = 0;  ///< an edge of one face
+    double t_begin = 0;      ///< the stretch is a + t (b - a), t_begin <= t <= t_end
     double t_end = 1;
-    std::uint32_t face = 0;     ///< the face that goes on
-    glm::dvec3 into_world{0};   ///< unit: in that face, orthogonal to the edge, away from it
+    std::uint32_t face = 0;    ///< the face that goes on
+    glm::dvec3 into_world{0};  ///< unit: in that face, orthogonal to the edge, away from it
 };
 
 /// How near and how flat two faces must lie for the surface to go on from one to the other.
@@ -33,9 +33,9 @@ struct ContinuationOptions {
 ///
 /// A face goes on from a point of the edge if it holds a point beside it (two tolerances into the
 /// face, orthogonal to the edge). So a face that meets the edge with its own border counts, and so
-/// does one that runs on below it. Stretches shorter than eight tolerances are contacts at a corner
-/// and are left out; edges as short as that have none. Says nothing about any eye: whether the two
-/// faces lie on different sides of the line of sight is for the caller to see.
+/// does one that runs on below it. Runs of stretches shorter than eight tolerances are contacts at
+/// a corner and are left out; edges as short as that have none. Says nothing about any eye: whether
+/// the two faces lie on different sides of the line of sight is for the caller to see.
 ///
 /// O((faces + boundary edges) log(boundary edges)) plus the pairs whose boxes touch.
 [[nodiscard]] std::vector<Continuation> find_continuations(const scene::Topology& topology,

@@ -13,12 +13,14 @@
 
 namespace ink::truth::embree {
 
+alignas(16) inline constexpr int kAllFour[4] = {-1, -1, -1, -1};  ///< every ray of a packet counts
+
 #if RTC_VERSION_MAJOR >= 4
 
 using Context = RTCRayQueryContext;
-inline constexpr auto kSceneFlags = static_cast<RTCSceneFlags>(
-    static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
-    static_cast<int>(RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS));
 
 inline void init_context(Context& context) {
     rtcInitRayQueryContext(&context);
@@ -33,6 +35,17 @@ inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter
     rtcOccluded1(scene, &ray, &arguments);
 }
 
+inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay4& rays) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    arguments.filter = filter;
+    arguments.flags =
+        static_cast<RTCRayQueryFlags>(static_cast<int>(RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER) |
+                                      static_cast<int>(RTC_RAY_QUERY_FLAG_COHERENT));
+    rtcOccluded4(kAllFour, scene, &rays, &arguments);
+}
+
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
@@ -45,9 +58,9 @@ inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filte
 #else
 
 using Context = RTCIntersectContext;
-inline constexpr auto kSceneFlags = static_cast<RTCSceneFlags>(
-    static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
-    static_cast<int>(RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+inline constexpr auto kSceneFlags =
+    static_cast<RTCSceneFlags>(static_cast<int>(RTC_SCENE_FLAG_ROBUST) |
+                               static_cast<int>(RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
 
 inline void init_context(Context& context) {
     rtcInitIntersectContext(&context);
@@ -56,6 +69,12 @@ inline void init_context(Context& context) {
 inline void occluded(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay& ray) {
     context.filter = filter;
     rtcOccluded1(scene, &context, &ray);
+}
+
+inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRay4& rays) {
+    context.filter = filter;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded4(kAllFour, scene, &context, &rays);
 }
 
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {

@@ -90,13 +90,15 @@ RTCRay make_ray(const EyeRay& ray, double scale) {
 
 void confirm_any(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
-    assert(args->N == 1);
-    if (args->valid[0] == 0) return;
-    const unsigned face = RTCHitN_primID(args->hit, args->N, 0);
-    if (!query.confirm.function(query.confirm.object, face)) args->valid[0] = 0;
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (args->valid[i] == 0) continue;
+        const unsigned face = RTCHitN_primID(args->hit, args->N, i);
+        if (!query.confirm.function(query.confirm.object, face)) args->valid[i] = 0;
+    }
 }
 
-/// Equal distances go to the lower face, or the answer would hang on the order of the tree's leaves.
+/// Equal distances go to the lower face, or the answer would hang on the order of the tree's
+/// leaves.
 void confirm_first(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);
     assert(args->N == 1);
@@ -148,6 +150,26 @@ bool EyeScene::any_of(const EyeRay& ray, Callback confirm) const {
     RTCRay rtc_ray = make_ray(ray, scale_);
     embree::occluded(handles_->scene, query.context, &confirm_any, rtc_ray);
     return rtc_ray.tfar < 0;
+}
+
+bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
+                             const RayRange& range,
+                             Callback confirm) const {
+    EyeSceneQuery query{};
+    embree::init_context(query.context);
+    query.confirm = confirm;
+    RTCRay4 packet{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const RTCRay ray = make_ray({directions_world[i], range.t_near, range.t_far}, scale_);
+        packet.dir_x[i] = ray.dir_x;
+        packet.dir_y[i] = ray.dir_y;
+        packet.dir_z[i] = ray.dir_z;
+        packet.tnear[i] = ray.tnear;
+        packet.tfar[i] = ray.tfar;
+        packet.mask[i] = ray.mask;
+    }
+    embree::occluded_4(handles_->scene, query.context, &confirm_any, packet);
+    return std::any_of(packet.tfar, packet.tfar + 4, [](float t) { return t < 0; });
 }
 
 std::optional<EyeScene::Hit> EyeScene::first_of(const EyeRay& ray, Callback confirm) const {

@@ -9,8 +9,8 @@
 namespace ink::truth {
 namespace {
 
-constexpr std::size_t kChunk = 4096;    ///< vertices, faces or edges a task
-constexpr double kShortestSlit = 4;     ///< weld tolerances
+constexpr std::size_t kChunk = 4096;  ///< vertices, faces or edges a task
+constexpr double kShortestSlit = 4;   ///< weld tolerances
 
 template <class Body>
 void for_all(std::size_t count, int threads, Body&& body) {

@@ -26,16 +26,16 @@ struct EyeView {
     int width_px = 0;
     int height_px = 0;
     double near = 0;
-    std::vector<glm::dvec3> p_clip;      ///< per vertex, (x, y, w) as Projection::to_clip has them
-    std::vector<std::int8_t> facing;     ///< per face: 1 front, -1 back, 0 edge-on, exact
-    std::vector<LineClass> edge_class;   ///< per edge; a boundary here may yet be a defect in parts
+    std::vector<glm::dvec3> p_clip;     ///< per vertex, (x, y, w) as Projection::to_clip has them
+    std::vector<std::int8_t> facing;    ///< per face: 1 front, -1 back, 0 edge-on, exact
+    std::vector<LineClass> edge_class;  ///< per edge; a boundary here may yet be a defect in parts
 
     EyeView(const Model& model, const scene::View& view, int threads);
 
     [[nodiscard]] const glm::dvec3& eye_world() const { return projection.eye_world(); }
 
-    /// On which side of the plane through the eye and the edge its i-th face lies: 1, -1, or 0 for a
-    /// face in that plane. Exact.
+    /// On which side of the plane through the eye and the edge its i-th face lies: 1, -1, or 0 for
+    /// a face in that plane. Exact.
     [[nodiscard]] int side(const scene::Edge& edge, std::size_t i) const {
         return facing[model.topology.edge_faces[edge.first_face + i]] *
                model.runs[edge.first_face + i];
@@ -48,8 +48,9 @@ struct EyeView {
     /// the surface goes on before the eye; else it folds there, and the eye sees its rim.
     [[nodiscard]] bool goes_on(const Continuation& continuation) const;
 
-    /// The class of a point of an edge: edge_class, save that a stretch of boundary across which the
-    /// surface goes on is a `seam` if another object goes on and else `none`: a defect, not drawn.
+    /// The class of a point of an edge: edge_class, save that a stretch of boundary across which
+    /// the surface goes on is a `seam` if another object goes on and else `none`: a defect, not
+    /// drawn.
     [[nodiscard]] LineClass class_at(std::uint32_t edge, double t) const;
 };
 

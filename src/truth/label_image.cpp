@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kSamplesPerPx = 16;
 constexpr int kBlock_px = 8;
+constexpr int kFullOutOf4 = 3;  ///< a block is full if more than this many quarters of it are drawn
 
 using Labels = core::Image<std::uint8_t>;
 
@@ -31,7 +32,8 @@ void draw(const Curve& curve, Labels& labels) {
 edge::Mask drawn(const Labels& labels) {
     edge::Mask mask(labels.width_px(), labels.height_px());
     std::transform(labels.data(), labels.data() + labels.size(), mask.data(), [](std::uint8_t l) {
-        return static_cast<std::uint8_t>(l != 0 && l != static_cast<std::uint8_t>(LineClass::ignore));
+        return static_cast<std::uint8_t>(l != 0 &&
+                                         l != static_cast<std::uint8_t>(LineClass::ignore));
     });
     return mask;
 }
@@ -48,35 +50,58 @@ void keep(Labels& labels, const edge::Mask& mask) {
     }
 }
 
-struct Block {
-    int x_begin, x_end, y_begin, y_end;
-};
+/// 8x8 blocks of an image, the last ones of a row or column cut off by its border.
+class Blocks {
+  public:
+    Blocks(int width_px, int height_px)
+        : width_px_(width_px),
+          height_px_(height_px),
+          drawn_((width_px + kBlock_px - 1) / kBlock_px, (height_px + kBlock_px - 1) / kBlock_px) {}
 
-std::size_t count(const edge::Mask& mask, const Block& block) {
-    std::size_t n = 0;
-    for (int y = block.y_begin; y < block.y_end; ++y)
-        n += static_cast<std::size_t>(
-            std::count(mask.row(y) + block.x_begin, mask.row(y) + block.x_end, 1));
-    return n;
-}
+    /// Counts the set pixels of each block.
+    void count_in(const edge::Mask& mask) {
+        for (int y = 0; y < height_px_; ++y) {
+            for (int x = 0; x < width_px_; ++x)
+                drawn_.at(x / kBlock_px, y / kBlock_px) += mask.at(x, y);
+        }
+    }
+    [[nodiscard]] int columns() const { return drawn_.width_px(); }
+    [[nodiscard]] int rows() const { return drawn_.height_px(); }
+    [[nodiscard]] bool is_full(int column, int row) const {
+        const int width = std::min(kBlock_px, width_px_ - column * kBlock_px);
+        const int height = std::min(kBlock_px, height_px_ - row * kBlock_px);
+        return kFullOutOf4 * width * height < 4 * drawn_.at(column, row);
+    }
+    /// Full itself, or beside a full one.
+    [[nodiscard]] bool is_crowded(int column, int row) const {
+        for (int r = std::max(0, row - 1); r <= std::min(rows() - 1, row + 1); ++r) {
+            for (int c = std::max(0, column - 1); c <= std::min(columns() - 1, column + 1); ++c) {
+                if (is_full(c, r)) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    int width_px_, height_px_;
+    core::Image<int> drawn_;
+};
 
 /// Marks crowded blocks in `labels` as `ignore`; returns how many drawn pixels they hold.
 std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
+    Blocks blocks(labels.width_px(), labels.height_px());
+    blocks.count_in(before_thinning);
+    core::Image<std::uint8_t> is_crowded(blocks.columns(), blocks.rows());
+    for (int row = 0; row < blocks.rows(); ++row) {
+        for (int column = 0; column < blocks.columns(); ++column)
+            is_crowded.at(column, row) = blocks.is_crowded(column, row) ? 1 : 0;
+    }
     std::size_t crowded = 0;
-    for (int y = 0; y < labels.height_px(); y += kBlock_px) {
-        for (int x = 0; x < labels.width_px(); x += kBlock_px) {
-            const Block block{x,
-                              std::min(x + kBlock_px, labels.width_px()),
-                              y,
-                              std::min(y + kBlock_px, labels.height_px())};
-            const int area = (block.x_end - block.x_begin) * (block.y_end - block.y_begin);
-            const std::size_t n = count(before_thinning, block);
-            if (4 * n <= static_cast<std::size_t>(area)) continue;
-            crowded += n;
-            for (int row = block.y_begin; row < block.y_end; ++row)
-                std::fill(labels.row(row) + block.x_begin,
-                          labels.row(row) + block.x_end,
-                          static_cast<std::uint8_t>(LineClass::ignore));
+    for (int y = 0; y < labels.height_px(); ++y) {
+        for (int x = 0; x < labels.width_px(); ++x) {
+            if (is_crowded.at(x / kBlock_px, y / kBlock_px) == 0) continue;
+            labels.at(x, y) = static_cast<std::uint8_t>(LineClass::ignore);
+            crowded += before_thinning.at(x, y);
         }
     }
     return crowded;

@@ -16,12 +16,21 @@ struct LabelImage {
     double crowded_share = 0;          ///< share of the drawn pixels that lie in crowded blocks
 };
 
-/// Draws curves as the truth image (design, section 5): a pixel that holds a sample of a line, every
-/// 1/16 px along it, both ends included, rounded down; the lower label wins; the union is thinned.
+/// Draws curves as the truth image (design, section 5): a pixel that holds a sample of a line,
+/// every 1/16 px along it, both ends included, rounded down; the lower label wins; the union is
+/// thinned.
 ///
-/// 8x8 blocks (the first at (0,0); cut off at right and bottom) more than a quarter full before
-/// thinning are crowded: all their pixels become `ignore`. What is left is thinned again, so that
-/// thinning the lines of the result changes nothing.
+/// 8x8 blocks (the first at (0,0); cut off at right and bottom) more than three quarters full
+/// before thinning, and the eight blocks round each, are crowded: all their pixels become `ignore`.
+/// What is left is thinned again, so that thinning the lines of the result changes nothing.
+///
+/// Differs from the design, which says a quarter full and no ring. One diagonal line fills nearly a
+/// quarter of a block (15 of 64 pixels), so a quarter calls every meeting of two lines crowded: 83
+/// % of temple.glb at 1280x720, 42 % of the 511 triangles of knight.mdl. And each line that runs
+/// into an ignored block costs a perfect prediction about two surplus pixels there (predicted
+/// pixels within the tolerance of its last truth pixel count), so `sampled` fell to F = .84 and
+/// .94. With three quarters and the ring it is at least .954 and .984; the ring takes in the rim of
+/// filled patches, where what thinning keeps is chance.
 [[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px);
 
 }  // namespace ink::truth

@@ -55,7 +55,8 @@ void join_patches(Model& model) {
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         const auto faces = topology.faces_of(topology.edges[e]);
         if (faces.size() != 2 || model.flat_class[e] != LineClass::none) continue;
-        const auto [low, high] = std::minmax(root_of(parent, faces[0]), root_of(parent, faces[1]));
+        const auto [low, high] =
+            std::minmax({root_of(parent, faces[0]), root_of(parent, faces[1])});
         parent[high] = low;
     }
     // The lowest face is the root, so numbers are given before they are asked for.
@@ -82,10 +83,11 @@ std::size_t count_defects(const Model& model) {
 }  // namespace
 
 std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const {
-    const auto begin = std::lower_bound(
-        continuations.begin(), continuations.end(), edge, [](const Continuation& c, std::uint32_t e) {
-            return c.edge < e;
-        });
+    const auto begin =
+        std::lower_bound(continuations.begin(),
+                         continuations.end(),
+                         edge,
+                         [](const Continuation& c, std::uint32_t e) { return c.edge < e; });
     auto end = begin;
     while (end != continuations.end() && end->edge == edge)
         ++end;

@@ -18,7 +18,8 @@ struct Model {
     double crease_rad = 0;
     bool material_seams = false;
     double tolerance = 0;  ///< weld tolerance, world units
-    /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else -1.
+    /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else
+    /// -1.
     std::vector<std::int8_t> runs;
     /// Per edge of two faces its class where the eye sees them on either side (none, crease or
     /// seam); none for other edges.

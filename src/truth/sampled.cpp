@@ -10,9 +10,9 @@
 namespace ink::truth {
 namespace {
 
-constexpr double kAtHit_px = 1e-3;   ///< design, section 5: an end triangle this near counts as hit
-constexpr double kSameDepth = 1e-7;  ///< relative: rounding between two ways to reach one depth
-constexpr int kMostSteps = 100000;   ///< faces a walk may cross; against endless loops only
+constexpr double kAtHit_px = 1e-3;  ///< design, section 5: an end triangle this near counts as hit
+constexpr double kSameDepth = 1e-10;  ///< relative: rounding between two ways to reach one depth
+constexpr int kMostSteps = 100000;    ///< faces a walk may cross; against endless loops only
 
 /// The segment from one pixel centre to its neighbour: s = 0 at the one, 1 at the other.
 struct Segment {
@@ -167,8 +167,8 @@ class Walker {
         return kNoFace;
     }
 
-    /// The walk ended in a face that holds the far centre, which is not the one that the ray met: the
-    /// ray may have been a hair beside. Looks over the edges within 1e-3 px for the goal.
+    /// The walk ended in a face that holds the far centre, which is not the one that the ray met:
+    /// the ray may have been a hair beside. Looks over the edges within 1e-3 px for the goal.
     void look_round(std::uint32_t f, std::uint32_t goal, Walk& out) const {
         if (goal == kNoFace) return;
         for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
@@ -180,8 +180,8 @@ class Walker {
             if (eye_.class_at(e, *t) == LineClass::none) {
                 out.reached = true;
             } else {
-                const double w = eye_.p_clip[edge.a].z +
-                                 *t * (eye_.p_clip[edge.b].z - eye_.p_clip[edge.a].z);
+                const double w =
+                    eye_.p_clip[edge.a].z + *t * (eye_.p_clip[edge.b].z - eye_.p_clip[edge.a].z);
                 out.feature = {e, 1, 1 / w};
             }
             return;
@@ -205,7 +205,8 @@ class Walker {
     Segment segment_;
 };
 
-/// Whether a feature that one walk crossed is in front of what the walk from the other end ran over.
+/// Whether a feature that one walk crossed is in front of what the walk from the other end ran
+/// over.
 bool is_in_front(const Feature& feature, const Walk& other, double near) {
     if (other.feature && other.feature->edge == feature.edge) return true;
     const auto q = other.q_at(1 - feature.s);
@@ -221,10 +222,8 @@ class PairRule {
     explicit PairRule(const EyeView& eye) : near_(eye.near), walker_(eye) {}
 
     Mark mark(const Segment& forward, std::uint32_t first, std::uint32_t second) {
-        const Segment back{forward.x_px + forward.dx,
-                           forward.y_px + forward.dy,
-                           -forward.dx,
-                           -forward.dy};
+        const Segment back{
+            forward.x_px + forward.dx, forward.y_px + forward.dy, -forward.dx, -forward.dy};
         walk(forward, first, second, there_);
         if (there_.reached) return Mark::none;
         walk(back, second, first, back_);
@@ -232,9 +231,8 @@ class PairRule {
         const bool at_first = there_.feature && is_in_front(*there_.feature, back_, near_);
         const bool at_second = back_.feature && is_in_front(*back_.feature, there_, near_);
         if (at_first && at_second) {
-            const bool is_second_nearer =
-                there_.feature->edge != back_.feature->edge &&
-                back_.feature->q > there_.feature->q * (1 + kSameDepth);
+            const bool is_second_nearer = there_.feature->edge != back_.feature->edge &&
+                                          back_.feature->q > there_.feature->q * (1 + kSameDepth);
             return is_second_nearer ? Mark::second : Mark::first;
         }
         return at_first ? Mark::first : at_second ? Mark::second : Mark::none;

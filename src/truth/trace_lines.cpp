@@ -11,11 +11,11 @@
 namespace ink::truth {
 namespace {
 
-constexpr double kSpacing_px = 1.0 / 4;    ///< samples are at most this far apart
-constexpr double kBisected_px = 1.0 / 512; ///< a change lies in an interval no longer than this
+constexpr double kSpacing_px = 1.0 / 4;     ///< samples are at most this far apart
+constexpr double kBisected_px = 1.0 / 512;  ///< a change lies in an interval no longer than this
 
-// The first and last sample stand this far inside: at a vertex itself many faces touch the point, and
-// whether one of them hides it says nothing about the line.
+// The first and last sample stand this far inside: at a vertex itself many faces touch the point,
+// and whether one of them hides it says nothing about the line.
 constexpr double kInset_px = 1.0 / 1024;
 
 constexpr std::size_t kChunk = 64;  ///< edges a task
@@ -115,15 +115,17 @@ class LineTracer {
         const scene::Edge& edge = topology.edges[line_->edge];
         const glm::dvec3& a = topology.p_world[edge.a];
         const glm::dvec3& b = topology.p_world[edge.b];
-        const EdgePoint point{
-            line_->edge, a + line_->edge_parameter(s) * (b - a), line_->w_at(s)};
+        const EdgePoint point{line_->edge, a + line_->edge_parameter(s) * (b - a), line_->w_at(s)};
         ++out_.samples;
         if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
         if (line_->line_class != LineClass::contour) return State::plain;
         switch (visibility_.kind_behind(point, out_.rays)) {
-            case ContourKind::other_object: return State::against_other;
-            case ContourKind::self: return State::against_self;
-            default: return State::against_sky;
+            case ContourKind::other_object:
+                return State::against_other;
+            case ContourKind::self:
+                return State::against_self;
+            default:
+                return State::against_sky;
         }
     }
 

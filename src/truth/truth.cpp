@@ -35,6 +35,7 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
 
 Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace) {
     const auto begin = std::chrono::steady_clock::now();
+    if (view.width_px <= 0 || view.height_px <= 0) return {};
     const EyeView eye(model, view, trace.threads);
     const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
 
@@ -56,7 +57,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 Truth trace_truth(const scene::Scene& scene, const scene::View& view, const TruthOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     const Model model = build_model(scene, options);
-    Truth truth = trace_truth(model, view, {.threads = options.threads});
+    Truth truth = trace_truth(model, view, {options.threads, options.layers});
     truth.trace_s = seconds_since(begin);
     return truth;
 }

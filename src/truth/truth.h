@@ -18,6 +18,7 @@ struct TruthOptions {
         0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
     bool material_seams = false;  ///< a seam also where only the material differs
     int threads = 1;
+    bool layers = true;  ///< also layers and `sampled`; without, both stay empty
 };
 
 /// A point of a visible line: where it is on the picture and how far away.
@@ -94,6 +95,8 @@ struct TruthTrace {
 
 /// The same from a model (model.h) that serves many views; `trace_s` then leaves the model's own
 /// time out.
-[[nodiscard]] Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace);
+[[nodiscard]] Truth trace_truth(const Model& model,
+                                const scene::View& view,
+                                const TruthTrace& trace);
 
 }  // namespace ink::truth

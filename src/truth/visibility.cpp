@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kBeside = 1.0 / 2048;  ///< px; design, section 5
 
-// How far past the point candidates are taken: the distance that Embree finds for a triangle seen at
-// a grazing angle g is off by about 1e-7/sin(g), so this loses none above a thousandth of a degree.
-// Those taken in vain cost a predicate each.
+// How far past the point candidates are taken: the distance that Embree finds for a triangle seen
+// at a grazing angle g is off by about 1e-7/sin(g), so this loses none above a thousandth of a
+// degree. Those taken in vain cost a predicate each.
 constexpr double kPast = 1.0 / 64;
 
 }  // namespace
@@ -90,21 +90,18 @@ bool Visibility::is_visible(const EdgePoint& point,
         blocker = face;
         return true;
     };
-    const auto is_blocked_along = [&](double dx_px, double dy_px) {
-        const double px = point.w / eye_.projection.focal_px();
-        const glm::dvec3 offset_view{dx_px * px, dy_px * px, 0};
-        EyeRay ray;
-        // Row vector times rotation: view space back to world.
-        ray.direction_world =
-            point.p_world - eye_.eye_world() + offset_view * eye_.view_from_world;
-        ray.t_near = 0.99 * eye_.near / point.w;
-        ray.t_far = 1 + kPast;
-        ++rays;
-        return scene_.any(ray, confirm);
-    };
-    return !is_blocked_along(0, 0) && !is_blocked_along(kBeside, 0) &&
-           !is_blocked_along(-kBeside, 0) && !is_blocked_along(0, kBeside) &&
-           !is_blocked_along(0, -kBeside);
+    const glm::dvec3 to_point = point.p_world - eye_.eye_world();
+    const double t_near = 0.99 * eye_.near / point.w;
+    ++rays;
+    if (scene_.any({to_point, t_near, 1 + kPast}, confirm)) return false;
+    // Row vector times rotation: view space back to world.
+    const double beside = kBeside * point.w / eye_.projection.focal_px();
+    const glm::dvec3 right = glm::dvec3(beside, 0, 0) * eye_.view_from_world;
+    const glm::dvec3 up = glm::dvec3(0, beside, 0) * eye_.view_from_world;
+    rays += 4;
+    const std::array<glm::dvec3, 4> directions = {
+        to_point + right, to_point - right, to_point + up, to_point - up};
+    return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
 }
 
 ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) const {
@@ -113,8 +110,7 @@ ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) c
     ray.t_near = 1 - kPast;
     ray.t_far = std::numeric_limits<double>::infinity();
     ++rays;
-    const auto hit =
-        scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+    const auto hit = scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
     if (!hit) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;
     const std::uint32_t own = topology.faces_of(topology.edges[point.edge])[0];

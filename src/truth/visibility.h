@@ -17,13 +17,13 @@ struct EdgePoint {
     double w = 0;  ///< distance along the gaze
 };
 
-/// The exact rule of visibility: a point of an edge is visible if the open segment from the eye to it
-/// meets no triangle except the edge's own faces.
+/// The exact rule of visibility: a point of an edge is visible if the open segment from the eye to
+/// it meets no triangle except the edge's own faces.
 ///
 /// Embree offers candidates along the segment and 1/2048 px beside it (even its robust mode lets a
-/// ray slip between two triangles now and then); each is confirmed or dropped by exact predicates on
-/// the segment itself. A triangle whose plane holds the point, or the eye, does not block. What lies
-/// in front of the near plane is not there.
+/// ray slip between two triangles now and then); each is confirmed or dropped by exact predicates
+/// on the segment itself. A triangle whose plane holds the point, or the eye, does not block. What
+/// lies in front of the near plane is not there.
 class Visibility {
   public:
     Visibility(const EyeView& eye, const EyeScene& scene) : eye_(eye), scene_(scene) {}
@@ -34,8 +34,8 @@ class Visibility {
                                   std::uint32_t& blocker,
                                   std::size_t& rays) const;
 
-    /// What lies behind a visible contour point: the object of the nearest face beyond it on the line
-    /// of sight, the edge's own faces left out.
+    /// What lies behind a visible contour point: the object of the nearest face beyond it on the
+    /// line of sight, the edge's own faces left out.
     [[nodiscard]] ContourKind kind_behind(const EdgePoint& point, std::size_t& rays) const;
 
   private:

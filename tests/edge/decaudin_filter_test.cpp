@@ -54,11 +54,12 @@ TEST(Decaudin, GIsTheFormulaOnRandomImages) {
 }
 
 TEST(Decaudin, PTakesTheSpreadOfGAndItsKEitherSideOfTheSquare) {
-    const auto g = random_image<float>(41, 20, {0, 100}, 6);
+    // Wider than one stretch of the implementation.
+    const auto g = random_image<float>(150, 20, {0, 100}, 6);
     const auto inside = p_of(g, {120, KPlace::inside});
     const auto outside = p_of(g, {9000, KPlace::outside});
     for (int y = 1; y < 19; ++y) {
-        for (int x = 1; x < 40; ++x) {
+        for (int x = 1; x < 149; ++x) {
             float low = g.at(x, y);
             float high = low;
             for (int i = 0; i < 9; ++i) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "score/score.h"
 #include "tests/score/pictures.h"
 
@@ -72,6 +74,10 @@ struct Expected {
     std::int64_t truth_in_reach;
     std::vector<std::pair<std::int64_t, std::int64_t>> classes;  ///< k, n_truth
 };
+
+void PrintTo(const Expected& e, std::ostream* out) {
+    *out << e.name;
+}
 
 class SmallCase : public testing::TestWithParam<Expected> {};
 

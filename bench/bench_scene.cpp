@@ -1,0 +1,124 @@
+#include "bench/bench_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "scene/import.h"
+
+namespace ink::bench {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+std::filesystem::path bunny_path() {
+    return std::filesystem::path(INK_SHARED_DIR) / "models" / "bunny.obj";
+}
+
+scene::Scene scene_with(scene::Mesh mesh) {
+    scene::Scene scene;
+    scene.name = mesh.name;
+    scene.meshes.push_back(std::move(mesh));
+    scene.instances.push_back({});
+    return scene;
+}
+
+/// Rings of quads, each cut in two, poles included: 2 * segments * (rings - 1) triangles.
+scene::Scene make_sphere(int rings, int segments) {
+    scene::Mesh mesh;
+    mesh.name = "sphere";
+    mesh.positions.push_back({0, 1, 0});
+    for (int ring = 1; ring < rings; ++ring) {
+        const double down = std::numbers::pi * ring / rings;
+        for (int segment = 0; segment < segments; ++segment) {
+            const double turn = 2 * std::numbers::pi * segment / segments;
+            mesh.positions.push_back(
+                {std::sin(down) * std::sin(turn), std::cos(down), std::sin(down) * std::cos(turn)});
+        }
+    }
+    mesh.positions.push_back({0, -1, 0});
+    const auto last = static_cast<std::uint32_t>(mesh.positions.size() - 1);
+    const auto at = [&](int ring, int segment) {
+        return static_cast<std::uint32_t>(1 + (ring - 1) * segments + segment % segments);
+    };
+    for (int segment = 0; segment < segments; ++segment) {
+        mesh.triangles.push_back({0, at(1, segment), at(1, segment + 1)});
+        for (int ring = 1; ring + 1 < rings; ++ring) {
+            mesh.triangles.push_back(
+                {at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1)});
+            mesh.triangles.push_back(
+                {at(ring, segment), at(ring + 1, segment + 1), at(ring, segment + 1)});
+        }
+        mesh.triangles.push_back({at(rings - 1, segment), last, at(rings - 1, segment + 1)});
+    }
+    return scene_with(std::move(mesh));
+}
+
+/// Each triangle as four, through the middles of its edges, which neighbours share.
+scene::Mesh subdivide(const scene::Mesh& mesh) {
+    scene::Mesh result;
+    result.name = mesh.name;
+    result.positions = mesh.positions;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto next = static_cast<std::uint32_t>(result.positions.size());
+        const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), next);
+        if (is_new) result.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5F);
+        return entry->second;
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const std::uint32_t ab = middle(a, b);
+        const std::uint32_t bc = middle(b, c);
+        const std::uint32_t ca = middle(c, a);
+        result.triangles.insert(result.triangles.end(),
+                                {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    return result;
+}
+
+scene::Scene make_scene(const std::string& name) {
+    if (name == "sphere") return make_sphere(131, 266);
+    scene::Scene bunny = scene::import_scene(bunny_path());
+    if (name == "bunny") return bunny;
+    for (scene::Mesh& mesh : bunny.meshes)
+        mesh = subdivide(subdivide(mesh));
+    return bunny;
+}
+
+}  // namespace
+
+std::vector<std::string> mesh_names() {
+    std::vector<std::string> names = {"sphere"};
+    if (std::filesystem::exists(bunny_path())) names.insert(names.end(), {"bunny", "bunny_x16"});
+    return names;
+}
+
+const scene::Scene& bench_scene(const std::string& name) {
+    static std::map<std::string, scene::Scene> scenes;
+    const auto found = scenes.find(name);
+    if (found != scenes.end()) return found->second;
+    return scenes.emplace(name, make_scene(name)).first->second;
+}
+
+std::array<scene::View, 2> bench_views(const scene::Scene& scene) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    const double fov_rad = 40 * kRadPerDeg;
+    const double distance = bounds.radius / std::sin(fov_rad / 2);
+    std::array<scene::View, 2> views;
+    for (int i = 0; i < 2; ++i) {
+        const double turn = (30 + i) * kRadPerDeg;
+        const glm::dvec3 away{std::sin(turn) * 0.95, 0.3, std::cos(turn) * 0.95};
+        auto& view = views[static_cast<std::size_t>(i)];
+        view.camera = scene::look_at(
+            bounds.center_world + distance * away, bounds.center_world, {0, 1, 0}, fov_rad);
+        scene::fit_clip_range(view.camera, bounds);
+        view.width_px = kWidth_px;
+        view.height_px = kHeight_px;
+    }
+    return views;
+}
+
+}  // namespace ink::bench

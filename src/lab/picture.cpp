@@ -1,0 +1,57 @@
+#include "lab/picture.h"
+
+#include <memory>
+
+#include "image_io/image_file.h"
+#include "lab/error_picture.h"
+#include "lab/palette.h"
+#include "shade/compose.h"
+#include "shade/gouraud.h"
+
+namespace ink::lab {
+namespace {
+
+int threshold_of(const Entrant& entrant) {
+    return std::stoi(entrant.info->complete(entrant.settings).at("threshold"));
+}
+
+}  // namespace
+
+edge::EdgeImage draw_strengths(const Subject& subject, const Entrant& entrant, int threads) {
+    const scene::View& view = subject.views.front();
+    const std::unique_ptr<methods::Method> method = entrant.info->make(entrant.settings);
+    edge::EdgeImage strengths(view.width_px, view.height_px);
+    method->prepare(subject.scene);
+    method->pose(subject.scene);
+    method->draw({view, threads}, strengths);
+    return strengths;
+}
+
+void write_drawing(const Subject& subject,
+                   const Entrant& entrant,
+                   const edge::EdgeImage& strengths,
+                   Shading shading,
+                   const std::filesystem::path& path) {
+    const scene::View& view = subject.views.front();
+    RgbImage picture(view.width_px, view.height_px, kPaper.rgb);
+    (void)shading;
+    const int threshold = threshold_of(entrant);
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        if (strengths.data()[i] >= threshold) picture.data()[i] = kInk.rgb;
+    }
+    image_io::write_png(picture, path);
+}
+
+void write_strengths(const edge::EdgeImage& strengths, const std::filesystem::path& path) {
+    image_io::write_png(strengths, path);
+}
+
+void write_truth_labels(const truth::Truth& truth, const std::filesystem::path& path) {
+    image_io::write_png(truth.labels, path);
+}
+
+void write_truth_picture(const truth::Truth& truth, const std::filesystem::path& path) {
+    image_io::write_png(truth_picture(truth.labels), path);
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/triangle_stage.h"
+
+namespace ink::raster {
+
+/// Where a set-up triangle lies: batches[batch].triangles[index].
+struct BinEntry {
+    std::uint32_t batch = 0;
+    std::uint32_t index = 0;
+};
+
+/// How a picture is cut into tiles of kTileSize_px, row by row; the last ones may be smaller.
+struct TileGrid {
+    int width_px = 0;
+    int height_px = 0;
+    int halo_px = 0;
+
+    [[nodiscard]] int columns() const { return (width_px + kTileSize_px - 1) / kTileSize_px; }
+    [[nodiscard]] int rows() const { return (height_px + kTileSize_px - 1) / kTileSize_px; }
+    [[nodiscard]] int count() const { return columns() * rows(); }
+    /// The tile's own pixels.
+    [[nodiscard]] PixelRect own(int tile) const;
+    /// Own pixels and halo, as far as the picture goes: what is rasterized for it.
+    [[nodiscard]] PixelRect drawn(int tile) const;
+};
+
+/// For every tile the triangles that may touch its drawn pixels, in submission order.
+class Bins {
+  public:
+    /// A triangle is in a tile's list if its bounds meet the tile's drawn pixels and none of its
+    /// edges has all of them on the outer side.
+    Bins(const TileGrid& grid, const std::vector<Batch>& batches, int threads);
+
+    [[nodiscard]] std::span<const BinEntry> of(int tile) const {
+        const auto at = static_cast<std::size_t>(tile);
+        return {entries_.data() + first_[at], first_[at + 1] - first_[at]};
+    }
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  private:
+    std::vector<BinEntry> entries_;
+    std::vector<std::size_t> first_;  ///< per tile, and the end
+};
+
+}  // namespace ink::raster

@@ -1,0 +1,109 @@
+#include "raster/tile_buffer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace ink::raster {
+namespace {
+
+/// A multiple of 4, so that buffers of any element are whole words.
+constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileStride;
+
+/// The bits of one sky element, repeated until they fill four bytes.
+std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
+    switch (format.store) {
+        case Store::u8:
+            return (input.sky_code[plane] & 0xffU) * 0x01010101U;
+        case Store::u16:
+            return (input.sky_code[plane] & 0xffffU) * 0x00010001U;
+        case Store::u32:
+            return input.sky_code[plane];
+        case Store::f32:
+            return std::bit_cast<std::uint32_t>(input.sky_f32[plane]);
+        case Store::none:
+            break;
+    }
+    return 0;
+}
+
+void fill_words(std::vector<std::byte>& memory, std::uint32_t word) {
+    for (std::size_t at = 0; at < memory.size(); at += sizeof word)
+        std::memcpy(memory.data() + at, &word, sizeof word);
+}
+
+}  // namespace
+
+TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid)
+    : format_(format), grid_(grid), depth_(kElements * sizeof(std::uint32_t)) {
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format.planes()); ++plane) {
+        sky_[plane] = sky_bits(format, input, plane);
+        planes_[plane].resize(kElements * element_bytes());
+    }
+}
+
+std::size_t TileBuffer::element_bytes() const {
+    switch (format_.store) {
+        case Store::u8:
+            return 1;
+        case Store::u16:
+            return 2;
+        default:
+            return 4;
+    }
+}
+
+void TileBuffer::start(int tile) {
+    own_ = grid_.own(tile);
+    drawn_ = grid_.drawn(tile);
+    // 0 is infinity in every depth format, float included.
+    fill_words(depth_, 0);
+    for (std::size_t plane = 0; plane < kMaxPlanes; ++plane)
+        fill_words(planes_[plane], sky_[plane]);
+}
+
+void TileBuffer::extend_frame_of(Memory& memory, std::size_t bytes_per_element) const {
+    std::byte* const bytes = memory.data();
+    const auto pixel = [&](int x, int y) {
+        return bytes + (offset(y) + x) * static_cast<std::ptrdiff_t>(bytes_per_element);
+    };
+    const int left = own_.x0 - grid_.halo_px;
+    const int right = own_.x1 + grid_.halo_px;
+    for (int y = drawn_.y0; y < drawn_.y1; ++y) {
+        for (int x = left; x < drawn_.x0; ++x)
+            std::memcpy(pixel(x, y), pixel(drawn_.x0, y), bytes_per_element);
+        for (int x = drawn_.x1; x < right; ++x)
+            std::memcpy(pixel(x, y), pixel(drawn_.x1 - 1, y), bytes_per_element);
+    }
+    const std::size_t row_bytes = static_cast<std::size_t>(right - left) * bytes_per_element;
+    for (int y = own_.y0 - grid_.halo_px; y < drawn_.y0; ++y)
+        std::memcpy(pixel(left, y), pixel(left, drawn_.y0), row_bytes);
+    for (int y = drawn_.y1; y < own_.y1 + grid_.halo_px; ++y)
+        std::memcpy(pixel(left, y), pixel(left, drawn_.y1 - 1), row_bytes);
+}
+
+void TileBuffer::extend_frame() {
+    extend_frame_of(depth_, sizeof(std::uint32_t));
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane)
+        extend_frame_of(planes_[plane], element_bytes());
+}
+
+Tile TileBuffer::view(bool is_empty) const {
+    Tile tile;
+    tile.x0_px = own_.x0;
+    tile.y0_px = own_.y0;
+    tile.width_px = own_.x1 - own_.x0;
+    tile.height_px = own_.y1 - own_.y0;
+    tile.halo_px = grid_.halo_px;
+    tile.is_empty = is_empty;
+    tile.stride = kTileStride;
+    constexpr std::size_t kOrigin =
+        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kMaxHalo_px;
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
+        tile.planes[plane] = planes_[plane].data() + kOrigin * element_bytes();
+    }
+    tile.depth = depth_.data() + kOrigin * sizeof(std::uint32_t);
+    return tile;
+}
+
+}  // namespace ink::raster

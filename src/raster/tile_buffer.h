@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "raster/bin.h"
+#include "raster/pass.h"
+
+namespace ink::raster {
+
+/// Elements from one row of a tile buffer to the next, the same in every plane.
+inline constexpr int kTileStride = kTileSize_px + 2 * kMaxHalo_px;
+
+/// The pixels of one tile and its halo while it is drawn. One per thread, used for tile after tile.
+class TileBuffer {
+  public:
+    TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid);
+
+    /// Makes it the buffer of `tile`, holding nothing but sky.
+    void start(int tile);
+    /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
+    void extend_frame();
+    /// How a sink sees it.
+    [[nodiscard]] Tile view(bool is_empty) const;
+
+    /// The pixels to rasterize, in the picture's coordinates.
+    [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
+
+    /// Row `y` of a plane such that [x] is a pixel, x and y in the picture's coordinates and
+    /// drawn(). T is float or uint32 for depth, else the store's type.
+    template <class T>
+    [[nodiscard]] T* depth_row(int y) {
+        return reinterpret_cast<T*>(depth_.data()) + offset(y);
+    }
+    template <class T>
+    [[nodiscard]] T* plane_row(int plane, int y) {
+        return reinterpret_cast<T*>(planes_[static_cast<std::size_t>(plane)].data()) + offset(y);
+    }
+
+  private:
+    /// Plain bytes, aligned for any store by the allocator; whoever writes elements gives them a
+    /// type.
+    using Memory = std::vector<std::byte>;
+
+    [[nodiscard]] std::ptrdiff_t offset(int y) const {
+        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride + kMaxHalo_px -
+               own_.x0;
+    }
+    [[nodiscard]] std::size_t element_bytes() const;
+    void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
+
+    const PassFormat& format_;
+    TileGrid grid_;
+    PixelRect own_;
+    PixelRect drawn_;
+    std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
+    Memory depth_;
+    std::array<Memory, kMaxPlanes> planes_;
+};
+
+}  // namespace ink::raster

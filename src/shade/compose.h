@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "core/image.h"
+
+namespace ink::shade {
+
+/// A colour as files hold it.
+using Rgb = glm::u8vec3;
+
+/// Brightness 0 .. 1 as 0 .. 255, rounded and limited; no gamma, as 1998 drew. NaN becomes 0.
+[[nodiscard]] core::Image<Rgb> to_8_bit(const core::Image<glm::vec3>& picture);
+
+/// What lines are drawn with.
+struct Ink {
+    Rgb color{0, 0, 0};
+    int threshold = 128;  ///< 1..255: strengths of at least this much are line
+};
+
+/// `picture` with ink wherever a strength reaches the threshold; both of the same size.
+[[nodiscard]] core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
+                                       core::Image<Rgb> picture,
+                                       const Ink& ink);
+
+/// The same over plain paper.
+[[nodiscard]] core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
+                                       const Rgb& paper,
+                                       const Ink& ink);
+
+}  // namespace ink::shade

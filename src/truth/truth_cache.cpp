@@ -1,0 +1,79 @@
+#include "truth/truth_cache.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "core/hash.h"
+#include "truth/truth_file.h"
+#include "truth/truth_sources.h"
+
+namespace ink::truth {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<Truth> load(const fs::path& path, const std::string& key, const scene::View& view) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    const std::vector<char> chars{std::istreambuf_iterator<char>(file), {}};
+    auto truth =
+        decode_truth({reinterpret_cast<const std::uint8_t*>(chars.data()), chars.size()}, key);
+    const bool fits = truth && truth->labels.width_px() == view.width_px &&
+                      truth->labels.height_px() == view.height_px;
+    return fits ? std::move(truth) : std::nullopt;
+}
+
+/// Writes beside and renames. Whatever goes wrong leaves no file behind and is not told.
+void save(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) return;
+    // Two processes may trace the same view at once; each writes a file of its own.
+    fs::path unfinished = path;
+    unfinished += fmt::format(".{:08x}.part", std::random_device{}());
+    bool is_written = false;
+    {
+        std::ofstream file(unfinished, std::ios::binary);
+        file.write(reinterpret_cast<const char*>(bytes.data()),
+                   static_cast<std::streamsize>(bytes.size()));
+        file.flush();
+        is_written = file.good();
+    }
+    if (is_written) fs::rename(unfinished, path, error);
+    if (!is_written || error) fs::remove(unfinished, error);
+}
+
+}  // namespace
+
+std::string truth_key(const scene::Scene& scene,
+                      const scene::View& view,
+                      const TruthOptions& options) {
+    const scene::Camera& camera = view.camera;
+    core::Hasher hasher;
+    hasher.text(kSourcesHash).value(scene::scene_hash(scene));
+    hasher.value(camera.eye_world).value(camera.view_from_world);
+    hasher.value(camera.fov_y_rad).value(camera.near);
+    hasher.value(view.width_px).value(view.height_px);
+    hasher.value(options.crease_rad).value(options.material_seams).value(options.layers);
+    return hasher.hex();
+}
+
+Truth cached_truth(const scene::Scene& scene,
+                   const scene::View& view,
+                   const TruthOptions& options,
+                   const std::filesystem::path& cache_dir) {
+    if (cache_dir.empty()) return trace_truth(scene, view, options);
+    const std::string key = truth_key(scene, view, options);
+    const fs::path path = cache_dir / (key + ".truth");
+    if (auto truth = load(path, key, view)) return std::move(*truth);
+    Truth truth = trace_truth(scene, view, options);
+    save(path, encode_truth(truth, key));
+    return truth;
+}
+
+}  // namespace ink::truth

@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+
+#include "methods/registry.h"
+#include "scene/catalogue.h"
+#include "small_scenes.h"
+
+namespace ink::methods {
+namespace {
+
+class CatalogueScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(CatalogueScene, IsDrawnAlikeOnEveryThreadCountByEveryMethod) {
+    const scene::Scene scene = scene::make_catalogue_scene(GetParam());
+    ASSERT_FALSE(scene.cameras.empty());
+    for (const scene::Camera& camera : scene.cameras) {
+        const scene::View view{camera, 160, 90};
+        for (const MethodInfo& info : registry()) {
+            const auto one = drawn(info.name, {}, scene, {view, 1});
+            EXPECT_EQ(one, drawn(info.name, {}, scene, {view, 2})) << info.name;
+        }
+    }
+}
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const scene::CatalogueEntry& entry : scene::catalogue())
+        names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every,
+                         CatalogueScene,
+                         testing::ValuesIn(scene_names()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace ink::methods

@@ -1,0 +1,172 @@
+// What every method of the registry must hold: one law each, over all of them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.h"
+#include "methods/registry.h"
+#include "small_scenes.h"
+
+namespace ink::methods {
+namespace {
+
+class Contract : public testing::TestWithParam<std::string> {
+  protected:
+    const MethodInfo& info() const { return find_method(GetParam()); }
+    edge::EdgeImage draw(const core::ParamValues& values, int threads = 1) const {
+        return drawn(GetParam(), values, scene_, {view_, threads});
+    }
+
+    const scene::Scene scene_ = cube_on_floor();
+    // Not a multiple of the tile size either way, and more than one tile.
+    const scene::View view_ = view_from(scene_, {4, 3, 6}, {0, 0, 0}, {150, 101});
+};
+
+int lines_in(const edge::EdgeImage& image) {
+    return static_cast<int>(std::count_if(
+        image.data(), image.data() + image.size(), [](std::uint8_t s) { return s > 0; }));
+}
+
+TEST_P(Contract, DrawsSomethingButNotEverything) {
+    const int lines = lines_in(draw({}));
+    EXPECT_GT(lines, 200);
+    EXPECT_LT(lines, 150 * 101 / 4);
+}
+
+TEST_P(Contract, WritesEveryPixelWhateverWasThere) {
+    const auto method = info().make({});
+    method->prepare(scene_);
+    method->pose(scene_);
+    edge::EdgeImage over_zeros(view_.width_px, view_.height_px, 0);
+    edge::EdgeImage over_garbage(view_.width_px, view_.height_px, 0x5a);
+    method->draw({view_, 1}, over_zeros);
+    method->draw({view_, 1}, over_garbage);
+    EXPECT_EQ(over_zeros, over_garbage);
+    EXPECT_EQ(over_zeros.width_px(), view_.width_px);
+    EXPECT_EQ(over_zeros.height_px(), view_.height_px);
+}
+
+TEST_P(Contract, DrawsTheSameOnEveryThreadCount) {
+    const auto one = draw({}, 1);
+    EXPECT_EQ(one, draw({}, 2));
+    EXPECT_EQ(one, draw({}, 4));
+}
+
+TEST_P(Contract, DrawsTheSameAfterTheCameraMovedAndCameBack) {
+    const auto method = info().make({});
+    method->prepare(scene_);
+    method->pose(scene_);
+    edge::EdgeImage first(view_.width_px, view_.height_px);
+    edge::EdgeImage between(90, 64);
+    edge::EdgeImage last(view_.width_px, view_.height_px);
+    method->draw({view_, 1}, first);
+    method->draw({view_from(scene_, {0.2, 0.3, 0.1}, {1, 0, 0}, {90, 64}), 1}, between);
+    method->draw({view_, 1}, last);
+    EXPECT_EQ(first, last);
+}
+
+TEST_P(Contract, DrawsTheSameAfterTheSceneMovedAndCameBack) {
+    scene::Scene moved = scene_;
+    moved.instances[0].world_from_object = glm::translate(glm::dmat4(1), {1, 0.5, 0});
+    const auto method = info().make({});
+    edge::EdgeImage there(view_.width_px, view_.height_px);
+    edge::EdgeImage back(view_.width_px, view_.height_px);
+    method->prepare(scene_);
+    method->pose(moved);
+    method->draw({view_, 1}, there);
+    method->pose(scene_);
+    method->draw({view_, 1}, back);
+    EXPECT_EQ(there, drawn(GetParam(), {}, moved, {view_, 1}));
+    EXPECT_EQ(back, draw({}));
+    EXPECT_NE(there, back);
+}
+
+TEST_P(Contract, AnEmptySceneGivesZeros) {
+    const scene::Scene empty;
+    EXPECT_EQ(lines_in(drawn(GetParam(), {}, empty, {view_, 1})), 0);
+}
+
+TEST_P(Contract, NothingVisibleGivesZeros) {
+    const scene::View away = view_from(scene_, {4, 3, 6}, {8, 6, 12}, {150, 101});
+    EXPECT_EQ(lines_in(drawn(GetParam(), {}, scene_, {away, 1})), 0);
+}
+
+TEST_P(Contract, AnEmptyPictureIsDrawnToo) {
+    scene::View view = view_;
+    view.width_px = 0;
+    EXPECT_EQ(drawn(GetParam(), {}, scene_, {view, 1}).size(), 0U);
+}
+
+TEST_P(Contract, EveryKnobWorksAtBothEndsAndInEveryChoice) {
+    for (const core::Param& param : info().params) {
+        std::set<double> values{param.min, param.max};
+        if (param.kind == core::ParamKind::choice) {
+            for (double choice = 0; choice <= param.max; ++choice)
+                values.insert(choice);
+        }
+        for (const double value : values) {
+            const core::ParamValues set{{param.name, core::format_param(param, value)}};
+            SCOPED_TRACE(param.name + " = " + set.at(param.name));
+            const auto one = draw(set, 1);
+            EXPECT_EQ(one.width_px(), view_.width_px);
+            EXPECT_EQ(one, draw(set, 3));
+            EXPECT_EQ(info().complete(set).at(param.name), set.at(param.name));
+        }
+    }
+}
+
+TEST_P(Contract, AnEyeInsideTheModelIsDrawnToo) {
+    const scene::View inside = view_from(scene_, {0.5, -0.9, 0.1}, {-1, 0, -0.4}, {150, 101});
+    EXPECT_GT(lines_in(drawn(GetParam(), {}, scene_, {inside, 1})), 50);
+}
+
+TEST_P(Contract, AnUnknownParameterIsAnErrorThatNamesTheMethod) {
+    try {
+        (void)info().make({{"treshold", "3"}});
+        FAIL() << "no error";
+    } catch (const core::Error& error) {
+        EXPECT_EQ(error.where(), GetParam());
+        EXPECT_NE(error.accepted().find("did you mean threshold?"), std::string::npos);
+    }
+    EXPECT_THROW((void)info().make({{"threshold", "0"}}), core::Error);
+}
+
+TEST_P(Contract, ShipsAThresholdAndCountsItsBytes) {
+    const int threshold = std::stoi(info().complete({}).at("threshold"));
+    EXPECT_GE(threshold, 1);
+    EXPECT_LE(threshold, 255);
+    EXPECT_GT(info().make({})->bytes_per_px(), 0);
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MethodInfo& info : registry())
+        names.push_back(info.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every,
+                         Contract,
+                         testing::ValuesIn(method_names()),
+                         [](const auto& method) { return method.param; });
+
+TEST(Registry, NamesAreUnique) {
+    const auto names = method_names();
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+    EXPECT_GE(names.size(), 4U);
+}
+
+TEST(Registry, AnUnknownMethodIsAnErrorThatListsTheKnown) {
+    try {
+        (void)find_method("mote5");
+        FAIL() << "no error";
+    } catch (const core::Error& error) {
+        EXPECT_NE(error.accepted().find("decaudin"), std::string::npos);
+        EXPECT_NE(error.accepted().find("did you mean mote"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace ink::methods

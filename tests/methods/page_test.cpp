@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "methods/knob_table.h"
+#include "methods/registry.h"
+
+namespace ink::methods {
+namespace {
+
+std::string page_of(const std::string& method) {
+    std::ifstream file(std::string(INK_SOURCE_DIR) + "/methods/" + method + "/" + method + ".md");
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+TEST(Page, EveryMethodHasItsPartsInOrder) {
+    for (const MethodInfo& info : registry()) {
+        const std::string page = page_of(info.name);
+        std::size_t at = 0;
+        for (const std::string& heading : {"# " + info.name,
+                                          std::string("## Idea"),
+                                          std::string("## Formula"),
+                                          std::string("## Our reading"),
+                                          std::string("## Knobs"),
+                                          std::string("## Where it fails"),
+                                          std::string("## Picture")}) {
+            const std::size_t found = page.find(heading + "\n", at);
+            ASSERT_NE(found, std::string::npos) << info.name << ": " << heading;
+            at = found;
+        }
+    }
+}
+
+TEST(Page, KnobsAreThoseOfTheTable) {
+    const std::string begin = "<!-- knobs -->\n";
+    for (const MethodInfo& info : registry()) {
+        const std::string page = page_of(info.name);
+        const std::size_t first = page.find(begin);
+        const std::size_t last = page.find("<!-- /knobs -->");
+        ASSERT_NE(first, std::string::npos) << info.name;
+        ASSERT_NE(last, std::string::npos) << info.name;
+        const std::size_t start = first + begin.size();
+        EXPECT_EQ(page.substr(start, last - start), knob_table(info))
+            << "put this between the markers of methods/" << info.name << "/" << info.name << ".md";
+    }
+}
+
+TEST(KnobTable, HasARowPerKnobAndEscapesBars) {
+    const std::string table = knob_table(find_method("mote4"));
+    EXPECT_NE(table.find("| `range_nx` | `63` | a number 0..255 | code |"), std::string::npos);
+    EXPECT_NE(table.find("absolute \\| positive \\| wrap"), std::string::npos);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
+              find_method("mote4").params.size() + 2);
+}
+
+}  // namespace
+}  // namespace ink::methods

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "methods/registry.h"
+#include "scene/scene.h"
+
+namespace ink::methods {
+
+inline scene::Mesh cube_mesh() {
+    scene::Mesh mesh;
+    for (unsigned i = 0; i < 8; ++i) {
+        mesh.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    }
+    mesh.triangles = {{0, 2, 3},
+                      {0, 3, 1},
+                      {4, 5, 7},
+                      {4, 7, 6},
+                      {0, 1, 5},
+                      {0, 5, 4},
+                      {2, 6, 7},
+                      {2, 7, 3},
+                      {0, 4, 6},
+                      {0, 6, 2},
+                      {1, 3, 7},
+                      {1, 7, 5}};
+    return mesh;
+}
+
+/// A square in y = 0, +-size, seen from above.
+inline scene::Mesh floor_mesh(float size) {
+    scene::Mesh mesh;
+    mesh.positions = {{-size, 0, -size}, {size, 0, -size}, {size, 0, size}, {-size, 0, size}};
+    mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
+    return mesh;
+}
+
+inline scene::Scene scene_of(std::vector<scene::Mesh> meshes) {
+    scene::Scene scene;
+    scene.name = "test";
+    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
+        scene::Instance instance;
+        instance.mesh = i;
+        scene.instances.push_back(instance);
+    }
+    scene.meshes = std::move(meshes);
+    return scene;
+}
+
+/// A cube on a floor: contours, boundaries and creases, facets behind facets.
+inline scene::Scene cube_on_floor() {
+    scene::Scene scene = scene_of({cube_mesh(), floor_mesh(3)});
+    scene.instances[1].world_from_object = glm::translate(glm::dmat4(1), {0, -1, 0});
+    return scene;
+}
+
+inline scene::View view_from(const scene::Scene& scene,
+                             const glm::dvec3& eye_world,
+                             const glm::dvec3& target_world,
+                             std::pair<int, int> size_px) {
+    scene::View view;
+    view.camera = scene::look_at(eye_world, target_world, {0, 1, 0}, 0.7);
+    scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
+    view.width_px = size_px.first;
+    view.height_px = size_px.second;
+    return view;
+}
+
+/// The picture of one frame by a new method.
+inline edge::EdgeImage drawn(const std::string& method,
+                             const core::ParamValues& values,
+                             const scene::Scene& scene,
+                             const Frame& frame) {
+    const auto made = find_method(method).make(values);
+    edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
+    made->prepare(scene);
+    made->pose(scene);
+    made->draw(frame, out);
+    return out;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,322 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <random>
+
+#include "tests/program/run_program.h"
+#include "tests/shared_files.h"
+
+// What a user may get wrong: one clear line on stderr, exit code 2, and nothing left behind.
+
+namespace ink::program {
+namespace {
+
+using testing::HasSubstr;
+
+using Words = std::vector<std::string>;
+
+/// Runs it and holds it to that law; `culprit` must be named in the line.
+void expect_refused(const Desk& desk, const Words& words, const std::string& culprit) {
+    const auto before = desk.inventory();
+    const Outcome outcome = desk.run(words);
+    SCOPED_TRACE("inkbench " + testing::PrintToString(words));
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.find_last_of('\n') + 1, outcome.err.size()) << "no whole line";
+    EXPECT_THAT(outcome.err, HasSubstr(culprit));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(desk.inventory(), before) << "something was left behind";
+}
+
+/// The same for one model file, in each command that takes one.
+void expect_model_refused(const Desk& desk, const std::string& model) {
+    expect_refused(desk, {"compare", model, "--out", "out", "--size", "64x36"}, model);
+    expect_refused(desk, {"draw", model, "-o", "a.png", "--size", "64x36"}, model);
+    expect_refused(desk, {"truth", model, "-o", "a.png", "--size", "64x36"}, model);
+}
+
+std::string random_bytes(std::size_t count) {
+    std::mt19937 random(7);
+    std::string bytes(count, '\0');
+    for (char& byte : bytes)
+        byte = static_cast<char>(random() & 0xff);
+    return bytes;
+}
+
+template <class T>
+std::string bytes_of(const T& value) {
+    std::string bytes(sizeof value, '\0');
+    std::memcpy(bytes.data(), &value, sizeof value);
+    return bytes;
+}
+
+/// A binary STL of one triangle whose first corner is (x, 0, 0).
+std::string stl_triangle(float x) {
+    std::string stl(80, ' ');
+    stl += bytes_of<std::uint32_t>(1);
+    for (const float number : {0.F, 0.F, 1.F, x, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
+        stl += bytes_of(number);
+    return stl + bytes_of<std::uint16_t>(0);
+}
+
+/// A chunk of a 3DS file.
+std::string chunk(std::uint16_t id, const std::string& content) {
+    return bytes_of(id) + bytes_of(static_cast<std::uint32_t>(content.size() + 6)) + content;
+}
+
+/// A whole 3DS file that holds one triangle.
+std::string small_3ds() {
+    std::string vertices = bytes_of<std::uint16_t>(3);
+    for (const float number : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
+        vertices += bytes_of(number);
+    std::string faces = bytes_of<std::uint16_t>(1);
+    for (const std::uint16_t number : std::array<std::uint16_t, 4>{0, 1, 2, 7})
+        faces += bytes_of(number);
+    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
+    const std::string object = chunk(0x4000, std::string("one\0", 4) + mesh);
+    return chunk(0x4d4d, chunk(0x3d3d, object));
+}
+
+constexpr const char* kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(BadModel, Missing) {
+    expect_model_refused(Desk(), "missing.obj");
+}
+
+TEST(BadModel, Empty) {
+    const Desk desk;
+    expect_model_refused(desk, desk.write("empty.obj", ""));
+}
+
+TEST(BadModel, AFolder) {
+    const Desk desk;
+    std::filesystem::create_directory(desk.work() / "folder.obj");
+    expect_model_refused(desk, "folder.obj");
+}
+
+TEST(BadModel, TextRenamed) {
+    const Desk desk;
+    expect_model_refused(desk,
+                         desk.write("letter.obj", "Dear Anna,\n\nvery long ago, from afar\n"));
+}
+
+TEST(BadModel, RandomBytes) {
+    const Desk desk;
+    expect_model_refused(desk, desk.write("noise.glb", random_bytes(4096)));
+}
+
+TEST(BadModel, UnknownFormat) {
+    const Desk desk;
+    expect_model_refused(desk, desk.write("model.nosuchformat", kTriangleObj));
+}
+
+TEST(BadModel, CutShort) {
+    const Desk desk;
+    const std::string whole = small_3ds();
+    ASSERT_EQ(desk.run({"draw", desk.write("whole.3ds", whole), "-o", "a.png", "--size", "64x36"})
+                  .exit_code,
+              0);
+    std::filesystem::remove(desk.work() / "a.png");
+    expect_model_refused(desk, desk.write("cut.3ds", whole.substr(0, whole.size() - 20)));
+    expect_model_refused(desk, desk.write("stump.3ds", whole.substr(0, 9)));
+}
+
+TEST(BadModel, RealOneCutShort) {
+    const auto path = shared_file("models/apollo.3ds");
+    INK_SKIP_WITHOUT(path);
+    const Desk desk;
+    std::ifstream file(path, std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    expect_model_refused(desk, desk.write("cut.3ds", whole.substr(0, whole.size() / 2)));
+}
+
+TEST(BadModel, NoTriangles) {
+    const Desk desk;
+    expect_model_refused(desk, desk.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
+    expect_model_refused(desk, desk.write("none.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"));
+}
+
+TEST(BadModel, NumbersThatAreNone) {
+    const Desk desk;
+    expect_model_refused(
+        desk, desk.write("nan.stl", stl_triangle(std::numeric_limits<float>::quiet_NaN())));
+    expect_model_refused(
+        desk, desk.write("inf.stl", stl_triangle(std::numeric_limits<float>::infinity())));
+    expect_model_refused(desk, desk.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+}
+
+TEST(BadModel, OneAmongGoodOnesCostsNoWork) {
+    const Desk desk;
+    desk.write("good.obj", kTriangleObj);
+    expect_refused(desk, {"compare", "good.obj", "missing.obj", "--out", "out"}, "missing.obj");
+}
+
+TEST(BadName, Command) {
+    expect_refused(Desk(), {"compair"}, "compair");
+    expect_refused(Desk(), {"compair", "--out", "out"}, "compair");
+}
+
+TEST(BadName, Nothing) {
+    expect_refused(Desk(), {}, "command");
+}
+
+TEST(BadName, Option) {
+    for (const char* command : {"compare", "draw", "truth", "score", "list"})
+        expect_refused(Desk(), {command, "--no-such-option"}, "--");
+}
+
+TEST(BadName, Method) {
+    const Desk desk;
+    expect_refused(desk, {"compare", "--methods", "mote9", "--out", "out"}, "mote4");
+    expect_refused(desk, {"compare", "--methods", "mote4,mote9", "--out", "out"}, "mote9");
+    expect_refused(desk, {"draw", "torus", "--methods", "mote9", "-o", "a.png"}, "mote9");
+}
+
+TEST(BadName, Scene) {
+    const Desk desk;
+    expect_refused(desk, {"compare", "--scenes", "torrus", "--out", "out"}, "torus");
+    expect_refused(desk, {"draw", "torrus", "-o", "a.png"}, "torrus");
+    expect_refused(desk, {"truth", "torrus", "-o", "a.png"}, "torrus");
+}
+
+TEST(BadName, Parameter) {
+    const Desk desk;
+    expect_refused(desk, {"compare", "--set", "treshold=100", "--out", "out"}, "threshold");
+    expect_refused(desk,
+                   {"draw", "torus", "--methods", "mote4", "--set", "nosuch=1", "-o", "a.png"},
+                   "nosuch");
+}
+
+TEST(BadName, ListTopic) {
+    expect_refused(Desk(), {"list", "nonsense"}, "nonsense");
+}
+
+TEST(BadValue, Parameter) {
+    const Desk desk;
+    for (const char* setting : {"threshold=abc",
+                                "threshold=-5",
+                                "threshold=1e9",
+                                "threshold=nan",
+                                "threshold=",
+                                "threshold",
+                                "=5",
+                                ""}) {
+        expect_refused(desk, {"compare", "--set", setting, "--out", "out"}, "");
+    }
+}
+
+TEST(BadValue, Size) {
+    const Desk desk;
+    for (const char* size : {"0x0",
+                             "0x100",
+                             "100x0",
+                             "100000x100000",
+                             "16385x16",
+                             "12x",
+                             "x12",
+                             "12",
+                             "-5x5",
+                             "5x-5",
+                             "1e3x5",
+                             "12x12x12",
+                             "axb",
+                             " 12x12",
+                             ""}) {
+        expect_refused(desk, {"compare", "--size", size, "--out", "out"}, "--size");
+        expect_refused(desk, {"draw", "torus", "--size", size, "-o", "a.png"}, "--size");
+        expect_refused(desk, {"truth", "torus", "--size", size, "-o", "a.png"}, "--size");
+    }
+}
+
+TEST(BadValue, Numbers) {
+    const Desk desk;
+    for (const char* threads : {"0", "-1", "two", "1000000", "1.5"})
+        expect_refused(desk, {"compare", "--threads", threads, "--out", "out"}, "--threads");
+    for (const char* views : {"0", "-1", "many", "100000", "1.5"})
+        expect_refused(desk, {"compare", "--views", views, "--out", "out"}, "--views");
+    for (const char* seed : {"-1", "x", "99999999999999999999999"})
+        expect_refused(desk, {"compare", "--seed", seed, "--out", "out"}, "--seed");
+}
+
+TEST(BadValue, Camera) {
+    const Desk desk;
+    const Words draw = {"draw", "torus", "-o", "a.png"};
+    const auto expect = [&](Words more, const std::string& culprit) {
+        more.insert(more.begin(), draw.begin(), draw.end());
+        expect_refused(desk, more, culprit);
+    };
+    for (const char* point : {"1,2", "1,2,3,4", "a,b,c", "nan,0,0", "inf,0,0", "", "1;2;3"})
+        expect({"--eye", point}, "--eye");
+    expect({"--eye", "1,2,3", "--target", "x"}, "--target");
+    expect({"--eye", "1,2,3", "--target", "1,2,3"}, "");
+    expect({"--eye", "1,2,3", "--up", "0"}, "--up");
+    for (const char* fov : {"0", "-40", "180", "nan", "wide"})
+        expect({"--eye", "1,2,3", "--fov", fov}, "fov");
+}
+
+TEST(BadOutput, WhereNoFolderCanBe) {
+    const Desk desk;
+    desk.write("taken", "a file");
+    expect_refused(desk, {"compare", "--out", "taken"}, "taken");
+    expect_refused(desk, {"compare", "--out", "taken/out"}, "taken");
+    expect_refused(desk, {"compare", "--out", "/dev/null/out"}, "/dev/null/out");
+    expect_refused(desk, {"compare", "--out", ""}, "--out");
+    EXPECT_EQ(desk.read("taken"), "a file");
+}
+
+TEST(BadOutput, WhereNoFileCanBe) {
+    const Desk desk;
+    desk.write("taken", "a file");
+    for (const char* file : {"nowhere/a.png", "taken/a.png", "/dev/null/a.png", ".", ""}) {
+        expect_refused(desk, {"draw", "torus", "-o", file, "--size", "64x36"}, "");
+        expect_refused(desk, {"truth", "torus", "-o", file, "--size", "64x36"}, "");
+    }
+    expect_refused(desk, {"draw", "torus", "-o", "a.nosuchformat"}, "a.nosuchformat");
+}
+
+TEST(BadOutput, EarlierResultsStay) {
+    const Desk desk;
+    desk.write("out/rows.csv", "of yesterday\n");
+    expect_refused(desk, {"compare", "--methods", "mote9", "--out", "out"}, "mote9");
+    expect_refused(desk, {"compare", "missing.obj", "--out", "out"}, "missing.obj");
+    EXPECT_EQ(desk.read("out/rows.csv"), "of yesterday\n");
+}
+
+TEST(BadScore, Pictures) {
+    const Desk desk;
+    ASSERT_EQ(desk.run({"truth", "torus", "-o", "truth.png", "--size", "64x36"}).exit_code, 0);
+    ASSERT_EQ(desk.run({"truth", "torus", "-o", "wide.png", "--size", "80x36"}).exit_code, 0);
+    desk.write("empty.png", "");
+    desk.write("letter.png", "Dear Anna,\n");
+    desk.write("cut.png", desk.read("truth.png").substr(0, 60));
+    for (const char* bad : {"missing.png", "empty.png", "letter.png", "cut.png", "wide.png"}) {
+        expect_refused(desk, {"score", bad, "truth.png"}, bad);
+        expect_refused(desk, {"score", "truth.png", bad}, bad);
+    }
+    expect_refused(desk, {"score", "truth.png"}, "truth");
+}
+
+TEST(BadScore, Options) {
+    const Desk desk;
+    ASSERT_EQ(desk.run({"truth", "torus", "-o", "truth.png", "--size", "64x36"}).exit_code, 0);
+    const auto expect = [&](const std::string& option, const std::string& value) {
+        expect_refused(desk, {"score", "truth.png", "truth.png", option, value}, "");
+    };
+    for (const char* value : {"0", "-1", "nan", "inf", "65", "x"})
+        expect("--tol", value);
+    for (const char* value : {"0", "-1", "256", "12.5", "x"})
+        expect("--threshold", value);
+    for (const char* value : {"-1", "18", "x"})
+        expect("--band", value);
+    for (const char* value : {"0", "-1", "256", "x"})
+        expect("--ignore", value);
+}
+
+}  // namespace
+}  // namespace ink::program

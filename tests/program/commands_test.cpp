@@ -1,0 +1,298 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "tests/program/run_program.h"
+
+// The commands as a user runs them, on scenes small enough to be quick.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Key;
+using testing::StartsWith;
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kCubeObj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
+
+/// Runs it and expects success without a word on stderr.
+std::string expect_done(const Desk& desk, const Words& words) {
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.err, "") << testing::PrintToString(words);
+    return outcome.out;
+}
+
+Table rows_of(const Desk& desk, const std::string& folder) {
+    return parse_csv(desk.read(folder + "/rows.csv"));
+}
+
+/// The rows of one method.
+Table only(const Table& rows, const std::string& method) {
+    Table found;
+    for (const auto& row : rows)
+        if (row.at("method") == method) found.push_back(row);
+    return found;
+}
+
+TEST(Help, OfEveryCommandHasAnExample) {
+    const Desk desk;
+    EXPECT_THAT(expect_done(desk, {"--help"}), HasSubstr("Example"));
+    for (const char* command : {"compare", "draw", "truth", "score", "list"}) {
+        EXPECT_THAT(expect_done(desk, {command, "--help"}),
+                    AllOf(HasSubstr("Example"), HasSubstr(std::string("inkbench ") + command)));
+    }
+}
+
+TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
+    const Desk desk;
+    const std::string compare = expect_done(desk, {"compare", "--help"});
+    for (const char* option : {"--size",
+                               "--out",
+                               "--methods",
+                               "--scenes",
+                               "--set",
+                               "--threads",
+                               "--seed",
+                               "--views",
+                               "--eye",
+                               "--target",
+                               "--up",
+                               "--fov"}) {
+        EXPECT_THAT(compare, HasSubstr(option));
+    }
+    EXPECT_THAT(expect_done(desk, {"draw", "--help"}), HasSubstr("-o"));
+    const std::string score = expect_done(desk, {"score", "--help"});
+    for (const char* option :
+         {"--tol", "--threshold", "--no-thin", "--band", "--ignore", "--json"}) {
+        EXPECT_THAT(score, HasSubstr(option));
+    }
+}
+
+TEST(Version, NamesTheLibraries) {
+    const std::string version = expect_done(Desk(), {"--version"});
+    EXPECT_THAT(version, StartsWith("inkbench "));
+    for (const char* library : {"embree", "openimageio", "onetbb", "assimp", "fmt", "glm"}) {
+        EXPECT_TRUE(std::regex_search(version, std::regex(std::string(library) + " +[0-9]+\\.")))
+            << library << " in\n"
+            << version;
+    }
+}
+
+TEST(List, NamesMethodsScenesAndKnobs) {
+    const Desk desk;
+    const std::string all = expect_done(desk, {"list"});
+    for (const char* word : {"decaudin", "mote2", "mote4", "mote16", "torus", "threshold", "f_2px"})
+        EXPECT_THAT(all, HasSubstr(word));
+    EXPECT_THAT(expect_done(desk, {"list", "scenes"}), HasSubstr("torus"));
+    EXPECT_THAT(expect_done(desk, {"list", "methods"}), HasSubstr("mote4"));
+}
+
+TEST(Compare, WritesRowsCurvesAndAReport) {
+    const Desk desk;
+    const std::string out = expect_done(desk,
+                                        {"compare",
+                                         "--scenes",
+                                         "torus",
+                                         "--methods",
+                                         "mote4,decaudin",
+                                         "--size",
+                                         "320x180",
+                                         "--out",
+                                         "out"});
+    EXPECT_THAT(out, AllOf(HasSubstr("mote4"), HasSubstr("out/report.html")));
+    const Table rows = rows_of(desk, "out");
+    ASSERT_FALSE(rows.empty());
+    for (const char* column : {"method",          "scene",         "view",
+                               "split",           "width",         "height",
+                               "threads",         "seed",          "params",
+                               "status",          "f_2px",         "f_1px",
+                               "precision_2px",   "recall_2px",    "recall_contour",
+                               "recall_boundary", "recall_crease", "recall_intersection",
+                               "recall_seam",     "mean_width_px", "ap",
+                               "prepare_ns",      "draw_ns",       "bytes_per_px",
+                               "image_hash",      "truth_px"}) {
+        EXPECT_THAT(rows.front(), Contains(Key(column)));
+    }
+    std::set<std::string> methods;
+    for (const auto& row : rows) {
+        methods.insert(row.at("method"));
+        EXPECT_EQ(row.at("status"), "ok") << row.at("method");
+        EXPECT_EQ(row.at("scene"), "torus");
+        EXPECT_EQ(row.at("width"), "320");
+        EXPECT_EQ(row.at("height"), "180");
+    }
+    EXPECT_EQ(methods, (std::set<std::string>{"none", "sampled", "oracle", "mote4", "decaudin"}));
+    // 99 thresholds of each row, and the header.
+    const std::string curves = desk.read("out/curves.csv");
+    EXPECT_EQ(static_cast<std::size_t>(std::count(curves.begin(), curves.end(), '\n')),
+              99 * rows.size() + 1);
+}
+
+TEST(Compare, BracketsComeOutAsTheyMust) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    expect_done(desk,
+                {"compare", "cube.obj", "--methods", "mote4", "--size", "640x360", "--out", "out"});
+    const Table rows = rows_of(desk, "out");
+    EXPECT_EQ(only(rows, "none").size(), 3U) << "three views of a model unless told";
+    for (const auto& row : only(rows, "none")) {
+        EXPECT_GT(std::stoi(row.at("truth_px")), 500);
+        EXPECT_EQ(std::stod(row.at("f_2px")), 0);
+    }
+    for (const auto& row : only(rows, "oracle")) {
+        EXPECT_EQ(std::stod(row.at("f_2px")), 1);
+        EXPECT_EQ(std::stod(row.at("f_1px")), 1);
+    }
+    for (const auto& row : only(rows, "sampled"))
+        EXPECT_GE(std::stod(row.at("f_2px")), 0.95);
+    for (const auto& row : rows)
+        EXPECT_EQ(row.at("split"), "heldout") << "a user's model";
+}
+
+TEST(Compare, TheReportNeedsNothingBesideIt) {
+    const Desk desk;
+    expect_done(
+        desk,
+        {"compare", "--scenes", "cube", "--methods", "mote2", "--size", "160x90", "--out", "out"});
+    const std::string page = desk.read("out/report.html");
+    ASSERT_THAT(page, HasSubstr("</html>"));
+    const std::regex outside(
+        R"re((src|href)\s*=\s*["']?(?!data:|#|["'])|@import|url\((?!["']?(data:|#)))re");
+    std::smatch match;
+    EXPECT_FALSE(std::regex_search(page.begin(), page.end(), match, outside))
+        << std::string(match[0].first, std::min(match[0].first + 80, page.end()));
+}
+
+TEST(Compare, ThePictureDoesNotDependOnThreads) {
+    const Desk desk;
+    for (const char* threads : {"1", "3"}) {
+        expect_done(desk,
+                    {"compare",
+                     "--scenes",
+                     "torus",
+                     "--size",
+                     "320x180",
+                     "--threads",
+                     threads,
+                     "--out",
+                     threads});
+    }
+    const Table one = rows_of(desk, "1");
+    const Table three = rows_of(desk, "3");
+    ASSERT_EQ(one.size(), three.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].at("image_hash"), three[i].at("image_hash")) << one[i].at("method");
+        EXPECT_EQ(one[i].at("f_2px"), three[i].at("f_2px")) << one[i].at("method");
+    }
+}
+
+TEST(Compare, SettingsReachTheRows) {
+    const Desk desk;
+    expect_done(desk,
+                {"compare",
+                 "--scenes",
+                 "torus",
+                 "--methods",
+                 "mote4",
+                 "--size",
+                 "160x90",
+                 "--set",
+                 "threshold=77",
+                 "--seed",
+                 "5",
+                 "--out",
+                 "out"});
+    for (const auto& row : only(rows_of(desk, "out"), "mote4")) {
+        EXPECT_THAT(row.at("params"), HasSubstr("threshold=77"));
+        EXPECT_EQ(row.at("seed"), "5");
+    }
+}
+
+TEST(Compare, ViewsAreThoseThatWereAskedFor) {
+    const Desk desk;
+    desk.write("cube.obj", kCubeObj);
+    const Words start = {"compare", "cube.obj", "--methods", "mote2", "--size", "160x90"};
+    const auto views = [&](Words more) {
+        more.insert(more.begin(), start.begin(), start.end());
+        more.insert(more.end(), {"--out", "out"});
+        expect_done(desk, more);
+        return only(rows_of(desk, "out"), "mote2").size();
+    };
+    EXPECT_EQ(views({"--views", "5"}), 5U);
+    EXPECT_EQ(views({"--eye", "3,2,4", "--target", "0.5,0.5,0.5", "--up", "0,1,0", "--fov", "30"}),
+              1U);
+}
+
+TEST(Compare, CtrlCLeavesFinishedRowsWhole) {
+    const Desk desk;
+    const auto is_begun = [&] {
+        const std::string rows = desk.read("out/rows.csv");
+        return std::count(rows.begin(), rows.end(), '\n') > 1;
+    };
+    const Outcome outcome =
+        desk.run_until({"compare", "--size", "640x360", "--out", "out"}, is_begun);
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+    const std::string text = desk.read("out/rows.csv");
+    ASSERT_FALSE(text.empty());
+    EXPECT_EQ(text.back(), '\n');
+    EXPECT_NO_THROW(EXPECT_FALSE(parse_csv(text).empty()));
+}
+
+TEST(DrawTruthScore, WorkHandInHand) {
+    const Desk desk;
+    expect_done(desk,
+                {"draw", "torus", "--methods", "mote4", "--size", "320x180", "-o", "ink.png"});
+    expect_done(desk, {"truth", "torus", "--size", "320x180", "-o", "truth.png"});
+    EXPECT_THAT(desk.read("ink.png"), StartsWith("\x89PNG"));
+    EXPECT_THAT(desk.read("truth.png"), StartsWith("\x89PNG"));
+    const auto json = nlohmann::json::parse(expect_done(
+        desk, {"score", "truth.png", "truth.png", "--threshold", "1", "--ignore", "7", "--json"}));
+    EXPECT_EQ(json.at("k"), json.at("n_truth"));
+    EXPECT_GT(json.at("n_truth"), 100);
+    for (const char* key : {"k",
+                            "n_pred",
+                            "n_truth",
+                            "f",
+                            "precision",
+                            "recall",
+                            "surplus",
+                            "off_line",
+                            "lost",
+                            "missing",
+                            "mean_width",
+                            "classes"}) {
+        EXPECT_TRUE(json.contains(key)) << key;
+    }
+}
+
+TEST(Draw, IsTheSameTwice) {
+    const Desk desk;
+    for (const char* file : {"a.png", "b.png"})
+        expect_done(desk,
+                    {"draw", "torus", "--methods", "decaudin", "--size", "160x90", "-o", file});
+    EXPECT_EQ(desk.read("a.png"), desk.read("b.png"));
+}
+
+TEST(Csv, IsReadByItsRules) {
+    const Table table = parse_csv("a,b\n1,\"x,y\"\n\"\"\"hi\"\", she said\",\n");
+    ASSERT_EQ(table.size(), 2U);
+    EXPECT_EQ(table[0].at("b"), "x,y");
+    EXPECT_EQ(table[1].at("a"), "\"hi\", she said");
+    EXPECT_EQ(table[1].at("b"), "");
+    EXPECT_ANY_THROW((void)parse_csv("a,b\n1\n"));
+}
+
+}  // namespace
+}  // namespace ink::program

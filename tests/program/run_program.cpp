@@ -1,0 +1,167 @@
+#include "tests/program/run_program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <thread>
+
+namespace ink::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto kPatience = std::chrono::minutes(5);
+constexpr auto kGlance = std::chrono::milliseconds(5);
+
+std::string slurp(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Only async-signal-safe calls between fork and exec.
+[[noreturn]] void become_program(const fs::path& root, char* const* argv, char* const* env) {
+    const int out = open((root / "out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int err = open((root / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int none = open("/dev/null", O_RDONLY);
+    if (chdir((root / "work").c_str()) == 0 && dup2(none, 0) == 0 && dup2(out, 1) == 1 &&
+        dup2(err, 2) == 2) {
+        execve(argv[0], argv, env);
+    }
+    _exit(127);
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+    std::vector<char*> result;
+    for (std::string& text : texts)
+        result.push_back(text.data());
+    result.push_back(nullptr);
+    return result;
+}
+
+int wait_for(pid_t child, const std::function<bool()>& is_time) {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    bool is_told = false;
+    int status = 0;
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (!is_told && is_time && is_time()) {
+            kill(child, SIGINT);
+            is_told = true;
+        }
+        if (std::chrono::steady_clock::now() > deadline) kill(child, SIGKILL);
+        std::this_thread::sleep_for(kGlance);
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// One record of `text` from `at` on, which moves behind it.
+std::vector<std::string> read_record(const std::string& text, std::size_t& at) {
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    for (; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '"' && is_quoted && at + 1 < text.size() && text[at + 1] == '"') {
+            fields.back() += c;
+            ++at;
+        } else if (c == '"') {
+            is_quoted = !is_quoted;
+        } else if (!is_quoted && c == ',') {
+            fields.emplace_back();
+        } else if (!is_quoted && c == '\n') {
+            ++at;
+            break;
+        } else if (is_quoted || c != '\r') {
+            fields.back() += c;
+        }
+    }
+    return fields;
+}
+
+}  // namespace
+
+Desk::Desk() {
+    std::string name = (fs::temp_directory_path() / "inkbench-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    root_ = name;
+    fs::create_directory(work());
+    fs::create_directory(root_ / "cache");
+}
+
+Desk::~Desk() {
+    std::error_code ignored;
+    fs::remove_all(root_, ignored);
+}
+
+Outcome Desk::run(const std::vector<std::string>& arguments) const {
+    return run_until(arguments, nullptr);
+}
+
+Outcome Desk::run_until(const std::vector<std::string>& arguments,
+                        const std::function<bool()>& is_time) const {
+    std::vector<std::string> words = {INK_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> settings = {"PATH=/usr/bin:/bin",
+                                         "HOME=" + root_.string(),
+                                         "XDG_CACHE_HOME=" + (root_ / "cache").string()};
+    // Sanitizers take their options from here.
+    for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
+        if (const char* value = std::getenv(name); value != nullptr) {
+            settings.push_back(std::string(name) + "=" + value);
+        }
+    }
+    const std::vector<char*> argv = pointers(words);
+    const std::vector<char*> env = pointers(settings);
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("cannot fork");
+    if (child == 0) become_program(root_, argv.data(), env.data());
+    Outcome outcome;
+    outcome.exit_code = wait_for(child, is_time);
+    outcome.out = slurp(root_ / "out");
+    outcome.err = slurp(root_ / "err");
+    return outcome;
+}
+
+std::string Desk::write(const std::string& name, const std::string& content) const {
+    fs::create_directories((work() / name).parent_path());
+    std::ofstream(work() / name, std::ios::binary) << content;
+    return name;
+}
+
+std::string Desk::read(const std::string& name) const {
+    return slurp(work() / name);
+}
+
+std::map<std::string, std::uintmax_t> Desk::inventory() const {
+    std::map<std::string, std::uintmax_t> found;
+    for (const auto& entry : fs::recursive_directory_iterator(work())) {
+        found[entry.path().lexically_relative(work()).string()] =
+            entry.is_regular_file() ? entry.file_size() : 0;
+    }
+    return found;
+}
+
+Table parse_csv(const std::string& text) {
+    std::size_t at = 0;
+    const std::vector<std::string> columns = read_record(text, at);
+    Table table;
+    while (at < text.size()) {
+        const std::vector<std::string> fields = read_record(text, at);
+        if (fields.size() != columns.size()) {
+            throw std::runtime_error("a row has " + std::to_string(fields.size()) +
+                                     " fields, the header " + std::to_string(columns.size()));
+        }
+        auto& row = table.emplace_back();
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            row[columns[i]] = fields[i];
+    }
+    return table;
+}
+
+}  // namespace ink::program

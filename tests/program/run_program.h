@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ink::program {
+
+/// What a user sees of one run.
+struct Outcome {
+    int exit_code = 0;  ///< 128 + signal if it was killed
+    std::string out;
+    std::string err;
+};
+
+/// A folder of its own for one test, gone with it. The program runs in `work()`; what it keeps
+/// between runs goes to a folder beside, so that `work()` shows exactly what a user would find.
+class Desk {
+  public:
+    Desk();
+    ~Desk();
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
+
+    [[nodiscard]] std::filesystem::path work() const { return root_ / "work"; }
+
+    /// Runs the built `inkbench` with these arguments and waits. It is killed after five minutes.
+    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+
+    /// As `run`, but sends SIGINT (Ctrl-C) as soon as `is_time` says so; asked every few
+    /// milliseconds.
+    [[nodiscard]] Outcome run_until(const std::vector<std::string>& arguments,
+                                    const std::function<bool()>& is_time) const;
+
+    /// Writes a file into `work()`; returns its name.
+    std::string write(const std::string& name, const std::string& content) const;
+    [[nodiscard]] std::string read(const std::string& name) const;
+
+    /// Every file and folder in `work()`, with the size of files: equal before and after means that
+    /// nothing was left behind.
+    [[nodiscard]] std::map<std::string, std::uintmax_t> inventory() const;
+
+  private:
+    std::filesystem::path root_;
+};
+
+/// The rows of a CSV file (RFC 4180), each from column to field.
+using Table = std::vector<std::map<std::string, std::string>>;
+[[nodiscard]] Table parse_csv(const std::string& text);
+
+}  // namespace ink::program

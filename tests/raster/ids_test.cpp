@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "scene/import.h"
+#include "tests/raster/id_agreement.h"
+#include "tests/shared_files.h"
+
+namespace ink::raster {
+namespace {
+
+constexpr int kWidth_px = 480;
+constexpr int kHeight_px = 270;
+
+/// Prints both exceptions of each view and expects nothing else.
+void expect_same_ids(const scene::Scene& scene, const std::vector<scene::Camera>& cameras) {
+    ASSERT_FALSE(cameras.empty()) << scene.name;
+    for (const scene::Camera& camera : cameras) {
+        for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24}) {
+            const IdAgreement ids = compare_ids(scene, {camera, kWidth_px, kHeight_px}, depth);
+            fmt::print(
+                "{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} "
+                "else\n",
+                scene.name,
+                camera.name,
+                depth == DepthFormat::q32 ? "q32" : "z24",
+                ids.covered,
+                ids.near_edge,
+                ids.near_depth,
+                ids.other);
+            EXPECT_EQ(ids.other, 0U) << scene.name << " " << camera.name;
+            EXPECT_GT(ids.covered, 0U) << scene.name << " " << camera.name;
+        }
+    }
+}
+
+std::vector<scene::Camera> round_views(const scene::Scene& scene, int count) {
+    return scene::orbit_cameras(
+        scene::bounding_sphere(scene), count, static_cast<double>(kWidth_px) / kHeight_px);
+}
+
+/// A bumpy ball of `rings` x 2 `rings` quads, poles included.
+scene::Mesh bumpy_ball(int rings) {
+    scene::Mesh mesh;
+    const int columns = 2 * rings;
+    for (int j = 0; j <= rings; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double polar = std::numbers::pi * j / rings;
+            const double turn = 2 * std::numbers::pi * i / columns;
+            const double r = 1 + 0.1 * std::sin(5 * polar) * std::cos(4 * turn);
+            mesh.positions.emplace_back(r * std::sin(polar) * std::cos(turn),
+                                        r * std::cos(polar),
+                                        r * std::sin(polar) * std::sin(turn));
+        }
+    }
+    const auto at = [&](int i, int j) {
+        return static_cast<std::uint32_t>(j * columns + i % columns);
+    };
+    for (int j = 0; j < rings; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    }
+    return mesh;
+}
+
+TEST(IdsAgainstEmbree, ABallOfTrianglesLargeAndBelowAPixel) {
+    for (const int rings : {8, 200}) {
+        scene::Scene scene;
+        scene.name = fmt::format("ball {}", rings);
+        scene.meshes.push_back(bumpy_ball(rings));
+        scene.instances.push_back({.mesh = 0, .world_from_object = glm::dmat4(1), .name = "ball"});
+        expect_same_ids(scene, round_views(scene, 2));
+    }
+}
+
+TEST(IdsAgainstEmbree, AnEyeInsideASoupCutByTheNearPlane) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> place(-5, 5);
+    scene::Mesh mesh;
+    for (std::uint32_t t = 0; t < 300; ++t) {
+        for (int corner = 0; corner < 3; ++corner)
+            mesh.positions.emplace_back(place(random), place(random), place(random));
+        mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    scene::Scene scene;
+    scene.name = "soup";
+    scene.meshes.push_back(mesh);
+    scene.instances.push_back({.mesh = 0, .world_from_object = glm::dmat4(1), .name = "soup"});
+    std::vector<scene::Camera> cameras;
+    for (const double turn : {0.0, 2.0, 4.0}) {
+        scene::Camera camera = scene::look_at(
+            {0, 0, 0}, {std::cos(turn), 0.2, std::sin(turn)}, {0, 1, 0}, std::numbers::pi / 2);
+        camera.near = 0.5;
+        camera.far = 20;
+        camera.name = fmt::format("turn {}", turn);
+        cameras.push_back(camera);
+    }
+    expect_same_ids(scene, cameras);
+}
+
+TEST(IdsAgainstEmbree, Bunny) {
+    const auto path = shared_file("models/bunny.obj");
+    INK_SKIP_WITHOUT(path);
+    const scene::Scene scene = scene::import_scene(path);
+    expect_same_ids(scene, round_views(scene, 3));
+}
+
+TEST(IdsAgainstEmbree, Temple) {
+    const auto path = shared_file("models/temple.glb");
+    INK_SKIP_WITHOUT(path);
+    const scene::Scene scene = scene::import_scene(path);
+    expect_same_ids(scene, round_views(scene, 3));
+}
+
+}  // namespace
+}  // namespace ink::raster

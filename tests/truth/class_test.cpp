@@ -1,0 +1,258 @@
+#include <algorithm>
+
+#include "tests/truth/shapes.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kPx = 0.01;
+
+/// A floor of two unit squares that meet at x = 0, and a wall that stands on their common edge.
+scene::Mesh floor_with_fin() {
+    scene::Mesh mesh;
+    add_quad(mesh, {-1, 0, 1}, {0, 0, 1}, {0, 0, -1}, {-1, 0, -1});
+    add_quad(mesh, {0, 0, 1}, {1, 0, 1}, {1, 0, -1}, {0, 0, -1});
+    add_quad(mesh, {0, 0, 1}, {0, 1, 1}, {0, 1, -1}, {0, 0, -1});
+    return mesh;
+}
+
+LineClass class_of_foot(const Truth& truth, const scene::Scene& scene) {
+    const scene::Topology topology = scene::weld(scene);
+    for (const Curve& curve : truth.curves) {
+        if (topology.edges[curve.edge].face_count == 3) return curve.line_class;
+    }
+    return LineClass::none;
+}
+
+TEST(Class, FinIsACreaseWhereTheEyeSeesIt) {
+    const scene::Scene scene = scene_of({floor_with_fin()});
+    EXPECT_EQ(class_of_foot(trace(scene, view_from({2, 2, 5}, {0, 0, 0})), scene),
+              LineClass::crease);
+    EXPECT_EQ(class_of_foot(trace(scene, view_from({-2, 2, 5}, {0, 0, 0})), scene),
+              LineClass::crease);
+}
+
+TEST(Class, FinBehindTheFloorOrEdgeOnIsNoLine) {
+    const scene::Scene scene = scene_of({floor_with_fin()});
+    // From below the floor is nearer on either side. From within the fin's plane it is on neither.
+    EXPECT_EQ(class_of_foot(trace(scene, view_from({2, -2, 5}, {0, 0, 0})), scene),
+              LineClass::none);
+    EXPECT_EQ(class_of_foot(trace(scene, view_from({0, 2, 5}, {0, 0, 0})), scene), LineClass::none);
+}
+
+TEST(Class, FinEdgeOnDrawsNoRim) {
+    const scene::Scene scene = scene_of({floor_with_fin()});
+    const Truth truth = trace(scene, view_from({0, 2, 5}, {0, 0, 0}));
+    EXPECT_EQ(seen_length(scene, truth, {0, 1, 1}, {0, 1, -1}), 0);
+}
+
+/// Two squares that meet along the y axis, the right one bent backwards by `bend`.
+scene::Mesh bent_sheet(double bend_rad) {
+    const auto x = static_cast<float>(std::cos(bend_rad));
+    const auto z = static_cast<float>(-std::sin(bend_rad));
+    scene::Mesh mesh;
+    add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    add_quad(mesh, {0, -1, 0}, {x, -1, z}, {x, 1, z}, {0, 1, 0});
+    return mesh;
+}
+
+LineClass class_of_bend(double bend_deg) {
+    const scene::Scene scene = scene_of({bent_sheet(bend_deg * std::numbers::pi / 180)});
+    const scene::Topology topology = scene::weld(scene);
+    for (const Curve& curve : trace(scene, view_from(8)).curves) {
+        const scene::Edge& edge = topology.edges[curve.edge];
+        if (edge.face_count == 2) return curve.line_class;
+    }
+    return LineClass::none;
+}
+
+TEST(Class, FortyDegreesMakeACrease) {
+    EXPECT_EQ(class_of_bend(0), LineClass::none);
+    EXPECT_EQ(class_of_bend(39.9), LineClass::none);
+    EXPECT_EQ(class_of_bend(40.1), LineClass::crease);
+    EXPECT_EQ(class_of_bend(60), LineClass::crease);
+    EXPECT_EQ(class_of_bend(89), LineClass::crease);
+    EXPECT_EQ(class_of_bend(120), LineClass::contour);
+}
+
+TEST(Class, AbuttingBoxesWithLevelTopsHaveASeamAndNoCreaseThere) {
+    const scene::Scene scene = scene_of({box({-1, 0, 0}, {0, 1, 1}), box({0, 0, 0}, {1, 1, 1})});
+    const Truth truth = trace(scene, view_from({0.5, 3, 6}, {0, 0.5, 0.5}));
+    const scene::Topology topology = scene::weld(scene);
+    std::size_t seams = 0;
+    for (const Curve& curve : truth.curves) {
+        const scene::Edge& edge = topology.edges[curve.edge];
+        const bool is_on_joint = topology.p_world[edge.a].x == 0 && topology.p_world[edge.b].x == 0;
+        EXPECT_EQ(curve.line_class == LineClass::seam, is_on_joint);
+        seams += is_on_joint ? 1 : 0;
+    }
+    EXPECT_EQ(seams, 2U) << "one on top, one in front";
+}
+
+TEST(Class, MaterialsMakeASeamOnlyWhenAsked) {
+    scene::Mesh mesh;
+    add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    add_quad(mesh, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+    mesh.materials = {0, 0, 1, 1};
+    const scene::Scene scene = scene_of({mesh});
+    EXPECT_EQ(lengths(trace(scene, view_from(6))).count(LineClass::seam), 0U);
+    TruthOptions options;
+    options.material_seams = true;
+    EXPECT_NEAR(lengths(trace_truth(scene, view_from(6), options))[LineClass::seam], 200, kPx);
+}
+
+/// A square whose right side meets two squares of half the height: a T-junction at (0, 0, 0). The
+/// right part is turned about the joint.
+std::vector<scene::Mesh> t_junction(double bend_rad) {
+    const auto x = static_cast<float>(std::cos(bend_rad));
+    const auto z = static_cast<float>(-std::sin(bend_rad));
+    scene::Mesh left, right;
+    add_quad(left, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    add_quad(right, {0, -1, 0}, {x, -1, z}, {x, 0, z}, {0, 0, 0});
+    add_quad(right, {0, 0, 0}, {x, 0, z}, {x, 1, z}, {0, 1, 0});
+    return {left, right};
+}
+
+scene::Mesh joined(const std::vector<scene::Mesh>& meshes) {
+    scene::Mesh all;
+    for (const scene::Mesh& mesh : meshes) {
+        for (const scene::Triangle& t : mesh.triangles)
+            add_triangle(all, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+    }
+    return all;
+}
+
+double length_on_joint(const scene::Scene& scene, const Truth& truth, LineClass line_class) {
+    const scene::Topology topology = scene::weld(scene);
+    double sum = 0;
+    for (const Curve& curve : truth.curves) {
+        const scene::Edge& edge = topology.edges[curve.edge];
+        const bool is_on_joint = topology.p_world[edge.a].x == 0 && topology.p_world[edge.b].x == 0;
+        if (is_on_joint && curve.line_class == line_class) sum += length_px(curve);
+    }
+    return sum;
+}
+
+TEST(Class, FlatTJunctionIsADefectAndNoLine) {
+    for (const double bend : {0.0, 0.5}) {
+        const scene::Scene scene = scene_of({joined(t_junction(bend))});
+        const Truth truth = trace(scene, view_from(6));
+        EXPECT_EQ(truth.counts.defect_edges, 3U) << "one long edge and the two that meet it";
+        EXPECT_EQ(length_on_joint(scene, truth, LineClass::boundary), 0) << bend;
+        EXPECT_NEAR(seen_length(scene, truth, {-1, -1, 0}, {0, -1, 0}), 100, kPx)
+            << "the rim stays";
+    }
+}
+
+TEST(Class, BentTJunctionIsABoundary) {
+    const scene::Scene scene = scene_of({joined(t_junction(0.8))});
+    const Truth truth = trace(scene, view_from(6));
+    EXPECT_EQ(truth.counts.defect_edges, 0U);
+    // Both sides of the crack, one on the other: 200 px each.
+    EXPECT_NEAR(length_on_joint(scene, truth, LineClass::boundary), 400, 4 * kPx);
+}
+
+TEST(Class, CrackThatFoldsBeforeTheEyeIsDrawn) {
+    // Bent by half a radian and seen from the side where both parts lie on the same side of the
+    // joint.
+    const scene::Scene scene = scene_of({joined(t_junction(0.5))});
+    const double angle = 0.25;
+    const Truth truth =
+        trace(scene, view_from({6 * std::cos(angle), 0, -6 * std::sin(angle)}, {0, 0, 0}));
+    EXPECT_GT(length_on_joint(scene, truth, LineClass::boundary), 195);
+}
+
+TEST(Class, TJunctionOfTwoObjectsIsASeam) {
+    const scene::Scene scene = scene_of(t_junction(0));
+    const Truth truth = trace(scene, view_from(6));
+    EXPECT_EQ(length_on_joint(scene, truth, LineClass::boundary), 0);
+    EXPECT_NEAR(length_on_joint(scene, truth, LineClass::seam), 400, 4 * kPx);
+    EXPECT_EQ(truth.counts.defect_edges, 0U);
+}
+
+TEST(Class, CrackAlongPartOfAnEdgeIsADefectThere) {
+    // The right square covers the upper half of the left one's side only.
+    scene::Mesh mesh;
+    add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    add_quad(mesh, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+    const scene::Scene scene = scene_of({mesh});
+    const Truth truth = trace(scene, view_from(6));
+    EXPECT_NEAR(seen_length(scene, truth, {0, -1, 0}, {0, 1, 0}), 100, kPx);
+    EXPECT_EQ(seen_length(scene, truth, {0, 0, 0}, {0, 1, 0}), 0);
+}
+
+TEST(Class, CracksWiderThanTheToleranceAreBoundaries) {
+    for (const auto& [gap, expected] : {std::pair{1e-6F, 0.0}, std::pair{1e-4F, 400.0}}) {
+        scene::Mesh mesh;
+        add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+        add_quad(mesh, {gap, -1, 0}, {1, -1, 0}, {1, 1, 0}, {gap, 1, 0});
+        const Truth truth = trace(scene_of({mesh}), view_from(6));
+        double upright = 0;
+        for (const Curve& curve : truth.curves) {
+            if (std::abs(curve.begin.x_px - 320) < 1 && std::abs(curve.end.x_px - 320) < 1) {
+                upright += length_px(curve);
+            }
+        }
+        EXPECT_NEAR(upright, expected, 4 * kPx) << gap;
+    }
+}
+
+TEST(Class, BoxThatStandsOnAFloorKeepsItsFoot) {
+    scene::Mesh floor;
+    add_quad(floor, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
+    const scene::Scene scene = scene_of({floor, box({-1, 0, -1}, {1, 2, 1})});
+    const scene::View view = view_from({3, 4, 12}, {0, 1, 0});
+    const Truth truth = trace(scene, view);
+    const scene::Projection projection(view);
+    const auto expected = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
+        return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+    };
+    const glm::dvec3 left{-1, 0, 1}, near{1, 0, 1}, right{1, 0, -1}, far{-1, 0, -1};
+    EXPECT_NEAR(seen_length(scene, truth, left, near), expected(left, near), kPx);
+    EXPECT_NEAR(seen_length(scene, truth, near, right), expected(near, right), kPx);
+    EXPECT_EQ(seen_length(scene, truth, right, far), 0);
+    EXPECT_EQ(seen_length(scene, truth, far, left), 0);
+}
+
+TEST(Class, TorusContoursEndInside) {
+    scene::Mesh mesh;
+    constexpr int kRound = 96, kTube = 48;
+    const auto at = [&](int i, int j) {
+        const double u = 2 * std::numbers::pi * (i % kRound) / kRound;
+        const double v = 2 * std::numbers::pi * (j % kTube) / kTube;
+        const double r = 1 + 0.45 * std::cos(v);
+        return glm::vec3(r * std::cos(u), 0.45 * std::sin(v), r * std::sin(u));
+    };
+    for (int i = 0; i < kRound; ++i) {
+        for (int j = 0; j < kTube; ++j)
+            add_quad(mesh, at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
+    }
+    const double tilt = 0.6;
+    const Truth truth =
+        trace(scene_of({mesh}), view_from({0, 6 * std::sin(tilt), 6 * std::cos(tilt)}, {0, 0, 0}));
+    EXPECT_EQ(lengths(truth).size(), 1U) << "no crease, no boundary";
+    // A point where one visible piece ends and no other begins: near a cusp of the hole's contour
+    // (a polyhedron's zigzags there), or at the T where the hole's far rim passes behind the near
+    // one.
+    std::size_t left = 0, right = 0;
+    for (const Curve& curve : truth.curves) {
+        for (const CurvePoint& p : {curve.begin, curve.end}) {
+            const auto is_at_p = [&](const CurvePoint& o) {
+                return std::hypot(o.x_px - p.x_px, o.y_px - p.y_px) < 1e-3;
+            };
+            const auto ends =
+                std::count_if(truth.curves.begin(), truth.curves.end(), [&](const Curve& other) {
+                    return is_at_p(other.begin) || is_at_p(other.end);
+                });
+            if (ends > 1) continue;
+            ++(p.x_px < 320 ? left : right);
+            EXPECT_LT(std::hypot(p.x_px - 320, p.y_px - 240), 75) << "the outer contour is closed";
+        }
+    }
+    EXPECT_GE(left, 2U);
+    EXPECT_EQ(left, right) << "the picture is symmetric";
+}
+
+}  // namespace
+}  // namespace ink::truth

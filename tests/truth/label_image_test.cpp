@@ -1,0 +1,125 @@
+#include "truth/label_image.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "edge/thin.h"
+#include "tests/truth/shapes.h"
+
+namespace ink::truth {
+namespace {
+
+Curve line(LineClass line_class, double x0, double y0, double x1, double y1) {
+    Curve curve;
+    curve.line_class = line_class;
+    curve.begin = {x0, y0, 1};
+    curve.end = {x1, y1, 1};
+    return curve;
+}
+
+std::size_t count(const LabelImage& image, LineClass line_class) {
+    return static_cast<std::size_t>(std::count(image.labels.data(),
+                                               image.labels.data() + image.labels.size(),
+                                               static_cast<std::uint8_t>(line_class)));
+}
+
+edge::Mask lines_of(const LabelImage& image) {
+    edge::Mask mask(image.labels.width_px(), image.labels.height_px());
+    for (std::size_t i = 0; i < image.labels.size(); ++i) {
+        const std::uint8_t label = image.labels.data()[i];
+        mask.data()[i] = label != 0 && label != static_cast<std::uint8_t>(LineClass::ignore);
+    }
+    return mask;
+}
+
+TEST(LabelImage, PixelsAreRoundedDown) {
+    const std::vector<Curve> curves = {line(LineClass::crease, 3.9, 5.1, 9.2, 5.9)};
+    const LabelImage image = draw_labels(curves, 16, 16);
+    EXPECT_EQ(count(image, LineClass::crease), 7U);
+    for (int x = 3; x <= 9; ++x)
+        EXPECT_EQ(image.labels.at(x, 5), 3);
+}
+
+TEST(LabelImage, LowerLabelWins) {
+    const std::vector<Curve> curves = {line(LineClass::seam, 1.5, 4.5, 30.5, 4.5),
+                                       line(LineClass::contour, 8.5, 4.5, 12.5, 4.5),
+                                       line(LineClass::boundary, 10.5, 4.5, 20.5, 4.5)};
+    const LabelImage image = draw_labels(curves, 32, 16);
+    EXPECT_EQ(count(image, LineClass::contour), 5U);
+    EXPECT_EQ(count(image, LineClass::boundary), 8U);
+    EXPECT_EQ(count(image, LineClass::seam), 17U);
+}
+
+TEST(LabelImage, WhatTouchesTheFrameFromOutsideIsLeftOut) {
+    const std::vector<Curve> curves = {line(LineClass::contour, 0, 16, 16, 16),
+                                       line(LineClass::contour, 16, 0, 16, 16)};
+    EXPECT_EQ(count(draw_labels(curves, 16, 16), LineClass::contour), 0U);
+}
+
+TEST(LabelImage, UnionIsThinnedAndTheLossCounted) {
+    // Two lines a pixel apart fill two rows; one row is left.
+    const std::vector<Curve> curves = {line(LineClass::contour, 2.5, 4.5, 40.5, 4.5),
+                                       line(LineClass::crease, 2.5, 5.5, 40.5, 5.5)};
+    const LabelImage image = draw_labels(curves, 48, 16);
+    const std::size_t left = count(image, LineClass::contour) + count(image, LineClass::crease);
+    EXPECT_EQ(image.merged_px, 2 * 39 - left);
+    EXPECT_LE(left, 40U);
+    EXPECT_GE(left, 37U);
+    EXPECT_EQ(image.crowded_share, 0);
+}
+
+TEST(LabelImage, FilledBlocksAndTheirNeighboursAreIgnored) {
+    // Seven rows of the block at (24, 24)..(31, 31): 56 of 64 pixels, more than three quarters.
+    std::vector<Curve> curves;
+    for (int row = 24; row < 31; ++row)
+        curves.push_back(line(LineClass::crease, 24.5, row + 0.5, 31.5, row + 0.5));
+    curves.push_back(line(LineClass::contour, 2.5, 50.5, 61.5, 50.5));
+    const LabelImage image = draw_labels(curves, 64, 64);
+    EXPECT_EQ(count(image, LineClass::ignore), 24U * 24U);
+    EXPECT_EQ(image.labels.at(16, 16), 7);
+    EXPECT_EQ(image.labels.at(39, 39), 7);
+    EXPECT_EQ(image.labels.at(40, 39), 0);
+    EXPECT_EQ(count(image, LineClass::crease), 0U);
+    EXPECT_EQ(count(image, LineClass::contour), 60U);
+    EXPECT_DOUBLE_EQ(image.crowded_share, 56.0 / (56 + 60));
+}
+
+TEST(LabelImage, ThreeQuartersAreNotYetCrowded) {
+    std::vector<Curve> curves;
+    for (int row = 24; row < 30; ++row)
+        curves.push_back(line(LineClass::crease, 24.5, row + 0.5, 31.5, row + 0.5));
+    EXPECT_EQ(count(draw_labels(curves, 64, 64), LineClass::ignore), 0U);
+}
+
+TEST(LabelImage, BlocksAtTheBorderAreJudgedByWhatTheyHave) {
+    // A picture 20 px wide: its last column of blocks is 4 px wide. Seven full rows there are 28
+    // of 32.
+    std::vector<Curve> curves;
+    for (int row = 8; row < 15; ++row)
+        curves.push_back(line(LineClass::crease, 16.5, row + 0.5, 19.5, row + 0.5));
+    EXPECT_EQ(count(draw_labels(curves, 20, 32), LineClass::ignore), (8U + 4U) * 24U);
+}
+
+TEST(LabelImage, ThinningTheResultChangesNothing) {
+    Noise noise(11);
+    std::vector<Curve> curves;
+    for (int i = 0; i < 120; ++i) {
+        const double x = 200 * noise.next(), y = 150 * noise.next();
+        curves.push_back(line(kLineClasses[static_cast<std::size_t>(5 * noise.next())],
+                              x,
+                              y,
+                              x + 60 * noise.next() - 30,
+                              y + 60 * noise.next() - 30));
+    }
+    for (int i = 0; i < 40; ++i)
+        curves.push_back(line(LineClass::crease, 100, 60 + 0.4 * i, 150, 60 + 0.5 * i));
+    const LabelImage image = draw_labels(curves, 200, 150);
+    ASSERT_GT(count(image, LineClass::ignore), 0U);
+    const edge::Mask mask = lines_of(image);
+    EXPECT_GT(std::count(mask.data(), mask.data() + mask.size(), 1), 1000);
+    EXPECT_EQ(edge::thin(mask), mask);
+}
+
+}  // namespace
+}  // namespace ink::truth

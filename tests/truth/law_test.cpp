@@ -1,0 +1,213 @@
+#include <algorithm>
+
+#include "edge/thin.h"
+#include "score/score.h"
+#include "tests/truth/shapes.h"
+
+namespace ink::truth {
+namespace {
+
+/// Objects that hide, touch, pierce and abut each other: whatever holds here holds widely.
+scene::Scene crowd() {
+    scene::Mesh floor;
+    add_quad(floor, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4});
+    scene::Mesh pyramid;
+    const glm::vec3 top{0.2F, 1.7F, 0.1F};
+    const std::array<glm::vec3, 4> foot = {glm::vec3(-0.9F, 0.1F, 0.8F),
+                                           glm::vec3(1.1F, 0.05F, 0.9F),
+                                           glm::vec3(1, 0.15F, -1.1F),
+                                           glm::vec3(-1, 0.1F, -0.9F)};
+    for (std::size_t i = 0; i < 4; ++i)
+        add_triangle(pyramid, foot[i], foot[(i + 1) % 4], top);
+    return scene_of({floor,
+                     box({-2, 0, -1}, {-1, 1, 1}),
+                     box({-1, 0, -1}, {0, 1, 1}),
+                     pyramid,
+                     box({0.5F, -0.5F, 1}, {1.5F, 0.5F, 2.2F})});
+}
+
+scene::View crowd_view() {
+    return view_from({3, 4, 9}, {0, 0.5, 0});
+}
+
+TEST(Law, MixedOrientationChangesNothing) {
+    scene::Scene scene = crowd();
+    const Truth straight = trace(scene, crowd_view());
+    Noise noise(5);
+    for (scene::Mesh& mesh : scene.meshes) {
+        for (scene::Triangle& t : mesh.triangles) {
+            if (noise.next() < 0.5) std::swap(t[1], t[2]);
+        }
+    }
+    const Truth mixed = trace(scene, crowd_view());
+    EXPECT_GT(drawn_px(straight), 1000U);
+    EXPECT_EQ(straight.labels, mixed.labels);
+    EXPECT_EQ(straight.sampled, mixed.sampled);
+    EXPECT_EQ(straight.layers.triangle, mixed.layers.triangle);
+    EXPECT_EQ(lengths(straight), lengths(mixed));
+}
+
+TEST(Law, ThreadsChangeNothing) {
+    const scene::Scene scene = crowd();
+    const Truth one = trace(scene, crowd_view(), 1);
+    const Truth two = trace(scene, crowd_view(), 2);
+    EXPECT_TRUE(same_curves(one, two));
+    EXPECT_EQ(one.labels, two.labels);
+    EXPECT_EQ(one.sampled, two.sampled);
+    EXPECT_EQ(one.layers.triangle, two.layers.triangle);
+    EXPECT_EQ(one.layers.patch, two.layers.patch);
+    EXPECT_EQ(one.layers.n_dot_v, two.layers.n_dot_v);
+    EXPECT_EQ(one.layers.w, two.layers.w);
+    EXPECT_EQ(one.counts.rays, two.counts.rays);
+}
+
+TEST(Law, DuplicatedFacesAreCountedAndChangeNothing) {
+    scene::Scene scene = crowd();
+    const Truth once = trace(scene, crowd_view());
+    for (scene::Mesh& mesh : scene.meshes) {
+        const scene::Triangle t = mesh.triangles.front();
+        mesh.triangles.push_back({t[2], t[1], t[0]});
+    }
+    const Truth twice = trace(scene, crowd_view());
+    EXPECT_EQ(twice.counts.duplicate, once.counts.duplicate + scene.meshes.size());
+    EXPECT_EQ(once.labels, twice.labels);
+}
+
+TEST(Law, VerticesMayBeSplitByMaterial) {
+    // One mesh with shared vertices against the same triangles, three vertices each, of two
+    // materials.
+    scene::Mesh shared;
+    shared.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
+    shared.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    scene::Mesh split;
+    for (const scene::Triangle& t : shared.triangles)
+        add_triangle(split, shared.positions[t[0]], shared.positions[t[1]], shared.positions[t[2]]);
+    split.materials = {0, 1, 0, 1};
+    const scene::View view = view_from({1, 2, 6}, {0, 0, 0});
+    const Truth a = trace(scene_of({shared}), view);
+    const Truth b = trace(scene_of({split}), view);
+    EXPECT_GT(drawn_px(a), 300U);
+    EXPECT_EQ(a.labels, b.labels);
+    EXPECT_EQ(a.sampled, b.sampled);
+}
+
+TEST(Law, MirroredInstanceEqualsMirroredMesh) {
+    scene::Scene by_instance = crowd();
+    scene::Scene by_mesh = crowd();
+    for (scene::Instance& instance : by_instance.instances)
+        instance.world_from_object = glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1));
+    for (scene::Mesh& mesh : by_mesh.meshes) {
+        for (glm::vec3& p : mesh.positions)
+            p.x = -p.x;
+    }
+    const Truth a = trace(by_instance, crowd_view());
+    const Truth b = trace(by_mesh, crowd_view());
+    EXPECT_EQ(a.labels, b.labels);
+    EXPECT_EQ(a.layers.triangle, b.layers.triangle);
+}
+
+TEST(Law, LayersShowWhatStandsThere) {
+    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
+    const Truth truth = trace(scene, view_from(4));
+    // The front face: the box's first two triangles, one patch, 3 units away.
+    const auto id = truth.layers.triangle.at(320, 240);
+    EXPECT_LE(id, 1U);
+    EXPECT_EQ(truth.layers.patch.at(200, 200), truth.layers.patch.at(440, 300));
+    EXPECT_FLOAT_EQ(truth.layers.w.at(200, 200), 3);
+    EXPECT_NEAR(truth.layers.n_dot_v.at(320, 240), 1, 1e-5);
+    const double slope = std::hypot(120.5 / kFocal_px, 40.5 / kFocal_px);
+    EXPECT_NEAR(truth.layers.n_dot_v.at(440, 280), 1 / std::sqrt(1 + slope * slope), 1e-6);
+    EXPECT_EQ(truth.layers.triangle.at(5, 5), kNoTriangle);
+    EXPECT_EQ(truth.layers.patch.at(5, 5), kNoTriangle);
+    EXPECT_EQ(truth.layers.n_dot_v.at(5, 5), 0);
+    EXPECT_TRUE(std::isinf(truth.layers.w.at(5, 5)));
+}
+
+TEST(Law, WithoutLayersTheLinesAreTheSame) {
+    const scene::Scene scene = crowd();
+    TruthOptions options;
+    options.layers = false;
+    const Truth bare = trace_truth(scene, crowd_view(), options);
+    EXPECT_EQ(bare.labels, trace(scene, crowd_view()).labels);
+    EXPECT_TRUE(bare.sampled.is_empty());
+    EXPECT_TRUE(bare.layers.triangle.is_empty());
+}
+
+TEST(Law, ViewOfNothingIsBlank) {
+    const Truth truth = trace(crowd(), view_from({0, 2, 50}, {0, 2, 100}));
+    EXPECT_EQ(truth.labels.width_px(), kWidth_px);
+    EXPECT_EQ(drawn_px(truth), 0U);
+    EXPECT_TRUE(truth.curves.empty());
+    scene::View empty = crowd_view();
+    empty.width_px = empty.height_px = 0;
+    EXPECT_TRUE(trace(crowd(), empty).labels.is_empty());
+}
+
+TEST(Law, FarFromTheOriginNothingMoves) {
+    // 2^20 is a power of two: positions and differences stay exact in float and double.
+    const glm::vec3 shift{1048576, 0, 0};
+    scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
+    const Truth near_by = trace(scene, view_from({2, 3, 6}, {0, 0, 0}));
+    for (glm::vec3& p : scene.meshes[0].positions)
+        p += shift;
+    const Truth far_off =
+        trace(scene, view_from(glm::dvec3(2, 3, 6) + glm::dvec3(shift), glm::dvec3(shift)));
+    EXPECT_EQ(near_by.labels, far_off.labels);
+}
+
+/// What the `sampled` row scores against the labels, as it is scored in every comparison.
+double sampled_f(const Truth& truth) {
+    score::ScoreOptions options;
+    options.band_px = 6;
+    options.ignore_label = static_cast<int>(LineClass::ignore);
+    const auto scoring = score::prepare_truth(truth.labels, options, true);
+    return score::score(truth.sampled, scoring, options).f();
+}
+
+TEST(Sampled, AgreesWithTheLabels) {
+    EXPECT_GT(sampled_f(trace(crowd(), crowd_view())), 0.97);
+}
+
+TEST(Sampled, LiesOnTheNearerSurface) {
+    // A quad before the sky: its own outermost pixels, 0.5..0.5 + 150 px wide and high.
+    scene::Mesh mesh;
+    add_quad(mesh, {-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0});
+    const Truth truth = trace(scene_of({mesh}), view_from(4));
+    for (int y = 0; y < kHeight_px; ++y) {
+        for (int x = 0; x < kWidth_px; ++x) {
+            const bool is_inside = x >= 245 && x < 395 && y >= 165 && y < 315;
+            const bool is_core = x > 245 && x < 394 && y > 165 && y < 314;
+            EXPECT_EQ(truth.sampled.at(x, y), is_inside && !is_core ? 255 : 0) << x << " " << y;
+        }
+    }
+}
+
+TEST(Sampled, PiercingPlanesHaveNoClassYet) {
+    // Two walls that cross, with no edge on the crossing line: ids differ there, no feature does.
+    scene::Mesh a, b;
+    add_quad(a, {-9, -9, -1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, -1});
+    add_quad(b, {-9, -9, 1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, 1});
+    const Truth truth = trace(scene_of({a, b}), view_from(6));
+    EXPECT_EQ(std::count(truth.sampled.data(), truth.sampled.data() + truth.sampled.size(), 255),
+              0);
+    EXPECT_TRUE(truth.curves.empty());
+}
+
+TEST(Sampled, HiddenFeaturesAreNotDrawn) {
+    // A box half sunk into a floor: the rim of the floor is seen, the box's bottom is not.
+    scene::Mesh floor;
+    add_quad(floor, {-90, 0, 90}, {90, 0, 90}, {90, 0, -90}, {-90, 0, -90});
+    const scene::Scene scene = scene_of({floor, box({-1, -0.01F, -1}, {1, 1, 1})});
+    const scene::View view = view_from({2, 6, 8}, {0, 0, 0});
+    const Truth truth = trace(scene, view);
+    EXPECT_EQ(seen_length(scene, truth, {-1, -0.01F, 1}, {1, -0.01F, 1}), 0);
+    // The middle of the foot's front edge on the picture, and a ring round it.
+    const glm::dvec3 foot = scene::Projection(view).to_clip({0, 0, 1});
+    const int x = static_cast<int>(foot.x / foot.z), y = static_cast<int>(foot.y / foot.z);
+    for (int dy = -3; dy <= 3; ++dy)
+        EXPECT_EQ(truth.sampled.at(x, y + dy), 0);
+    EXPECT_GT(sampled_f(truth), 0.97);
+}
+
+}  // namespace
+}  // namespace ink::truth

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "edge/thin.h"
+#include "scene/import.h"
+#include "score/score.h"
+#include "tests/shared_files.h"
+#include "truth/model.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+namespace {
+
+/// A real model, three views of it, and whether what one sample a pixel shows agrees with the
+/// truth.
+class RealModel : public testing::TestWithParam<const char*> {};
+
+void expect_sampled_agrees(const Truth& truth) {
+    score::ScoreOptions options;
+    options.band_px = 6;
+    options.ignore_label = static_cast<int>(LineClass::ignore);
+    const auto scoring = score::prepare_truth(truth.labels, options, true);
+    const score::Score score = score::score(truth.sampled, scoring, options);
+    EXPECT_GE(score.n_truth, 500);
+    EXPECT_GE(score.f(), 0.95);
+    for (const score::ClassCount& c : score.classes) {
+        // Creases of a fine scan are single edges far below a pixel: no sample sees them all.
+        if (c.n_truth < 500 || c.label == static_cast<int>(LineClass::crease)) continue;
+        EXPECT_GE(static_cast<double>(c.k) / static_cast<double>(c.n_truth), 0.98) << c.label;
+    }
+}
+
+void expect_thin(const core::Image<std::uint8_t>& labels) {
+    edge::Mask mask(labels.width_px(), labels.height_px());
+    std::transform(labels.data(), labels.data() + labels.size(), mask.data(), [](std::uint8_t l) {
+        return static_cast<std::uint8_t>(l != 0 &&
+                                         l != static_cast<std::uint8_t>(LineClass::ignore));
+    });
+    EXPECT_EQ(edge::thin(mask), mask);
+}
+
+TEST_P(RealModel, SampledAgreesWithTheLabels) {
+    const auto path = shared_file(std::string("models/") + GetParam());
+    INK_SKIP_WITHOUT(path);
+    const scene::Scene scene = scene::import_scene(path);
+    const Model model = build_model(scene, {.threads = 2});
+    const auto cameras = scene::orbit_cameras(scene::bounding_sphere(scene), 3, 1280.0 / 720.0);
+    for (const scene::Camera& camera : cameras) {
+        SCOPED_TRACE(camera.name);
+        const Truth truth = trace_truth(model, {camera, 1280, 720}, {.threads = 2});
+        expect_sampled_agrees(truth);
+        expect_thin(truth.labels);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Truth,
+                         RealModel,
+                         testing::Values("bunny.obj",
+                                         "dragon.ply",
+                                         "conrod.off",
+                                         "temple.glb",
+                                         "knight.mdl",
+                                         "milk_truck.glb"),
+                         [](const auto& test) {
+                             const std::string file = test.param;
+                             return file.substr(0, file.find('.'));
+                         });
+
+}  // namespace
+}  // namespace ink::truth
