@@ -38,11 +38,6 @@ const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
     return nullptr;
 }
 
-std::string headline(const Verdict& verdict) {
-    if (verdict.best == nullptr) return "No verdict: no method was scored";
-    return escape(verdict.best->method) + " makes the fewest errors";
-}
-
 /// What the ceiling says of the winner, and who else is worth a look.
 std::string context_sentences(const Material& m) {
     std::string text;
@@ -123,7 +118,7 @@ std::string header_html(const Material& m) {
         "which outline method makes the fewest errors at a time budget?</span></div><h1>{}</h1>"
         "<p class=\"lead\">{}{}</p>{}{}</div></header>\n",
         page_mark(),
-        headline(m.verdict),
+        escape(verdict_headline(m.verdict)),
         escape(verdict_details(m.data.rows, m.summaries)),
         context_sentences(m),
         facts_html(m),
@@ -258,7 +253,7 @@ std::string report_page(const ReportData& data) {
         "<title>Inkbench: {}</title>\n<style>{}</style></head>\n<body>\n{}{}"
         "<main class=\"wrap\">\n{}</main>\n<footer class=\"wrap\">Made by inkbench {}. This page "
         "needs no other file and no network.</footer>\n<script>{}</script>\n</body></html>\n",
-        headline(material.verdict),
+        escape(verdict_headline(material.verdict)),
         page_style(),
         header_html(material),
         nav_html(material),

@@ -122,7 +122,8 @@ input[type=range] { width: 100%; margin: 8px 0 0; accent-color: var(--blue); dis
 .rows th[aria-sort=descending] button::after { content: " \2193"; }
 .rows td { max-width: 320px; overflow: hidden; text-overflow: ellipsis; }
 td.text, .rows th.text { text-align: left; }
-.wide td.text { white-space: normal; overflow-wrap: anywhere; }
+.wide td.text:last-child { white-space: normal; overflow-wrap: anywhere; min-width: 300px; }
+.wide td.text { max-width: 260px; overflow: hidden; text-overflow: ellipsis; }
 .provenance { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 3px 22px;
   font-size: .92rem; margin: 12px 0; }
 .provenance dt { color: var(--soft); }

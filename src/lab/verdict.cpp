@@ -131,9 +131,12 @@ constexpr const char* kBracketNote =
     "centre,\n  `oracle` is the truth itself.";
 
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
-std::string cost_of(const MethodSummary& best, const MethodSummary* cheapest) {
+std::string cost_of(const Verdict& verdict) {
+    const MethodSummary& best = *verdict.best;
+    const MethodSummary* cheapest = verdict.cheapest;
     if (!best.draw_ms) return "; no time was taken.";
     const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
+    if (verdict.runner_up == nullptr) return cost + ".";
     if (cheapest == &best) return cost + ", which is also the cheapest.";
     return fmt::format("{}, {:.1f} times as long as the cheapest, {} ({} ms, F {}).",
                        cost,
@@ -192,9 +195,16 @@ std::string verdict_details(const std::vector<Row>& rows,
                        format_share(best.f_2px),
                        best.views,
                        best.views == 1 ? "" : "s",
-                       cost_of(best, verdict.cheapest),
+                       cost_of(verdict),
                        doubt(rows, verdict),
                        failures(summaries));
+}
+
+std::string verdict_headline(const Verdict& verdict) {
+    if (verdict.best == nullptr) return "No verdict: no method was scored";
+    const bool is_alone = verdict.runner_up == nullptr;
+    return verdict.best->method +
+           (is_alone ? " is the only method scored" : " makes the fewest errors");
 }
 
 std::string verdict_sentence(const std::vector<Row>& rows,
@@ -202,7 +212,7 @@ std::string verdict_sentence(const std::vector<Row>& rows,
     const Verdict verdict = find_verdict(summaries);
     const std::string details = verdict_details(rows, summaries);
     if (verdict.best == nullptr) return details;
-    return fmt::format("{} makes the fewest errors: {}", verdict.best->method, details);
+    return fmt::format("{}: {}", verdict_headline(verdict), details);
 }
 
 std::string verdict_table(const std::vector<Row>& rows) {
