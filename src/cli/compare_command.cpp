@@ -58,6 +58,12 @@ void run_compare(const CompareArgs& args, const std::string& command_line) {
     const lab::CompareResult result =
         lab::compare(lab::load_subjects(names_of(args), view_request(args.views)), options);
     fmt::print("{}\n", lab::verdict_table(result.rows));
+    for (const lab::OdsPoint& point : result.ods) {
+        fmt::print("{}: best threshold over these training scenes {} (F {:.3f} pooled)\n",
+                   point.method,
+                   point.threshold,
+                   point.f);
+    }
     fmt::print("report: {}\n", result.report.string());
     for (const std::string& reason : result.void_reasons) {
         fmt::print(stderr, "inkbench: this run is void: {}\n", reason);

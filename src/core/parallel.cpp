@@ -17,7 +17,8 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
             body(i);
         return;
     }
-    tbb::task_arena arena(threads);
+    // More threads than the machine has would only wait, and oneTBB warns of it on stderr.
+    tbb::task_arena arena(std::min(threads, hardware_threads()));
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
             for (std::size_t i = range.begin(); i != range.end(); ++i)

@@ -32,14 +32,13 @@ void write_drawing(const Subject& subject,
                    const edge::EdgeImage& strengths,
                    Shading shading,
                    const std::filesystem::path& path) {
-    const scene::View& view = subject.views.front();
-    RgbImage picture(view.width_px, view.height_px, kPaper.rgb);
-    (void)shading;
-    const int threshold = threshold_of(entrant);
-    for (std::size_t i = 0; i < picture.size(); ++i) {
-        if (strengths.data()[i] >= threshold) picture.data()[i] = kInk.rgb;
+    const shade::Ink ink{kInk.rgb, threshold_of(entrant)};
+    if (shading == Shading::none) {
+        image_io::write_png(shade::compose(strengths, kPaper.rgb, ink), path);
+        return;
     }
-    image_io::write_png(picture, path);
+    const auto light = shade::draw_gouraud(subject.scene, subject.views.front(), {});
+    image_io::write_png(shade::compose(strengths, shade::to_8_bit(light), ink), path);
 }
 
 void write_strengths(const edge::EdgeImage& strengths, const std::filesystem::path& path) {
