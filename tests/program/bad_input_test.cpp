@@ -113,7 +113,7 @@ TEST(BadModel, RandomBytes) {
 
 TEST(BadModel, UnknownFormat) {
     const Desk desk;
-    expect_model_refused(desk, desk.write("model.nosuchformat", kTriangleObj));
+    expect_model_refused(desk, desk.write("model.nosuchformat", "Dear Anna,\n"));
 }
 
 TEST(BadModel, CutShort) {
