@@ -1,8 +1,10 @@
 #include "lab/error_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
 
 #include "edge/thin.h"
 #include "lab/palette.h"
@@ -41,28 +43,30 @@ edge::Mask near(const edge::Mask& from, const edge::Mask& to, double tolerance_p
     return mask;
 }
 
-/// For every pixel, the index (y * width + x) of the nearest set pixel of `mask`; -1 if none is
-/// set.
-std::vector<int> nearest_set(const edge::Mask& mask) {
-    std::vector<int> nearest(mask.size(), -1);
-    if (std::count(mask.data(), mask.data() + mask.size(), 1) == 0) return nearest;
-    cv::Mat zeros(mask.height_px(), mask.width_px(), CV_8U);
-    std::transform(mask.data(), mask.data() + mask.size(), zeros.data, [](std::uint8_t m) {
-        return m != 0 ? 0 : 255;
-    });
-    cv::Mat distances;
-    cv::Mat labels;
-    cv::distanceTransform(
-        zeros, distances, labels, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-    // OpenCV numbers the set pixels; where each number lies is read off the set pixels themselves.
-    const auto* label = labels.ptr<int>();
-    std::vector<int> place(mask.size() + 1, -1);
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        if (mask.data()[i] != 0) place[static_cast<std::size_t>(label[i])] = static_cast<int>(i);
+/// Gives each drawn pixel that has no owner yet the owner of the thinned pixel that is nearest
+/// along the drawing. `owner` comes with each thinned pixel owning itself and -1 elsewhere.
+/// Thinning never removes a whole piece, so all are reached.
+void spread_owners(const edge::Mask& drawn, std::vector<int>& owner) {
+    std::vector<int> front;
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+        if (owner[i] >= 0) front.push_back(static_cast<int>(i));
     }
-    for (std::size_t i = 0; i < mask.size(); ++i)
-        nearest[i] = place[static_cast<std::size_t>(label[i])];
-    return nearest;
+    const int width = drawn.width_px();
+    // A breadth-first walk; the four straight neighbours first, since they are nearer.
+    constexpr std::array<std::pair<int, int>, 8> kSteps = {
+        {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+    for (std::size_t next = 0; next < front.size(); ++next) {
+        const int i = front[next];
+        for (const auto& [dx, dy] : kSteps) {
+            const int x = i % width + dx;
+            const int y = i / width + dy;
+            if (!drawn.contains(x, y) || drawn.at(x, y) == 0) continue;
+            int& other = owner[static_cast<std::size_t>(y * width + x)];
+            if (other >= 0) continue;
+            other = owner[static_cast<std::size_t>(i)];
+            front.push_back(y * width + x);
+        }
+    }
 }
 
 /// What thinned pixels are, outside the band: off the truth they are false, unless an ignored pixel
@@ -120,6 +124,23 @@ core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_
     return small;
 }
 
+/// Pixels for which `spreads` holds are copied to the right, down and both where `gives_way` does.
+template <class T, class Spreads, class GivesWay>
+core::Image<T> thicken_by(const core::Image<T>& image, Spreads spreads, GivesWay gives_way) {
+    core::Image<T> thick = image;
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            if (!spreads(image.at(x, y))) continue;
+            for (const auto& [u, v] : {std::pair(x + 1, y), {x, y + 1}, {x + 1, y + 1}}) {
+                if (image.contains(u, v) && gives_way(thick.at(u, v))) {
+                    thick.at(u, v) = image.at(x, y);
+                }
+            }
+        }
+    }
+    return thick;
+}
+
 }  // namespace
 
 RgbImage error_picture(const Marks& marks) {
@@ -135,6 +156,18 @@ RgbImage truth_picture(const core::Image<std::uint8_t>& labels) {
             return colour_of(static_cast<LineClass>(label)).rgb;
         });
     return picture;
+}
+
+Marks thicken(const Marks& marks) {
+    return thicken_by(
+        marks,
+        [](Mark m) { return m == Mark::missing; },
+        [](Mark m) { return m <= Mark::ignored; });
+}
+
+core::Image<std::uint8_t> thicken(const core::Image<std::uint8_t>& labels) {
+    const auto is_line = [](std::uint8_t l) { return l != 0 && l != kIgnoreLabel; };
+    return thicken_by(labels, is_line, [&](std::uint8_t l) { return !is_line(l); });
 }
 
 Marks shrink(const Marks& image, int factor) {
@@ -162,12 +195,15 @@ Marks mark_errors(const core::Image<std::uint8_t>& labels,
     const edge::Mask drawn = edge::threshold(strength, options.threshold);
     const edge::Mask thin = edge::thin(drawn);
     const ThinMarks thin_marks = judge(thin, truth, options);
-    const std::vector<int> nearest = nearest_set(thin);
+    std::vector<int> owner(thin.size(), -1);
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+        if (thin.data()[i] != 0) owner[i] = static_cast<int>(i);
+    }
+    spread_owners(drawn, owner);
     const edge::Mask is_found = near(truth.labels, thin_marks.is_counted, options.tolerance_px);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (drawn.data()[i] != 0) {
-            const int line = thin.data()[i] != 0 ? static_cast<int>(i) : nearest[i];
-            marks.data()[i] = thin_marks.of(static_cast<std::size_t>(line));
+            marks.data()[i] = thin_marks.of(static_cast<std::size_t>(owner[i]));
         } else if (labels.data()[i] == kIgnoreLabel) {
             marks.data()[i] = Mark::ignored;
         }

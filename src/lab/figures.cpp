@@ -19,14 +19,17 @@
 namespace ink::lab {
 namespace {
 
-constexpr int kCellWidth_px = 480;  // wider pictures are shrunk by a whole factor
+constexpr int kStripCell_px = 480;  // wider pictures are shrunk by a whole factor
+constexpr int kOverviewCell_px = 300;
+constexpr double kFontScale = 0.48;
+constexpr int kLetter_px = 9;  // mean advance at that scale
 constexpr int kGap_px = 12;
 constexpr int kCaptionHeight_px = 30;
 constexpr int kLegendHeight_px = 34;
 constexpr std::size_t kOverviewStrips = 8;
 
-int shrink_factor(int width_px) {
-    return std::max(1, (width_px + kCellWidth_px / 2) / kCellWidth_px);
+int shrink_factor(int width_px, int cell_px) {
+    return std::max(1, (width_px + cell_px / 2) / cell_px);
 }
 
 /// OpenCV's letters know ASCII only.
@@ -43,7 +46,7 @@ void put_text(RgbImage& canvas, cv::Point place, const std::string& text, glm::u
                 ascii(text),
                 place,
                 cv::FONT_HERSHEY_SIMPLEX,
-                0.48,
+                kFontScale,
                 cv::Scalar(colour.r, colour.g, colour.b),
                 1,
                 cv::LINE_AA);
@@ -80,16 +83,34 @@ std::string caption_of(const std::vector<Row>& rows,
     return method;
 }
 
-std::vector<Cell> cells_of(const ReportData& data, const ShownView& view) {
-    const int factor = shrink_factor(view.labels.width_px());
+/// Truth and errors of a view, once, for strips of any size.
+struct MarkedView {
+    const ShownView* view = nullptr;
+    std::vector<Marks> marks;  ///< one per picture of the view
+};
+
+std::vector<MarkedView> mark_views(const std::vector<ShownView>& views) {
+    std::vector<MarkedView> marked(views.size());
+    core::parallel_for(views.size(), core::hardware_threads(), [&](std::size_t i) {
+        marked[i].view = &views[i];
+        for (const MethodPicture& picture : views[i].pictures) {
+            const Marks marks =
+                mark_errors(views[i].labels, picture.strength, {.threshold = picture.threshold});
+            marked[i].marks.push_back(marks);
+        }
+    });
+    return marked;
+}
+
+std::vector<Cell> cells_of(const std::vector<Row>& rows, const MarkedView& marked, int cell_px) {
+    const ShownView& view = *marked.view;
+    const int factor = shrink_factor(view.labels.width_px(), cell_px);
     std::vector<Cell> cells;
     cells.push_back({truth_picture(shrink(view.labels, factor)),
                      fmt::format("{} {}: truth", view.scene, view.view)});
-    for (const MethodPicture& picture : view.pictures) {
-        const Marks marks =
-            mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
-        cells.push_back(
-            {error_picture(shrink(marks, factor)), caption_of(data.rows, view, picture.method)});
+    for (std::size_t i = 0; i < marked.marks.size(); ++i) {
+        cells.push_back({error_picture(shrink(marked.marks[i], factor)),
+                         caption_of(rows, view, view.pictures[i].method)});
     }
     return cells;
 }
@@ -106,7 +127,7 @@ RgbImage strip_of(const std::vector<Cell>& cells) {
         put_image(strip, left, kGap_px, cell.picture);
         put_frame(strip, {left - 1, kGap_px - 1, width + 2, height + 2});
         // Captions that are too long are cut where the next picture's begins.
-        const auto letters = static_cast<std::size_t>(width / 9);
+        const auto letters = static_cast<std::size_t>(width / kLetter_px);
         put_text(strip, {left, kGap_px + height + 20}, cell.caption.substr(0, letters), kInk.rgb);
     }
     return strip;
@@ -127,7 +148,7 @@ RgbImage legend(int width_px) {
     RgbImage image(width_px, kLegendHeight_px, kPaper.rgb);
     int left = kGap_px;
     for (const auto& [colour, words] : entries) {
-        const int needed = 24 + 9 * static_cast<int>(words.size()) + 14;
+        const int needed = 24 + kLetter_px * static_cast<int>(words.size()) + 14;
         if (left + needed > width_px) break;
         cv::Mat pixels(image.height_px(), image.width_px(), CV_8UC3, image.data());
         cv::rectangle(pixels,
@@ -156,23 +177,36 @@ RgbImage stacked(const std::vector<RgbImage>& images) {
     return canvas;
 }
 
-void write_strips(const ReportData& data, const std::filesystem::path& folder) {
-    std::vector<RgbImage> strips(data.views.size());
-    core::parallel_for(data.views.size(), core::hardware_threads(), [&](std::size_t i) {
-        strips[i] = strip_of(cells_of(data, data.views[i]));
-    });
+void write_strips(const std::vector<Row>& rows,
+                  const std::vector<MarkedView>& views,
+                  const std::filesystem::path& folder) {
+    std::vector<std::string> names;
     std::set<std::string> taken = {"overview"};
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        const std::string stem = file_stem(data.views[i].scene);
+    for (const MarkedView& marked : views) {
+        const std::string stem = file_stem(marked.view->scene);
         std::string name = stem;
         for (int n = 2; !taken.insert(name).second; ++n)
             name = fmt::format("{}.{}", stem, n);
-        image_io::write_png(stacked({strips[i], legend(strips[i].width_px())}),
-                            folder / (name + ".png"));
+        names.push_back(name + ".png");
+    }
+    core::parallel_for(views.size(), core::hardware_threads(), [&](std::size_t i) {
+        const RgbImage strip = strip_of(cells_of(rows, views[i], kStripCell_px));
+        image_io::write_png(stacked({strip, legend(strip.width_px())}), folder / names[i]);
+    });
+}
+
+/// The first strips below each other, small enough to open a README with.
+void write_overview(const std::vector<Row>& rows,
+                    const std::vector<MarkedView>& views,
+                    const std::filesystem::path& folder) {
+    std::vector<RgbImage> strips;
+    int width_px = 0;
+    for (std::size_t i = 0; i < std::min(kOverviewStrips, views.size()); ++i) {
+        strips.push_back(strip_of(cells_of(rows, views[i], kOverviewCell_px)));
+        width_px = std::max(width_px, strips.back().width_px());
     }
     if (strips.empty()) return;
-    strips.resize(std::min(strips.size(), kOverviewStrips));
-    strips.push_back(legend(strips.front().width_px()));
+    strips.push_back(legend(width_px));
     image_io::write_png(stacked(strips), folder / "overview.png");
 }
 
@@ -203,7 +237,9 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
                      front_chart(summaries).file("Error against time, per method"));
     write_whole_file(figures / "classes.svg",
                      class_chart(summaries).file("Recall per line class and method"));
-    write_strips(data, figures);
+    const std::vector<MarkedView> views = mark_views(data.views);
+    write_strips(data.rows, views, figures);
+    write_overview(data.rows, views, figures);
 }
 
 }  // namespace ink::lab

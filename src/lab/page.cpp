@@ -38,11 +38,6 @@ const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
     return nullptr;
 }
 
-std::string headline(const Verdict& verdict) {
-    if (verdict.best == nullptr) return "No verdict: no method was scored";
-    return escape(verdict.best->method) + " makes the fewest errors";
-}
-
 /// What the ceiling says of the winner, and who else is worth a look.
 std::string context_sentences(const Material& m) {
     std::string text;
@@ -123,8 +118,8 @@ std::string header_html(const Material& m) {
         "which outline method makes the fewest errors at a time budget?</span></div><h1>{}</h1>"
         "<p class=\"lead\">{}{}</p>{}{}</div></header>\n",
         page_mark(),
-        headline(m.verdict),
-        escape(verdict_sentence(m.data.rows, m.summaries)),
+        escape(verdict_headline(m.verdict)),
+        escape(verdict_details(m.data.rows, m.summaries)),
         context_sentences(m),
         facts_html(m),
         void_html(m.data.rows));
@@ -226,11 +221,12 @@ std::string main_html(const Material& m) {
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "
                     "method of each scene in bold.",
                     scene_heat_html(rows, m.summaries, pictured_scenes(m.scenes)));
-    html += section("pictures",
-                    "Truth and methods, side by side",
-                    "One view per scene. Drag across a picture, or move the divider below it with "
-                    "the arrow keys: truth to the left, the method to the right.",
-                    scenes_html(m.scenes, rows));
+    html += section(
+        "pictures",
+        "Truth and methods, side by side",
+        "One view per scene. Drag across a picture, or move the divider below it with "
+        "the arrow keys: truth to the left, the method to the right.",
+        scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
@@ -257,7 +253,7 @@ std::string report_page(const ReportData& data) {
         "<title>Inkbench: {}</title>\n<style>{}</style></head>\n<body>\n{}{}"
         "<main class=\"wrap\">\n{}</main>\n<footer class=\"wrap\">Made by inkbench {}. This page "
         "needs no other file and no network.</footer>\n<script>{}</script>\n</body></html>\n",
-        headline(material.verdict),
+        escape(verdict_headline(material.verdict)),
         page_style(),
         header_html(material),
         nav_html(material),

@@ -43,13 +43,13 @@ section[id], article[id] { scroll-margin-top: 44px; }
   margin: 24px 0 0; overflow-wrap: anywhere; }
 .warning ul { margin: 4px 0 0; padding-left: 20px; }
 .scroll { overflow-x: auto; margin: 14px 0 12px; }
-.chart svg { display: block; width: 100%; height: auto; min-width: 640px; }
+.chart svg { display: block; width: 100%; height: auto; min-width: 820px; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: 6px 9px; text-align: right; white-space: nowrap; }
 th { font-weight: 600; }
-thead th { color: var(--soft); font-weight: 500; vertical-align: bottom;
+thead th, thead td { color: var(--soft); font-weight: 500; vertical-align: bottom;
   border-bottom: 1px solid #b9bfc8; }
-thead tr.groups th { border-bottom: 1px solid var(--line); text-align: center; font-size: .85rem;
+thead tr.groups > * { border-bottom: 1px solid var(--line); text-align: center; font-size: .85rem;
   padding-bottom: 3px; }
 tbody td, tbody th { border-bottom: 1px solid var(--line); }
 th:first-child, td.name { text-align: left; }
@@ -57,6 +57,8 @@ tbody th { position: sticky; left: 0; background: #fff; }
 tr.best th, tr.best td { background: #eef6fb; }
 tr.bracket th, tr.bracket td { color: var(--soft); font-weight: 400; }
 tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
+.verdict { font-size: .86rem; }
+.verdict th, .verdict td { padding: 6px 7px; }
 .group { border-left: 1px solid var(--line); }
 td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
@@ -120,7 +122,8 @@ input[type=range] { width: 100%; margin: 8px 0 0; accent-color: var(--blue); dis
 .rows th[aria-sort=descending] button::after { content: " \2193"; }
 .rows td { max-width: 320px; overflow: hidden; text-overflow: ellipsis; }
 td.text, .rows th.text { text-align: left; }
-.wide td.text { white-space: normal; overflow-wrap: anywhere; }
+.wide td.text:last-child { white-space: normal; overflow-wrap: anywhere; min-width: 300px; }
+.wide td.text { max-width: 260px; overflow: hidden; text-overflow: ellipsis; }
 .provenance { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 3px 22px;
   font-size: .92rem; margin: 12px 0; }
 .provenance dt { color: var(--soft); }

@@ -27,15 +27,17 @@ int thumb_factor(int width_px) {
 }
 
 PagePicture truth_of(const ShownView& view, int factor) {
-    const auto draw = [&](int f) { return uri_of(truth_picture(shrink(view.labels, f))); };
-    return {"", draw(factor), draw(thumb_factor(view.labels.width_px()))};
+    const auto whole = factor == 1 ? thicken(view.labels) : shrink(view.labels, factor);
+    const auto thumb = shrink(view.labels, thumb_factor(view.labels.width_px()));
+    return {"", uri_of(truth_picture(whole)), uri_of(truth_picture(thumb))};
 }
 
 PagePicture errors_of(const ShownView& view, const MethodPicture& picture, int factor) {
     const Marks marks =
         mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
-    const auto draw = [&](int f) { return uri_of(error_picture(shrink(marks, f))); };
-    return {picture.method, draw(factor), draw(thumb_factor(view.labels.width_px()))};
+    const Marks whole = factor == 1 ? thicken(marks) : shrink(marks, factor);
+    const Marks thumb = shrink(marks, thumb_factor(view.labels.width_px()));
+    return {picture.method, uri_of(error_picture(whole)), uri_of(error_picture(thumb))};
 }
 
 std::vector<PageScene> encode_at(const std::vector<ShownView>& views, int factor) {
@@ -125,7 +127,15 @@ std::string legend_html() {
         truth_colours);
 }
 
-std::string tools_html(const PageScenes& scenes) {
+/// Which picture of a scene is seen at first; 0, the truth, if there is no other.
+std::size_t first_shown(const PageScene& scene, const std::string& first_method) {
+    for (std::size_t i = 1; i < scene.pictures.size(); ++i) {
+        if (scene.pictures[i].method == first_method) return i;
+    }
+    return scene.pictures.size() > 1 ? 1 : 0;
+}
+
+std::string tools_html(const PageScenes& scenes, const std::string& first_method) {
     std::vector<std::string> methods;
     for (const PageScene& scene : scenes.scenes) {
         for (const PagePicture& picture : scene.pictures) {
@@ -136,7 +146,8 @@ std::string tools_html(const PageScenes& scenes) {
     }
     std::string options;
     for (const std::string& method : methods)
-        options += fmt::format("<option>{}</option>", escape(method));
+        options += fmt::format(
+            "<option{}>{}</option>", method == first_method ? " selected" : "", escape(method));
     return fmt::format(
         "<div class=\"tools\"><label>In every scene show <select id=\"pick-method\">{}</select>"
         "</label><label>Layout <select id=\"pick-layout\"><option value=\"slide\">divider"
@@ -146,13 +157,13 @@ std::string tools_html(const PageScenes& scenes) {
         options);
 }
 
-std::string stage_html(const PageScene& scene, const std::vector<Row>& rows) {
+std::string stage_html(const PageScene& scene, const std::vector<Row>& rows, std::size_t shown) {
     const ShownView& view = *scene.view;
     std::string images;
     for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
         const PagePicture& picture = scene.pictures[i];
         const Row* row = find_row(rows, view, picture.method);
-        const std::string kind = i == 0 ? "truth" : i == 1 ? "pred on" : "pred";
+        const std::string kind = i == 0 ? "truth" : i == shown ? "pred on" : "pred";
         images += fmt::format(R"(<img class="{}" data-method="{}" alt="{}" src="{}">)",
                               kind,
                               escape(picture.method),
@@ -170,12 +181,13 @@ std::string stage_html(const PageScene& scene, const std::vector<Row>& rows) {
         images,
         has_methods ? "<span class=\"grip\" aria-hidden=\"true\"></span>" : "",
         has_methods ? range : "",
-        has_methods ? escape(scene.pictures[1].method) + ", errors in colour" : "");
+        has_methods ? escape(scene.pictures[shown].method) + ", errors in colour" : "");
 }
 
 std::string picker_html(const PageScene& scene,
                         const std::vector<Row>& rows,
-                        const std::string& anchor) {
+                        const std::string& anchor,
+                        std::size_t shown) {
     std::string choices;
     for (std::size_t i = 1; i < scene.pictures.size(); ++i) {
         const PagePicture& picture = scene.pictures[i];
@@ -183,7 +195,7 @@ std::string picker_html(const PageScene& scene,
             R"(<label><input type="radio" name="{}" value="{}"{}><img alt="" src="{}"><span><b>{}</b>{}</span></label>)",
             anchor,
             escape(picture.method),
-            i == 1 ? " checked" : "",
+            i == shown ? " checked" : "",
             picture.thumb,
             escape(picture.method),
             words_on(find_row(rows, *scene.view, picture.method)));
@@ -195,7 +207,9 @@ std::string picker_html(const PageScene& scene,
 
 std::string scene_html(const PageScene& scene,
                        const std::vector<Row>& rows,
-                       const std::string& anchor) {
+                       const std::string& anchor,
+                       const std::string& first_method) {
+    const std::size_t shown = first_shown(scene, first_method);
     const ShownView& view = *scene.view;
     const auto any = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
         return row.scene == view.scene && row.view == view.view;
@@ -216,12 +230,14 @@ std::string scene_html(const PageScene& scene,
         escape(view.scene),
         escape(view.view),
         facts,
-        stage_html(scene, rows),
-        picker_html(scene, rows, anchor));
+        stage_html(scene, rows, shown),
+        picker_html(scene, rows, anchor, shown));
 }
 
 std::string room_note(const PageScenes& scenes) {
-    std::string note;
+    std::string note =
+        "Lines of the truth and missing ones are drawn two pixels wide, so that they "
+        "are seen; what a method drew has its own width. ";
     if (scenes.shrink_factor > 1) {
         note += fmt::format(
             "To keep this page small, pictures are shown at 1/{} of their size; of "
@@ -234,7 +250,7 @@ std::string room_note(const PageScenes& scenes) {
                             scenes.left_out,
                             scenes.left_out == 1 ? "" : "s");
     }
-    return note.empty() ? "" : fmt::format("<p class=\"note\">{}</p>", note);
+    return fmt::format("<p class=\"note\">{}</p>", note);
 }
 
 }  // namespace
@@ -260,11 +276,13 @@ std::vector<std::string> pictured_scenes(const PageScenes& scenes) {
     return names;
 }
 
-std::string scenes_html(const PageScenes& scenes, const std::vector<Row>& rows) {
+std::string scenes_html(const PageScenes& scenes,
+                        const std::vector<Row>& rows,
+                        const std::string& first_method) {
     if (scenes.scenes.empty()) return "<p class=\"note\">No view was drawn.</p>";
-    std::string html = legend_html() + tools_html(scenes) + room_note(scenes);
+    std::string html = legend_html() + tools_html(scenes, first_method) + room_note(scenes);
     for (std::size_t i = 0; i < scenes.scenes.size(); ++i)
-        html += scene_html(scenes.scenes[i], rows, fmt::format("scene-{}", i + 1));
+        html += scene_html(scenes.scenes[i], rows, fmt::format("scene-{}", i + 1), first_method);
     return html;
 }
 

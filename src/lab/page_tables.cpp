@@ -35,7 +35,7 @@ VerdictColumn recall_column(const std::string& name) {
         if (found == s.recall_by_class.end()) return std::nullopt;
         return found->second;
     };
-    return {"recall per class, 2 px",
+    return {"recall per class",
             name,
             [recall](const MethodSummary& s) { return format_share(recall(s)); },
             recall};
@@ -46,6 +46,11 @@ std::string range_cell(const MethodSummary& s) {
     return fmt::format("<span class=\"range\">{}–{}</span>",
                        format_share(s.f_2px_range->low),
                        format_share(s.f_2px_range->high));
+}
+
+std::string views_cell(const MethodSummary& s) {
+    if (s.failed == 0) return fmt::format("{}", s.views);
+    return fmt::format("<b>{}</b> of {}", s.views, s.views + s.failed);
 }
 
 std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& summaries) {
@@ -68,7 +73,7 @@ std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& sum
         });
         if (is_there) columns.push_back(recall_column(name));
     }
-    columns.push_back({"line", "width px", [](const MethodSummary& s) {
+    columns.push_back({"px", "width", [](const MethodSummary& s) {
                            return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
                        }});
     columns.push_back({"cost",
@@ -81,11 +86,7 @@ std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& sum
     columns.push_back({"cost", "B/px", [](const MethodSummary& s) {
                            return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
                        }});
-    columns.push_back(
-        {"cells", "views", [](const MethodSummary& s) { return fmt::format("{}", s.views); }});
-    columns.push_back({"cells", "failed", [](const MethodSummary& s) {
-                           return s.failed == 0 ? "0" : fmt::format("<b>{}</b>", s.failed);
-                       }});
+    columns.push_back({"cells", "views", views_cell});
     return columns;
 }
 

@@ -32,8 +32,14 @@ Column name_column() {
     return {"method", method_name};
 }
 
-std::vector<Column> main_columns(const std::vector<MethodSummary>& summaries) {
-    std::vector<Column> columns = {
+/// "36", or "35/36" where a cell failed.
+std::string views_of(const MethodSummary& s) {
+    const std::string views = fmt::format("{}", s.views);
+    return s.failed == 0 ? views : fmt::format("{}/{}", views, s.views + s.failed);
+}
+
+std::vector<Column> main_columns() {
+    return {
         name_column(),
         share_column("F 2px", &MethodSummary::f_2px),
         share_column("train", &MethodSummary::f_train),
@@ -43,7 +49,7 @@ std::vector<Column> main_columns(const std::vector<MethodSummary>& summaries) {
         share_column("F 1px", &MethodSummary::f_1px),
         share_column("prec.", &MethodSummary::precision),
         share_column("recall", &MethodSummary::recall),
-        {"width px",
+        {"width",
          [](const MethodSummary& s) {
              return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
          }},
@@ -52,15 +58,8 @@ std::vector<Column> main_columns(const std::vector<MethodSummary>& summaries) {
          [](const MethodSummary& s) {
              return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
          }},
-        {"views", [](const MethodSummary& s) { return fmt::format("{}", s.views); }},
+        {"views", views_of},
     };
-    const bool any_failed = std::any_of(
-        summaries.begin(), summaries.end(), [](const MethodSummary& s) { return s.failed > 0; });
-    if (any_failed) {
-        columns.push_back(
-            {"failed", [](const MethodSummary& s) { return fmt::format("{}", s.failed); }});
-    }
-    return columns;
 }
 
 /// One column per class that some view has.
@@ -131,11 +130,14 @@ constexpr const char* kBracketNote =
     "* brackets, not methods: `none` draws nothing, `sampled` sees the exact lines once per pixel "
     "centre,\n  `oracle` is the truth itself.";
 
-/// "12.3 ms a frame, 4.1 times the cheapest, mote2 (3.00 ms, F .803)."
-std::string cost_of(const MethodSummary& best, const MethodSummary* cheapest) {
+/// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
+std::string cost_of(const Verdict& verdict) {
+    const MethodSummary& best = *verdict.best;
+    const MethodSummary* cheapest = verdict.cheapest;
     if (!best.draw_ms) return "; no time was taken.";
-    const std::string cost = fmt::format(" and takes {} ms a frame", format_ms(best.draw_ms));
-    if (cheapest == &best) return cost + ": it is also the cheapest.";
+    const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
+    if (verdict.runner_up == nullptr) return cost + ".";
+    if (cheapest == &best) return cost + ", which is also the cheapest.";
     return fmt::format("{}, {:.1f} times as long as the cheapest, {} ({} ms, F {}).",
                        cost,
                        *best.draw_ms / *cheapest->draw_ms,
@@ -182,28 +184,42 @@ std::string format_ms(const std::optional<double>& ms) {
     return fmt::format("{:.{}f}", *ms, decimals);
 }
 
-std::string verdict_sentence(const std::vector<Row>& rows,
-                             const std::vector<MethodSummary>& summaries) {
+std::string verdict_details(const std::vector<Row>& rows,
+                            const std::vector<MethodSummary>& summaries) {
     const Verdict verdict = find_verdict(summaries);
     if (verdict.best == nullptr) {
         return "No method was scored on any view, so there is no verdict." + failures(summaries);
     }
     const MethodSummary& best = *verdict.best;
-    return fmt::format("{} makes the fewest errors (F {} at 2 px, {} view{} pooled){}{}{}",
-                       best.method,
+    return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}",
                        format_share(best.f_2px),
                        best.views,
                        best.views == 1 ? "" : "s",
-                       cost_of(best, verdict.cheapest),
+                       cost_of(verdict),
                        doubt(rows, verdict),
                        failures(summaries));
+}
+
+std::string verdict_headline(const Verdict& verdict) {
+    if (verdict.best == nullptr) return "No verdict: no method was scored";
+    const bool is_alone = verdict.runner_up == nullptr;
+    return verdict.best->method +
+           (is_alone ? " is the only method scored" : " makes the fewest errors");
+}
+
+std::string verdict_sentence(const std::vector<Row>& rows,
+                             const std::vector<MethodSummary>& summaries) {
+    const Verdict verdict = find_verdict(summaries);
+    const std::string details = verdict_details(rows, summaries);
+    if (verdict.best == nullptr) return details;
+    return fmt::format("{}: {}", verdict_headline(verdict), details);
 }
 
 std::string verdict_table(const std::vector<Row>& rows) {
     const std::vector<MethodSummary> summaries = summarise(rows);
     const std::string sentence = verdict_sentence(rows, summaries);
     if (summaries.empty()) return sentence;
-    std::string text = aligned(cells_of(main_columns(summaries), summaries));
+    std::string text = aligned(cells_of(main_columns(), summaries));
     std::vector<Column> classes = class_columns(summaries);
     if (!classes.empty()) {
         classes.insert(classes.begin(), name_column());
@@ -216,7 +232,7 @@ std::string verdict_markdown(const std::vector<Row>& rows) {
     const std::vector<MethodSummary> summaries = summarise(rows);
     const std::string sentence = verdict_sentence(rows, summaries);
     if (summaries.empty()) return sentence + "\n";
-    std::vector<Column> columns = main_columns(summaries);
+    std::vector<Column> columns = main_columns();
     for (Column& column : class_columns(summaries)) {
         columns.push_back({"recall " + column.heading, column.text});
     }

@@ -24,6 +24,14 @@ namespace ink::lab {
 /// The same as a Markdown table, for a README.
 [[nodiscard]] std::string verdict_markdown(const std::vector<Row>& rows);
 
+/// "mote4 makes the fewest errors", or what else there is to say in as few words.
+[[nodiscard]] std::string verdict_headline(const Verdict& verdict);
+
+/// What follows "... makes the fewest errors: " in the sentence, plain text: the winner's F, what
+/// it costs against the cheapest, whether its lead may be chance, how many cells failed.
+[[nodiscard]] std::string verdict_details(const std::vector<Row>& rows,
+                                          const std::vector<MethodSummary>& summaries);
+
 /// The sentence by itself, plain text.
 [[nodiscard]] std::string verdict_sentence(const std::vector<Row>& rows,
                                            const std::vector<MethodSummary>& summaries);

@@ -53,10 +53,14 @@ Camera look_at(const glm::dvec3& eye_world,
 }
 
 void fit_clip_range(Camera& camera, const Sphere& bounds) {
-    const double distance = glm::length(camera.eye_world - bounds.center_world);
+    // Along the gaze, where depth is measured: a ball off to the side begins before distance -
+    // radius.
+    const glm::dvec3 center_view =
+        camera.view_from_world * (bounds.center_world - camera.eye_world);
     const double radius = bounds.radius > 0 ? bounds.radius : 1.0;
-    camera.far = distance + radius;
-    camera.near = std::max(distance - radius, 1e-4 * radius);
+    camera.near = std::max(-center_view.z - radius, 1e-4 * radius);
+    const double far = -center_view.z + radius;
+    camera.far = far > camera.near ? far : 2 * camera.near;
 }
 
 Projection::Projection(const View& view)

@@ -40,8 +40,9 @@ struct View {
                              const glm::dvec3& up_world,
                              double fov_y_rad);
 
-/// Sets near and far so that `bounds` fits between them: far = distance + radius, near = distance -
-/// radius but at least 1e-4 radii, so that an eye inside the scene keeps what stands close to it.
+/// Sets near and far so that `bounds` fits between them: with d the depth of its centre along the gaze,
+/// far = d + radius, near = d - radius but at least 1e-4 radii, so that an eye inside the scene keeps
+/// what stands close to it (far is twice near if all of it lies behind the eye).
 void fit_clip_range(Camera& camera, const Sphere& bounds);
 
 /// Puts points where a view sees them. Everything is made eye-relative in double first.

@@ -94,7 +94,7 @@ Scene make_tiles_scene() {
     }
     stage.view(Shot{"three_quarter", 28, 38});
     stage.view(Shot{"above", 0, 84});
-    stage.view(Shot{"grazing", -16, 9, 24});
+    stage.view(EyeShot{"grazing", {-2.75, 0.75, 4}, {0.125, -0.25, 0}, 40});
     return stage.finish();
 }
 
@@ -111,16 +111,16 @@ Scene make_layers_scene() {
     }
     stage.view(Shot{"three_quarter", 24, 40});
     stage.view(Shot{"above", 0, 76});
-    stage.view(Shot{"grazing", -10, 8, 24});
+    stage.view(EyeShot{"grazing", {-1.75, 0.5, 2.5}, {-0.125, -0.125, 0}, 42});
     return stage.finish();
 }
 
 Scene make_hills_scene() {
     Stage stage;
     const auto height = [](double x, double z) {
-        return 0.6 * std::sin(0.9 * x + 0.4) * std::cos(0.8 * z) +
-               0.35 * std::sin(1.7 * z - 0.6 * x) +
-               0.9 * std::exp(-0.5 * ((x - 1.2) * (x - 1.2) + (z + 1.5) * (z + 1.5)));
+        const double bump = (x - 1.2) * (x - 1.2) + (z + 1.5) * (z + 1.5);
+        return 0.8 * std::sin(0.9 * x + 0.4) * std::cos(0.8 * z) +
+               0.45 * std::sin(1.7 * z - 0.6 * x) + 1.25 * std::exp(-0.5 * bump);
     };
     stage.add("hills", sheet_of({96, 128}, [&](double u, double v) {
                   const double x = 10 * v - 5;
@@ -128,8 +128,8 @@ Scene make_hills_scene() {
                   return glm::dvec3(x, height(x, z), z);
               }));
     stage.view(Shot{"three_quarter", 22, 26});
-    stage.view(Shot{"grazing", -30, 7});
-    stage.view(EyeShot{"valley", {-3.5, 1.25, 3.25}, {1.25, 0.25, -1}, 50});
+    stage.view(Shot{"grazing", -24, 12});
+    stage.view(EyeShot{"valley", {-1.5, 1.625, 2.875}, {0.75, 0.25, -1.5}, 60});
     return stage.finish();
 }
 
@@ -149,14 +149,15 @@ Scene make_soup_scene() {
 
 Scene make_flag_scene() {
     Stage stage;
-    stage.add("pole", make_cylinder(0.0625, 4.25, 24), {{0, -2, 0}});
+    stage.add("pole", make_cylinder(0.0625, 3, 24), {{0, -0.75, 0}});
     stage.add("knob", make_icosphere(0.14, 2), {{0, 2.3, 0}});
     const auto cloth = [](double u, double v) {
-        const double wave =
-            std::sin(7.5 * u - 1.1 * v) * 0.34 * u + 0.16 * u * std::sin(13 * u + 2 * v);
-        return glm::dvec3(0.1 + 3 * u - 0.12 * std::sin(9 * u) * u, 2 * v - 0.3 * u * u, wave);
+        const double phase = 8 * u - 1.3 * v;
+        const double wave = u * (0.4 * std::sin(phase) + 0.1 * std::sin(13 * u + 2 * v));
+        const double back = 0.25 * u * std::sin(2 * phase + 0.7);  // folds lean over
+        return glm::dvec3(0.1 + 3.25 * u + back, 2 * v - 0.35 * u * u, wave);
     };
-    stage.add("cloth", sheet_of({80, 48}, cloth));
+    stage.add("cloth", sheet_of({160, 40}, cloth));
     stage.view(Shot{"front", 0, 3});
     stage.view(Shot{"three_quarter", 36, 18});
     stage.view(Shot{"below", -48, -20});

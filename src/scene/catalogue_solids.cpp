@@ -66,7 +66,7 @@ Scene make_sphere_scene() {
     stage.view(Shot{"front", 8, 0});
     stage.view(Shot{"three_quarter", 35, 25});
     // Far from the axis of a wide lens the outline is an ellipse.
-    stage.view(EyeShot{"corner", {0, 0, 2.75}, {-1.875, -0.875, 0}, 75});
+    stage.view(EyeShot{"corner", {0, 0, 2.5}, {-1.375, -0.375, 0}, 80});
     return stage.finish();
 }
 
@@ -93,10 +93,10 @@ Scene make_balls_scene() {
 Scene make_torus_scene() {
     Stage stage;
     stage.add("torus", make_torus({1, 0.4}, {96, 40}));
-    stage.view(Shot{"front", 20, 12});
-    stage.view(Shot{"three_quarter", 35, 40});
-    // Here two contours end inside the surface.
-    stage.view(Shot{"upright", 50, 62});
+    // As low as this, the contours of the hole end inside the surface.
+    stage.view(Shot{"front", 20, 16});
+    stage.view(Shot{"three_quarter", 35, 34});
+    stage.view(Shot{"above", 50, 66});
     return stage.finish();
 }
 

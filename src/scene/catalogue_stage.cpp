@@ -14,7 +14,7 @@ namespace ink::scene {
 namespace {
 
 constexpr double kWidthOverHeight = 16.0 / 9.0;
-constexpr double kFill = 0.92;  ///< of the frame, by the subject
+constexpr double kFill = 0.92;  ///< of the frame, by the scene
 
 glm::dmat4 snapped_columns(const glm::dmat4& m) {
     glm::dmat4 result(1);
@@ -24,10 +24,9 @@ glm::dmat4 snapped_columns(const glm::dmat4& m) {
     return result;
 }
 
-std::vector<glm::dvec3> subject_points(const Scene& scene, const std::string& prefix) {
+std::vector<glm::dvec3> placed_points(const Scene& scene) {
     std::vector<glm::dvec3> points;
     for (const Instance& instance : scene.instances) {
-        if (!instance.name.starts_with(prefix)) continue;
         for (const auto& p : scene.meshes[instance.mesh].positions) {
             points.push_back(to_world(instance, p));
         }
@@ -116,8 +115,7 @@ void Stage::view(const Shot& shot) {
     const double fov_rad = glm::radians(shot.fov_deg);
     Camera camera = look_at(back, glm::dvec3(0), {0, 1, 0}, fov_rad);
     camera.name = shot.name;
-    const auto points = subject_points(scene_, shot.subject);
-    camera.eye_world = snapped(fitted_eye(points, camera.view_from_world, fov_rad));
+    camera.eye_world = snapped(fitted_eye(placed_points(scene_), camera.view_from_world, fov_rad));
     scene_.cameras.push_back(camera);
     nears_.push_back(0);
 }

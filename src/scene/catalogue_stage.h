@@ -19,13 +19,12 @@ struct Pose {
 /// The transform of a pose, its entries snapped like the positions of a mesh.
 [[nodiscard]] glm::dmat4 placed(const Pose& pose);
 
-/// A view that frames its subject by itself.
+/// A view that frames the whole scene by itself.
 struct Shot {
     std::string name;
     double turn_deg = 0;    ///< of the eye about the vertical, from +z towards +x
     double height_deg = 0;  ///< of the eye above the horizontal
     double fov_deg = 30;
-    std::string subject{};  ///< frames the instances whose names begin so; empty: all of them
 };
 
 /// A view with its eye given.
@@ -47,7 +46,7 @@ class Stage {
     /// A mesh that is placed once.
     void add(std::string name, Mesh mesh, const Pose& pose = {});
 
-    /// A 16:9 view from `shot`'s side, as near as its subject fits with a margin of 4 % on either
+    /// A 16:9 view from `shot`'s side, as near as the scene fits with a margin of 4 % on either
     /// side. Everything must have been placed.
     void view(const Shot& shot);
     void view(const EyeShot& shot);

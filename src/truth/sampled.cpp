@@ -214,7 +214,7 @@ bool is_in_front(const Feature& feature, const Walk& other, double near) {
     return feature.q >= *q * (1 - kSameDepth);
 }
 
-/// Which end of a segment a line between them is drawn at.
+/// At which of two neighbours the line between them is drawn.
 enum class Mark : std::uint8_t { none, first, second };
 
 class PairRule {
@@ -224,25 +224,21 @@ class PairRule {
     Mark mark(const Segment& forward, std::uint32_t first, std::uint32_t second) {
         const Segment back{
             forward.x_px + forward.dx, forward.y_px + forward.dy, -forward.dx, -forward.dy};
-        walk(forward, first, second, there_);
+        walker_.walk(forward, first, second, there_);
         if (there_.reached) return Mark::none;
-        walk(back, second, first, back_);
+        walker_.walk(back, second, first, back_);
         if (back_.reached) return Mark::none;
         const bool at_first = there_.feature && is_in_front(*there_.feature, back_, near_);
         const bool at_second = back_.feature && is_in_front(*back_.feature, there_, near_);
-        if (at_first && at_second) {
-            const bool is_second_nearer = there_.feature->edge != back_.feature->edge &&
-                                          back_.feature->q > there_.feature->q * (1 + kSameDepth);
-            return is_second_nearer ? Mark::second : Mark::first;
-        }
-        return at_first ? Mark::first : at_second ? Mark::second : Mark::none;
+        if (!at_first && !at_second) return Mark::none;
+        const bool is_second_nearer =
+            !at_first || (at_second && there_.feature->edge != back_.feature->edge &&
+                          back_.feature->q > there_.feature->q * (1 + kSameDepth));
+        const double s = is_second_nearer ? 1 - back_.feature->s : there_.feature->s;
+        return s < 0.5 ? Mark::first : Mark::second;
     }
 
   private:
-    void walk(const Segment& segment, std::uint32_t face, std::uint32_t goal, Walk& out) {
-        walker_.walk(segment, face, goal, out);
-    }
-
     double near_;
     Walker walker_;
     Walk there_, back_;

@@ -5,16 +5,22 @@
 
 namespace ink::truth {
 
-/// The exact classes seen through ids at pixel centres: 255 where a line runs between a pixel and
-/// one of its four neighbours, on the side of the nearer surface; else 0. The real ceiling of any
-/// method that takes one sample a pixel, and a check on construction A, whose visibility it does
-/// not use.
+/// The exact classes seen through ids at pixel centres: 255 where a line runs between two pixels
+/// that are neighbours, else 0. The real ceiling of any method that takes one sample a pixel, and a
+/// check on construction A, whose visibility it does not use.
 ///
-/// Where the faces at two neighbouring centres differ, the rule walks over the mesh along the
-/// segment between them, from the one face towards the other centre and from the other back, until
-/// it reaches the other face (there is no line) or crosses a feature edge. That is a line if the
-/// edge's surface is not behind the surface of the other walk at that point. Against the sky there
-/// is one walk. A face within 1e-3 px of its centre counts as met there.
+/// Where the faces at two neighbouring centres (left and right, or above and below) differ, the
+/// rule walks over the mesh along the segment between them, from the one face towards the other
+/// centre and from the other back, until it reaches the other face (there is no line) or crosses a
+/// feature edge. That is a line if the edge's surface is not behind the surface of the other walk
+/// at that point; of two lines the nearer counts, of equally near ones the first. Against the sky
+/// there is one walk. A face within 1e-3 px of its centre counts as met there. Where surfaces
+/// pierce each other the walks cross no feature in front: intersections have no class yet.
+///
+/// The line is drawn at that of the two pixels which holds the crossing, as the truth image draws
+/// it. At the pixel of the nearer surface it would be as near, but where lines run two pixels apart
+/// thinning then merges other ones than in the truth: a ceiling of .944 instead of .993 on a flag
+/// beside its pole, of .957 instead of .978 on temple.glb.
 ///
 /// `face` holds at each pixel centre the index of the seen face in the topology, or kNoFace.
 [[nodiscard]] edge::EdgeImage draw_sampled(const EyeView& eye,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
+#include <vector>
 
 #include "scene/import.h"
 #include "tests/raster/id_agreement.h"
@@ -12,36 +12,6 @@
 
 namespace ink::raster {
 namespace {
-
-constexpr int kWidth_px = 480;
-constexpr int kHeight_px = 270;
-
-/// Prints both exceptions of each view and expects nothing else.
-void expect_same_ids(const scene::Scene& scene, const std::vector<scene::Camera>& cameras) {
-    ASSERT_FALSE(cameras.empty()) << scene.name;
-    for (const scene::Camera& camera : cameras) {
-        for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24}) {
-            const IdAgreement ids = compare_ids(scene, {camera, kWidth_px, kHeight_px}, depth);
-            fmt::print(
-                "{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} "
-                "else\n",
-                scene.name,
-                camera.name,
-                depth == DepthFormat::q32 ? "q32" : "z24",
-                ids.covered,
-                ids.near_edge,
-                ids.near_depth,
-                ids.other);
-            EXPECT_EQ(ids.other, 0U) << scene.name << " " << camera.name;
-            EXPECT_GT(ids.covered, 0U) << scene.name << " " << camera.name;
-        }
-    }
-}
-
-std::vector<scene::Camera> round_views(const scene::Scene& scene, int count) {
-    return scene::orbit_cameras(
-        scene::bounding_sphere(scene), count, static_cast<double>(kWidth_px) / kHeight_px);
-}
 
 /// A bumpy ball of `rings` x 2 `rings` quads, poles included.
 scene::Mesh bumpy_ball(int rings) {
@@ -111,11 +81,35 @@ TEST(IdsAgainstEmbree, Bunny) {
     expect_same_ids(scene, round_views(scene, 3));
 }
 
+/// A camera that stands in the scene.
+scene::Camera inside_view(const scene::Scene& scene,
+                          const glm::dvec3& eye_world,
+                          const glm::dvec3& gaze_world) {
+    scene::Camera camera =
+        scene::look_at(eye_world, eye_world + gaze_world, {0, 1, 0}, std::numbers::pi / 3);
+    scene::fit_clip_range(camera, scene::bounding_sphere(scene));
+    camera.name = "inside";
+    return camera;
+}
+
+TEST(IdsAgainstEmbree, HydronexFromInside) {
+    const auto path = shared_file("models/hydronex.obj");
+    INK_SKIP_WITHOUT(path);
+    const scene::Scene scene = scene::import_scene(path);
+    expect_same_ids(scene,
+                    {inside_view(scene, {584, 90, 1912}, {-0.31, 0.02, -0.95}),
+                     inside_view(scene, {-160, 122, 0}, {-0.17, 0.02, 0.98}),
+                     inside_view(scene, {-576, -6, 4832}, {0, 0, -1})});
+}
+
 TEST(IdsAgainstEmbree, Temple) {
     const auto path = shared_file("models/temple.glb");
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = scene::import_scene(path);
-    expect_same_ids(scene, round_views(scene, 3));
+    std::vector<scene::Camera> cameras = round_views(scene, 3);
+    const glm::dvec3 center = scene::bounding_sphere(scene).center_world;
+    cameras.push_back(inside_view(scene, center, {1, 0.1, 0.3}));
+    expect_same_ids(scene, cameras);
 }
 
 }  // namespace

@@ -162,33 +162,60 @@ TEST(CodePlane, TwoInterpolantsFillTwoPlanes) {
     EXPECT_EQ(sink.planes[1].at(4, 4), 40);
 }
 
-TEST(CodePlane, ASliverStaysWithinTheCodesOfItsCorners) {
-    // A hair that snapping widens: its unsnapped gradient is about 1e8 codes a pixel.
-    constexpr int kSize_px = 64;
+TEST(CodePlane, TheLemmaHoldsWhereSnappingPutsARowJustOutsideTheUnsnappedTriangle) {
+    // The upper border snaps from 10.5019 to the centres of row 10, whose values then lie 38 codes
+    // beyond the corners': limiting them would bend the plane there.
     TestMesh mesh;
-    mesh.add_triangle({1.5, 3.499999, 1}, {60.5, 3.4999991, 1}, {30.5, 3.502, 1});
-    mesh.values = {10.5F, 90.5F, 50.5F};
+    mesh.add_triangle({-9, 10.5019, 1}, {99, 10.5019, 1}, {40, 60, 1});
+    for (const glm::dvec3& p : mesh.p_clip)
+        mesh.values.push_back(static_cast<float>(20000 * (p.y - 10.5019)));
+    const auto code = draw_codes<std::uint16_t>(code_format(Store::u16, Overflow::wrap), mesh, 64);
+    ASSERT_NE(code.at(40, 10), 0);
+    for (int x = 10; x < 60; ++x)
+        EXPECT_LE(std::abs(wrapped_laplacian(code, x, 11)), 2) << x;
+}
+
+/// A hair that snapping widens until it covers row 3 from x = 1 to 59. Unsnapped it is 0.0001 px
+/// wide and row 3 lies up to twenty times that beside it.
+TestMesh hair() {
+    TestMesh mesh;
+    mesh.add_triangle({1.5, 3.4981, 2}, {60.5, 3.50195, 2}, {59.5, 3.50196, 50});
+    mesh.values = {90.5F, 90.5F, 10.5F};
+    return mesh;
+}
+
+TEST(CodePlane, ASliverStaysWithinTheCodesOfItsCorners) {
+    const TestMesh mesh = hair();
     for (const Overflow overflow : {Overflow::saturate, Overflow::wrap}) {
-        const auto code =
-            draw_codes<std::uint8_t>(code_format(Store::u8, overflow), mesh, kSize_px);
-        int drawn = 0;
-        for (int x = 0; x < kSize_px; ++x) {
-            const int value = code.at(x, 3);
-            if (value == 0) continue;
-            ++drawn;
-            EXPECT_GE(value, 10);
-            EXPECT_LE(value, 90);
+        const auto code = draw_codes<std::uint8_t>(code_format(Store::u8, overflow), mesh, 64);
+        for (int x = 1; x < 59; ++x) {
+            EXPECT_GE(code.at(x, 3), 10);
+            EXPECT_LE(code.at(x, 3), 90);
         }
-        EXPECT_GT(drawn, 50);
+    }
+}
+
+TEST(FloatPlane, ASliverStaysWithinTheValuesOfItsCorners) {
+    TestMesh mesh = hair();
+    mesh.values.assign(12, 0);
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        mesh.values[4 * corner + 2] = corner < 2 ? 0.75F : 0.25F;
+    for (const auto interpolation : {Interpolation::affine, Interpolation::perspective}) {
+        PassFormat format = code_format(Store::f32, Overflow::saturate, 4);
+        format.interpolation = interpolation;
+        GatherSink<float> sink(format, 64, 64);
+        draw_pass(format, mesh.input(), 64, 64, 1, sink);
+        for (int x = 1; x < 59; ++x) {
+            EXPECT_GE(sink.planes[2].at(x, 3), 0.25F);
+            EXPECT_LE(sink.planes[2].at(x, 3), 0.75F);
+        }
     }
 }
 
 TEST(Depth, OfASliverStaysWithinItsCorners) {
-    constexpr int kSize_px = 64;
-    TestMesh mesh;
-    mesh.add_triangle({1.5, 3.499999, 2}, {60.5, 3.4999991, 3}, {30.5, 3.502, 50});
-    const auto drawn = draw_ids(mesh.input(), kSize_px, kSize_px);
-    for (int x = 5; x < 55; ++x) {
+    const TestMesh mesh = hair();
+    const auto drawn = draw_ids(mesh.input(), 64, 64);
+    for (int x = 1; x < 59; ++x) {
         EXPECT_GE(drawn.depth.at(x, 3), 1 / 50.0F);
         EXPECT_LE(drawn.depth.at(x, 3), 1 / 2.0F);
     }

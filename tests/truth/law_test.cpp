@@ -168,16 +168,19 @@ TEST(Sampled, AgreesWithTheLabels) {
     EXPECT_GT(sampled_f(trace(crowd(), crowd_view())), 0.97);
 }
 
-TEST(Sampled, LiesOnTheNearerSurface) {
-    // A quad before the sky: its own outermost pixels, 0.5..0.5 + 150 px wide and high.
+TEST(Sampled, IsDrawnWhereTheLineCrosses) {
+    // 150 px a unit: upright sides at 320 +- 75.3 px, in the pixels 244 and 395, which show the
+    // sky; level ones at 240 +- 74.7 px, in the pixels 165 and 314, which show the quad.
+    const auto x = static_cast<float>(75.3 / 150), y = static_cast<float>(74.7 / 150);
     scene::Mesh mesh;
-    add_quad(mesh, {-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0});
+    add_quad(mesh, {-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0});
     const Truth truth = trace(scene_of({mesh}), view_from(4));
-    for (int y = 0; y < kHeight_px; ++y) {
-        for (int x = 0; x < kWidth_px; ++x) {
-            const bool is_inside = x >= 245 && x < 395 && y >= 165 && y < 315;
-            const bool is_core = x > 245 && x < 394 && y > 165 && y < 314;
-            EXPECT_EQ(truth.sampled.at(x, y), is_inside && !is_core ? 255 : 0) << x << " " << y;
+    for (int row = 0; row < kHeight_px; ++row) {
+        for (int column = 0; column < kWidth_px; ++column) {
+            const bool is_upright = (column == 244 || column == 395) && row >= 165 && row <= 314;
+            const bool is_level = (row == 165 || row == 314) && column >= 245 && column <= 394;
+            EXPECT_EQ(truth.sampled.at(column, row), is_upright || is_level ? 255 : 0)
+                << column << " " << row;
         }
     }
 }

@@ -1,0 +1,17 @@
+#include <gtest/gtest.h>
+
+#include "scene/catalogue.h"
+#include "tests/raster/id_agreement.h"
+
+namespace ink::raster {
+namespace {
+
+TEST(IdsAgainstEmbree, EveryCatalogueSceneInEveryView) {
+    for (const scene::CatalogueEntry& entry : scene::catalogue()) {
+        const scene::Scene scene = entry.make();
+        expect_same_ids(scene, scene.cameras);
+    }
+}
+
+}  // namespace
+}  // namespace ink::raster
