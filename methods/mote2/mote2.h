@@ -12,6 +12,10 @@ class Mote2 : public PackedBuffer {
         separate,  ///< two codes, two filters, joined by their maximum
     };
     struct Params : PackParams {
+        Params() {
+            // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+            threshold = 13;
+        }
         Combine combine = Combine::sum;
         double range_depth = 127;
         double range_normal = 127;
