@@ -10,7 +10,7 @@ std::string_view page_style() {
 html { scroll-behavior: smooth; -webkit-text-size-adjust: 100%; }
 body { margin: 0; color: var(--ink); background: #fff; line-height: 1.55; font-size: 16px;
   font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; }
-.wrap { max-width: 1180px; margin: 0 auto; padding: 0 28px; }
+.wrap { max-width: 1240px; margin: 0 auto; padding: 0 28px; }
 header { background: var(--wash); border-bottom: 1px solid var(--line); padding: 34px 0 30px; }
 .brand { display: flex; align-items: center; gap: 12px; color: var(--soft); font-size: 15px; }
 .brand strong { color: var(--ink); }
@@ -58,7 +58,7 @@ tr.best th, tr.best td { background: #eef6fb; }
 tr.bracket th, tr.bracket td { color: var(--soft); font-weight: 400; }
 tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
 .verdict { font-size: .86rem; }
-.verdict th, .verdict td { padding: 6px 7px; }
+.verdict th, .verdict td { padding: 6px 5.5px; }
 .group { border-left: 1px solid var(--line); }
 td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
