@@ -25,7 +25,7 @@ struct CompareArgs {
     double crease_deg = 40;
     int threads = 1;
     int repetitions = 15;
-    std::uint64_t seed = 0;
+    std::string seed = "0";
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -48,7 +48,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
-    options.seed = args.seed;
+    options.seed = parse_seed(args.seed);
     return options;
 }
 

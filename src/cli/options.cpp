@@ -115,6 +115,16 @@ int checked_threads(int threads) {
     return threads;
 }
 
+std::uint64_t parse_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    if (!parse_whole(text, seed)) {
+        throw core::Error("--seed",
+                          fmt::format("'{}' is no seed", text),
+                          "a whole number 0..18446744073709551615");
+    }
+    return seed;
+}
+
 double checked_crease_rad(double crease_deg) {
     if (!(crease_deg >= 0 && crease_deg <= 180)) {
         throw core::Error("--crease",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// --threads as given, or an Error unless 1..256.
 [[nodiscard]] int checked_threads(int threads);
+
+/// --seed as given, or an Error unless it is a whole number of 64 bits. As text, because the option
+/// parser would turn -1 into the largest one without a word.
+[[nodiscard]] std::uint64_t parse_seed(const std::string& text);
 
 /// --crease as given, in radians, or an Error unless 0..180 degrees.
 [[nodiscard]] double checked_crease_rad(double crease_deg);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -16,9 +17,9 @@ struct TruthArgs {
     std::string scene;
     std::string view;
     ViewOptions views;
-    std::string file;
-    std::string picture;
-    std::string sampled;
+    std::optional<std::string> file;
+    std::optional<std::string> picture;
+    std::optional<std::string> sampled;
     CacheOptions cache;
     double crease_deg = 40;
     int threads = core::hardware_threads();
@@ -29,15 +30,15 @@ void run_truth(const TruthArgs& args) {
     options.truth.crease_rad = checked_crease_rad(args.crease_deg);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
-    for (const std::string& file : {args.file, args.picture, args.sampled}) {
-        if (!file.empty()) check_png_path(file);
+    for (const auto& file : {args.file, args.picture, args.sampled}) {
+        if (file) check_png_path(*file);
     }
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
     const lab::ViewTruth truth = lab::trace_view(subject.scene, subject.views.front(), options);
-    if (!args.file.empty()) lab::write_truth_labels(truth.traced, args.file);
-    if (!args.picture.empty()) lab::write_truth_picture(truth.traced, args.picture);
-    if (!args.sampled.empty()) lab::write_strengths(truth.traced.sampled, args.sampled);
+    if (args.file) lab::write_truth_labels(truth.traced, *args.file);
+    if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);
+    if (args.sampled) lab::write_strengths(truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
                subject.scene.name,
                subject.views.front().camera.name,

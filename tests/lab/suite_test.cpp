@@ -12,13 +12,20 @@
 namespace ink::lab {
 namespace {
 
+/// A user's model: called as no built-in scene is.
+scene::Scene model() {
+    scene::Mesh mesh = scene::unit_cube();
+    mesh.name = "crate";
+    return scene::scene_of(mesh);
+}
+
 TEST(Subject, AModelGetsThreeViewsRoundItUnlessAsked) {
-    const Subject three = make_subject(scene::scene_of(scene::unit_cube()), {});
+    const Subject three = make_subject(model(), {});
     EXPECT_EQ(three.views.size(), 3U);
     EXPECT_EQ(three.views[0].width_px, 1280);
     ViewRequest five;
     five.orbit_count = 5;
-    EXPECT_EQ(make_subject(scene::scene_of(scene::unit_cube()), five).views.size(), 5U);
+    EXPECT_EQ(make_subject(model(), five).views.size(), 5U);
 }
 
 TEST(Subject, ACatalogueSceneHasItsOwnViews) {
@@ -31,7 +38,7 @@ TEST(Subject, ACatalogueSceneHasItsOwnViews) {
 TEST(Subject, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
     ViewRequest request;
     request.cameras.push_back({{0, 0, 10}, std::nullopt, {0, 1, 0}, std::nullopt});
-    const Subject subject = make_subject(scene::scene_of(scene::unit_cube()), request);
+    const Subject subject = make_subject(model(), request);
     ASSERT_EQ(subject.views.size(), 1U);
     const scene::Camera& camera = subject.views[0].camera;
     EXPECT_EQ(camera.eye_world, glm::dvec3(0, 0, 10));
@@ -42,7 +49,7 @@ TEST(Subject, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
 TEST(Subject, FileCamerasThatAreNotThereAreAnError) {
     ViewRequest request;
     request.file_cameras = true;
-    EXPECT_THROW((void)make_subject(scene::scene_of(scene::unit_cube()), request), core::Error);
+    EXPECT_THROW((void)make_subject(model(), request), core::Error);
 }
 
 TEST(Size, AbsurdSizesNameTheLimits) {

@@ -241,8 +241,14 @@ TEST(Compare, CtrlCLeavesFinishedRowsWhole) {
         const std::string rows = desk.read("out/rows.csv");
         return std::count(rows.begin(), rows.end(), '\n') > 1;
     };
-    const Outcome outcome =
-        desk.run_until({"compare", "--size", "640x360", "--out", "out"}, is_begun);
+    const Outcome outcome = desk.run_until({"compare",
+                                            "--scenes",
+                                            "torus,cube,sphere,staircase,teapot,room",
+                                            "--size",
+                                            "640x360",
+                                            "--out",
+                                            "out"},
+                                           is_begun);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     const std::string text = desk.read("out/rows.csv");
     ASSERT_FALSE(text.empty());
