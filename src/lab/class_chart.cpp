@@ -16,7 +16,7 @@ constexpr double kPanelGap = 26;
 constexpr double kTop = 40;  // panel headings
 constexpr double kRowHeight = 27;
 constexpr double kBarHeight = 15;
-constexpr double kValueWidth = 36;  // room for a value beside the longest bar
+constexpr double kValueWidth = 42;  // room for a value beside the longest bar
 constexpr std::string_view kTrack = R"(fill="#eff0f2")";
 
 using Summaries = std::vector<const MethodSummary*>;

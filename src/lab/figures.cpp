@@ -195,17 +195,20 @@ void write_strips(const std::vector<Row>& rows,
     });
 }
 
-/// The first strips below each other, small enough to open a README with.
+/// Some strips below each other, small enough to open a README with. Scenes that are listed side by
+/// side are alike, so the strips are taken at even distances.
 void write_overview(const std::vector<Row>& rows,
                     const std::vector<MarkedView>& views,
                     const std::filesystem::path& folder) {
+    const std::size_t count = std::min(kOverviewStrips, views.size());
+    if (count == 0) return;
     std::vector<RgbImage> strips;
     int width_px = 0;
-    for (std::size_t i = 0; i < std::min(kOverviewStrips, views.size()); ++i) {
-        strips.push_back(strip_of(cells_of(rows, views[i], kOverviewCell_px)));
+    for (std::size_t i = 0; i < count; ++i) {
+        const MarkedView& marked = views[i * views.size() / count];
+        strips.push_back(strip_of(cells_of(rows, marked, kOverviewCell_px)));
         width_px = std::max(width_px, strips.back().width_px());
     }
-    if (strips.empty()) return;
     strips.push_back(legend(width_px));
     image_io::write_png(stacked(strips), folder / "overview.png");
 }

@@ -205,7 +205,7 @@ std::string main_html(const Material& m) {
     const std::vector<Row>& rows = m.data.rows;
     std::string html = section("verdict",
                                "Verdict",
-                               "Highest of a column in bold. Grey rows are brackets, not methods.",
+                               "Best of each column in bold. Grey rows are brackets, not methods.",
                                verdict_html(m.summaries));
     html += section("time",
                     "Error against time",

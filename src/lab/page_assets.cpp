@@ -10,7 +10,7 @@ std::string_view page_style() {
 html { scroll-behavior: smooth; -webkit-text-size-adjust: 100%; }
 body { margin: 0; color: var(--ink); background: #fff; line-height: 1.55; font-size: 16px;
   font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif; }
-.wrap { max-width: 1180px; margin: 0 auto; padding: 0 28px; }
+.wrap { max-width: 1240px; margin: 0 auto; padding: 0 28px; }
 header { background: var(--wash); border-bottom: 1px solid var(--line); padding: 34px 0 30px; }
 .brand { display: flex; align-items: center; gap: 12px; color: var(--soft); font-size: 15px; }
 .brand strong { color: var(--ink); }
@@ -58,7 +58,7 @@ tr.best th, tr.best td { background: #eef6fb; }
 tr.bracket th, tr.bracket td { color: var(--soft); font-weight: 400; }
 tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
 .verdict { font-size: .86rem; }
-.verdict th, .verdict td { padding: 6px 7px; }
+.verdict th, .verdict td { padding: 6px 5.5px; }
 .group { border-left: 1px solid var(--line); }
 td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
@@ -80,7 +80,9 @@ select, input[type=search], .tools button { font: inherit; color: var(--ink); pa
   margin-bottom: 10px; }
 .stage { display: grid; grid-template-columns: minmax(0, 1fr) 300px; gap: 22px; align-items: start; }
 figure { margin: 0; }
-.view { overflow: auto; border: 1px solid var(--line); background: #fff; }
+.view { overflow: hidden; box-shadow: 0 0 0 1px var(--line); background: #fff; }
+.view:has(.zoomed) { overflow: auto; }
+.view:has(.pair) { aspect-ratio: auto !important; }
 .frame { --cut: 50%; --zoom: 1; position: relative; width: calc(100% * var(--zoom)); cursor: ew-resize;
   touch-action: pan-y; user-select: none; }
 .frame img { display: block; width: 100%; height: auto; pointer-events: none; }
@@ -133,7 +135,7 @@ footer { color: var(--soft); font-size: .88rem; padding: 30px 0 50px; }
 @media (max-width: 900px) {
   .wrap { padding: 0 18px; }
   .stage { grid-template-columns: 1fr; gap: 12px; }
-  .picker { grid-template-columns: repeat(auto-fill, minmax(216px, 1fr)); }
+  .picker { grid-template-columns: repeat(auto-fill, minmax(262px, 1fr)); }
   .picker legend { grid-column: 1 / -1; }
 }
 @media print {
@@ -143,6 +145,7 @@ footer { color: var(--soft); font-size: .88rem; padding: 30px 0 50px; }
   .frame { display: grid; grid-template-columns: 1fr 1fr; gap: 8px; width: 100%; }
   .frame .pred.on { position: static; clip-path: none; }
   .frame::after { display: none; }
+  .view { aspect-ratio: auto !important; }
   .rows { max-height: none; overflow: visible; }
   .scene, .chart, tr { break-inside: avoid; }
   .scroll { overflow: visible; }

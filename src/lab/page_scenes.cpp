@@ -175,9 +175,12 @@ std::string stage_html(const PageScene& scene, const std::vector<Row>& rows, std
         R"(<input type="range" min="0" max="100" step="1" value="50" aria-label="Divider between truth, left, and method, right, on {}">)",
         escape(view.scene));
     return fmt::format(
-        "<figure><div class=\"view\"><div class=\"frame\">{}{}</div></div>{}<figcaption "
+        "<figure><div class=\"view\" style=\"aspect-ratio:{} / {}\"><div "
+        "class=\"frame\">{}{}</div></div>{}<figcaption "
         "class=\"side\"><span>truth, coloured by class</span><span class=\"right\">{}</span>"
         "</figcaption></figure>",
+        view.labels.width_px(),
+        view.labels.height_px(),
         images,
         has_methods ? "<span class=\"grip\" aria-hidden=\"true\"></span>" : "",
         has_methods ? range : "",
