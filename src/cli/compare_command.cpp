@@ -88,7 +88,9 @@ void add_compare_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_view_options(*command, args->views);
-    command->add_option("--out", args->out, "Folder for rows.csv, curves.csv, report.html, figures")
+    command
+        ->add_option(
+            "--out", args->out, "Folder for rows.csv, curves.csv, report.html, verdict.md, figures")
         ->capture_default_str();
     command->add_option("--crease", args->crease_deg, "Crease angle of the truth, degrees")
         ->capture_default_str();

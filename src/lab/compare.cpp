@@ -12,6 +12,8 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
+#include "lab/verdict.h"
+#include "lab/whole_file.h"
 
 namespace ink::lab {
 namespace {
@@ -142,6 +144,7 @@ class Comparison {
         curves_.finish();
         ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
         write_figures(data, options_.out);
+        write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
