@@ -4,30 +4,17 @@
 #include <array>
 #include <glm/common.hpp>
 
+#include "raster/clip.h"
+
 namespace ink::methods {
 namespace {
 
-constexpr int kPlanes = 5;
-
-/// How far inside a plane a point lies: near, left, right, above, below.
-double inside_by(int plane, const glm::dvec3& p, double near) {
-    switch (plane) {
-        case 0:
-            return p.z - near;
-        case 1:
-            return kCutBand_px * p.z + p.x;
-        case 2:
-            return kCutBand_px * p.z - p.x;
-        case 3:
-            return kCutBand_px * p.z + p.y;
-        default:
-            return kCutBand_px * p.z - p.y;
-    }
-}
+using raster::inside_by;
+using raster::kClipPlanes;
 
 /// A triangle cut at five planes has at most eight corners.
 struct Polygon {
-    std::array<std::uint32_t, 3 + kPlanes> corners{};
+    std::array<std::uint32_t, 3 + kClipPlanes> corners{};
     std::size_t count = 0;
 
     void add(std::uint32_t corner) {
@@ -44,8 +31,8 @@ std::uint32_t cut_edge(std::uint32_t inside,
     const auto [plane, near] = plane_near;
     const glm::dvec3 a = vertices.p_clip[inside];
     const glm::dvec3 b = vertices.p_clip[outside];
-    const double from = inside_by(plane, a, near);
-    const double t = from / (from - inside_by(plane, b, near));
+    const double from = inside_by(plane, a, near, kCutBand_px);
+    const double t = from / (from - inside_by(plane, b, near, kCutBand_px));
     glm::dvec3 p = a + t * (b - a);
     if (plane == 0) p.z = near;
     const glm::vec3 n =
@@ -58,7 +45,7 @@ std::uint32_t cut_edge(std::uint32_t inside,
 Polygon cut_at(const Polygon& polygon, int plane, double near, CutVertices& vertices) {
     Polygon result;
     const auto is_inside = [&](std::uint32_t corner) {
-        return inside_by(plane, vertices.p_clip[corner], near) >= 0;
+        return inside_by(plane, vertices.p_clip[corner], near, kCutBand_px) >= 0;
     };
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const std::uint32_t from = polygon.corners[i];
@@ -88,7 +75,7 @@ void cut_triangles(std::span<const scene::Triangle> triangles,
             polygon.add(corner);
             is_whole = is_whole && !needs_cut(vertices.p_clip[corner], near);
         }
-        for (int plane = 0; !is_whole && plane < kPlanes; ++plane) {
+        for (int plane = 0; !is_whole && plane < kClipPlanes; ++plane) {
             polygon = cut_at(polygon, plane, near, vertices);
         }
         for (std::size_t i = 2; i < polygon.count; ++i) {

@@ -35,7 +35,8 @@ void run_truth(const TruthArgs& args) {
     }
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
-    const lab::ViewTruth truth = lab::trace_view(subject.scene, subject.views.front(), options);
+    truth::SceneModel model(subject.scene, options.truth);
+    const lab::ViewTruth truth = lab::trace_view(model, subject.views.front(), options.cache);
     if (args.file) lab::write_truth_labels(truth.traced, *args.file);
     if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);
     if (args.sampled) lab::write_strengths(truth.traced.sampled, *args.sampled);

@@ -132,10 +132,11 @@ class Comparison {
         for (const Entrant& entrant : options_.entrants) {
             methods.push_back(std::make_unique<PreparedMethod>(entrant, subject.scene));
         }
+        truth::SceneModel model(subject.scene, options_.trace.truth);
         for (const scene::View& view : subject.views) {
             if (is_interrupted()) return;
             before(view);
-            run_view(subject, view, methods);
+            run_view(subject, view, model, methods);
         }
     }
 
@@ -157,11 +158,12 @@ class Comparison {
   private:
     void run_view(const Subject& subject,
                   const scene::View& view,
+                  truth::SceneModel& model,
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
         ViewTruth truth;
         try {
-            truth = trace_view(subject.scene, view, options_.trace);
+            truth = trace_view(model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
         } catch (const std::bad_alloc&) {

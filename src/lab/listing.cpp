@@ -59,8 +59,8 @@ std::string list_params() {
 std::string list_metrics() {
     std::string text;
     text += fmt::format("columns of rows.csv\n");
-    for (const std::string& column : lab::row_columns())
-        text += fmt::format("  {}\n", column);
+    for (const auto& [name, doc] : described_columns())
+        text += fmt::format("  {:<22} {}\n", name, doc);
     return text;
 }
 

@@ -10,11 +10,12 @@
 namespace ink::lab {
 namespace {
 
-/// A column: its name and how a row fills it. One table, so that names and values cannot drift
+/// A column: its name, how a row fills it, and what it means. One table, so that they cannot drift
 /// apart.
 struct Column {
     std::string name;
     std::function<std::string(const Row&)> field;
+    std::string doc;
 };
 
 template <class T>
@@ -32,32 +33,38 @@ std::string text_of(const std::optional<T>& value) {
 }
 
 template <class T>
-Column column(std::string name, T Row::*field) {
-    return {std::move(name), [field](const Row& row) { return text_of(row.*field); }};
+Column column(std::string name, T Row::*field, std::string doc) {
+    return {
+        std::move(name), [field](const Row& row) { return text_of(row.*field); }, std::move(doc)};
 }
 
 /// A count that means something only where the cell came out.
-Column counted(std::string name, std::int64_t Row::*field) {
+Column counted(std::string name, std::int64_t Row::*field, std::string doc) {
     return {std::move(name),
-            [field](const Row& row) { return row.is_ok() ? text_of(row.*field) : ""; }};
+            [field](const Row& row) { return row.is_ok() ? text_of(row.*field) : ""; },
+            std::move(doc)};
 }
 
 Column recall(const std::string& line_class) {
-    return {"recall_" + line_class, [line_class](const Row& row) {
+    return {"recall_" + line_class,
+            [line_class](const Row& row) {
                 const auto found = row.recall_by_class.find(line_class);
                 return found == row.recall_by_class.end() ? "" : text_of(found->second);
-            }};
+            },
+            "recall of this class, by a matching of its own"};
 }
 
 Column truth_px(const std::string& line_class) {
-    return {"truth_px_" + line_class, [line_class](const Row& row) {
+    return {"truth_px_" + line_class,
+            [line_class](const Row& row) {
                 const auto found = row.truth_px_by_class.find(line_class);
                 return found == row.truth_px_by_class.end() ? "" : text_of(found->second);
-            }};
+            },
+            "true pixels of this class"};
 }
 
 Column constant(std::string name, const std::string& value) {
-    return {std::move(name), [value](const Row&) { return csv_field(value); }};
+    return {std::move(name), [value](const Row&) { return csv_field(value); }, "provenance"};
 }
 
 void add_provenance(std::vector<Column>& columns) {
@@ -75,54 +82,54 @@ void add_provenance(std::vector<Column>& columns) {
 
 std::vector<Column> make_columns() {
     std::vector<Column> columns = {
-        column("method", &Row::method),
-        column("scene", &Row::scene),
-        column("view", &Row::view),
-        column("split", &Row::split),
-        column("width", &Row::width),
-        column("height", &Row::height),
-        column("threads", &Row::threads),
-        column("seed", &Row::seed),
-        column("params", &Row::params),
-        column("status", &Row::status),
-        column("f_2px", &Row::f_2px),
-        column("f_1px", &Row::f_1px),
-        column("precision_2px", &Row::precision_2px),
-        column("recall_2px", &Row::recall_2px),
+        column("method", &Row::method, "method, or bracket: none, sampled, oracle"),
+        column("scene", &Row::scene, "built-in scene, or stem of the model file"),
+        column("view", &Row::view, "name of the camera"),
+        column("split", &Row::split, "train or heldout"),
+        column("width", &Row::width, "of the picture, px"),
+        column("height", &Row::height, "of the picture, px"),
+        column("threads", &Row::threads, "the method might use"),
+        column("seed", &Row::seed, "as given; nothing is random yet"),
+        column("params", &Row::params, "every parameter, key=value;key=value"),
+        column("status", &Row::status, "ok, or why there are no metrics"),
+        column("f_2px", &Row::f_2px, "F of one-to-one matches within 2 px, 0..1"),
+        column("f_1px", &Row::f_1px, "the same within 1 px"),
+        column("precision_2px", &Row::precision_2px, "matched share of the drawn pixels"),
+        column("recall_2px", &Row::recall_2px, "matched share of the true pixels"),
         recall("contour"),
         recall("boundary"),
         recall("crease"),
         recall("intersection"),
         recall("seam"),
-        column("mean_width_px", &Row::mean_width_px),
-        column("ap", &Row::ap),
-        column("prepare_ns", &Row::prepare_ns),
-        column("draw_ns", &Row::draw_ns),
-        column("bytes_per_px", &Row::bytes_per_px),
-        column("image_hash", &Row::image_hash),
-        counted("truth_px", &Row::truth_px),
-        counted("k_2px", &Row::k_2px),
-        counted("n_pred", &Row::n_pred),
-        counted("n_truth", &Row::n_truth),
-        counted("surplus", &Row::surplus),
-        counted("off_line", &Row::off_line),
-        counted("lost", &Row::lost),
-        counted("missing", &Row::missing),
-        counted("k_1px", &Row::k_1px),
-        counted("n_pred_1px", &Row::n_pred_1px),
+        column("mean_width_px", &Row::mean_width_px, "drawn pixels per thinned pixel"),
+        column("ap", &Row::ap, "area under the precision envelope over 99 thresholds"),
+        column("prepare_ns", &Row::prepare_ns, "once per topology"),
+        column("draw_ns", &Row::draw_ns, "median time of a frame"),
+        column("bytes_per_px", &Row::bytes_per_px, "of the method's buffers, depth included"),
+        column("image_hash", &Row::image_hash, "of the strengths"),
+        counted("truth_px", &Row::truth_px, "true pixels that count"),
+        counted("k_2px", &Row::k_2px, "matches within 2 px"),
+        counted("n_pred", &Row::n_pred, "drawn pixels after thinning"),
+        counted("n_truth", &Row::n_truth, "true pixels"),
+        counted("surplus", &Row::surplus, "drawn pixels left over beside a matched line"),
+        counted("off_line", &Row::off_line, "drawn pixels with no true one in reach"),
+        counted("lost", &Row::lost, "true pixels left over beside a drawn line"),
+        counted("missing", &Row::missing, "true pixels with no drawn one in reach"),
+        counted("k_1px", &Row::k_1px, "matches within 1 px"),
+        counted("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
         truth_px("contour"),
         truth_px("boundary"),
         truth_px("crease"),
         truth_px("intersection"),
         truth_px("seam"),
-        column("pose_ns", &Row::pose_ns),
-        column("draw_ns_q25", &Row::draw_ns_q25),
-        column("draw_ns_q75", &Row::draw_ns_q75),
-        column("draw_ns_min", &Row::draw_ns_min),
-        column("draw_n", &Row::draw_n),
-        counted("truth_merged_px", &Row::truth_merged_px),
-        column("crowded_share", &Row::crowded_share),
-        column("triangles", &Row::triangles),
+        column("pose_ns", &Row::pose_ns, "once after prepare, or when something moved"),
+        column("draw_ns_q25", &Row::draw_ns_q25, "lower quartile"),
+        column("draw_ns_q75", &Row::draw_ns_q75, "upper quartile"),
+        column("draw_ns_min", &Row::draw_ns_min, "least"),
+        column("draw_n", &Row::draw_n, "timed frames"),
+        counted("truth_merged_px", &Row::truth_merged_px, "true pixels that thinning took away"),
+        column("crowded_share", &Row::crowded_share, "share of true pixels too dense to score"),
+        column("triangles", &Row::triangles, "of the scene, instances counted"),
     };
     add_provenance(columns);
     return columns;
@@ -143,6 +150,13 @@ const std::vector<std::string>& row_columns() {
         return names;
     }();
     return kNames;
+}
+
+std::vector<std::pair<std::string, std::string>> described_columns() {
+    std::vector<std::pair<std::string, std::string>> described;
+    for (const Column& c : columns())
+        described.emplace_back(c.name, c.doc);
+    return described;
 }
 
 std::string to_csv(const Row& row) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ink::lab {
@@ -58,6 +59,9 @@ struct Row {
 
 /// The columns of rows.csv, in order, provenance last.
 [[nodiscard]] const std::vector<std::string>& row_columns();
+
+/// The columns with what each means and its unit, for people.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> described_columns();
 
 /// One CSV line (RFC 4180 quoting, no newline) with a field per column.
 ///

@@ -9,14 +9,14 @@
 
 namespace ink::lab {
 
-ViewTruth trace_view(const scene::Scene& scene,
+ViewTruth trace_view(truth::SceneModel& scene,
                      const scene::View& view,
-                     const TraceOptions& options) {
+                     const std::filesystem::path& cache) {
     score::ScoreOptions score_options;
     score_options.band_px = kBand_px;
     score_options.ignore_label = static_cast<int>(truth::LineClass::ignore);
     ViewTruth result;
-    result.traced = truth::cached_truth(scene, view, options.truth, options.cache);
+    result.traced = truth::cached_truth(scene, view, cache);
     result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
     // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
     result.scoring.is_binary = false;

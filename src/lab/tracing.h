@@ -5,6 +5,7 @@
 
 #include "lab/suite.h"
 #include "score/score.h"
+#include "truth/scene_model.h"
 #include "truth/truth.h"
 
 namespace ink::lab {
@@ -28,10 +29,10 @@ struct ViewTruth {
     score::ScoringTruth scoring;
 };
 
-/// Traces `view` of `scene`, or reads it from the cache.
-[[nodiscard]] ViewTruth trace_view(const scene::Scene& scene,
+/// Traces `view`, or reads its truth from the folder `cache` (empty: none).
+[[nodiscard]] ViewTruth trace_view(truth::SceneModel& scene,
                                    const scene::View& view,
-                                   const TraceOptions& options);
+                                   const std::filesystem::path& cache);
 
 /// What a trace found, for a terminal: pixels and curves per class, counts, time.
 [[nodiscard]] std::string truth_summary(const truth::Truth& truth);

@@ -8,24 +8,6 @@
 namespace ink::raster {
 namespace {
 
-constexpr int kPlanes = 5;
-
-/// How far inside plane `plane` a point lies: near, left, right, above, below.
-double inside_by(int plane, const glm::dvec3& p, double near) {
-    switch (plane) {
-        case 0:
-            return p.z - near;
-        case 1:
-            return kGuardBand_px * p.z + p.x;
-        case 2:
-            return kGuardBand_px * p.z - p.x;
-        case 3:
-            return kGuardBand_px * p.z + p.y;
-        default:
-            return kGuardBand_px * p.z - p.y;
-    }
-}
-
 bool comes_first(const glm::dvec3& a, const glm::dvec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
@@ -33,8 +15,8 @@ bool comes_first(const glm::dvec3& a, const glm::dvec3& b) {
 /// The point of the edge on the plane; the same bits for (a, b) and (b, a).
 ClipVertex cut(const ClipVertex& a, const ClipVertex& b, int plane, double near) {
     if (comes_first(b.p_clip, a.p_clip)) return cut(b, a, plane, near);
-    const double from = inside_by(plane, a.p_clip, near);
-    const double t = from / (from - inside_by(plane, b.p_clip, near));
+    const double from = inside_by(plane, a.p_clip, near, kGuardBand_px);
+    const double t = from / (from - inside_by(plane, b.p_clip, near, kGuardBand_px));
     ClipVertex result;
     result.p_clip = a.p_clip + t * (b.p_clip - a.p_clip);
     if (plane == 0) result.p_clip.z = near;  // exactly: rounding must not leave it before the plane
@@ -54,8 +36,8 @@ ClipPolygon clip_at(const ClipPolygon& polygon, int plane, double near) {
     for (int i = 0; i < polygon.count; ++i) {
         const ClipVertex& from = polygon.corners[static_cast<std::size_t>(i)];
         const ClipVertex& to = polygon.corners[static_cast<std::size_t>((i + 1) % polygon.count)];
-        const bool from_inside = inside_by(plane, from.p_clip, near) >= 0;
-        const bool to_inside = inside_by(plane, to.p_clip, near) >= 0;
+        const bool from_inside = inside_by(plane, from.p_clip, near, kGuardBand_px) >= 0;
+        const bool to_inside = inside_by(plane, to.p_clip, near, kGuardBand_px) >= 0;
         if (from_inside) add(from);
         if (from_inside != to_inside) add(cut(from, to, plane, near));
     }
@@ -65,12 +47,27 @@ ClipPolygon clip_at(const ClipPolygon& polygon, int plane, double near) {
 
 }  // namespace
 
+double inside_by(int plane, const glm::dvec3& p_clip, double near, double band_px) {
+    switch (plane) {
+        case 0:
+            return p_clip.z - near;
+        case 1:
+            return band_px * p_clip.z + p_clip.x;
+        case 2:
+            return band_px * p_clip.z - p_clip.x;
+        case 3:
+            return band_px * p_clip.z + p_clip.y;
+        default:
+            return band_px * p_clip.z - p_clip.y;
+    }
+}
+
 ClipPolygon clip_triangle(const std::array<ClipVertex, 3>& triangle, double near) {
     ClipPolygon polygon;
     for (std::size_t i = 0; i < 3; ++i)
         polygon.corners[i] = triangle[i];
     polygon.count = 3;
-    for (int plane = 0; plane < kPlanes && polygon.count > 0; ++plane)
+    for (int plane = 0; plane < kClipPlanes && polygon.count > 0; ++plane)
         polygon = clip_at(polygon, plane, near);
     return polygon;
 }

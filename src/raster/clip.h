@@ -7,6 +7,14 @@
 
 namespace ink::raster {
 
+/// The planes at which a triangle is cut: near, and the left, right, upper and lower end of a band.
+inline constexpr int kClipPlanes = 5;
+
+/// How far inside plane 0 .. kClipPlanes - 1 a point (x, y, w) lies; negative outside. The band's
+/// ends stand `band_px` on either side of the picture's origin. In units of w, so only the sign
+/// compares.
+[[nodiscard]] double inside_by(int plane, const glm::dvec3& p_clip, double near, double band_px);
+
 /// A corner in clip space with what is interpolated from it.
 struct ClipVertex {
     glm::dvec3 p_clip{0};                     ///< (x, y, w)

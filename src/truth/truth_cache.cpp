@@ -63,15 +63,15 @@ std::string truth_key(const scene::Scene& scene,
     return hasher.hex();
 }
 
-Truth cached_truth(const scene::Scene& scene,
+Truth cached_truth(SceneModel& scene,
                    const scene::View& view,
-                   const TruthOptions& options,
                    const std::filesystem::path& cache_dir) {
-    if (cache_dir.empty()) return trace_truth(scene, view, options);
-    const std::string key = truth_key(scene, view, options);
+    const TruthTrace trace{scene.options().threads, scene.options().layers};
+    if (cache_dir.empty()) return trace_truth(scene.model(), view, trace);
+    const std::string key = truth_key(scene.scene(), view, scene.options());
     const fs::path path = cache_dir / (key + ".truth");
     if (auto truth = load(path, key, view)) return std::move(*truth);
-    Truth truth = trace_truth(scene, view, options);
+    Truth truth = trace_truth(scene.model(), view, trace);
     save(path, encode_truth(truth, key));
     return truth;
 }

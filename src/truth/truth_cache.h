@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "truth/scene_model.h"
 #include "truth/truth.h"
 
 namespace ink::truth {
@@ -19,9 +20,8 @@ namespace ink::truth {
 /// sees half of one. A file that is damaged, cut off or not ours is traced anew and replaced. An
 /// empty `cache_dir` keeps nothing, and one that cannot be written costs the caching only: no
 /// error.
-[[nodiscard]] Truth cached_truth(const scene::Scene& scene,
+[[nodiscard]] Truth cached_truth(SceneModel& scene,
                                  const scene::View& view,
-                                 const TruthOptions& options,
                                  const std::filesystem::path& cache_dir);
 
 }  // namespace ink::truth

@@ -5,27 +5,12 @@
 
 #include "methods/registry.h"
 #include "scene/scene.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::methods {
 
 inline scene::Mesh cube_mesh() {
-    scene::Mesh mesh;
-    for (unsigned i = 0; i < 8; ++i) {
-        mesh.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    }
-    mesh.triangles = {{0, 2, 3},
-                      {0, 3, 1},
-                      {4, 5, 7},
-                      {4, 7, 6},
-                      {0, 1, 5},
-                      {0, 5, 4},
-                      {2, 6, 7},
-                      {2, 7, 3},
-                      {0, 4, 6},
-                      {0, 6, 2},
-                      {1, 3, 7},
-                      {1, 7, 5}};
-    return mesh;
+    return scene::unit_cube();
 }
 
 /// A square in y = 0, +-size, seen from above.

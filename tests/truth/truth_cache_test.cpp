@@ -42,7 +42,11 @@ class Cache : public testing::Test {
     [[nodiscard]] fs::path file() const {
         return folder_ / (truth_key(scene_, view_, options_) + ".truth");
     }
-    Truth cached() { return cached_truth(scene_, view_, options_, folder_); }
+    Truth cached_in(const std::filesystem::path& folder) {
+        SceneModel model(scene_, options_);
+        return cached_truth(model, view_, folder);
+    }
+    Truth cached() { return cached_in(folder_); }
 
     scene::Scene scene_ = scene_of({box({-1, -1, -1}, {1, 1, 1}), box({1, -1, -1}, {2, 1, 1})});
     scene::View view_ = view_from({2, 3, 9}, {0, 0, 0});
@@ -111,11 +115,11 @@ TEST_F(Cache, FileOfAnotherKeyIsNotTaken) {
 
 TEST_F(Cache, UnwritableFolderCostsTheCachingOnly) {
     std::ofstream(folder_ / "plain_file") << "in the way";
-    const Truth truth = cached_truth(scene_, view_, options_, folder_ / "plain_file");
+    const Truth truth = cached_in(folder_ / "plain_file");
     EXPECT_GT(drawn_px(truth), 0U);
-    const Truth below = cached_truth(scene_, view_, options_, folder_ / "plain_file" / "below");
+    const Truth below = cached_in(folder_ / "plain_file" / "below");
     EXPECT_EQ(truth.labels, below.labels);
-    EXPECT_EQ(truth.labels, cached_truth(scene_, view_, options_, {}).labels);
+    EXPECT_EQ(truth.labels, cached_in({}).labels);
 }
 
 TEST_F(Cache, KeyHangsOnAllThatChangesTheTruth) {
