@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -23,7 +24,8 @@ std::int64_t time_ns(Work work) {
 
 /// Nearest rank, so that a quantile is always a time that was measured.
 std::int64_t quantile(const std::vector<std::int64_t>& sorted, double q) {
-    const auto rank = static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5);
+    const auto rank =
+        static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
     return sorted[rank];
 }
 

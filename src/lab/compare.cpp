@@ -213,7 +213,7 @@ void make_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-CompareResult compare(std::vector<Subject> subjects, const CompareOptions& options) {
+CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions& options) {
     using Clock = std::chrono::steady_clock;
     const InterruptGuard guard;
     const auto start = Clock::now();

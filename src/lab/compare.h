@@ -17,9 +17,10 @@ struct CompareOptions {
     std::vector<Entrant> entrants;
     MeasureOptions measure;
     TraceOptions trace;
-    std::filesystem::path out;  ///< directory: rows.csv, curves.csv, verdict.md, report.html, figures
-    std::uint64_t seed = 0;     ///< recorded; nothing here is random yet
-    std::string command;        ///< as the user typed it, for the report
+    std::filesystem::path
+        out;                 ///< directory: rows.csv, curves.csv, verdict.md, report.html, figures
+    std::uint64_t seed = 0;  ///< recorded; nothing here is random yet
+    std::string command;     ///< as the user typed it, for the report
 };
 
 /// What came of a comparison.
@@ -37,6 +38,7 @@ struct CompareResult {
 /// stored truth itself, F = 1) and `sampled`. A cell that fails is a row with its status. Rows are
 /// on disk as soon as their view is finished. Throws core::Error if `out` cannot be written, before
 /// any work.
-[[nodiscard]] CompareResult compare(std::vector<Subject> subjects, const CompareOptions& options);
+[[nodiscard]] CompareResult compare(const std::vector<Subject>& subjects,
+                                    const CompareOptions& options);
 
 }  // namespace ink::lab
