@@ -1,5 +1,6 @@
 #include "score/matching.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.h"

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -21,12 +22,12 @@ TEST(Page, EveryMethodHasItsPartsInOrder) {
         const std::string page = page_of(info.name);
         std::size_t at = 0;
         for (const std::string& heading : {"# " + info.name,
-                                          std::string("## Idea"),
-                                          std::string("## Formula"),
-                                          std::string("## Our reading"),
-                                          std::string("## Knobs"),
-                                          std::string("## Where it fails"),
-                                          std::string("## Picture")}) {
+                                           std::string("## Idea"),
+                                           std::string("## Formula"),
+                                           std::string("## Our reading"),
+                                           std::string("## Knobs"),
+                                           std::string("## Where it fails"),
+                                           std::string("## Picture")}) {
             const std::size_t found = page.find(heading + "\n", at);
             ASSERT_NE(found, std::string::npos) << info.name << ": " << heading;
             at = found;

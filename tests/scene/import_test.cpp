@@ -112,7 +112,7 @@ TEST_F(Import, KeepsPlacementsMirrorsAndParents) {
     ASSERT_EQ(scene.instances.size(), 3U);
     const glm::vec3 corner{1, 0, 0};
     EXPECT_EQ(to_world(instance_named(scene, "plain"), corner), glm::dvec3(1, 0, 0));
-    const Instance& mirrored = instance_named(scene, "mirrored");
+    const Instance mirrored = instance_named(scene, "mirrored");
     EXPECT_EQ(to_world(mirrored, corner), glm::dvec3(-1, 0, 5));
     EXPECT_TRUE(is_mirrored(mirrored));
     EXPECT_FALSE(is_mirrored(instance_named(scene, "child")));

@@ -1,5 +1,7 @@
 #include "tests/truth/shapes.h"
 
+#include <algorithm>
+
 namespace ink::truth {
 namespace {
 
