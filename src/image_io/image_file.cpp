@@ -6,15 +6,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <random>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 
 namespace ink::image_io {
 namespace {
@@ -140,54 +138,9 @@ std::vector<std::uint8_t> encode(const Samples& samples, const std::string& wher
     return bytes;
 }
 
-/// A file under another name that takes its place when it is whole, and vanishes otherwise.
-class FileInWaiting {
-  public:
-    explicit FileInWaiting(const fs::path& path) : path_(path), waiting_(path) {
-        std::random_device random;
-        waiting_ += fmt::format(".{:08x}{:08x}.part", random(), random());
-    }
-    FileInWaiting(const FileInWaiting&) = delete;
-    FileInWaiting& operator=(const FileInWaiting&) = delete;
-    ~FileInWaiting() {
-        std::error_code ignored;
-        if (!is_placed_) fs::remove(waiting_, ignored);
-    }
-
-    void write(const std::vector<std::uint8_t>& bytes) {
-        std::FILE* file = std::fopen(waiting_.c_str(), "wbx");
-        if (file == nullptr) fail(errno);
-        const std::size_t written = std::fwrite(bytes.data(), 1, bytes.size(), file);
-        int problem = written == bytes.size() ? 0 : errno;
-        // A full disk may show only when the last buffer goes out.
-        if (std::fclose(file) != 0 && problem == 0) problem = errno;
-        if (problem != 0 || written != bytes.size()) fail(problem);
-    }
-
-    void place() {
-        std::error_code error;
-        fs::rename(waiting_, path_, error);
-        if (error) fail(error.value());
-        is_placed_ = true;
-    }
-
-  private:
-    [[noreturn]] void fail(int problem) const {
-        throw core::Error(path_.string(),
-                          "cannot be written: " + std::generic_category().message(problem),
-                          "a file name in a folder that can be written to");
-    }
-
-    fs::path path_;
-    fs::path waiting_;
-    bool is_placed_ = false;
-};
-
 void write(const Samples& samples, const fs::path& path) {
     const std::vector<std::uint8_t> bytes = encode(samples, path.string());
-    FileInWaiting file(path);
-    file.write(bytes);
-    file.place();
+    core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "core/whole_file.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
 #include "lab/verdict.h"
-#include "lab/whole_file.h"
 
 namespace ink::lab {
 namespace {
@@ -145,7 +145,7 @@ class Comparison {
         curves_.finish();
         ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
         write_figures(data, options_.out);
-        write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
+        core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),

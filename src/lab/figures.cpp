@@ -9,12 +9,12 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/whole_file.h"
 #include "image_io/image_file.h"
 #include "lab/charts.h"
 #include "lab/error_picture.h"
 #include "lab/palette.h"
 #include "lab/verdict.h"
-#include "lab/whole_file.h"
 
 namespace ink::lab {
 namespace {
@@ -236,10 +236,10 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
             figures.string(), "this folder cannot be made", "a writable place for figures");
     }
     const std::vector<MethodSummary> summaries = summarise(data.rows);
-    write_whole_file(figures / "fronts.svg",
-                     front_chart(summaries).file("Error against time, per method"));
-    write_whole_file(figures / "classes.svg",
-                     class_chart(summaries).file("Recall per line class and method"));
+    core::write_whole_file(figures / "fronts.svg",
+                           front_chart(summaries).file("Error against time, per method"));
+    core::write_whole_file(figures / "classes.svg",
+                           class_chart(summaries).file("Recall per line class and method"));
     const std::vector<MarkedView> views = mark_views(data.views);
     write_strips(data.rows, views, figures);
     write_overview(data.rows, views, figures);

@@ -1,14 +1,13 @@
 #include "truth/truth_cache.h"
 
-#include <fmt/format.h>
-
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <random>
 #include <vector>
 
+#include "core/error.h"
 #include "core/hash.h"
+#include "core/whole_file.h"
 #include "truth/truth_file.h"
 #include "truth/truth_sources.h"
 
@@ -33,19 +32,11 @@ void save(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) return;
-    // Two processes may trace the same view at once; each writes a file of its own.
-    fs::path unfinished = path;
-    unfinished += fmt::format(".{:08x}.part", std::random_device{}());
-    bool is_written = false;
-    {
-        std::ofstream file(unfinished, std::ios::binary);
-        file.write(reinterpret_cast<const char*>(bytes.data()),
-                   static_cast<std::streamsize>(bytes.size()));
-        file.flush();
-        is_written = file.good();
+    try {
+        core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } catch (const core::Error&) {
+        // A truth that cannot be kept is traced again the next time: that costs time, nothing else.
     }
-    if (is_written) fs::rename(unfinished, path, error);
-    if (!is_written || error) fs::remove(unfinished, error);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+#include "core/whole_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <random>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace ink::core {
+namespace {
+
+/// The errno of writing `bytes` to a file that must not exist yet, or 0.
+int write_new(const std::filesystem::path& path, std::string_view bytes) {
+    std::FILE* file = std::fopen(path.c_str(), "wbx");
+    if (file == nullptr) return errno;
+    int problem = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+    // A full disk may show only when the last buffer goes out.
+    if (std::fclose(file) != 0 && problem == 0) problem = errno;
+    return problem;
+}
+
+}  // namespace
+
+void write_whole_file(const std::filesystem::path& path, std::string_view bytes) {
+    std::random_device random;
+    std::filesystem::path waiting = path;
+    waiting += fmt::format(".{:08x}{:08x}.part", random(), random());
+    std::error_code failure(write_new(waiting, bytes), std::generic_category());
+    if (!failure) std::filesystem::rename(waiting, path, failure);
+    if (!failure) return;
+    std::error_code ignored;
+    std::filesystem::remove(waiting, ignored);
+    throw Error(path.string(),
+                "cannot be written: " + failure.message(),
+                "a file name in a folder that can be written to");
+}
+
+}  // namespace ink::core

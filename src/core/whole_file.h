@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace ink::core {
+
+/// Writes `bytes` to a file beside `path` and renames it to `path`, so that nobody sees half of it,
+/// also when several processes write the same file.
+///
+/// Throws Error (where = the path) if it cannot be written; nothing is left behind then, and an
+/// older file of that name stays as it was.
+void write_whole_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace ink::core

@@ -1,0 +1,49 @@
+#include "core/whole_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "core/error.h"
+
+namespace ink::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WholeFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    std::string text_of(const fs::path& path) {
+        std::ostringstream text;
+        text << std::ifstream(path, std::ios::binary).rdbuf();
+        return text.str();
+    }
+    std::ptrdiff_t entries() {
+        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    }
+    fs::path folder_ = fs::path(testing::TempDir()) / "ink_whole_file_test";
+};
+
+TEST_F(WholeFile, ReplacesAnOlderOneByteForByteAndLeavesNothingBeside) {
+    const fs::path path = folder_ / "a.bin";
+    write_whole_file(path, "old and longer");
+    write_whole_file(path, std::string_view("n\0w\r\n", 5));
+    EXPECT_EQ(text_of(path), std::string("n\0w\r\n", 5));
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(WholeFile, WhereItCannotStandIsAnErrorAndNothingIsLeft) {
+    EXPECT_THROW(write_whole_file(folder_ / "nowhere" / "a.bin", "x"), Error);
+    fs::create_directories(folder_ / "taken" / "full");
+    EXPECT_THROW(write_whole_file(folder_ / "taken", "x"), Error);  // a folder has that name
+    EXPECT_EQ(entries(), 1);
+}
+
+}  // namespace
+}  // namespace ink::core
