@@ -66,6 +66,9 @@ struct MethodInfo {
     std::string source;               ///< who described it, and where
     std::string summary;              ///< one line for `inkbench list`
     std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
+    /// Settings that span what the method can do, from its fastest to its most exact: over these
+    /// its Pareto front is drawn. Eight at least; each is complete()d with the defaults.
+    std::vector<core::ParamValues> sweep = {};
 
     /// A method with these settings, the rest at their defaults. Throws core::Error, where = name.
     std::function<std::unique_ptr<Method>(const core::ParamValues&)> make;
@@ -78,7 +81,7 @@ struct MethodInfo {
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
     MethodInfo info{
-        std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}};
+        std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}, {}};
     info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
         return std::make_unique<M>(M::table().read(values, name));
     };

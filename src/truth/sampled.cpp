@@ -101,8 +101,6 @@ class Walker {
     }
 
   private:
-    static constexpr std::uint32_t kNoEdge = 0xffffffffU;
-
     [[nodiscard]] double height(const glm::dvec3& p) const {
         return segment_.dx != 0 ? p.y - segment_.y_px * p.z : p.x - segment_.x_px * p.z;
     }

@@ -122,8 +122,13 @@ core::Image<float> read_seen(Reader& in, const Layers& layers, float sky) {
 void write_curve(Writer& out, const Curve& curve) {
     out.value(curve.line_class);
     out.value(curve.kind);
+    out.value(curve.empty_side);
     out.value(curve.edge);
+    out.value(curve.face0);
+    out.value(curve.face1);
     out.value(curve.bend_rad);
+    out.value(curve.gap);
+    out.value(curve.view_angle_rad);
     out.value(curve.begin);
     out.value(curve.end);
 }
@@ -132,14 +137,19 @@ Curve read_curve(Reader& in) {
     Curve curve;
     curve.line_class = in.value<LineClass>();
     curve.kind = in.value<ContourKind>();
+    curve.empty_side = in.value<std::int8_t>();
     curve.edge = in.value<std::uint32_t>();
+    curve.face0 = in.value<std::uint32_t>();
+    curve.face1 = in.value<std::uint32_t>();
     curve.bend_rad = in.value<float>();
+    curve.gap = in.value<float>();
+    curve.view_angle_rad = in.value<float>();
     curve.begin = in.value<CurvePoint>();
     curve.end = in.value<CurvePoint>();
     return curve;
 }
 
-constexpr std::size_t kCurveBytes = 2 + 2 * sizeof(std::uint32_t) + 2 * sizeof(CurvePoint);
+constexpr std::size_t kCurveBytes = 3 + 6 * sizeof(std::uint32_t) + 2 * sizeof(CurvePoint);
 
 std::vector<std::uint8_t> encode_payload(const Truth& truth) {
     Writer out;
