@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "truth/truth.h"
 
 namespace ink::truth {
 namespace {
