@@ -1,0 +1,241 @@
+#include "truth/witness_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace ink::truth {
+namespace {
+
+constexpr int kMostSteps = 512;
+constexpr std::size_t kMostSpread = 128;  ///< faces that one search round a point may touch
+constexpr double kSameDepth = 1e-9;       ///< relative: coincident as far as a sample can tell
+
+/// An edge of a face, met on a way across the picture.
+struct MetEdge {
+    LineClass line_class = LineClass::none;
+    std::uint32_t face = kNothing;  ///< it was left through `side`
+    std::size_t side = 0;
+    double w = 0;
+    glm::dvec3 p_world{0};
+    double slant = 1;
+};
+
+/// Where a walk came to.
+struct Walk {
+    bool has_arrived = false;  ///< else it ended at `met`, behind which nothing goes on
+    std::uint32_t face = kNothing;
+    MetEdge met;  ///< the end, or the first feature that was passed
+};
+
+double slant_of(const glm::dvec2& normal) {
+    const double length = std::abs(normal.x) + std::abs(normal.y);
+    return length > 0 ? length / glm::length(normal) : 1;
+}
+
+/// The place where a way in direction `d` from the local origin meets edge `side`.
+MetEdge meet(const WitnessMesh& mesh,
+             const LocalFace& local,
+             std::uint32_t face,
+             std::size_t side,
+             const glm::dvec2& d) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const glm::dvec3 &a = local.p[side], &b = local.p[(side + 1) % 3];
+    const double at_a = a.y * d.x - a.x * d.y, at_b = b.y * d.x - b.x * d.y;
+    const double t = at_a == at_b ? 0.5 : std::clamp(at_a / (at_a - at_b), 0.0, 1.0);
+    MetEdge met;
+    met.face = face;
+    met.side = side;
+    met.w = a.z + t * (b.z - a.z);
+    const auto& p = mesh.topology().p_world;
+    met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], t);
+    met.slant = slant_of({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z});
+    return met;
+}
+
+/// Through which edge a straight way from the local origin to `d` leaves the face, other than the
+/// one it came by; 3 if it ends inside.
+std::size_t exit_of(const LocalFace& local, std::size_t entry, const glm::dvec2& d) {
+    std::size_t exit = 3;
+    double first = 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == entry) continue;
+        const glm::dvec3 &a = local.p[i], &b = local.p[(i + 1) % 3];
+        const double slope = (a.y * b.z - a.z * b.y) * d.x + (a.z * b.x - a.x * b.z) * d.y;
+        const double begin = local.orientation * local.area[i];
+        const double end = begin + local.orientation * slope;
+        if (end >= 0) continue;
+        const double s = begin <= 0 ? 0 : begin / (begin - end);
+        if (s >= first) continue;
+        first = s;
+        exit = i;
+    }
+    return exit;
+}
+
+std::size_t side_with(const scene::Face& face, std::uint32_t edge) {
+    return std::find(face.edges.begin(), face.edges.end(), edge) - face.edges.begin();
+}
+
+enum class Stop { at_feature, at_end };
+
+/// Follows the surface from the face that is seen at `from` towards `to`: to the first feature edge
+/// of any kind, or only to where nothing goes on.
+Walk walk(const WitnessMesh& mesh, const Sample& from, const glm::dvec2& to_px, Stop stop) {
+    const glm::dvec2 d = to_px - from.p_px;
+    Walk result;
+    result.face = from.sight.face;
+    std::size_t entry = 3;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const LocalFace local = mesh.local_face(result.face, from.p_px);
+        const std::size_t exit = exit_of(local, entry, d);
+        if (exit == 3) {
+            result.has_arrived = true;
+            return result;
+        }
+        const Across next = mesh.across(result.face, exit);
+        const bool is_end = next.face == kNothing;
+        if (next.line_class != LineClass::none &&
+            (is_end || result.met.line_class == LineClass::none)) {
+            result.met = meet(mesh, local, result.face, exit, d);
+            result.met.line_class = next.line_class;
+        }
+        if (is_end || (stop == Stop::at_feature && next.line_class != LineClass::none))
+            return result;
+        entry = side_with(mesh.topology().faces[next.face],
+                          mesh.topology().faces[result.face].edges[exit]);
+        result.face = next.face;
+    }
+    return result;
+}
+
+/// Whether `goal` can be reached from `face` over edges within reach of a point, none of them a
+/// feature: walks end in a neighbour where the point lies on an edge or a corner.
+bool is_reached_round(const WitnessMesh& mesh,
+                      std::uint32_t face,
+                      std::uint32_t goal,
+                      const glm::dvec2& p_px) {
+    std::array<std::uint32_t, kMostSpread> found{face};
+    std::size_t count = 1;
+    for (std::size_t next = 0; next < count; ++next) {
+        if (found[next] == goal) return true;
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Across across = mesh.across(found[next], side);
+            if (across.face == kNothing || across.line_class != LineClass::none) continue;
+            const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
+            if (count == kMostSpread || std::find(found.begin(), end, across.face) != end) continue;
+            if (!WitnessMesh::holds(mesh.local_face(across.face, p_px), kReach_px)) continue;
+            found[count++] = across.face;
+        }
+    }
+    return false;
+}
+
+bool arrives_at(const WitnessMesh& mesh, const Walk& walk, const Sample& to) {
+    return walk.has_arrived && (walk.face == to.sight.face ||
+                                is_reached_round(mesh, walk.face, to.sight.face, to.p_px));
+}
+
+double depth_at(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
+    return WitnessMesh::depth(mesh.local_face(face, p_px));
+}
+
+/// The direction of the line in which two planes meet, as its slant.
+double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32_t face1) {
+    const auto plane = [&](std::uint32_t face) {  // 1/w = plane . (x, y, 1)
+        const auto& v = mesh.topology().faces[face].vertices;
+        const glm::dvec3 &a = mesh.p_clip()[v[0]], &b = mesh.p_clip()[v[1]],
+                         &c = mesh.p_clip()[v[2]];
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        return n / glm::dot(n, a);
+    };
+    const glm::dvec3 difference = plane(face0) - plane(face1);
+    return slant_of({difference.x, difference.y});
+}
+
+/// One surface's end, told: a line, a defect, or nothing where only the near plane cuts.
+void add_end(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond, Between& between) {
+    if (end.w < mesh.view().camera.near) {
+        between.is_near_cut = true;
+        return;
+    }
+    LineClass line_class = end.line_class;
+    if (line_class == LineClass::boundary && beyond.sight.face != kNothing) {
+        const double slack = 4.0 / 512 * end.w / mesh.projection().focal_px();
+        if (mesh.goes_on(end.face, beyond.sight.face, end.p_world, slack)) {
+            between.is_defect = true;
+            if (!mesh.is_seam(end.face, beyond.sight.face)) return;
+            line_class = LineClass::seam;
+        }
+    }
+    const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
+    if (!is_known) between.lines[between.count++] = {line_class, end.slant};
+}
+
+/// Two surfaces that both go on at both samples: one passes through the other, or the near plane
+/// takes one away, or they coincide.
+void add_meeting(const WitnessMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<std::uint32_t, 2>& faces_beyond,
+                 Between& between) {
+    const double near = mesh.view().camera.near;
+    std::array<double, 2> w_beyond{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        w_beyond[i] = depth_at(mesh, faces_beyond[i], samples[1 - i].p_px);
+        between.is_near_cut = between.is_near_cut || w_beyond[i] < near;
+    }
+    if (between.is_near_cut) return;
+    if (samples[0].sight.face == kNothing || samples[1].sight.face == kNothing) {
+        between.is_explained = false;
+        return;
+    }
+    const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
+    if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
+        return;
+    between.lines[between.count++] = {
+        LineClass::intersection,
+        slant_of_planes(mesh, samples[0].sight.face, samples[1].sight.face)};
+}
+
+}  // namespace
+
+bool is_joined(const WitnessMesh& mesh, const Sample& from, const Sample& to) {
+    if (from.sight.face == to.sight.face) return true;
+    if (from.sight.face == kNothing || to.sight.face == kNothing) return false;
+    return arrives_at(mesh, walk(mesh, from, to.p_px, Stop::at_feature), to) ||
+           arrives_at(mesh, walk(mesh, to, from.p_px, Stop::at_feature), from);
+}
+
+Between name_between(const WitnessMesh& mesh, const Sample& from, const Sample& to) {
+    const std::array<Sample, 2> samples{from, to};
+    std::array<Walk, 2> walks;
+    Between between;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        walks[i] = walk(mesh, samples[i], samples[1 - i].p_px, Stop::at_end);
+        if (samples[1 - i].sight.face == kNothing || !arrives_at(mesh, walks[i], samples[1 - i]))
+            continue;
+        if (walks[i].met.line_class == LineClass::none) return between;
+        if (walks[i].met.w < mesh.view().camera.near) continue;
+        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant};
+        return between;
+    }
+    const auto has_ended = [&](std::size_t i) {
+        return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
+               walks[i].met.line_class != LineClass::none;
+    };
+    const double reach = 4 * mesh.tolerance();
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!has_ended(i)) continue;
+        const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
+        if (!is_behind) add_end(mesh, walks[i].met, samples[1 - i], between);
+    }
+    if (!has_ended(0) && !has_ended(1)) {
+        add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
+    }
+    return between;
+}
+
+}  // namespace ink::truth
