@@ -79,7 +79,7 @@ class FineGrid {
     }
 
     void add_leaf(const Sample& a, const Sample& b, std::vector<WitnessPoint>& points) {
-        const Between between = name_between(mesh_, a, b);
+        const Between between = name_between(rays_, a, b);
         counts.defects += between.is_defect;
         counts.near_cuts += between.is_near_cut;
         counts.unexplained += !between.is_explained;

@@ -83,14 +83,17 @@ double WitnessMesh::depth(const LocalFace& face) {
     return weight > 0 ? weighted / weight : 0;
 }
 
+bool WitnessMesh::is_edge_near(const LocalFace& face, std::size_t side, double reach_px) {
+    const glm::dvec3 &a = face.p[side], &b = face.p[(side + 1) % 3];
+    const double slope = std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
+    return std::abs(face.area[side]) <= reach_px * slope;
+}
+
 bool WitnessMesh::holds(const LocalFace& face, double reach_px) {
     if (face.orientation == 0) return false;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double area = face.orientation * face.area[i];
-        if (area >= 0) continue;
-        const glm::dvec3 &a = face.p[i], &b = face.p[(i + 1) % 3];
-        const double slope = std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
-        if (-area > reach_px * slope) return false;
+        if (face.orientation * face.area[i] >= 0) continue;
+        if (reach_px == 0 || !is_edge_near(face, i, reach_px)) return false;
     }
     return true;
 }

@@ -42,6 +42,11 @@ class WitnessMesh {
     [[nodiscard]] const scene::Projection& projection() const { return projection_; }
     [[nodiscard]] const scene::View& view() const { return view_; }
     [[nodiscard]] const std::vector<glm::dvec3>& p_clip() const { return p_clip_; }
+    /// Where a world point is on the picture.
+    [[nodiscard]] glm::dvec2 px(const glm::dvec3& p_world) const {
+        const glm::dvec3 p = projection_.to_clip(p_world);
+        return {p.x / p.z, p.y / p.z};
+    }
     /// Per edge: whether a line may be drawn there, whichever way it is looked at.
     [[nodiscard]] bool is_feature(std::uint32_t edge) const {
         return kinds_[edge] != EdgeKind::flat;
@@ -53,6 +58,11 @@ class WitnessMesh {
     [[nodiscard]] static double depth(const LocalFace& face);
     /// Whether the point it is local to misses the face by at most `reach_px`.
     [[nodiscard]] static bool holds(const LocalFace& face, double reach_px);
+
+    /// Whether the line through edge `side` passes within `reach_px` of that point.
+    [[nodiscard]] static bool is_edge_near(const LocalFace& face,
+                                           std::size_t side,
+                                           double reach_px);
 
     /// What comes behind edge `side` (0..2) of `face`.
     [[nodiscard]] Across across(std::uint32_t face, std::size_t side) const;

@@ -47,14 +47,39 @@ struct Look {
     }
 };
 
+/// The face that holds the point where Embree's rounding named a neighbour: found over the edges
+/// that the point passes, as long as the surface goes on there. kNothing if it passes an end.
+std::uint32_t holder_near(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
+    constexpr int kMostSteps = 16;
+    std::uint32_t came_by = kNothing;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const LocalFace local = mesh.local_face(face, p_px);
+        if (!WitnessMesh::holds(local, kReach_px)) return kNothing;
+        std::size_t passed = 3;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool is_back = mesh.topology().faces[face].edges[i] == came_by;
+            if (local.orientation * local.area[i] < 0 && !is_back) passed = i;
+        }
+        if (passed == 3) return face;
+        came_by = mesh.topology().faces[face].edges[passed];
+        face = mesh.across(face, passed).face;
+        if (face == kNothing) return kNothing;
+    }
+    return face;
+}
+
 /// Takes a candidate if double arithmetic finds it on the ray, and has Embree go on a little behind
 /// it.
 void take(const RTCFilterFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     auto& look = *reinterpret_cast<Look*>(args->context);
-    const unsigned face = RTCHitN_primID(args->hit, args->N, 0);
-    const LocalFace local = look.mesh->local_face(face, look.p_px);
-    const double w = WitnessMesh::holds(local, kReach_px) ? WitnessMesh::depth(local) : 0;
+    std::uint32_t face = RTCHitN_primID(args->hit, args->N, 0);
+    LocalFace local = look.mesh->local_face(face, look.p_px);
+    if (!WitnessMesh::holds(local, 0)) {
+        face = holder_near(*look.mesh, face, look.p_px);
+        if (face != kNothing) local = look.mesh->local_face(face, look.p_px);
+    }
+    const double w = face == kNothing ? 0 : WitnessMesh::depth(local);
     if (w < look.near) {
         args->valid[0] = 0;
         return;

@@ -25,9 +25,12 @@ class WitnessRays {
     WitnessRays(const WitnessRays&) = delete;
     WitnessRays& operator=(const WitnessRays&) = delete;
 
-    /// The nearest triangle that holds the point, or passes it by at most 1e-3 px, and is not in
-    /// front of the near plane there; of equally near ones the lowest.
+    /// The nearest triangle that holds the point and is not in front of the near plane there; of
+    /// equally near ones the lowest. Where Embree names a neighbour that the point misses by at
+    /// most 1e-3 px, the surface is followed from there.
     [[nodiscard]] Sight look(const glm::dvec2& p_px) const;
+
+    [[nodiscard]] const WitnessMesh& mesh() const { return mesh_; }
 
   private:
     struct Handles;

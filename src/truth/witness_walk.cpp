@@ -110,31 +110,86 @@ Walk walk(const WitnessMesh& mesh, const Sample& from, const glm::dvec2& to_px, 
     return result;
 }
 
-/// Whether `goal` can be reached from `face` over edges within reach of a point, none of them a
-/// feature: walks end in a neighbour where the point lies on an edge or a corner.
+/// The faces within reach of a point that can be come by from one of them, each once; those across
+/// a crease or a seam too if `over_features`.
+class Surroundings {
+  public:
+    Surroundings(const WitnessMesh& mesh,
+                 std::uint32_t face,
+                 const glm::dvec2& p_px,
+                 bool over_features)
+        : mesh_(mesh), p_px_(p_px), over_features_(over_features), found_{face} {}
+
+    /// The next face; kNothing after the last.
+    std::uint32_t next() {
+        if (next_ == count_) return kNothing;
+        const std::uint32_t face = found_[next_++];
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Across across = mesh_.across(face, side);
+            const bool is_open = over_features_ || across.line_class == LineClass::none;
+            if (across.face != kNothing && is_open) add(across.face);
+        }
+        return face;
+    }
+
+  private:
+    void add(std::uint32_t face) {
+        const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count_);
+        if (count_ == kMostSpread || std::find(found_.begin(), end, face) != end) return;
+        if (WitnessMesh::holds(mesh_.local_face(face, p_px_), kReach_px)) found_[count_++] = face;
+    }
+
+    const WitnessMesh& mesh_;
+    glm::dvec2 p_px_;
+    bool over_features_;
+    std::array<std::uint32_t, kMostSpread> found_;
+    std::size_t count_ = 1;
+    std::size_t next_ = 0;
+};
+
+/// Whether `goal` can be come by from `face` without leaving the reach of a point: walks end in a
+/// neighbour where the point lies on an edge or a corner.
 bool is_reached_round(const WitnessMesh& mesh,
                       std::uint32_t face,
                       std::uint32_t goal,
                       const glm::dvec2& p_px) {
-    std::array<std::uint32_t, kMostSpread> found{face};
-    std::size_t count = 1;
-    for (std::size_t next = 0; next < count; ++next) {
-        if (found[next] == goal) return true;
-        for (std::size_t side = 0; side < 3; ++side) {
-            const Across across = mesh.across(found[next], side);
-            if (across.face == kNothing || across.line_class != LineClass::none) continue;
-            const auto end = found.begin() + static_cast<std::ptrdiff_t>(count);
-            if (count == kMostSpread || std::find(found.begin(), end, across.face) != end) continue;
-            if (!WitnessMesh::holds(mesh.local_face(across.face, p_px), kReach_px)) continue;
-            found[count++] = across.face;
-        }
+    Surroundings faces(mesh, face, p_px, false);
+    for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
+        if (f == goal) return true;
     }
     return false;
+}
+
+/// A walk that arrived where another surface is seen, though its own holds the point by a hair:
+/// where it ends within reach, that hair is Embree's rounding, and the walk ended there.
+Walk ended_round(const WitnessMesh& mesh, const Walk& walk, const Sample& to, const glm::dvec2& d) {
+    Surroundings faces(mesh, walk.face, to.p_px, true);
+    for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
+        const LocalFace local = mesh.local_face(f, to.p_px);
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Across across = mesh.across(f, side);
+            if (across.face != kNothing || !WitnessMesh::is_edge_near(local, side, kReach_px))
+                continue;
+            Walk ended{false, f, meet(mesh, local, f, side, d)};
+            ended.met.line_class = across.line_class;
+            return ended;
+        }
+    }
+    return walk;
 }
 
 bool arrives_at(const WitnessMesh& mesh, const Walk& walk, const Sample& to) {
     return walk.has_arrived && (walk.face == to.sight.face ||
                                 is_reached_round(mesh, walk.face, to.sight.face, to.p_px));
+}
+
+/// Whether two walks towards each other end at borders that lie on each other, where the surface
+/// goes on from one to the other without a line.
+bool is_defect(const WitnessMesh& mesh, const Walk& there, const Walk& back) {
+    const MetEdge &a = there.met, &b = back.met;
+    return a.line_class == LineClass::boundary && b.line_class == LineClass::boundary &&
+           glm::length(a.p_world - b.p_world) <= 4 * mesh.tolerance() &&
+           !mesh.is_seam(a.face, b.face) && mesh.goes_on(a.face, b.face, a.p_world, 0);
 }
 
 double depth_at(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
@@ -154,20 +209,40 @@ double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32
     return slant_of({difference.x, difference.y});
 }
 
+/// Whether the surface goes on where a border ends: in what is seen beyond, or, if that is a slit
+/// of the weld tolerance, in what is seen behind the slit.
+bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
+    const WitnessMesh& mesh = rays.mesh();
+    const double px_per_unit = mesh.projection().focal_px() / end.w;
+    const double slack = 4.0 / 512 / px_per_unit;
+    const auto continues = [&](const Sample& sample) {
+        return sample.sight.face != kNothing &&
+               mesh.goes_on(end.face, sample.sight.face, end.p_world, slack);
+    };
+    next = beyond;
+    if (continues(beyond)) return true;
+    const glm::dvec2 end_px = mesh.px(end.p_world);
+    const glm::dvec2 d = beyond.p_px - end_px;
+    const double length = glm::length(d);
+    if (!(length > 0)) return false;
+    next.p_px = beyond.p_px + d / length * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
+    next.sight = rays.look(next.p_px);
+    return continues(next);
+}
+
 /// One surface's end, told: a line, a defect, or nothing where only the near plane cuts.
-void add_end(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond, Between& between) {
+void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Between& between) {
+    const WitnessMesh& mesh = rays.mesh();
     if (end.w < mesh.view().camera.near) {
         between.is_near_cut = true;
         return;
     }
     LineClass line_class = end.line_class;
-    if (line_class == LineClass::boundary && beyond.sight.face != kNothing) {
-        const double slack = 4.0 / 512 * end.w / mesh.projection().focal_px();
-        if (mesh.goes_on(end.face, beyond.sight.face, end.p_world, slack)) {
-            between.is_defect = true;
-            if (!mesh.is_seam(end.face, beyond.sight.face)) return;
-            line_class = LineClass::seam;
-        }
+    Sample next;
+    if (line_class == LineClass::boundary && goes_on(rays, end, beyond, next)) {
+        between.is_defect = true;
+        if (!mesh.is_seam(end.face, next.sight.face)) return;
+        line_class = LineClass::seam;
     }
     const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
     if (!is_known) between.lines[between.count++] = {line_class, end.slant};
@@ -204,11 +279,14 @@ void add_meeting(const WitnessMesh& mesh,
 bool is_joined(const WitnessMesh& mesh, const Sample& from, const Sample& to) {
     if (from.sight.face == to.sight.face) return true;
     if (from.sight.face == kNothing || to.sight.face == kNothing) return false;
-    return arrives_at(mesh, walk(mesh, from, to.p_px, Stop::at_feature), to) ||
-           arrives_at(mesh, walk(mesh, to, from.p_px, Stop::at_feature), from);
+    const Walk there = walk(mesh, from, to.p_px, Stop::at_feature);
+    if (arrives_at(mesh, there, to)) return true;
+    const Walk back = walk(mesh, to, from.p_px, Stop::at_feature);
+    return arrives_at(mesh, back, from) || is_defect(mesh, there, back);
 }
 
-Between name_between(const WitnessMesh& mesh, const Sample& from, const Sample& to) {
+Between name_between(const WitnessRays& rays, const Sample& from, const Sample& to) {
+    const WitnessMesh& mesh = rays.mesh();
     const std::array<Sample, 2> samples{from, to};
     std::array<Walk, 2> walks;
     Between between;
@@ -222,6 +300,10 @@ Between name_between(const WitnessMesh& mesh, const Sample& from, const Sample& 
         between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant};
         return between;
     }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
+        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
+    }
     const auto has_ended = [&](std::size_t i) {
         return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
                walks[i].met.line_class != LineClass::none;
@@ -230,7 +312,7 @@ Between name_between(const WitnessMesh& mesh, const Sample& from, const Sample& 
     for (std::size_t i = 0; i < 2; ++i) {
         if (!has_ended(i)) continue;
         const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
-        if (!is_behind) add_end(mesh, walks[i].met, samples[1 - i], between);
+        if (!is_behind) add_end(rays, walks[i].met, samples[1 - i], between);
     }
     if (!has_ended(0) && !has_ended(1)) {
         add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);

@@ -19,7 +19,8 @@ struct Crossing {
     double slant = 1;  ///< |cos| + |sin| of the line's direction on the picture
 };
 
-/// What lies between two samples: at most two lines, of two surfaces that end at one place.
+/// What lies between two samples: at most two lines, of two surfaces that end at one
+/// place.
 struct Between {
     std::array<Crossing, 2> lines;
     int count = 0;
@@ -33,7 +34,8 @@ struct Between {
 
 /// Names what separates two samples that are not joined and lie very close: the nearer surface that
 /// ends there (contour, boundary), a bend or another object on the surface that goes on (crease,
-/// seam), or two surfaces that go on through each other (intersection).
-[[nodiscard]] Between name_between(const WitnessMesh& mesh, const Sample& from, const Sample& to);
+/// seam), or two surfaces that go on through each other (intersection). A border's end is a defect
+/// if the surface goes on right behind it, for which one more sample is taken.
+[[nodiscard]] Between name_between(const WitnessRays& rays, const Sample& from, const Sample& to);
 
 }  // namespace ink::truth
