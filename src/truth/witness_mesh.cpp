@@ -83,6 +83,15 @@ double WitnessMesh::depth(const LocalFace& face) {
     return weight > 0 ? weighted / weight : 0;
 }
 
+double WitnessMesh::plane_depth(const LocalFace& face) {
+    double weight = 0, weighted = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        weight += face.area[i];
+        weighted += face.area[i] * face.p[(i + 2) % 3].z;
+    }
+    return weight != 0 ? weighted / weight : 0;
+}
+
 bool WitnessMesh::is_edge_near(const LocalFace& face, std::size_t side, double reach_px) {
     const glm::dvec3 &a = face.p[side], &b = face.p[(side + 1) % 3];
     const double slope = std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);

@@ -56,6 +56,8 @@ class WitnessMesh {
     /// The distance along the gaze at which the face is met from the point it is local to, made to
     /// lie within the face where the point misses it a little. Nothing (0) if it is behind.
     [[nodiscard]] static double depth(const LocalFace& face);
+    /// The same of the face's whole plane; 0 or less where that is behind the eye or seen edge-on.
+    [[nodiscard]] static double plane_depth(const LocalFace& face);
     /// Whether the point it is local to misses the face by at most `reach_px`.
     [[nodiscard]] static bool holds(const LocalFace& face, double reach_px);
 

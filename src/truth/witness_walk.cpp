@@ -248,6 +248,37 @@ void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, 
     if (!is_known) between.lines[between.count++] = {line_class, end.slant};
 }
 
+/// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
+/// just before it, and it is not seen.
+bool is_under(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing || end.w < mesh.view().camera.near) return false;
+    const glm::dvec2 end_px = mesh.px(end.p_world);
+    const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
+    if (!cover.has_arrived) return false;
+    const double w = WitnessMesh::plane_depth(mesh.local_face(cover.face, end_px));
+    return w >= mesh.view().camera.near && w < end.w * (1 - kSameDepth);
+}
+
+/// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
+/// lie on each other.
+void add_ends(const WitnessRays& rays,
+              const std::array<Sample, 2>& samples,
+              const std::array<Walk, 2>& walks,
+              Between& between) {
+    const WitnessMesh& mesh = rays.mesh();
+    const auto has_ended = [&](std::size_t i) {
+        return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
+               walks[i].met.line_class != LineClass::none;
+    };
+    const double reach = 4 * mesh.tolerance();
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!has_ended(i)) continue;
+        const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
+        if (is_behind || is_under(mesh, walks[i].met, samples[1 - i])) continue;
+        add_end(rays, walks[i].met, samples[1 - i], between);
+    }
+}
+
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
 /// takes one away, or they coincide.
 void add_meeting(const WitnessMesh& mesh,
@@ -304,19 +335,9 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
         const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
         if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
     }
-    const auto has_ended = [&](std::size_t i) {
-        return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
-               walks[i].met.line_class != LineClass::none;
-    };
-    const double reach = 4 * mesh.tolerance();
-    for (std::size_t i = 0; i < 2; ++i) {
-        if (!has_ended(i)) continue;
-        const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
-        if (!is_behind) add_end(rays, walks[i].met, samples[1 - i], between);
-    }
-    if (!has_ended(0) && !has_ended(1)) {
-        add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
-    }
+    add_ends(rays, samples, walks, between);
+    const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
+    if (!is_told) add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
     return between;
 }
 
