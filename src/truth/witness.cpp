@@ -1,109 +1,32 @@
 #include "truth/witness.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
+#include <tuple>
 
 #include "core/parallel.h"
 #include "truth/witness_cells.h"
-#include "truth/witness_walk.h"
+#include "truth/witness_fine.h"
+#include "truth/witness_thin.h"
 
 namespace ink::truth {
 namespace {
 
-constexpr double kFinest_px = 1.0 / 512;
-
-/// The K x K samples of one pixel's cell, and a row and a column of its neighbours'.
-class FineGrid {
-  public:
-    FineGrid(const WitnessMesh& mesh, const WitnessRays& rays, int k)
-        : mesh_(mesh), rays_(rays), k_(k), samples_((k + 1) * (k + 1)) {}
-
-    /// Looks at the cell with its corner at `corner_px`. `corners` are known: left to right, top to
-    /// bottom.
-    void look(const glm::dvec2& corner_px, const std::array<Sight, 4>& corners) {
-        for (int y = 0; y <= k_; ++y) {
-            for (int x = 0; x <= k_; ++x) {
-                Sample& sample = at(x, y);
-                sample.p_px = corner_px + glm::dvec2(x, y) / static_cast<double>(k_);
-                if (x % k_ == 0 && y % k_ == 0) {
-                    sample.sight = corners[(y / k_) * 2 + x / k_];
-                } else {
-                    sample.sight = look_at(sample.p_px);
-                }
-            }
-        }
-    }
-
-    /// Adds what crosses the cell's ways to the right and down from its own K x K samples.
-    void add_points(std::vector<WitnessPoint>& points) {
-        for (int y = 0; y < k_; ++y) {
-            for (int x = 0; x < k_; ++x) {
-                add_between(at(x, y), at(x + 1, y), points);
-                add_between(at(x, y), at(x, y + 1), points);
-            }
-        }
-    }
-
-    /// Whether a line leaves the cell by the side of which `begin` and `step` name the samples.
-    [[nodiscard]] bool is_crossed(glm::ivec2 begin, glm::ivec2 step) const {
-        for (int i = 0; i < k_; ++i) {
-            const glm::ivec2 a = begin + step * i, b = a + step;
-            if (!is_joined(mesh_, at(a.x, a.y), at(b.x, b.y))) return true;
-        }
-        return false;
-    }
-
-    WitnessCounts counts;
-
-  private:
-    [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (k_ + 1) + x]; }
-    [[nodiscard]] const Sample& at(int x, int y) const { return samples_[y * (k_ + 1) + x]; }
-
-    Sight look_at(const glm::dvec2& p_px) {
-        ++counts.rays;
-        return rays_.look(p_px);
-    }
-
-    void add_between(const Sample& a, const Sample& b, std::vector<WitnessPoint>& points) {
-        if (is_joined(mesh_, a, b)) return;
-        if (glm::length(b.p_px - a.p_px) <= kFinest_px) {
-            add_leaf(a, b, points);
-            return;
-        }
-        Sample middle;
-        middle.p_px = 0.5 * (a.p_px + b.p_px);
-        middle.sight = look_at(middle.p_px);
-        add_between(a, middle, points);
-        add_between(middle, b, points);
-    }
-
-    void add_leaf(const Sample& a, const Sample& b, std::vector<WitnessPoint>& points) {
-        const Between between = name_between(rays_, a, b);
-        counts.defects += between.is_defect;
-        counts.near_cuts += between.is_near_cut;
-        counts.unexplained += !between.is_explained;
-        const glm::dvec2 p = 0.5 * (a.p_px + b.p_px);
-        const scene::View& view = mesh_.view();
-        if (p.x < 0 || p.y < 0 || p.x >= view.width_px || p.y >= view.height_px) return;
-        for (int i = 0; i < between.count; ++i) {
-            const Crossing& line = between.lines[i];
-            points.push_back({p.x, p.y, line.line_class, 1.0 / (k_ * line.slant)});
-        }
-    }
-
-    const WitnessMesh& mesh_;
-    const WitnessRays& rays_;
-    int k_;
-    std::vector<Sample> samples_;
-};
+constexpr int kThinFactor = 4;  ///< so many times as dense where the samples stepped over something
 
 /// What one row of cells gave, and which cells beside its refined ones a line runs into.
 struct RowResult {
-    std::vector<WitnessPoint> points;
+    std::vector<CellPoint> points;
     std::vector<glm::ivec2> entered;
     WitnessCounts counts;
 };
+
+void add(const WitnessCounts& part, WitnessCounts& sum) {
+    sum.rays += part.rays;
+    sum.refined_px += part.refined_px;
+    sum.defects += part.defects;
+    sum.near_cuts += part.near_cuts;
+    sum.unexplained += part.unexplained;
+}
 
 class Looking {
   public:
@@ -115,7 +38,7 @@ class Looking {
 
     Witness run() {
         cells_.look(rays_, options_.threads);
-        result_.counts.rays += cells_.sample_count();
+        counts_.rays += cells_.sample_count();
         if (options_.everywhere) {
             cells_.mark_all();
         } else {
@@ -124,12 +47,16 @@ class Looking {
         }
         while (refine_marked()) {
         }
-        std::stable_sort(result_.points.begin(),
-                         result_.points.end(),
-                         [](const WitnessPoint& a, const WitnessPoint& b) {
-                             return std::floor(a.y_px) < std::floor(b.y_px);
-                         });
-        return std::move(result_);
+        if (!options_.everywhere) refine_thin();
+        std::stable_sort(
+            points_.begin(), points_.end(), [](const CellPoint& a, const CellPoint& b) {
+                return std::tie(a.cell.y, a.cell.x) < std::tie(b.cell.y, b.cell.x);
+            });
+        Witness witness;
+        for (const CellPoint& p : points_)
+            witness.points.push_back(p.point);
+        witness.counts = counts_;
+        return witness;
     }
 
   private:
@@ -142,14 +69,8 @@ class Looking {
         cells_.finish_marked();
         bool has_more = false;
         for (const RowResult& row : rows) {
-            result_.points.insert(result_.points.end(), row.points.begin(), row.points.end());
-            result_.counts.rays += row.counts.rays;
-            result_.counts.refined_px += row.counts.refined_px;
-            result_.counts.defects += row.counts.defects;
-            result_.counts.near_cuts += row.counts.near_cuts;
-            result_.counts.unexplained += row.counts.unexplained;
-        }
-        for (const RowResult& row : rows) {
+            points_.insert(points_.end(), row.points.begin(), row.points.end());
+            add(row.counts, counts_);
             for (const glm::ivec2& cell : row.entered)
                 has_more = cells_.mark(cell) || has_more;
         }
@@ -158,14 +79,12 @@ class Looking {
 
     RowResult refine_row(int y) {
         RowResult result;
-        FineGrid grid(mesh_, rays_, options_.subsamples);
+        FineGrid grid(rays_, options_.subsamples);
         const int k = options_.subsamples;
-        std::size_t refined = 0;
         for (int x = 0; x < cells_.columns(); ++x) {
             const glm::ivec2 cell(x, y);
             if (cells_.state(cell) != CellState::marked) continue;
-            ++refined;
-            grid.look(cells_.corner_px(cell), cells_.corners(cell));
+            grid.look(cell, cells_.corner_px(cell), cells_.corners(cell));
             grid.add_points(result.points);
             const auto enter = [&](glm::ivec2 neighbour, glm::ivec2 begin, glm::ivec2 step) {
                 if (cells_.is_unseen(neighbour) && grid.is_crossed(begin, step))
@@ -177,15 +96,43 @@ class Looking {
             enter({x, y + 1}, {0, k}, {1, 0});
         }
         result.counts = grid.counts;
-        result.counts.refined_px = refined;
         return result;
+    }
+
+    /// Looks again, more densely, at the cells whose samples stepped over something.
+    void refine_thin() {
+        const ThinCells thin = find_thin_cells(cells_, rays_, points_, options_.threads);
+        counts_.rays += thin.rays;
+        counts_.thin_px = thin.cells.size();
+        if (thin.cells.empty()) return;
+        for (const glm::ivec2& cell : thin.cells)
+            cells_.mark(cell, CellState::thin);
+        points_.erase(std::remove_if(points_.begin(),
+                                     points_.end(),
+                                     [&](const CellPoint& p) {
+                                         return cells_.state(p.cell) == CellState::thin;
+                                     }),
+                      points_.end());
+        std::vector<RowResult> results(thin.cells.size());
+        core::parallel_for(results.size(), options_.threads, [&](std::size_t i) {
+            const glm::ivec2 cell = thin.cells[i];
+            FineGrid grid(rays_, kThinFactor * options_.subsamples);
+            grid.look(cell, cells_.corner_px(cell), cells_.corners(cell));
+            grid.add_points(results[i].points);
+            results[i].counts = grid.counts;
+        });
+        for (const RowResult& result : results) {
+            points_.insert(points_.end(), result.points.begin(), result.points.end());
+            counts_.rays += result.counts.rays;
+        }
     }
 
     WitnessMesh mesh_;
     WitnessRays rays_;
     WitnessOptions options_;
     WitnessCells cells_;
-    Witness result_;
+    std::vector<CellPoint> points_;
+    WitnessCounts counts_;
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ struct WitnessPoint {
 struct WitnessCounts {
     std::size_t rays = 0;
     std::size_t refined_px = 0;   ///< pixels looked at K x K times
+    std::size_t thin_px = 0;      ///< pixels in which K x K samples stepped over something
     std::size_t defects = 0;      ///< crossings of a boundary across which the surface goes on
     std::size_t near_cuts = 0;    ///< crossings of the near plane's cut: no line
     std::size_t unexplained = 0;  ///< two samples differ and nothing between them says why
@@ -49,8 +50,9 @@ struct Witness {
 /// answers are not joined, where a feature edge that nothing hides may run, or which a line enters
 /// from a refined neighbour. Neighbours are joined if a walk over the mesh between them, which may
 /// end in a triangle that the sample misses by 1e-3 px, meets no feature edge. Any other pair is
-/// halved down to 1/512 px, and what lies between is named by what ends or bends there. What
-/// appears and ends again between two samples of 1/K px is not seen.
+/// halved down to 1/512 px, and what lies between is named by what ends or bends there. Pixels in
+/// which a look 1/256 px to either side of an edge finds what the samples stepped over are looked
+/// at 4 K x 4 K times; what is thinner than that, between two samples, is not seen.
 ///
 /// A crossing of a line that runs at angle t to the axes stands for (1/K) / (|cos t| + |sin t|) px
 /// of it: then the sum over a straight line is its length.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <limits>
 
 #include "core/parallel.h"
 #include "truth/witness_walk.h"
@@ -96,7 +98,7 @@ void WitnessCells::mark_crossed(int threads) {
     });
 }
 
-void WitnessCells::mark_edge(std::uint32_t edge, std::vector<std::uint32_t>& found) const {
+void WitnessCells::add_pieces(std::uint32_t edge, std::vector<EdgePiece>& pieces) const {
     ScreenSegment line;
     if (!project(mesh_, mesh_.topology().edges[edge], line)) return;
     const glm::dvec2 a = line.a + 1.0 - kOffset_px, b = line.b + 1.0 - kOffset_px;
@@ -121,26 +123,26 @@ void WitnessCells::mark_edge(std::uint32_t edge, std::vector<std::uint32_t>& fou
             if (part.is_empty()) continue;
             const double q =
                 std::max(at(line.q_a, line.q_b, part.begin), at(line.q_a, line.q_b, part.end));
-            const std::size_t cell = index({x, y});
-            if (states_[cell] == CellState::plain && 1 / q <= hidden_behind_[cell])
-                found.push_back(static_cast<std::uint32_t>(cell));
+            if (1 / q > hidden_behind_[index({x, y})]) continue;
+            pieces.push_back(
+                {{x, y}, glm::mix(line.a, line.b, part.begin), glm::mix(line.a, line.b, part.end)});
         }
     }
 }
 
 void WitnessCells::mark_edges(int threads) {
     const std::size_t count = mesh_.topology().edges.size();
-    std::vector<std::vector<std::uint32_t>> found((count + kChunk - 1) / kChunk);
+    std::vector<std::vector<EdgePiece>> found((count + kChunk - 1) / kChunk);
     core::parallel_for(found.size(), threads, [&](std::size_t chunk) {
         const std::size_t end = std::min(count, (chunk + 1) * kChunk);
         for (std::size_t e = chunk * kChunk; e < end; ++e) {
             const auto edge = static_cast<std::uint32_t>(e);
-            if (mesh_.is_feature(edge)) mark_edge(edge, found[chunk]);
+            if (mesh_.is_feature(edge)) add_pieces(edge, found[chunk]);
         }
     });
     for (const auto& part : found) {
-        for (const std::uint32_t cell : part)
-            states_[cell] = CellState::marked;
+        for (const EdgePiece& piece : part)
+            mark(piece.cell);
     }
 }
 

@@ -13,6 +13,14 @@ enum class CellState : std::uint8_t {
     plain,   ///< its corners say all
     marked,  ///< to be looked at closely
     done,    ///< was looked at closely
+    thin,    ///< was, and deserves more still
+};
+
+/// The part of an edge in a cell.
+struct EdgePiece {
+    glm::ivec2 cell{0};
+    glm::dvec2 begin_px{0};
+    glm::dvec2 end_px{0};
 };
 
 /// One sample per pixel over the picture and a pixel beyond its left and upper frame, and which of
@@ -30,12 +38,19 @@ class WitnessCells {
     /// unbroken round the cell.
     void mark_edges(int threads);
     void mark_all();
-    /// True if the cell is there and was plain.
+    /// Adds the pieces of an edge, one in each cell that it runs through, but those hidden behind a
+    /// surface that goes on unbroken round the cell.
+    void add_pieces(std::uint32_t edge, std::vector<EdgePiece>& pieces) const;
+    /// True if the cell was plain.
     bool mark(const glm::ivec2& cell);
+    void mark(const glm::ivec2& cell, CellState state) { states_[index(cell)] = state; }
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
     [[nodiscard]] std::size_t sample_count() const { return sights_.size(); }
+    [[nodiscard]] std::size_t index(const glm::ivec2& cell) const {
+        return static_cast<std::size_t>(cell.y) * columns_ + cell.x;
+    }
     [[nodiscard]] CellState state(const glm::ivec2& cell) const { return states_[index(cell)]; }
     /// Whether the cell is there and plain, so that nobody looks at its own ways.
     [[nodiscard]] bool is_unseen(const glm::ivec2& cell) const {
@@ -52,11 +67,6 @@ class WitnessCells {
     [[nodiscard]] bool contains(const glm::ivec2& cell) const {
         return cell.x >= 0 && cell.y >= 0 && cell.x < columns_ && cell.y < rows_;
     }
-    [[nodiscard]] std::size_t index(const glm::ivec2& cell) const {
-        return static_cast<std::size_t>(cell.y) * columns_ + cell.x;
-    }
-    void mark_edge(std::uint32_t edge, std::vector<std::uint32_t>& found) const;
-
     const WitnessMesh& mesh_;
     int columns_;
     int rows_;
