@@ -31,7 +31,7 @@ struct Range {
 /// Where a + s (b - a) lies between low and high, within `range`.
 Range clip(Range range, double a, double b, double low, double high) {
     if (a == b) return a >= low && a <= high ? range : Range{1, 0};
-    const auto [first, last] = std::minmax((low - a) / (b - a), (high - a) / (b - a));
+    const auto [first, last] = std::minmax({(low - a) / (b - a), (high - a) / (b - a)});
     return {std::max(range.begin, first), std::min(range.end, last)};
 }
 
@@ -112,11 +112,11 @@ void WitnessCells::add_pieces(std::uint32_t edge, std::vector<EdgePiece>& pieces
     const auto last_cell = [](double high) {
         return static_cast<int>(std::floor(high + kMargin_px));
     };
-    const auto [top, bottom] = std::minmax(at(a.y, b.y, all.begin), at(a.y, b.y, all.end));
+    const auto [top, bottom] = std::minmax({at(a.y, b.y, all.begin), at(a.y, b.y, all.end)});
     for (int y = std::max(0, first_cell(top)); y <= std::min(rows_ - 1, last_cell(bottom)); ++y) {
         const Range row = clip(all, a.y, b.y, y - kMargin_px, y + 1 + kMargin_px);
         if (row.is_empty()) continue;
-        const auto [left, right] = std::minmax(at(a.x, b.x, row.begin), at(a.x, b.x, row.end));
+        const auto [left, right] = std::minmax({at(a.x, b.x, row.begin), at(a.x, b.x, row.end)});
         for (int x = std::max(0, first_cell(left)); x <= std::min(columns_ - 1, last_cell(right));
              ++x) {
             const Range part = clip(row, a.x, b.x, x - kMargin_px, x + 1 + kMargin_px);
@@ -124,8 +124,10 @@ void WitnessCells::add_pieces(std::uint32_t edge, std::vector<EdgePiece>& pieces
             const double q =
                 std::max(at(line.q_a, line.q_b, part.begin), at(line.q_a, line.q_b, part.end));
             if (1 / q > hidden_behind_[index({x, y})]) continue;
-            pieces.push_back(
-                {{x, y}, glm::mix(line.a, line.b, part.begin), glm::mix(line.a, line.b, part.end)});
+            pieces.push_back({edge,
+                              glm::ivec2(x, y),
+                              glm::mix(line.a, line.b, part.begin),
+                              glm::mix(line.a, line.b, part.end)});
         }
     }
 }

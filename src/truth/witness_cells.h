@@ -18,6 +18,7 @@ enum class CellState : std::uint8_t {
 
 /// The part of an edge in a cell.
 struct EdgePiece {
+    std::uint32_t edge = 0;
     glm::ivec2 cell{0};
     glm::dvec2 begin_px{0};
     glm::dvec2 end_px{0};

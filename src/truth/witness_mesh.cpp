@@ -201,6 +201,21 @@ std::uint32_t WitnessMesh::nearest_on(const scene::Edge& edge, int side) const {
     return nearest;
 }
 
+LineClass WitnessMesh::likely_class(std::uint32_t edge) const {
+    switch (kinds_[edge]) {
+        case EdgeKind::boundary:
+            return LineClass::boundary;
+        case EdgeKind::contour:
+            return LineClass::contour;
+        case EdgeKind::crease:
+            return LineClass::crease;
+        case EdgeKind::seam:
+            return LineClass::seam;
+        default:
+            return LineClass::none;
+    }
+}
+
 Across WitnessMesh::across(std::uint32_t face, std::size_t side) const {
     const std::uint32_t index = topology_.faces[face].edges[side];
     const scene::Edge& edge = topology_.edges[index];

@@ -22,29 +22,33 @@ class PointsByCell {
     PointsByCell(const WitnessCells& cells, std::span<const CellPoint> points)
         : cells_(cells),
           first_(static_cast<std::size_t>(cells.columns()) * cells.rows() + 1, 0),
-          p_px_(points.size()) {
+          points_(points.size()) {
         for (const CellPoint& p : points)
             ++first_[cells.index(p.cell) + 1];
         for (std::size_t i = 1; i < first_.size(); ++i)
             first_[i] += first_[i - 1];
         std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
         for (const CellPoint& p : points)
-            p_px_[next[cells.index(p.cell)]++] = {p.point.x_px, p.point.y_px};
+            points_[next[cells.index(p.cell)]++] = p.point;
     }
 
-    /// Whether there is one within kFound_px of `p`, which lies in `cell`.
-    [[nodiscard]] bool has_near(const glm::ivec2& cell, const glm::dvec2& p) const {
+    /// Whether there is one of the class (none: of any) within kFound_px of `p`, which lies in
+    /// `cell`.
+    [[nodiscard]] bool has_near(const glm::ivec2& cell,
+                                const glm::dvec2& p,
+                                LineClass line_class) const {
+        const auto is_near = [&](const WitnessPoint& q) {
+            return (line_class == LineClass::none || q.line_class == line_class) &&
+                   glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kFound_px;
+        };
         for (int y = std::max(0, cell.y - 1); y <= std::min(cells_.rows() - 1, cell.y + 1); ++y) {
             const int left = std::max(0, cell.x - 1);
             const int right = std::min(cells_.columns() - 1, cell.x + 1);
             const auto begin =
-                p_px_.begin() + static_cast<std::ptrdiff_t>(first_[cells_.index({left, y})]);
+                points_.begin() + static_cast<std::ptrdiff_t>(first_[cells_.index({left, y})]);
             const auto end =
-                p_px_.begin() + static_cast<std::ptrdiff_t>(first_[cells_.index({right, y}) + 1]);
-            if (std::any_of(begin, end, [&](const glm::dvec2& q) {
-                    return glm::length(p - q) <= kFound_px;
-                }))
-                return true;
+                points_.begin() + static_cast<std::ptrdiff_t>(first_[cells_.index({right, y}) + 1]);
+            if (std::any_of(begin, end, is_near)) return true;
         }
         return false;
     }
@@ -52,7 +56,7 @@ class PointsByCell {
   private:
     const WitnessCells& cells_;
     std::vector<std::size_t> first_;
-    std::vector<glm::dvec2> p_px_;
+    std::vector<WitnessPoint> points_;
 };
 
 /// Whether the two sides of the piece differ somewhere where nothing was found.
@@ -60,6 +64,7 @@ bool is_stepped_over(const WitnessRays& rays,
                      const PointsByCell& found,
                      const EdgePiece& piece,
                      std::size_t& ray_count) {
+    const LineClass line_class = rays.mesh().likely_class(piece.edge);
     const glm::dvec2 along = piece.end_px - piece.begin_px;
     const double length = glm::length(along);
     if (!(length > 0)) return false;
@@ -67,7 +72,7 @@ bool is_stepped_over(const WitnessRays& rays,
     const int count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
     for (int i = 0; i < count; ++i) {
         const glm::dvec2 p = piece.begin_px + along * ((i + 0.5) / count);
-        if (found.has_near(piece.cell, p)) continue;
+        if (found.has_near(piece.cell, p, line_class)) continue;
         const Sample left{p - aside, rays.look(p - aside)};
         const Sample right{p + aside, rays.look(p + aside)};
         ray_count += 2;
