@@ -19,7 +19,8 @@ struct MetEdge {
     std::size_t side = 0;
     double w = 0;
     glm::dvec3 p_world{0};
-    double slant = 1;
+    glm::dvec2 outward{0};  ///< unit, on the picture, away from the face
+    [[nodiscard]] double slant() const { return std::abs(outward.x) + std::abs(outward.y); }
 };
 
 /// Where a walk came to.
@@ -50,7 +51,9 @@ MetEdge meet(const WitnessMesh& mesh,
     met.w = a.z + t * (b.z - a.z);
     const auto& p = mesh.topology().p_world;
     met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], t);
-    met.slant = slant_of({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z});
+    const glm::dvec2 inward(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
+    const double length = glm::length(inward) * -local.orientation;
+    met.outward = length != 0 ? inward / length : glm::dvec2(1, 0);
     return met;
 }
 
@@ -221,11 +224,8 @@ bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, 
     };
     next = beyond;
     if (continues(beyond)) return true;
-    const glm::dvec2 end_px = mesh.px(end.p_world);
-    const glm::dvec2 d = beyond.p_px - end_px;
-    const double length = glm::length(d);
-    if (!(length > 0)) return false;
-    next.p_px = beyond.p_px + d / length * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
+    next.p_px =
+        mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
     next.sight = rays.look(next.p_px);
     return continues(next);
 }
@@ -245,7 +245,7 @@ void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, 
         line_class = LineClass::seam;
     }
     const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
-    if (!is_known) between.lines[between.count++] = {line_class, end.slant};
+    if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
 }
 
 /// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
@@ -328,7 +328,7 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
             continue;
         if (walks[i].met.line_class == LineClass::none) return between;
         if (walks[i].met.w < mesh.view().camera.near) continue;
-        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant};
+        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant()};
         return between;
     }
     for (std::size_t i = 0; i < 2; ++i) {
