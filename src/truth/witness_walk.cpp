@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostSteps = 512;
 constexpr std::size_t kMostSpread = 128;  ///< faces that one search round a point may touch
-constexpr double kSameDepth = 1e-9;       ///< relative: coincident as far as a sample can tell
+constexpr double kSameDepth = 1e-11;      ///< relative: what double leaves of equal depths
 
 /// An edge of a face, met on a way across the picture.
 struct MetEdge {
