@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "truth/curve_facts.h"
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
 #include "truth/label_image.h"
@@ -41,6 +42,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 
     Truth truth;
     TracedLines lines = trace_lines(eye, scene, trace.threads);
+    lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px);
     truth.counts = counts_of(model, lines, image);
     truth.labels = std::move(image.labels);

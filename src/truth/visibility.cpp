@@ -104,13 +104,18 @@ bool Visibility::is_visible(const EdgePoint& point,
     return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
 }
 
-ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) const {
+std::optional<EyeScene::Hit> Visibility::first_behind(const EdgePoint& point,
+                                                      std::size_t& rays) const {
     EyeRay ray;
     ray.direction_world = point.p_world - eye_.eye_world();
     ray.t_near = 1 - kPast;
     ray.t_far = std::numeric_limits<double>::infinity();
     ++rays;
-    const auto hit = scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+    return scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+}
+
+ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) const {
+    const auto hit = first_behind(point, rays);
     if (!hit) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;
     const std::uint32_t own = topology.faces_of(topology.edges[point.edge])[0];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
@@ -34,8 +35,12 @@ class Visibility {
                                   std::uint32_t& blocker,
                                   std::size_t& rays) const;
 
-    /// What lies behind a visible contour point: the object of the nearest face beyond it on the
-    /// line of sight, the edge's own faces left out.
+    /// The nearest face beyond a visible point on the line of sight, or touching it there, the
+    /// edge's own faces left out; nothing before the sky. The distance is Embree's.
+    [[nodiscard]] std::optional<EyeScene::Hit> first_behind(const EdgePoint& point,
+                                                            std::size_t& rays) const;
+
+    /// What lies behind a visible contour point: the object of `first_behind`.
     [[nodiscard]] ContourKind kind_behind(const EdgePoint& point, std::size_t& rays) const;
 
   private:
