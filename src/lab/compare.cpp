@@ -13,6 +13,7 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
+#include "lab/line_scores.h"
 #include "lab/verdict.h"
 
 namespace ink::lab {
@@ -24,6 +25,7 @@ struct Shot {
     edge::EdgeImage picture;
     int threshold = 128;
     Scored scored;
+    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -79,12 +81,16 @@ void fill_place(const Subject& subject,
 }
 
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
+    const LineTruth lines = prepare_lines(truth);
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
+        LineResult result = score_lines(shot.picture, lines, shot.threshold);
+        shot.row.lines = result.scores;
+        shot.bins = std::move(result.bins);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     for (Shot& shot : shots) {
@@ -124,7 +130,8 @@ class Comparison {
     explicit Comparison(const CompareOptions& options)
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
-          curves_(options.out / "curves.csv", curve_columns()) {}
+          curves_(options.out / "curves.csv", curve_columns()),
+          bins_(options.out / "bins.csv", bin_columns()) {}
 
     void run_subject(const Subject& subject,
                      const std::function<void(const scene::View&)>& before) {
@@ -143,6 +150,7 @@ class Comparison {
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
+        bins_.finish();
         ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
@@ -187,6 +195,7 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
+        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});
@@ -196,6 +205,7 @@ class Comparison {
     const CompareOptions& options_;
     CsvFile rows_;
     CsvFile curves_;
+    CsvFile bins_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
     std::vector<ShownView> shown_;

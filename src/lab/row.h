@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "lab/line_scores.h"
+
 namespace ink::lab {
 
 /// One cell of an experiment: one method, with its settings, on one view; one row of rows.csv.
@@ -53,6 +55,7 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
