@@ -151,10 +151,12 @@ std::filesystem::path cache_folder(const CacheOptions& options) {
     return {};
 }
 
-void check_png_path(const std::filesystem::path& path) {
-    if (path.extension() != ".png") {
-        throw core::Error(
-            path.string(), "this is not the name of a PNG file", "a name that ends in .png");
+void check_output_path(const std::filesystem::path& path,
+                       const std::vector<std::string>& extensions) {
+    if (std::find(extensions.begin(), extensions.end(), path.extension()) == extensions.end()) {
+        throw core::Error(path.string(),
+                          "this is not the name of such a file",
+                          fmt::format("a name that ends in {}", fmt::join(extensions, " or ")));
     }
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder)) {

@@ -49,8 +49,10 @@ void add_cache_options(CLI::App& command, CacheOptions& options);
 /// The folder the options mean; empty if truths are not to be kept or there is no home for them.
 [[nodiscard]] std::filesystem::path cache_folder(const CacheOptions& options);
 
-/// Throws core::Error unless a PNG can be written to `path`: its name ends in .png, and its folder
-/// is there and writable. Called before any work, so that an hour is not lost to a typing error.
-void check_png_path(const std::filesystem::path& path);
+/// Throws core::Error unless a file can be written to `path`: its name ends in one of `extensions`
+/// (".png", ".exr", ...), and its folder is there and writable. Called before any work, so that an
+/// hour is not lost to a typing error.
+void check_output_path(const std::filesystem::path& path,
+                       const std::vector<std::string>& extensions);
 
 }  // namespace ink::cli

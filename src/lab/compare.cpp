@@ -14,6 +14,7 @@
 #include "lab/figures.h"
 #include "lab/interrupt.h"
 #include "lab/verdict.h"
+#include "truth/curve_facts.h"
 
 namespace ink::lab {
 namespace {
@@ -87,7 +88,11 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         fill_scores(shot.scored, shot.row);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     for (Shot& shot : shots) {
+        shot.row.contour_sky_px = behind.sky_px;
+        shot.row.contour_other_px = behind.other_object_px;
+        shot.row.contour_self_px = behind.self_px;
         shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
         shot.row.crowded_share = truth.traced.counts.crowded_share;
     }

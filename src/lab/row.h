@@ -53,6 +53,9 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
+    std::optional<double> contour_other_px;  ///< before another object,
+    std::optional<double> contour_self_px;   ///< and before their own
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
