@@ -25,7 +25,7 @@ struct TruthArgs {
     std::optional<std::string> picture;
     std::optional<std::string> sampled;
     CacheOptions cache;
-    double crease_deg = 40;
+    TruthSettings truth;
     int threads = core::hardware_threads();
 };
 
@@ -46,7 +46,7 @@ void write_truth(const lab::Subject& subject,
 
 void run_truth(const TruthArgs& args) {
     lab::TraceOptions options;
-    options.truth.crease_rad = checked_crease_rad(args.crease_deg);
+    apply(args.truth, options.truth);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
@@ -83,8 +83,7 @@ void add_truth_command(CLI::App& app) {
     command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
-    command->add_option("--crease", args->crease_deg, "Crease angle, degrees")
-        ->capture_default_str();
+    add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
     add_cache_options(*command, args->cache);
     command->footer(

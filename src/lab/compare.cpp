@@ -76,6 +76,7 @@ void fill_place(const Subject& subject,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
+    row.weld_epsilon = options.trace.truth.weld_epsilon;
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 

@@ -101,6 +101,7 @@ void write_truth_exr(const Subject& subject,
     file.channels.push_back({"class.label", whole_numbers(truth.labels)});
     file.attributes = origin(subject);
     file.attributes.push_back({"ink:crease_deg", options.crease_rad * kDegPerRad});
+    file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
     file.attributes.push_back(
         {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"});
     image_io::write_exr(file, path);

@@ -53,6 +53,7 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,
     std::optional<double> contour_self_px;   ///< and before their own

@@ -68,6 +68,11 @@ std::string truth_summary(const truth::Truth& truth) {
         n.merged_px,
         100 * n.crowded_share,
         truth.trace_s);
+    if (n.joined_vertices > 0) {
+        text += fmt::format("the weld's epsilon joined {} vertices and collapsed {} triangles\n",
+                            n.joined_vertices,
+                            n.collapsed);
+    }
     return text;
 }
 
