@@ -15,6 +15,7 @@
 #include "lab/interrupt.h"
 #include "lab/line_scores.h"
 #include "lab/verdict.h"
+#include "truth/curve_facts.h"
 
 namespace ink::lab {
 namespace {
@@ -77,6 +78,7 @@ void fill_place(const Subject& subject,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
+    row.weld_epsilon = options.trace.truth.weld_epsilon;
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
@@ -93,7 +95,11 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         shot.bins = std::move(result.bins);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     for (Shot& shot : shots) {
+        shot.row.contour_sky_px = behind.sky_px;
+        shot.row.contour_other_px = behind.other_object_px;
+        shot.row.contour_self_px = behind.self_px;
         shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
         shot.row.crowded_share = truth.traced.counts.crowded_share;
     }

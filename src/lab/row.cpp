@@ -215,6 +215,12 @@ std::vector<Column> make_columns() {
         counted("truth_merged_px", &Row::truth_merged_px, "true pixels that thinning took away"),
         column("crowded_share", &Row::crowded_share, "share of true pixels too dense to score"),
         column("triangles", &Row::triangles, "of the scene, instances counted"),
+        column("weld_epsilon",
+               &Row::weld_epsilon,
+               "the truth joins vertices this near, as a share of each part's diagonal"),
+        column("contour_sky_px", &Row::contour_sky_px, "length of true contours before the sky"),
+        column("contour_other_px", &Row::contour_other_px, "the same before another object"),
+        column("contour_self_px", &Row::contour_self_px, "the same before their own object"),
     };
     add_line_scores(columns);
     add_line_counts(columns);

@@ -103,7 +103,7 @@ LineClass Model::class_across(const scene::Edge& edge,
 
 Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     Model model;
-    model.topology = scene::weld(scene);
+    model.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     model.crease_rad = options.crease_rad;
     model.material_seams = options.material_seams;
     model.tolerance = weld_tolerance(model.topology);

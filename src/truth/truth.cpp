@@ -23,6 +23,8 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.triangles = model.topology.counts.triangles;
     counts.degenerate = model.topology.counts.degenerate;
     counts.duplicate = model.topology.counts.duplicate;
+    counts.joined_vertices = model.topology.counts.joined_vertices;
+    counts.collapsed = model.topology.counts.collapsed;
     counts.defect_edges = model.defect_edges;
     counts.candidate_edges = lines.candidate_edges;
     counts.samples = lines.samples;

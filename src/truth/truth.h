@@ -18,6 +18,7 @@ struct TruthOptions {
     double crease_rad =
         0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
     bool material_seams = false;  ///< a seam also where only the material differs
+    double weld_epsilon = 0;      ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers and `sampled`; without, both stay empty
 };
@@ -37,6 +38,8 @@ struct TruthCounts {
     std::size_t triangles = 0;
     std::size_t degenerate = 0;
     std::size_t duplicate = 0;
+    std::size_t joined_vertices = 0;  ///< by the weld's epsilon alone
+    std::size_t collapsed = 0;        ///< triangles that the weld's epsilon alone made degenerate
     std::size_t defect_edges = 0;     ///< boundaries that no picture can show; not scored
     std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
     std::size_t samples = 0;
