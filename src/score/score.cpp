@@ -143,6 +143,18 @@ std::vector<ClassCount> match_classes(const PixelList& drawn,
     return classes;
 }
 
+/// The pixels of `from` that have none of `to` in reach.
+std::vector<Pixel> out_of_reach(const PixelList& from, const PixelList& to, const Disk& disk) {
+    const std::vector<std::uint8_t> is_reached = within_reach(from, to, disk);
+    std::vector<Pixel> pixels;
+    for (int y = 0; y < from.height_px(); ++y) {
+        for (std::size_t i = from.row_begin(y); i < from.row_begin(y + 1); ++i) {
+            if (is_reached[i] == 0) pixels.push_back({from.x(i), y});
+        }
+    }
+    return pixels;
+}
+
 }  // namespace
 
 double Score::f() const {
@@ -208,6 +220,15 @@ Score score(const edge::EdgeImage& prediction,
     result.mean_width_px = drawing.mean_width_px;
     if (!truth.is_binary) result.classes = match_classes(drawing.pixels, truth, lists.disk);
     return result;
+}
+
+WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
+                         const ScoringTruth& truth,
+                         const ScoreOptions& options) {
+    const TruthLists lists = list_truth(prediction, truth, options);
+    const Drawing drawing = drawn_pixels(prediction, options.threshold, lists, options);
+    return {.off_line = out_of_reach(drawing.pixels, lists.truth, lists.disk),
+            .missing = out_of_reach(lists.truth, drawing.pixels, lists.disk)};
 }
 
 std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
