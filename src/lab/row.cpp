@@ -145,6 +145,7 @@ std::vector<Column> make_columns() {
         wrong_px(Cause::cancelled, "of missing: a channel changed enough, the code did not"),
         wrong_px(Cause::below_threshold, "of missing: no channel changed enough"),
         wrong_px(Cause::sub_pixel, "of missing: no stencil of pixel centres sees the line"),
+        wrong_px(Cause::thinned, "of missing: drawn, but thinning took it out of reach"),
         wrong_px(Cause::unexplained, "of missing: the declared code should have drawn it"),
         wrong_px(Cause::undeclared, "of missing: seen by a stencil, and no code is declared"),
         column("triangles", &Row::triangles, "of the scene, instances counted"),

@@ -88,6 +88,14 @@ Cause off_line_cause(const TruthStencils& stencils, const BandTruth& band, Pixel
     return square.is_uniform(stencils.patch) ? Cause::one_patch : Cause::other;
 }
 
+Cause miss_cause(const std::vector<Pixel>& seeing, const edge::Mask& drawn, Cause predicted) {
+    if (seeing.empty()) return Cause::sub_pixel;
+    if (predicted == Cause::cancelled || predicted == Cause::below_threshold) return predicted;
+    const bool is_drawn = std::any_of(
+        seeing.begin(), seeing.end(), [&](Pixel p) { return drawn.at(p.x_px, p.y_px) != 0; });
+    return is_drawn ? Cause::thinned : predicted;
+}
+
 }  // namespace
 
 std::string_view name(Cause cause) {
@@ -108,6 +116,8 @@ std::string_view name(Cause cause) {
             return "below_threshold";
         case Cause::sub_pixel:
             return "sub_pixel";
+        case Cause::thinned:
+            return "thinned";
         case Cause::unexplained:
             return "unexplained";
         case Cause::undeclared:
@@ -155,10 +165,9 @@ Attribution attribute(const WrongPixels& wrong,
         add(pixel, off_line_cause(stencils, band, pixel));
     for (std::size_t i = 0; i < wrong.missing.size(); ++i) {
         const Pixel pixel = wrong.missing[i];
-        const bool is_seen = !seeing_stencils(stencils, pixel).empty();
-        assert(predicted.empty() || is_miss(predicted[i]));
-        const Cause seen_cause = predicted.empty() ? Cause::undeclared : predicted[i];
-        add(pixel, is_seen ? seen_cause : Cause::sub_pixel);
+        const Cause cause = predicted.empty() ? Cause::undeclared : predicted[i];
+        assert(is_miss(cause));
+        add(pixel, miss_cause(seeing_stencils(stencils, pixel), wrong.drawn, cause));
     }
     return result;
 }

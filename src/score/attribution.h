@@ -24,8 +24,9 @@ enum class Cause : std::uint8_t {
     cancelled,        ///< a channel of the declared code alone would have fired, their sum does not
     below_threshold,  ///< what changes is too little, also channel by channel
     sub_pixel,        ///< no stencil of pixel centres near it sees the line
-    unexplained,      ///< the declared code should have fired beside it
-    undeclared,       ///< a stencil sees the line, and the method declares no code
+    thinned,          ///< drawn, but lines ran together and thinning took this one away
+    unexplained,      ///< the declared code should have drawn it, and it is not drawn
+    undeclared,       ///< a stencil sees it, it is not drawn, and the method declares no code
 };
 
 inline constexpr std::array kOffLineCauses = {
@@ -33,6 +34,7 @@ inline constexpr std::array kOffLineCauses = {
 inline constexpr std::array kMissCauses = {Cause::cancelled,
                                            Cause::below_threshold,
                                            Cause::sub_pixel,
+                                           Cause::thinned,
                                            Cause::unexplained,
                                            Cause::undeclared};
 inline constexpr std::size_t kCauseCount = kOffLineCauses.size() + kMissCauses.size();
@@ -102,9 +104,11 @@ struct Attribution {
 /// triangle before a crack, because a line between centres that see the same triangle was seen by
 /// no filter.
 ///
-/// A missing pixel is `sub_pixel` if no stencil sees its line (seeing_stencils() is empty), else
-/// what `predicted` says of it: one cause of a miss for each of `wrong.missing`, or none at all for
-/// a method that declares no code (`undeclared`).
+/// A missing pixel is `sub_pixel` if no stencil sees its line (seeing_stencils() is empty). Else it
+/// is what `predicted` says of it: `cancelled`, `below_threshold` or `unexplained` for each of
+/// `wrong.missing`, or nothing at all for a method that declares no code (`undeclared`). Neither of
+/// the first two looks at a picture; the last two do, and become `thinned` where one of the
+/// stencils that see the line was drawn before thinning.
 ///
 /// Of surplus and lost pixels only the numbers are unique: each pixel that has a partner in reach
 /// is matched in some maximum matching, so no single one can be called wrong.

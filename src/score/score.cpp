@@ -227,8 +227,11 @@ WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
                          const ScoreOptions& options) {
     const TruthLists lists = list_truth(prediction, truth, options);
     const Drawing drawing = drawn_pixels(prediction, options.threshold, lists, options);
-    return {.off_line = out_of_reach(drawing.pixels, lists.truth, lists.disk),
-            .missing = out_of_reach(lists.truth, drawing.pixels, lists.disk)};
+    WrongPixels wrong{.off_line = out_of_reach(drawing.pixels, lists.truth, lists.disk),
+                      .missing = out_of_reach(lists.truth, drawing.pixels, lists.disk),
+                      .drawn = edge::threshold(prediction, options.threshold)};
+    clear_band(wrong.drawn, options.band_px);
+    return wrong;
 }
 
 std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,

@@ -104,6 +104,7 @@ struct Pixel {
 struct WrongPixels {
     std::vector<Pixel> off_line;  ///< predicted (thinned) pixels without a truth pixel in reach
     std::vector<Pixel> missing;   ///< truth pixels without a predicted pixel in reach
+    edge::Mask drawn;             ///< 1 where something was drawn, not yet thinned; band taken out
 };
 
 /// Which pixels score() calls off-line and missing, and throws as score() does.
