@@ -76,11 +76,10 @@ score::Cause cause_at(const std::vector<score::Pixel>& seeing,
 }  // namespace
 
 score::TruthStencils stencils_of(const ViewTruth& truth) {
-    return {.triangle = truth.traced.layers.triangle.view(),
-            .patch = truth.traced.layers.patch.view(),
-            .crack_right = truth.cracks.right.view(),
-            .crack_below = truth.cracks.below.view(),
-            .labels = truth.traced.labels.view()};
+    return {.triangle = truth.traced.layers.triangle,
+            .patch = truth.traced.layers.patch,
+            .cracks = truth.cracks,
+            .labels = truth.traced.labels};
 }
 
 MissPredictor::MissPredictor(const scene::Scene& scene)

@@ -11,7 +11,8 @@ namespace {
 
 /// Whether a crack runs between two pixels that are neighbours, `b` right of or below `a`.
 bool is_cracked(const TruthStencils& stencils, Pixel a, Pixel b) {
-    return (a.y_px == b.y_px ? stencils.crack_right : stencils.crack_below).at(a.x_px, a.y_px) != 0;
+    return (a.y_px == b.y_px ? stencils.cracks.right : stencils.cracks.below).at(a.x_px, a.y_px) !=
+           0;
 }
 
 /// The 3 x 3 pixels round one that has eight neighbours.
@@ -19,7 +20,7 @@ class Square {
   public:
     Square(const TruthStencils& stencils, Pixel middle) : stencils_(stencils), middle_(middle) {}
 
-    [[nodiscard]] bool is_uniform(core::ImageView<const std::uint32_t> ids) const {
+    [[nodiscard]] bool is_uniform(const core::Image<std::uint32_t>& ids) const {
         const std::uint32_t first = ids.at(middle_.x_px, middle_.y_px);
         for (int y = middle_.y_px - 1; y <= middle_.y_px + 1; ++y) {
             for (int x = middle_.x_px - 1; x <= middle_.x_px + 1; ++x) {
@@ -49,7 +50,7 @@ class Square {
 /// The truth pixels that the band took out of the comparison, by where they are.
 class BandTruth {
   public:
-    BandTruth(core::ImageView<const std::uint8_t> labels, const ScoreOptions& options)
+    BandTruth(const core::Image<std::uint8_t>& labels, const ScoreOptions& options)
         : labels_(labels), options_(options), disk_(options.tolerance_px) {}
 
     [[nodiscard]] bool is_near(Pixel pixel) const {
@@ -66,21 +67,21 @@ class BandTruth {
   private:
     [[nodiscard]] bool was_taken_out(Pixel p) const {
         if (!labels_.contains(p.x_px, p.y_px)) return false;
-        const int depth_px = std::min(std::min(p.x_px, labels_.width_px - 1 - p.x_px),
-                                      std::min(p.y_px, labels_.height_px - 1 - p.y_px));
+        const int depth_px = std::min(std::min(p.x_px, labels_.width_px() - 1 - p.x_px),
+                                      std::min(p.y_px, labels_.height_px() - 1 - p.y_px));
         const int label = labels_.at(p.x_px, p.y_px);
         return depth_px < options_.band_px && label != 0 && label != options_.ignore_label;
     }
 
-    core::ImageView<const std::uint8_t> labels_;
+    const core::Image<std::uint8_t>& labels_;
     const ScoreOptions& options_;
     Disk disk_;
 };
 
 Cause off_line_cause(const TruthStencils& stencils, const BandTruth& band, Pixel pixel) {
     const auto [x, y] = pixel;
-    const bool has_neighbours =
-        x > 0 && y > 0 && x < stencils.triangle.width_px - 1 && y < stencils.triangle.height_px - 1;
+    const bool has_neighbours = x > 0 && y > 0 && x < stencils.triangle.width_px() - 1 &&
+                                y < stencils.triangle.height_px() - 1;
     if (!has_neighbours || band.is_near(pixel)) return Cause::frame;
     const Square square(stencils, pixel);
     if (square.is_uniform(stencils.triangle)) return Cause::one_triangle;

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "core/image.h"
-#include "score/score.h"
+#include "score/wrong_pixels.h"
+#include "truth/curve.h"
 
 namespace ink::score {
 
@@ -61,12 +62,10 @@ struct CauseCounts {
 
 /// What the truth says of pixel centres, borrowed; all of one size.
 struct TruthStencils {
-    core::ImageView<const std::uint32_t> triangle;  ///< what is seen; sky has a number of its own
-    core::ImageView<const std::uint32_t> patch;     ///< the smooth patch of it; sky likewise
-    /// Not 0 where a true line crosses between a centre and its right or lower neighbour's.
-    core::ImageView<const std::uint8_t> crack_right;
-    core::ImageView<const std::uint8_t> crack_below;
-    core::ImageView<const std::uint8_t> labels;  ///< the truth image, band not yet taken out
+    const core::Image<std::uint32_t>& triangle;  ///< what is seen; sky has a number of its own
+    const core::Image<std::uint32_t>& patch;     ///< the smooth patch of it; sky likewise
+    const truth::Cracks& cracks;                 ///< where true lines run between centres
+    const core::Image<std::uint8_t>& labels;     ///< the truth image, band not yet taken out
 };
 
 /// Whether the four-neighbour stencil round a pixel sees a line: between its centre and a neighbour
@@ -109,9 +108,6 @@ struct Attribution {
 /// `wrong.missing`, or nothing at all for a method that declares no code (`undeclared`). Neither of
 /// the first two looks at a picture; the last two do, and become `thinned` where one of the
 /// stencils that see the line was drawn before thinning.
-///
-/// Of surplus and lost pixels only the numbers are unique: each pixel that has a partner in reach
-/// is matched in some maximum matching, so no single one can be called wrong.
 ///
 /// `options` are those that `wrong` was found with.
 [[nodiscard]] Attribution attribute(const WrongPixels& wrong,

@@ -92,26 +92,6 @@ struct ScoringTruth {
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
 
-/// A pixel of a picture.
-struct Pixel {
-    int x_px = 0;
-    int y_px = 0;
-
-    friend bool operator==(const Pixel&, const Pixel&) = default;
-};
-
-/// The pixels that are wrong whatever matching is found, row by row: as many as score() counts.
-struct WrongPixels {
-    std::vector<Pixel> off_line;  ///< predicted (thinned) pixels without a truth pixel in reach
-    std::vector<Pixel> missing;   ///< truth pixels without a predicted pixel in reach
-    edge::Mask drawn;             ///< 1 where something was drawn, not yet thinned; band taken out
-};
-
-/// Which pixels score() calls off-line and missing, and throws as score() does.
-[[nodiscard]] WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
-                                       const ScoringTruth& truth,
-                                       const ScoreOptions& options);
-
 /// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in
 /// integers. Equal masks are matched once. Entry i is threshold (i+1)/100. `options.threshold` is
 /// not read.
