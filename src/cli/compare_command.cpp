@@ -27,6 +27,7 @@ struct CompareArgs {
     int threads = 1;
     int repetitions = 15;
     std::string seed = "0";
+    bool no_witness = false;
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -47,6 +48,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
     apply(args.truth, options.trace.truth);
     options.trace.truth.threads = core::hardware_threads();
+    options.trace.witness = !args.no_witness;
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
     options.seed = parse_seed(args.seed);
@@ -99,6 +101,8 @@ void add_compare_command(CLI::App& app) {
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
     command->add_option("--seed", args->seed, "Recorded in the rows")->capture_default_str();
+    command->add_flag(
+        "--no-witness", args->no_witness, "Do not hold the truth against its witness");
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "lab/witness_report.h"
 #include "truth/line_class.h"
 
 namespace ink::lab {
@@ -225,7 +226,9 @@ std::string verdict_table(const std::vector<Row>& rows) {
         classes.insert(classes.begin(), name_column());
         text += "\nrecall of\n" + aligned(cells_of(classes, summaries));
     }
-    return fmt::format("{}\n{}\n\n{}", text, kBracketNote, sentence);
+    const std::string witness = witness_sentence(rows);
+    return fmt::format(
+        "{}\n{}\n\n{}{}{}", text, kBracketNote, sentence, witness.empty() ? "" : "\n", witness);
 }
 
 std::string verdict_markdown(const std::vector<Row>& rows) {
@@ -236,7 +239,9 @@ std::string verdict_markdown(const std::vector<Row>& rows) {
     for (Column& column : class_columns(summaries)) {
         columns.push_back({"recall " + column.heading, column.text});
     }
-    return markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
+    const std::string witness = witness_sentence(rows);
+    return markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n" +
+           (witness.empty() ? "" : "\n" + witness + "\n");
 }
 
 }  // namespace ink::lab

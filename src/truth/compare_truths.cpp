@@ -155,6 +155,20 @@ double ClassAgreement::witness_share() const {
     return witness_px > 0 ? witness_covered_px / witness_px : 1;
 }
 
+bool ClassAgreement::is_agreed() const {
+    const auto is_covered = [](double length, double covered) {
+        return length - covered <= std::max(kAllowedShare * length, kAgreement_px);
+    };
+    return is_covered(truth_px, truth_covered_px) && is_covered(witness_px, witness_covered_px);
+}
+
+bool Agreement::is_agreed() const {
+    return total().is_agreed() &&
+           std::all_of(by_class.begin(), by_class.end(), [](const ClassAgreement& c) {
+               return c.is_agreed();
+           });
+}
+
 ClassAgreement Agreement::total() const {
     ClassAgreement sum;
     for (const ClassAgreement& c : by_class) {

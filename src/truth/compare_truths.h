@@ -13,6 +13,9 @@ namespace ink::truth {
 /// Within so much of each other two lines of one class are the same line.
 inline constexpr double kAgreement_px = 0.25;
 
+/// The share of a line that the other may lack (section 5 of the design).
+inline constexpr double kAllowedShare = 0.001;
+
 /// How much of the lines of one class either construction has, and how much of it the other has
 /// too.
 struct ClassAgreement {
@@ -21,6 +24,9 @@ struct ClassAgreement {
     double witness_px = 0;          ///< length that the witness's crossings stand for
     double witness_covered_px = 0;  ///< of that, with a curve of the class close by
 
+    /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px: of a class
+    /// of a few px a single crossing is more than the share.
+    [[nodiscard]] bool is_agreed() const;
     /// Shares; 1 where there is no line.
     [[nodiscard]] double truth_share() const;
     [[nodiscard]] double witness_share() const;
@@ -43,6 +49,8 @@ struct Agreement {
 
     /// All classes together.
     [[nodiscard]] ClassAgreement total() const;
+    /// Every class and all together.
+    [[nodiscard]] bool is_agreed() const;
     /// Uncovered length over length, both ways, all classes; 0 where neither has a line.
     [[nodiscard]] double disagreement_rate() const;
 };

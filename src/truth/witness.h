@@ -31,7 +31,7 @@ struct WitnessCounts {
     std::size_t rays = 0;
     std::size_t refined_px = 0;   ///< pixels looked at K x K times
     std::size_t thin_px = 0;      ///< pixels in which K x K samples stepped over something
-    std::size_t defects = 0;      ///< crossings of a boundary across which the surface goes on
+    std::size_t defects = 0;      ///< crossings of an end across which the surface goes on
     std::size_t near_cuts = 0;    ///< crossings of the near plane's cut: no line
     std::size_t unexplained = 0;  ///< two samples differ and nothing between them says why
 };

@@ -256,17 +256,17 @@ double WitnessMesh::bend_between(std::uint32_t face0, std::uint32_t face1) const
 bool WitnessMesh::goes_on(std::uint32_t from,
                           std::uint32_t face,
                           const glm::dvec3& p_world,
-                          double slack_world) const {
+                          const Closeness& close) const {
     const auto& v = topology_.faces[face].vertices;
     std::array<glm::dvec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
         p[i] = topology_.p_world[v[i]] - p_world;
     const glm::dvec3 n = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
-    if (!(std::abs(glm::dot(n, p[0])) <= tolerance_)) return false;
+    if (!(std::abs(glm::dot(n, p[0])) <= close.height)) return false;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 along = glm::normalize(p[(i + 1) % 3] - p[i]);
         const double outside = glm::dot(glm::cross(along, n), -p[i]);
-        if (outside > tolerance_ + slack_world) return false;
+        if (outside > close.height + close.slack) return false;
     }
     return bend_between(from, face) < crease_rad_;
 }

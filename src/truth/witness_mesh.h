@@ -29,6 +29,12 @@ struct Across {
     std::uint32_t face = kNothing;           ///< the face that goes on
 };
 
+/// How near a point must lie to a face for the surface to go on there, world units.
+struct Closeness {
+    double height = 0;  ///< above or below its plane
+    double slack = 0;   ///< and, beside that, beyond its border
+};
+
 /// The mesh before one eye, in the witness's own arithmetic: clip space (x, y in px times w), plain
 /// double.
 class WitnessMesh {
@@ -76,13 +82,12 @@ class WitnessMesh {
     /// How far the surface bends where one face goes on from another, both turned to the eye.
     [[nodiscard]] double bend_between(std::uint32_t face0, std::uint32_t face1) const;
 
-    /// Whether `face` goes on, within the weld tolerance and flatter than a crease, where `from`
-    /// ends at a point of its border. `slack_world` widens `face` for how exactly the point is
-    /// known.
+    /// Whether `face` goes on, as close as that and flatter than a crease, where `from` ends at a
+    /// point of its border.
     [[nodiscard]] bool goes_on(std::uint32_t from,
                                std::uint32_t face,
                                const glm::dvec3& p_world,
-                               double slack_world) const;
+                               const Closeness& close) const;
     [[nodiscard]] bool is_seam(std::uint32_t face0, std::uint32_t face1) const;
     /// 1e-6 of the diagonal of the box round the scene, world units.
     [[nodiscard]] double tolerance() const { return tolerance_; }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMostSteps = 512;
 constexpr std::size_t kMostSpread = 128;  ///< faces that one search round a point may touch
+constexpr double kTouching = 1e-6;        ///< weld tolerances
 constexpr double kSameDepth = 1e-11;      ///< relative: what double leaves of equal depths
 
 /// An edge of a face, met on a way across the picture.
@@ -192,7 +193,8 @@ bool is_defect(const WitnessMesh& mesh, const Walk& there, const Walk& back) {
     const MetEdge &a = there.met, &b = back.met;
     return a.line_class == LineClass::boundary && b.line_class == LineClass::boundary &&
            glm::length(a.p_world - b.p_world) <= 4 * mesh.tolerance() &&
-           !mesh.is_seam(a.face, b.face) && mesh.goes_on(a.face, b.face, a.p_world, 0);
+           !mesh.is_seam(a.face, b.face) &&
+           mesh.goes_on(a.face, b.face, a.p_world, {mesh.tolerance(), 0});
 }
 
 double depth_at(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
@@ -212,18 +214,22 @@ double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32
     return slant_of({difference.x, difference.y});
 }
 
-/// Whether the surface goes on where a border ends: in what is seen beyond, or, if that is a slit
-/// of the weld tolerance, in what is seen behind the slit.
+/// Whether the surface goes on where one ends: in what is seen beyond, or, if that is a slit of the
+/// weld tolerance behind a border, in what is seen behind the slit. An edge of two faces has no
+/// such slit: there the other must touch it, to within what double leaves.
 bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
     const WitnessMesh& mesh = rays.mesh();
     const double px_per_unit = mesh.projection().focal_px() / end.w;
-    const double slack = 4.0 / 512 / px_per_unit;
+    const bool is_border = end.line_class == LineClass::boundary;
+    const Closeness close{is_border ? mesh.tolerance() : kTouching * mesh.tolerance(),
+                          4.0 / 512 / px_per_unit};
     const auto continues = [&](const Sample& sample) {
         return sample.sight.face != kNothing &&
-               mesh.goes_on(end.face, sample.sight.face, end.p_world, slack);
+               mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
     };
     next = beyond;
     if (continues(beyond)) return true;
+    if (!is_border) return false;
     next.p_px =
         mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
     next.sight = rays.look(next.p_px);
@@ -239,7 +245,7 @@ void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, 
     }
     LineClass line_class = end.line_class;
     Sample next;
-    if (line_class == LineClass::boundary && goes_on(rays, end, beyond, next)) {
+    if (goes_on(rays, end, beyond, next)) {
         between.is_defect = true;
         if (!mesh.is_seam(end.face, next.sight.face)) return;
         line_class = LineClass::seam;
