@@ -94,9 +94,10 @@ TEST(Witness, SeesNothingAcrossASlitOfTheWeldTolerance) {
 }
 
 TEST(Witness, SeesASpikeThinnerThanItsSamples) {
-    // One unit is 100 px: the spike is 0.02 px wide at its foot and 100 px long.
+    // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Samples lie
+    // 1/8 px apart, and 1/32 px where they stepped over something.
     scene::Mesh mesh;
-    add_triangle(mesh, {-0.0001F, -0.5F, 0}, {0.0001F, -0.5F, 0}, {0, 0.5F, 0});
+    add_triangle(mesh, {-0.0005F, -0.5F, 0}, {0.0005F, -0.5F, 0}, {0, 0.5F, 0});
     const Witness witness = look(scene_of({mesh}), view_from(6));
     EXPECT_GT(lengths(witness)[LineClass::boundary], 50);
     EXPECT_GT(witness.counts.thin_px, 50U);
