@@ -61,10 +61,11 @@ Scored score_picture(const edge::EdgeImage& picture,
     options.threshold = threshold;
     options.band_px = kBand_px;
     Scored scored;
+    scored.strokes = score::make_strokes(picture, threshold, options);
     options.tolerance_px = kStrictTolerance_px;
-    scored.at_1px = score::score(picture, truth, options);
+    scored.at_1px = score::score_strokes(scored.strokes, truth, options);
     options.tolerance_px = kTolerance_px;
-    scored.at_2px = score::score(picture, truth, options);
+    scored.at_2px = score::score_strokes(scored.strokes, truth, options);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
 }

@@ -10,6 +10,7 @@
 #include "lab/entrants.h"
 #include "lab/row.h"
 #include "lab/tracing.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -30,6 +31,7 @@ struct DrawTimes {
 
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
     score::Score at_1px;
     std::array<score::CurveCount, 99> curve{};

@@ -88,9 +88,10 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
-        LineResult result = score_lines(shot.picture, lines, shot.threshold);
+        LineResult result = score_lines(shot.scored.strokes, lines);
         shot.row.lines = result.scores;
         shot.bins = std::move(result.bins);
+        shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     for (Shot& shot : shots) {

@@ -1,7 +1,5 @@
 #include "lab/line_scores.h"
 
-#include <utility>
-
 #include "truth/cracks.h"
 
 namespace ink::lab {
@@ -29,15 +27,13 @@ LineTruth prepare_lines(const ViewTruth& truth) {
         bin_truth(truth.traced, truth.scoring)};
 }
 
-LineResult score_lines(const edge::EdgeImage& picture, const LineTruth& truth, int threshold) {
-    const score::ScoreOptions options = harness_options();
-    score::Strokes strokes = score::make_strokes(picture, threshold, options);
+LineResult score_lines(const score::Strokes& strokes, const LineTruth& truth) {
     LineResult result;
     result.scores.cracks = score::score_cracks(strokes.drawn, truth.cracks);
     result.scores.widths = score::measure_widths(strokes.drawn, truth.probes);
     result.scores.ink = score::count_ink(strokes.drawn, truth.ink);
     const score::PixelList drawn =
-        score::counted_pixels(std::move(strokes.thinned), truth.lists, options);
+        score::counted_pixels(strokes.thinned, truth.lists, harness_options());
     result.scores.offsets = score::measure_offsets(drawn, truth.nearest);
     result.bins = match_bins(drawn, truth.bins, truth.lists.disk);
     return result;

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "edge/edge_image.h"
 #include "lab/bins.h"
 #include "lab/tracing.h"
 #include "score/cracks.h"
@@ -39,10 +38,8 @@ struct LineResult {
     std::vector<BinCount> bins;  ///< at 2 px
 };
 
-/// Scores `picture` at `threshold`, with the harness's band and tolerance. Made once a view and
-/// shared: only reads `truth`, so several threads may score against one.
-[[nodiscard]] LineResult score_lines(const edge::EdgeImage& picture,
-                                     const LineTruth& truth,
-                                     int threshold);
+/// Scores a thresholded picture with the harness's band and tolerance. Only reads `truth`, so
+/// several threads may score against one.
+[[nodiscard]] LineResult score_lines(const score::Strokes& strokes, const LineTruth& truth);
 
 }  // namespace ink::lab
