@@ -10,6 +10,8 @@
 namespace ink::lab {
 namespace {
 
+using score::Cause;
+
 /// A column: its name, how a row fills it, and what it means. One table, so that they cannot drift
 /// apart.
 struct Column {
@@ -148,6 +150,12 @@ void add_line_counts(std::vector<Column>& columns) {
         "width_n", [](const L& l) { return l.widths.all.n; }, "probes that met a line");
 }
 
+Column wrong_px(score::Cause cause, std::string doc) {
+    return {fmt::format("{}_{}", score::is_miss(cause) ? "missing" : "off_line", name(cause)),
+            [cause](const Row& row) { return row.is_ok() ? text_of(row.causes[cause]) : ""; },
+            std::move(doc)};
+}
+
 Column constant(std::string name, const std::string& value) {
     return {std::move(name), [value](const Row&) { return csv_field(value); }, "provenance"};
 }
@@ -214,7 +222,24 @@ std::vector<Column> make_columns() {
         column("draw_n", &Row::draw_n, "timed frames"),
         counted("truth_merged_px", &Row::truth_merged_px, "true pixels that thinning took away"),
         column("crowded_share", &Row::crowded_share, "share of true pixels too dense to score"),
+        wrong_px(Cause::one_triangle, "of off_line: one triangle fills the stencil"),
+        wrong_px(Cause::one_patch, "of off_line: triangles of one smooth patch"),
+        wrong_px(Cause::crack, "of off_line: a true line crosses the stencil, out of reach"),
+        wrong_px(Cause::frame, "of off_line: the frame took the true line away"),
+        wrong_px(Cause::other, "of off_line: several surfaces without a true line between"),
+        wrong_px(Cause::cancelled, "of missing: a channel changed enough, the code did not"),
+        wrong_px(Cause::below_threshold, "of missing: no channel changed enough"),
+        wrong_px(Cause::sub_pixel, "of missing: no stencil of pixel centres sees the line"),
+        wrong_px(Cause::thinned, "of missing: drawn, but thinning took it out of reach"),
+        wrong_px(Cause::unexplained, "of missing: the declared code should have drawn it"),
+        wrong_px(Cause::undeclared, "of missing: seen by a stencil, and no code is declared"),
         column("triangles", &Row::triangles, "of the scene, instances counted"),
+        column("weld_epsilon",
+               &Row::weld_epsilon,
+               "the truth joins vertices this near, as a share of each part's diagonal"),
+        column("contour_sky_px", &Row::contour_sky_px, "length of true contours before the sky"),
+        column("contour_other_px", &Row::contour_other_px, "the same before another object"),
+        column("contour_self_px", &Row::contour_self_px, "the same before their own object"),
     };
     add_line_scores(columns);
     add_line_counts(columns);

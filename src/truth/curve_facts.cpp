@@ -62,7 +62,7 @@ float view_angle_rad(const EyeView& eye, std::uint32_t face, const glm::dvec3& t
 }
 
 /// How far behind the point a face meets the line of sight, along the gaze.
-float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const EdgePoint& point) {
+float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& point) {
     const scene::Topology& topology = eye.model.topology;
     const glm::dvec3 normal = normal_of(topology, hit.face);
     const glm::dvec3& on_face = topology.p_world[topology.faces[hit.face].vertices[0]];
@@ -114,7 +114,7 @@ std::size_t fill_one(const EyeView& eye, const Visibility& visibility, Curve& cu
             std::max(curve.view_angle_rad, view_angle_rad(eye, curve.face1, to_point));
         return rays;
     }
-    const EdgePoint point{curve.edge, p_world, w};
+    const LinePoint point{curve.edge, p_world, w};
     const auto behind = visibility.first_behind(point, rays);
     curve.gap = behind ? gap_to(eye, *behind, point) : std::numeric_limits<float>::infinity();
     return rays;
