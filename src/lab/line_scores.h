@@ -17,7 +17,8 @@ struct LineScores {
     score::CrackScore cracks;
     score::Offsets offsets;
     score::Widths widths;
-    score::InkCount ink;  ///< at 2 px
+    score::InkCount ink;         ///< at 2 px
+    std::vector<BinCount> bins;  ///< at 2 px
 };
 
 /// A view's truth made ready for that, from its sub-pixel curves; once a view.
@@ -32,14 +33,8 @@ struct LineTruth {
 
 [[nodiscard]] LineTruth prepare_lines(const ViewTruth& truth);
 
-/// What one picture scores against the lines.
-struct LineResult {
-    LineScores scores;
-    std::vector<BinCount> bins;  ///< at 2 px
-};
-
 /// Scores a thresholded picture with the harness's band and tolerance. Only reads `truth`, so
 /// several threads may score against one.
-[[nodiscard]] LineResult score_lines(const score::Strokes& strokes, const LineTruth& truth);
+[[nodiscard]] LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth);
 
 }  // namespace ink::lab
