@@ -127,6 +127,9 @@ TEST(SeesLine, TakesACrackAndTwoTriangles) {
     EXPECT_FALSE(sees_line(layers.stencils(), {2, 1})) << "no corner of the cross";
     layers.cracks.right.at(4, 2) = 3;
     EXPECT_FALSE(sees_line(layers.stencils(), {5, 2})) << "a crack within one triangle";
+    layers.cracks.right.at(2, 2) = 0;
+    layers.cracks.right.at(3, 2) = 3;
+    EXPECT_TRUE(sees_line(layers.stencils(), {3, 2})) << "the centre may lie on the line";
 }
 
 TEST(SeesLine, LooksUpAndDownAndStaysInThePicture) {
