@@ -13,8 +13,10 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
+#include "lab/line_scores.h"
 #include "lab/miss_prediction.h"
 #include "lab/verdict.h"
+#include "truth/curve_facts.h"
 
 namespace ink::lab {
 namespace {
@@ -26,6 +28,7 @@ struct Shot {
     int threshold = 128;
     std::optional<methods::LinearCode> code;
     Scored scored;
+    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -78,6 +81,7 @@ void fill_place(const Subject& subject,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
+    row.weld_epsilon = options.trace.truth.weld_epsilon;
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
@@ -95,15 +99,23 @@ void attribute_shots(const ViewTruth& truth,
 }
 
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
+    const LineTruth lines = prepare_lines(truth);
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
+        LineResult result = score_lines(shot.picture, lines, shot.threshold);
+        shot.row.lines = result.scores;
+        shot.bins = std::move(result.bins);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     for (Shot& shot : shots) {
+        shot.row.contour_sky_px = behind.sky_px;
+        shot.row.contour_other_px = behind.other_object_px;
+        shot.row.contour_self_px = behind.self_px;
         shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
         shot.row.crowded_share = truth.traced.counts.crowded_share;
     }
@@ -147,7 +159,8 @@ class Comparison {
     explicit Comparison(const CompareOptions& options)
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
-          curves_(options.out / "curves.csv", curve_columns()) {}
+          curves_(options.out / "curves.csv", curve_columns()),
+          bins_(options.out / "bins.csv", bin_columns()) {}
 
     void run_subject(const Subject& subject,
                      const std::function<void(const scene::View&)>& before) {
@@ -167,6 +180,7 @@ class Comparison {
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
+        bins_.finish();
         ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
@@ -214,6 +228,7 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
+        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});
@@ -223,6 +238,7 @@ class Comparison {
     const CompareOptions& options_;
     CsvFile rows_;
     CsvFile curves_;
+    CsvFile bins_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
     std::vector<ShownView> shown_;

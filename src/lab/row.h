@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/line_scores.h"
 #include "score/attribution.h"
 
 namespace ink::lab {
@@ -56,6 +57,11 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
+    double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
+    std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
+    std::optional<double> contour_other_px;  ///< before another object,
+    std::optional<double> contour_self_px;   ///< and before their own
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };

@@ -30,8 +30,10 @@ struct Curve {
         0;  ///< contours and boundaries: the side without a face of the line's,
             ///< going from begin to end on the picture: 1 right, -1 left; else 0
     std::uint32_t edge = kNoEdge;       ///< into the scene's Topology; kNoEdge for an intersection
-    std::uint32_t face0 = kNoTriangle;  ///< a face on the line, into Topology::faces
-    std::uint32_t face1 = kNoTriangle;  ///< the other; kNoTriangle for a boundary
+    std::uint32_t face0 = kNoTriangle;  ///< a face on the line, into Topology::faces: the seen one
+                                        ///< of contour and boundary, else the left one
+    std::uint32_t face1 = kNoTriangle;  ///< the other (of a contour hidden, or in the line of
+                                        ///< sight); kNoTriangle for a boundary
     float bend_rad = 0;  ///< how far the two seen faces deviate from flat (dihedral); 0 for one
     float gap = 0;  ///< from the line to what lies behind it, along the gaze, world units; infinity
                     ///< before the sky, 0 for lines that have both sides

@@ -18,6 +18,7 @@ struct TruthOptions {
     double crease_rad =
         0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
     bool material_seams = false;  ///< a seam also where only the material differs
+    double weld_epsilon = 0;      ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers and `sampled`; without, both stay empty
 };
@@ -37,11 +38,18 @@ struct TruthCounts {
     std::size_t triangles = 0;
     std::size_t degenerate = 0;
     std::size_t duplicate = 0;
+    std::size_t joined_vertices = 0;  ///< by the weld's epsilon alone
+    std::size_t collapsed = 0;        ///< triangles that the weld's epsilon alone made degenerate
     std::size_t defect_edges = 0;     ///< boundaries that no picture can show; not scored
     std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
     std::size_t samples = 0;
     std::size_t rays = 0;
     std::size_t merged_px = 0;  ///< truth pixels that thinning the union removed
+    std::size_t pairs_tested = 0;  ///< pairs of triangles whose boxes touch
+    std::size_t crossings = 0;     ///< segments in which two triangles cross
+    std::size_t contacts = 0;      ///< stretches of edges that lie in a triangle of others
+    std::size_t too_many_crossings =
+        0;  ///< 1: more pairs or segments than the budget (crossings.h); the truth has none
     double crowded_share = 0;   ///< share of drawn truth pixels that fell under the ignore map
 };
 
