@@ -91,13 +91,8 @@ void attribute_shots(const ViewTruth& truth,
                      std::vector<Shot>& shots) {
     for (Shot& shot : shots) {
         if (!shot.row.is_ok()) continue;
-        std::vector<score::Cause> predicted;
-        if (shot.code) {
-            predicted = predictor.predict(
-                shot.scored.wrong_2px.missing, truth, view, {*shot.code, shot.threshold});
-        }
-        shot.scored.attribution = score::attribute(
-            shot.scored.wrong_2px, stencils_of(truth), predicted, score_options(shot.threshold));
+        shot.scored.attribution =
+            predictor.attribute(shot.scored.wrong_2px, truth, view, {shot.code, shot.threshold});
         shot.row.causes = shot.scored.attribution.counts;
     }
 }
