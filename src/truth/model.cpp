@@ -113,6 +113,10 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                              {.tolerance = model.tolerance,
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
+    model.crossings = find_crossings(model.topology, {.threads = options.threads});
+    model.is_touched.assign(model.topology.edges.size(), 0);
+    for (const Contact& contact : model.crossings.contacts)
+        model.is_touched[contact.edge] = 1;
     model.defect_edges = count_defects(model);
     return model;
 }
