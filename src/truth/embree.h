@@ -2,7 +2,7 @@
 
 /// The one door to Embree: what versions 3 and 4 call differently has one name here.
 ///
-/// Only `eye_scene.cpp` includes this header. Filters travel with the query in both versions; in 3
+/// Only `eye_scene.cpp` and the benchmarks include this header. Filters travel with the query in both versions; in 3
 /// they sit in the context, in 4 in the arguments, and the scene must be told so when it is made.
 
 #if __has_include(<embree4/rtcore.h>)
@@ -55,6 +55,14 @@ inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filte
     rtcIntersect1(scene, &ray, &arguments);
 }
 
+/// A packet of sixteen rays that run close by, nothing filtered.
+inline void intersect_16_coherent(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &rays, &arguments);
+}
+
 #else
 
 using Context = RTCIntersectContext;
@@ -80,6 +88,13 @@ inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filt
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
     context.filter = filter;
     rtcIntersect1(scene, &context, &ray);
+}
+
+inline void intersect_16_coherent(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    Context context;
+    init_context(context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
 }
 
 #endif

@@ -102,6 +102,7 @@ LineClass Model::class_across(const scene::Edge& edge,
 }
 
 Model build_model(const scene::Scene& scene, const TruthOptions& options) {
+    check_memory(scene, options.limits);
     Model model;
     model.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     model.crease_rad = options.crease_rad;
