@@ -55,7 +55,9 @@ struct DenseRays::Tree {
             packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
             packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
         }
-        truth::embree::intersect_16_coherent(scene, kAll.data(), packet);
+        truth::embree::Context context;
+        truth::embree::init_context(context);
+        truth::embree::intersect_16(kAll.data(), scene, context, nullptr, packet);
         Ids ids;
         std::copy(packet.hit.primID, packet.hit.primID + kPacket, ids.begin());
         return ids;
