@@ -202,6 +202,9 @@ class Comparison {
             truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
