@@ -54,7 +54,8 @@ void add_truth_command(CLI::App& app) {
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("-o,--output",
                         args->file,
-                        "PNG of class numbers (1 contour, 2 boundary, 3 crease, 5 seam, 7 ignore)");
+                        "PNG of class numbers (1 contour, 2 boundary, 3 crease, 4 intersection, "
+                        "5 seam, 7 ignore)");
     command->add_option("--picture", args->picture, "PNG with a colour per class");
     command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");

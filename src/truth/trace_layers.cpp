@@ -72,11 +72,8 @@ TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads
             out.layers.triangle.at(x, y) = eye.model.topology.faces[face].triangle;
             out.layers.patch.at(x, y) = eye.model.patch[face];
             out.layers.w.at(x, y) = static_cast<float>(hit->t);
-            set_depth(eye,
-                      ray.direction_world,
-                      face,
-                      out.layers.w.at(x, y),
-                      out.layers.n_dot_v.at(x, y));
+            set_depth(
+                eye, ray.direction_world, face, out.layers.w.at(x, y), out.layers.n_dot_v.at(x, y));
         }
     });
     return out;

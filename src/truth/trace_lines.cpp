@@ -90,7 +90,8 @@ std::optional<ScreenLine> clip(const EyeView& eye,
     }
     const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
     const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
-    ScreenLine line{.segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
+    ScreenLine line{
+        .segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
     line.w_begin = begin.z;
     line.w_end = end.z;
     line.begin_px = glm::dvec2(begin) / begin.z;

@@ -67,8 +67,8 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
     const glm::dvec3 d = point.p_world - p[v[0]];
     const double height = glm::dot(normal, d);
     const double off = point.crossing->error + kRounding * glm::length(point.p_world);
-    const double bound = off * glm::length(normal) +
-                         kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
+    const double bound =
+        off * glm::length(normal) + kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
     return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
 }
 
