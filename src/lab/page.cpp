@@ -182,9 +182,8 @@ given. Methods were tuned, if at all, on <strong>training</strong> scenes only; 
 <p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
 itself. <strong>sampled</strong> knows the exact lines but sees each pixel once, at its centre: the real
 ceiling of every method that does so.</p>
-<p><strong>Not here yet:</strong> <code>intersection</code> lines (two surfaces that pierce each other) are
-not traced, so a method that draws them is charged with false lines; the second construction of the truth
-that cross-checks the first, truth images as EXR, curves as SVG and skip statistics come in a later
+<p><strong>Not here yet:</strong> the second construction of the truth that cross-checks the
+first, truth images as EXR, curves as SVG and skip statistics come in a later
 version.</p>)html";
 }
 
