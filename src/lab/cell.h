@@ -37,7 +37,7 @@ struct Scored {
     score::Score at_1px;
     std::array<score::CurveCount, 99> curve{};
     score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
-    score::Attribution attribution;  ///< why: empty until attribute_errors() (miss_prediction.h)
+    score::Attribution attribution;  ///< why: empty until MissPredictor fills it
 };
 
 /// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.

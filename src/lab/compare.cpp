@@ -91,13 +91,8 @@ void attribute_shots(const ViewTruth& truth,
                      std::vector<Shot>& shots) {
     for (Shot& shot : shots) {
         if (!shot.row.is_ok()) continue;
-        std::vector<score::Cause> predicted;
-        if (shot.code) {
-            predicted = predictor.predict(
-                shot.scored.wrong_2px.missing, truth, view, {*shot.code, shot.threshold});
-        }
-        shot.scored.attribution = score::attribute(
-            shot.scored.wrong_2px, stencils_of(truth), predicted, score_options(shot.threshold));
+        shot.scored.attribution =
+            predictor.attribute(shot.scored.wrong_2px, truth, view, {shot.code, shot.threshold});
         shot.row.causes = shot.scored.attribution.counts;
     }
 }
@@ -207,6 +202,9 @@ class Comparison {
             truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
