@@ -11,6 +11,7 @@
 #include "lab/row.h"
 #include "lab/tracing.h"
 #include "score/attribution.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -31,6 +32,7 @@ struct DrawTimes {
 
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
     score::Score at_1px;
     std::array<score::CurveCount, 99> curve{};

@@ -28,7 +28,6 @@ struct Shot {
     int threshold = 128;
     std::optional<methods::LinearCode> code;
     Scored scored;
-    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -106,9 +105,8 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
-        LineResult result = score_lines(shot.picture, lines, shot.threshold);
-        shot.row.lines = result.scores;
-        shot.bins = std::move(result.bins);
+        shot.row.lines = score_lines(shot.scored.strokes, lines);
+        shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
@@ -204,6 +202,9 @@ class Comparison {
             truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
@@ -228,7 +229,8 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
-        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
+        const std::string bins = bin_csv(shot.row, shot.row.lines->bins);
+        if (!bins.empty()) bins_.write(bins);
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});

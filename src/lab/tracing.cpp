@@ -4,12 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
+#include "core/progress.h"
 #include "truth/cracks.h"
 #include "truth/curve_facts.h"
 #include "truth/truth_cache.h"
 
 namespace ink::lab {
+
+void report_progress(truth::TruthOptions& options) {
+    // Made when the first lines are done, gone with the last copy of the options.
+    auto progress = std::make_shared<std::optional<core::Progress>>();
+    options.progress = [progress](std::size_t done, std::size_t total) {
+        if (!*progress) progress->emplace("truth", static_cast<int>(total));
+        (*progress)->report(static_cast<int>(done), "lines");
+        if (done == total) progress->reset();
+    };
+}
 
 ViewTruth trace_view(truth::SceneModel& scene,
                      const scene::View& view,
