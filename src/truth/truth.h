@@ -114,10 +114,10 @@ struct Truth {
 
 /// Traces the truth of the polyhedron as given (construction A of the design, section 5).
 ///
-/// Lines are the scene's contours, boundaries, creases and seams, classified exactly from the eye;
-/// a line point is visible if the open segment from the eye meets no triangle but the edge's own
-/// faces. Intersection lines are not traced yet. Same result for every thread count. An empty
-/// picture or a scene that shows nothing gives labels of zeros.
+/// Lines are the scene's contours, boundaries, creases, intersections and seams, classified exactly
+/// from the eye; a line point is visible if the open segment from the eye meets no triangle but the
+/// line's own faces. Same result for every thread count. An empty picture or a scene that shows
+/// nothing gives labels of zeros. Throws TooLarge where the view would exceed the options' limits.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,
                                 const TruthOptions& options);
