@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/progress.h"
+#include "truth/cracks.h"
 #include "truth/curve_facts.h"
 #include "truth/truth_cache.h"
 
@@ -32,6 +33,7 @@ ViewTruth trace_view(truth::SceneModel& scene,
     ViewTruth result;
     result.traced = truth::cached_truth(scene, view, cache);
     result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
     // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
     result.scoring.is_binary = false;
     return result;

@@ -27,6 +27,7 @@ struct TraceOptions {
 struct ViewTruth {
     truth::Truth traced;
     score::ScoringTruth scoring;
+    truth::Cracks cracks;
 };
 
 /// Lets a trace with these options say on stderr how far it is (see core::Progress).

@@ -29,6 +29,16 @@ bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
     return edges[0] == point.edge || edges[1] == point.edge || edges[2] == point.edge;
 }
 
+/// Known since the model was built; finding it anew takes two exact predicates that come out 0, the
+/// slowest there are.
+bool Visibility::is_touched_by(std::uint32_t face, std::uint32_t edge) const {
+    if (eye_.model.is_touched[edge] == 0) return false;
+    const auto contacts = eye_.model.crossings.contacts_of(edge);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return contact.face == face;
+    });
+}
+
 /// The side of the face's plane on which the point lies, exact for the true point of the edge: if
 /// both ends lie on one side so does it, whatever rounding did to its coordinates.
 int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
@@ -37,6 +47,7 @@ int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
     const auto& p = topology.p_world;
     const scene::Edge& edge = topology.edges[point.edge];
     const auto& v = topology.faces[f].vertices;
+    if (is_touched_by(f, point.edge)) return 0;
     const auto side = [&](std::uint32_t end) {
         if (end == v[0] || end == v[1] || end == v[2]) return 0;
         return scene::facing(p[v[0]], p[v[1]], p[v[2]], p[end]);

@@ -56,6 +56,7 @@ class Visibility {
     [[nodiscard]] bool blocks(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_behind(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] int side_of_point(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_touched_by(std::uint32_t face, std::uint32_t edge) const;
     [[nodiscard]] int side_of_crossing(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;
