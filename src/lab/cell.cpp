@@ -68,10 +68,11 @@ Scored score_picture(const edge::EdgeImage& picture,
                      int threshold) {
     score::ScoreOptions options = score_options(threshold);
     Scored scored;
+    scored.strokes = score::make_strokes(picture, threshold, options);
     options.tolerance_px = kStrictTolerance_px;
-    scored.at_1px = score::score(picture, truth, options);
+    scored.at_1px = score::score_strokes(scored.strokes, truth, options);
     options.tolerance_px = kTolerance_px;
-    scored.at_2px = score::score(picture, truth, options);
+    scored.at_2px = score::score_strokes(scored.strokes, truth, options);
     scored.wrong_2px = score::wrong_pixels(picture, truth, options);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;

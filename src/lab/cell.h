@@ -11,6 +11,7 @@
 #include "lab/row.h"
 #include "lab/tracing.h"
 #include "score/attribution.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -31,11 +32,12 @@ struct DrawTimes {
 
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
     score::Score at_1px;
     std::array<score::CurveCount, 99> curve{};
     score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
-    score::Attribution attribution;  ///< why: empty until attribute_errors() (miss_prediction.h)
+    score::Attribution attribution;  ///< why: empty until MissPredictor fills it
 };
 
 /// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.

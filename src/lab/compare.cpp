@@ -29,7 +29,6 @@ struct Shot {
     int threshold = 128;
     std::optional<methods::LinearCode> code;
     Scored scored;
-    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -93,13 +92,8 @@ void attribute_shots(const ViewTruth& truth,
                      std::vector<Shot>& shots) {
     for (Shot& shot : shots) {
         if (!shot.row.is_ok()) continue;
-        std::vector<score::Cause> predicted;
-        if (shot.code) {
-            predicted = predictor.predict(
-                shot.scored.wrong_2px.missing, truth, view, {*shot.code, shot.threshold});
-        }
-        shot.scored.attribution = score::attribute(
-            shot.scored.wrong_2px, stencils_of(truth), predicted, score_options(shot.threshold));
+        shot.scored.attribution =
+            predictor.attribute(shot.scored.wrong_2px, truth, view, {shot.code, shot.threshold});
         shot.row.causes = shot.scored.attribution.counts;
     }
 }
@@ -112,9 +106,8 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
-        LineResult result = score_lines(shot.picture, lines, shot.threshold);
-        shot.row.lines = result.scores;
-        shot.bins = std::move(result.bins);
+        shot.row.lines = score_lines(shot.scored.strokes, lines);
+        shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
@@ -230,6 +223,9 @@ class Comparison {
             }
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
@@ -255,7 +251,8 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
-        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
+        const std::string bins = bin_csv(shot.row, shot.row.lines->bins);
+        if (!bins.empty()) bins_.write(bins);
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});

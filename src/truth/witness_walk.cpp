@@ -280,7 +280,15 @@ void add_ends(const WitnessRays& rays,
     for (std::size_t i = 0; i < 2; ++i) {
         if (!has_ended(i)) continue;
         const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
-        if (is_behind || is_under(mesh, walks[i].met, samples[1 - i])) continue;
+        if (is_behind) continue;
+        if (is_under(mesh, walks[i].met, samples[1 - i])) {
+            // Pieces of a cracked surface overlap as well as gape.
+            Sample next;
+            const bool is_border = walks[i].met.line_class == LineClass::boundary;
+            if (is_border && goes_on(rays, walks[i].met, samples[1 - i], next))
+                between.is_defect = !mesh.is_seam(walks[i].met.face, next.sight.face);
+            continue;
+        }
         add_end(rays, walks[i].met, samples[1 - i], between);
     }
 }
