@@ -54,17 +54,26 @@ std::string join_params(const core::ParamValues& values) {
     return text;
 }
 
+score::ScoreOptions score_options(int threshold) {
+    score::ScoreOptions options;
+    options.tolerance_px = kTolerance_px;
+    options.threshold = threshold;
+    options.band_px = kBand_px;
+    options.ignore_label = static_cast<int>(truth::LineClass::ignore);
+    return options;
+}
+
 Scored score_picture(const edge::EdgeImage& picture,
                      const score::ScoringTruth& truth,
                      int threshold) {
-    score::ScoreOptions options;
-    options.threshold = threshold;
-    options.band_px = kBand_px;
+    score::ScoreOptions options = score_options(threshold);
     Scored scored;
+    scored.strokes = score::make_strokes(picture, threshold, options);
     options.tolerance_px = kStrictTolerance_px;
-    scored.at_1px = score::score(picture, truth, options);
+    scored.at_1px = score::score_strokes(scored.strokes, truth, options);
     options.tolerance_px = kTolerance_px;
-    scored.at_2px = score::score(picture, truth, options);
+    scored.at_2px = score::score_strokes(scored.strokes, truth, options);
+    scored.wrong_2px = score::wrong_pixels(picture, truth, options);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
 }
@@ -91,6 +100,7 @@ void fill_scores(const Scored& scored, Row& row) {
     row.off_line = s.off_line;
     row.lost = s.lost;
     row.missing = s.missing;
+    row.causes = scored.attribution.counts;
     row.k_1px = scored.at_1px.k;
     row.n_pred_1px = scored.at_1px.n_pred;
     row.truth_px = s.n_truth;

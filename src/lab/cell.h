@@ -10,6 +10,8 @@
 #include "lab/entrants.h"
 #include "lab/row.h"
 #include "lab/tracing.h"
+#include "score/attribution.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -30,10 +32,16 @@ struct DrawTimes {
 
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
     score::Score at_1px;
     std::array<score::CurveCount, 99> curve{};
+    score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
+    score::Attribution attribution;  ///< why: empty until MissPredictor fills it
 };
+
+/// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
+[[nodiscard]] score::ScoreOptions score_options(int threshold);
 
 /// Scores `picture` at `threshold` with both tolerances and the whole curve at 2 px.
 [[nodiscard]] Scored score_picture(const edge::EdgeImage& picture,

@@ -13,7 +13,10 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
+#include "lab/line_scores.h"
+#include "lab/miss_prediction.h"
 #include "lab/verdict.h"
+#include "truth/curve_facts.h"
 
 namespace ink::lab {
 namespace {
@@ -23,6 +26,7 @@ struct Shot {
     Row row;
     edge::EdgeImage picture;
     int threshold = 128;
+    std::optional<methods::LinearCode> code;
     Scored scored;
 };
 
@@ -58,6 +62,7 @@ std::vector<Shot> method_shots(std::vector<std::unique_ptr<PreparedMethod>>& met
         shots[i].row = methods[i]->row();
         shots[i].picture = std::move(pictures[i]);
         shots[i].threshold = methods[i]->threshold();
+        if (methods[i]->failure().empty()) shots[i].code = methods[i]->method().code();
         if (!times[i].failure.empty()) shots[i].row.status = times[i].failure;
         fill_times(std::move(times[i].draw_ns), shots[i].row);
     }
@@ -75,19 +80,40 @@ void fill_place(const Subject& subject,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
+    row.weld_epsilon = options.trace.truth.weld_epsilon;
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
+/// Why each shot is wrong where it is. One after the other: they share what is kept of the scene.
+void attribute_shots(const ViewTruth& truth,
+                     const scene::View& view,
+                     MissPredictor& predictor,
+                     std::vector<Shot>& shots) {
+    for (Shot& shot : shots) {
+        if (!shot.row.is_ok()) continue;
+        shot.scored.attribution =
+            predictor.attribute(shot.scored.wrong_2px, truth, view, {shot.code, shot.threshold});
+        shot.row.causes = shot.scored.attribution.counts;
+    }
+}
+
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
+    const LineTruth lines = prepare_lines(truth);
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
+        shot.row.lines = score_lines(shot.scored.strokes, lines);
+        shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     for (Shot& shot : shots) {
+        shot.row.contour_sky_px = behind.sky_px;
+        shot.row.contour_other_px = behind.other_object_px;
+        shot.row.contour_self_px = behind.self_px;
         shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
         shot.row.crowded_share = truth.traced.counts.crowded_share;
     }
@@ -113,10 +139,17 @@ ShownView shown_view(const ViewTruth& truth, const std::vector<Shot>& shots) {
     ShownView shown{shots.front().row.scene, shots.front().row.view, truth.traced.labels, {}};
     for (const Shot& shot : shots) {
         if (!shot.row.is_ok() || shot.row.method == "none" || shot.row.method == "oracle") continue;
-        shown.pictures.push_back({shot.row.method, shot.picture, shot.threshold});
+        shown.pictures.push_back(
+            {shot.row.method, shot.picture, shot.threshold, shot.scored.attribution.pixels});
     }
     return shown;
 }
+
+/// What is kept of a scene from view to view.
+struct Known {
+    truth::SceneModel& model;
+    MissPredictor& predictor;
+};
 
 /// One comparison under way: what is written as it goes, and what the report will need.
 class Comparison {
@@ -124,7 +157,8 @@ class Comparison {
     explicit Comparison(const CompareOptions& options)
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
-          curves_(options.out / "curves.csv", curve_columns()) {}
+          curves_(options.out / "curves.csv", curve_columns()),
+          bins_(options.out / "bins.csv", bin_columns()) {}
 
     void run_subject(const Subject& subject,
                      const std::function<void(const scene::View&)>& before) {
@@ -133,16 +167,18 @@ class Comparison {
             methods.push_back(std::make_unique<PreparedMethod>(entrant, subject.scene));
         }
         truth::SceneModel model(subject.scene, options_.trace.truth);
+        MissPredictor predictor(subject.scene);
         for (const scene::View& view : subject.views) {
             if (is_interrupted()) return;
             before(view);
-            run_view(subject, view, model, methods);
+            run_view(subject, view, {model, predictor}, methods);
         }
     }
 
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
+        bins_.finish();
         ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
@@ -158,21 +194,27 @@ class Comparison {
   private:
     void run_view(const Subject& subject,
                   const scene::View& view,
-                  truth::SceneModel& model,
+                  const Known& known,
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
         ViewTruth truth;
         try {
-            truth = trace_view(model, view, options_.trace.cache);
+            truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
         }
         for (Shot& shot : shots)
             fill_place(subject, view, options_, shot.row);
-        if (!truth.traced.labels.is_empty()) score_shots(truth, shots);
+        if (!truth.traced.labels.is_empty()) {
+            score_shots(truth, shots);
+            attribute_shots(truth, view, known.predictor, shots);
+        }
         check_brackets(shots, void_reasons_);
         for (const Shot& shot : shots)
             write(shot, subject.scene.split);
@@ -187,6 +229,8 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
+        const std::string bins = bin_csv(shot.row, shot.row.lines->bins);
+        if (!bins.empty()) bins_.write(bins);
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});
@@ -196,6 +240,7 @@ class Comparison {
     const CompareOptions& options_;
     CsvFile rows_;
     CsvFile curves_;
+    CsvFile bins_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
     std::vector<ShownView> shown_;

@@ -71,14 +71,18 @@ const std::vector<std::string>& curve_columns() {
     return kColumns;
 }
 
+std::string cell_key(const Row& row) {
+    return fmt::format("{},{},{},{},{},{}",
+                       csv_field(row.method),
+                       csv_field(row.scene),
+                       csv_field(row.view),
+                       row.width,
+                       row.height,
+                       csv_field(row.params));
+}
+
 std::string curve_csv(const Row& row, const std::array<score::CurveCount, 99>& curve) {
-    const std::string key = fmt::format("{},{},{},{},{},{}",
-                                        csv_field(row.method),
-                                        csv_field(row.scene),
-                                        csv_field(row.view),
-                                        row.width,
-                                        row.height,
-                                        csv_field(row.params));
+    const std::string key = cell_key(row);
     std::string lines;
     for (std::size_t i = 0; i < curve.size(); ++i) {
         lines += fmt::format("{}{},{},{},{},{}",

@@ -3,13 +3,17 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <set>
 
 #include "core/provenance.h"
+#include "lab/cause_chart.h"
 #include "lab/charts.h"
 #include "lab/html.h"
 #include "lab/page_assets.h"
+#include "lab/page_causes.h"
+#include "lab/page_place.h"
 #include "lab/page_scenes.h"
 #include "lab/page_tables.h"
 #include "lab/summary.h"
@@ -133,6 +137,14 @@ std::string nav_html(const Material& m) {
     link("verdict", "Verdict");
     link("time", "Error against time");
     link("classes", "Line classes");
+    link("causes", "Where the error goes");
+    const bool has_lines = std::any_of(m.data.rows.begin(), m.data.rows.end(), [](const Row& row) {
+        return row.lines.has_value();
+    });
+    if (has_lines) {
+        link("place", "Place and width");
+        link("bins", "By kind of place");
+    }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
     if (!m.failures.empty()) link("failed", "Failed cells");
@@ -200,6 +212,12 @@ std::string provenance_html(const ReportData& data) {
     return fmt::format("<dl class=\"provenance\">{}</dl>", list);
 }
 
+std::string causes_html(const std::vector<Row>& rows) {
+    const std::vector<CauseTotals> totals = cause_totals(rows);
+    return chart_html(cause_chart(totals), "Missing and false pixels per method and cause") +
+           cause_legend_html() + cause_table_html(totals);
+}
+
 std::string main_html(const Material& m) {
     const std::vector<Row>& rows = m.data.rows;
     std::string html = section("verdict",
@@ -215,6 +233,31 @@ std::string main_html(const Material& m) {
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
                     chart_html(class_chart(m.summaries), "Recall per line class and method"));
+    html += section("causes",
+                    "Where the error goes",
+                    "Each missing and each false pixel has one cause, read off the exact truth at "
+                    "the pixel centres round it; pooled over views. Grey, or lost and surplus in "
+                    "the table, is what one-to-one pairing left over beside lines that were found: "
+                    "doubled, frayed or shortened ones.",
+                    causes_html(rows));
+    const std::string place = place_html(rows);
+    if (!place.empty()) {
+        html += section(
+            "place",
+            "Place and width",
+            "What F forgives, because it thins and allows 2 px. Cracks: unthinned, a drawn pixel "
+            "is "
+            "right if a true line runs between it and one of its four neighbours. Offset: thinned "
+            "pixels from the nearest true curve, positive to its empty side. Width: across the "
+            "true "
+            "curves. False ink: unthinned pixels further than 2 px from every true one.",
+            place);
+        html += section("bins",
+                        "Recall by kind of place",
+                        "Share of the true pixels found within 2 px, each bin by a matching of its "
+                        "own; the redder, the more is missed.",
+                        bins_html(rows));
+    }
     html += section("by-scene",
                     "F by scene",
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "

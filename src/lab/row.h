@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "lab/line_scores.h"
+#include "score/attribution.h"
+
 namespace ink::lab {
 
 /// One cell of an experiment: one method, with its settings, on one view; one row of rows.csv.
@@ -38,7 +41,8 @@ struct Row {
     std::int64_t off_line = 0;
     std::int64_t lost = 0;
     std::int64_t missing = 0;
-    std::int64_t k_1px = 0;  ///< counts at 1 px; n_truth is the same
+    score::CauseCounts causes = {};  ///< what off_line and missing are made of
+    std::int64_t k_1px = 0;          ///< counts at 1 px; n_truth is the same
     std::int64_t n_pred_1px = 0;
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
@@ -53,6 +57,11 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
+    double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
+    std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
+    std::optional<double> contour_other_px;  ///< before another object,
+    std::optional<double> contour_self_px;   ///< and before their own
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };

@@ -4,10 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
+#include "core/progress.h"
+#include "truth/cracks.h"
+#include "truth/curve_facts.h"
 #include "truth/truth_cache.h"
 
 namespace ink::lab {
+
+void report_progress(truth::TruthOptions& options) {
+    // Made when the first lines are done, gone with the last copy of the options.
+    auto progress = std::make_shared<std::optional<core::Progress>>();
+    options.progress = [progress](std::size_t done, std::size_t total) {
+        if (!*progress) progress->emplace("truth", static_cast<int>(total));
+        (*progress)->report(static_cast<int>(done), "lines");
+        if (done == total) progress->reset();
+    };
+}
 
 ViewTruth trace_view(truth::SceneModel& scene,
                      const scene::View& view,
@@ -18,6 +33,7 @@ ViewTruth trace_view(truth::SceneModel& scene,
     ViewTruth result;
     result.traced = truth::cached_truth(scene, view, cache);
     result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
     // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
     result.scoring.is_binary = false;
     return result;
@@ -41,11 +57,17 @@ std::string truth_summary(const truth::Truth& truth) {
         text += fmt::format(
             "{:<14} {:>9} {:>9} {:>12.1f}\n", truth::name(c), pixels, curves, length_px);
     }
+    const truth::ContourLengths behind = truth::contour_lengths(truth.curves);
+    text +=
+        fmt::format("behind contours: sky {:.1f} px, another object {:.1f} px, itself {:.1f} px\n",
+                    behind.sky_px,
+                    behind.other_object_px,
+                    behind.self_px);
     const truth::TruthCounts& n = truth.counts;
     text += fmt::format(
         "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
         "{}\n"
-        "pairs of triangles tested {}, crossings {}, contacts {}{}\n"
+        "pairs of triangles tested {}, crossings {}, contacts {}\n"
         "samples {}, rays {}, merged by thinning {} px, crowded {:.2f} % of truth pixels\n"
         "traced in {:.3f} s\n",
         n.triangles,
@@ -56,12 +78,16 @@ std::string truth_summary(const truth::Truth& truth) {
         n.pairs_tested,
         n.crossings,
         n.contacts,
-        n.too_many_crossings != 0 ? " (too many: given up, none are drawn)" : "",
         n.samples,
         n.rays,
         n.merged_px,
         100 * n.crowded_share,
         truth.trace_s);
+    if (n.joined_vertices > 0) {
+        text += fmt::format("the weld's epsilon joined {} vertices and collapsed {} triangles\n",
+                            n.joined_vertices,
+                            n.collapsed);
+    }
     return text;
 }
 

@@ -1,12 +1,16 @@
 #include "truth/trace_lines.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <optional>
+#include <string>
 
 #include "core/parallel.h"
 #include "scene/topology.h"
+#include "truth/touching.h"
 #include "truth/visibility.h"
 
 namespace ink::truth {
@@ -41,10 +45,13 @@ struct ScreenLine {
     glm::dvec2 begin_px{0}, end_px{0};
     double length_px = 0;
 
-    /// The point s of the way along on the screen: 1/w is linear in s.
-    [[nodiscard]] LinePoint line_point(double s) const {
+    /// The parameter on the segment s of the way along on the screen: 1/w is linear in s.
+    [[nodiscard]] double segment_parameter(double s) const {
         const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
-        const double t = t_begin + along * (t_end - t_begin);
+        return t_begin + along * (t_end - t_begin);
+    }
+    [[nodiscard]] LinePoint line_point(double s) const {
+        const double t = segment_parameter(s);
         return {segment.edge,
                 segment.a_world + t * (segment.b_world - segment.a_world),
                 w_at(s),
@@ -178,14 +185,21 @@ class LineTracer {
                                                      : ContourKind::none;
         curve.begin = line_->point_at(begin);
         curve.end = line_->point_at(end);
-        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing() : bend();
+        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing()
+                                                            : bend(begin + (end - begin) / 2);
         out_.curves.push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.
-    [[nodiscard]] float bend() const {
+    [[nodiscard]] float bend(double s) const {
         const scene::Topology& topology = eye_.model.topology;
-        const scene::Edge& edge = topology.edges[line_->segment.edge];
+        const std::uint32_t e = line_->segment.edge;
+        const scene::Edge& edge = topology.edges[e];
+        const bool is_outline =
+            line_->line_class == LineClass::contour || line_->line_class == LineClass::boundary;
+        if (eye_.model.is_touched[e] != 0 && !is_outline) {
+            return static_cast<float>(seen_bend_rad(eye_, e, line_->segment_parameter(s)));
+        }
         if (edge.face_count < 2) return 0;
         const SeenFaces seen = eye_.seen_faces(edge);
         if (seen.left == kNoFace || seen.right == kNoFace) {
@@ -282,17 +296,50 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
     return out;
 }
 
+/// What the tasks have spent together, and how far they are.
+class Account {
+  public:
+    Account(const TruthTrace& trace, std::size_t tasks) : trace_(trace), tasks_(tasks) {}
+
+    void add(const TracedLines& part) {
+        samples_ += part.samples;
+        rays_ += part.rays;
+        const std::size_t done = ++done_;
+        // Whoever comes while another thread reports need not wait: the next one will say more.
+        const std::unique_lock lock(reporting_, std::try_to_lock);
+        if (trace_.progress && lock) trace_.progress(done, tasks_);
+    }
+    /// Once it is, it stays so: whether it ends so does not hang on the order of the tasks.
+    [[nodiscard]] bool is_overdrawn() const {
+        return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
+    }
+
+  private:
+    const TruthTrace& trace_;
+    std::size_t tasks_;
+    std::atomic<std::size_t> samples_{0}, rays_{0}, done_{0};
+    std::mutex reporting_;
+};
+
 }  // namespace
 
-TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, int threads) {
+TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTrace& trace) {
     const Visibility visibility(eye, scene);
     const Tracing tracing{eye, visibility, feature_edges(eye), seen_crossings(eye)};
     const std::size_t count = tracing.edges.size() + tracing.crossings.size();
     std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
-    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
+    Account account(trace, parts.size());
+    core::parallel_for(parts.size(), trace.threads, [&](std::size_t chunk) {
+        if (account.is_overdrawn()) return;
         const std::size_t begin = chunk * kChunk;
         parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
+        account.add(parts[chunk]);
     });
+    if (account.is_overdrawn()) {
+        throw TooLarge(std::to_string(count) + " lines need more than " +
+                       std::to_string(trace.limits.samples) + " samples or " +
+                       std::to_string(trace.limits.rays) + " rays");
+    }
     TracedLines all;
     for (const TracedLines& part : parts) {
         all.curves.insert(all.curves.end(), part.curves.begin(), part.curves.end());

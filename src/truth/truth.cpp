@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "truth/curve_facts.h"
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
 #include "truth/label_image.h"
@@ -22,6 +23,8 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.triangles = model.topology.counts.triangles;
     counts.degenerate = model.topology.counts.degenerate;
     counts.duplicate = model.topology.counts.duplicate;
+    counts.joined_vertices = model.topology.counts.joined_vertices;
+    counts.collapsed = model.topology.counts.collapsed;
     counts.defect_edges = model.defect_edges;
     counts.candidate_edges = lines.candidate_edges;
     counts.samples = lines.samples;
@@ -29,7 +32,6 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.pairs_tested = model.crossings.pairs_tested;
     counts.crossings = model.crossings.segments.size();
     counts.contacts = model.crossings.contacts.size();
-    counts.too_many_crossings = model.crossings.is_too_many ? 1 : 0;
     counts.merged_px = image.merged_px;
     counts.crowded_share = image.crowded_share;
     return counts;
@@ -40,11 +42,15 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
 Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace) {
     const auto begin = std::chrono::steady_clock::now();
     if (view.width_px <= 0 || view.height_px <= 0) return {};
+    if (model.crossings.is_too_many) {
+        throw TooLarge("more pairs of triangles touch than the search for crossings may look at");
+    }
     const EyeView eye(model, view, trace.threads);
     const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
 
     Truth truth;
-    TracedLines lines = trace_lines(eye, scene, trace.threads);
+    TracedLines lines = trace_lines(eye, scene, trace);
+    lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px);
     truth.counts = counts_of(model, lines, image);
     truth.labels = std::move(image.labels);
@@ -61,7 +67,8 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 Truth trace_truth(const scene::Scene& scene, const scene::View& view, const TruthOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     const Model model = build_model(scene, options);
-    Truth truth = trace_truth(model, view, {options.threads, options.layers});
+    Truth truth = trace_truth(
+        model, view, {options.threads, options.layers, options.limits, options.progress});
     truth.trace_s = seconds_since(begin);
     return truth;
 }

@@ -51,15 +51,17 @@ std::string truth_key(const scene::Scene& scene,
     hasher.value(camera.fov_y_rad).value(camera.near);
     hasher.value(view.width_px).value(view.height_px);
     hasher.value(options.crease_rad).value(options.material_seams).value(options.layers);
+    hasher.value(options.weld_epsilon);
     return hasher.hex();
 }
 
 Truth cached_truth(SceneModel& scene,
                    const scene::View& view,
                    const std::filesystem::path& cache_dir) {
-    const TruthTrace trace{scene.options().threads, scene.options().layers};
+    const TruthOptions& options = scene.options();
+    const TruthTrace trace{options.threads, options.layers, options.limits, options.progress};
     if (cache_dir.empty()) return trace_truth(scene.model(), view, trace);
-    const std::string key = truth_key(scene.scene(), view, scene.options());
+    const std::string key = truth_key(scene.scene(), view, options);
     const fs::path path = cache_dir / (key + ".truth");
     if (auto truth = load(path, key, view)) return std::move(*truth);
     Truth truth = trace_truth(scene.model(), view, trace);

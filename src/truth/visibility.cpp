@@ -166,13 +166,28 @@ bool Visibility::is_visible(const LinePoint& point,
     return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
 }
 
-ContourKind Visibility::kind_behind(const LinePoint& point, std::size_t& rays) const {
+std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
+                                                      std::size_t& rays) const {
+    ++rays;
+    return scene_.first(beyond(point), [&](std::uint32_t face) { return is_behind(face, point); });
+}
+
+/// The part of the line of sight on which what lies behind a point is looked for.
+EyeRay Visibility::beyond(const LinePoint& point) const {
     EyeRay ray;
     ray.direction_world = point.p_world - eye_.eye_world();
     ray.t_near = 1 - kPast;
     ray.t_far = std::numeric_limits<double>::infinity();
-    ++rays;
-    const auto hit = scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+    return ray;
+}
+
+ContourKind Visibility::kind_behind(const LinePoint& point, std::size_t& rays) const {
+    const auto is_found = [&](std::uint32_t face) { return is_behind(face, point); };
+    if (eye_.model.is_one_object) {
+        ++rays;
+        return scene_.any(beyond(point), is_found) ? ContourKind::self : ContourKind::sky;
+    }
+    const auto hit = first_behind(point, rays);
     if (!hit) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;
     const std::uint32_t own = topology.faces_of(topology.edges[point.edge])[0];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
@@ -41,11 +42,17 @@ class Visibility {
                                   std::uint32_t& blocker,
                                   std::size_t& rays) const;
 
-    /// What lies behind a visible contour point: the object of the nearest face beyond it on the
-    /// line of sight, the edge's own faces left out.
+    /// The nearest face beyond a visible point on the line of sight, or touching it there, the
+    /// edge's own faces left out; nothing before the sky. The distance is Embree's.
+    [[nodiscard]] std::optional<EyeScene::Hit> first_behind(const LinePoint& point,
+                                                            std::size_t& rays) const;
+
+    /// What lies behind a visible contour point: the object of `first_behind`. Where a scene is one
+    /// object any face will do.
     [[nodiscard]] ContourKind kind_behind(const LinePoint& point, std::size_t& rays) const;
 
   private:
+    [[nodiscard]] EyeRay beyond(const LinePoint& point) const;
     [[nodiscard]] bool blocks(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_behind(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] int side_of_point(std::uint32_t face, const LinePoint& point) const;
