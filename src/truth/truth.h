@@ -70,7 +70,8 @@ struct Truth {
 /// from the eye; a line point is visible if the open segment from the eye meets no triangle but the
 /// line's own faces. Of surfaces at the same depth the lowest face is seen; where an edge lies in
 /// faces that are not its own, touching.h has the rule. Same result for every thread count. An
-/// empty picture or a scene that shows nothing gives labels of zeros.
+/// empty picture or a scene that shows nothing gives labels of zeros. Throws TooLarge where the
+/// view would exceed the options' limits.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,
                                 const TruthOptions& options);

@@ -209,10 +209,13 @@ TEST_F(ReportFiles, FiguresAreStripsAndCharts) {
                                               "figures/scene_2.png",
                                               "figures/overview.png",
                                               "figures/fronts.svg",
-                                              "figures/classes.svg"));
+                                              "figures/classes.svg",
+                                              "figures/causes.svg"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/fronts.svg")), "");
     EXPECT_THAT(text_of(folder_ / "figures/fronts.svg"), HasSubstr(">decaudin</text>"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/classes.svg")), "");
+    EXPECT_EQ(nesting_error(text_of(folder_ / "figures/causes.svg")), "");
+    EXPECT_THAT(text_of(folder_ / "figures/causes.svg"), HasSubstr(">decaudin</text>"));
 }
 
 TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
@@ -231,7 +234,8 @@ TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
 TEST_F(ReportFiles, FiguresWithoutAnythingToShowAreEmptyCharts) {
     write_figures({}, folder_);
     EXPECT_THAT(names(),
-                testing::UnorderedElementsAre("figures/fronts.svg", "figures/classes.svg"));
+                testing::UnorderedElementsAre(
+                    "figures/fronts.svg", "figures/classes.svg", "figures/causes.svg"));
 }
 
 TEST_F(ReportFiles, FiguresThatCannotBeWrittenAreAnError) {
