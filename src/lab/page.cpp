@@ -187,9 +187,8 @@ ceiling of every method that does so.</p>
 the scene's depth and normals at the stencils that see the line: if it stays silent there, the line is
 <em>cancelled</em> where one channel alone would have spoken, else <em>too faint</em>. The method's picture
 is not looked at for either.</p>
-<p><strong>Not here yet:</strong> <code>intersection</code> lines (two surfaces that pierce each other) are
-not traced, so a method that draws them is charged with false lines; the second construction of the truth
-that cross-checks the first, truth images as EXR, curves as SVG and skip statistics come in a later
+<p><strong>Not here yet:</strong> the second construction of the truth that cross-checks the
+first, truth images as EXR, curves as SVG and skip statistics come in a later
 version.</p>)html";
 }
 

@@ -82,9 +82,11 @@ void fill_faces(const EyeView& eye, double t, Curve& curve) {
         curve.line_class == LineClass::contour || curve.line_class == LineClass::boundary;
     // What a box stands on is no face of the box's outline, but is one of a seam or an
     // intersection.
-    const SeenFaces seen = is_one_sided || eye.model.is_touched[curve.edge] == 0
-                               ? eye.seen_faces(edge)
-                               : seen_faces_at(eye, curve.edge, t);
+    SeenFaces seen = eye.seen_faces(edge);
+    if (!is_one_sided && eye.model.is_touched[curve.edge] != 0) {
+        const SeenSheets sheets = seen_sheets_at(eye, curve.edge, t);
+        seen = {sheets.left.face, sheets.right.face};
+    }
     std::uint32_t left = seen.right, right = seen.left;
     if (is_one_sided) {
         curve.empty_side = left == kNoFace ? std::int8_t{-1} : std::int8_t{1};
