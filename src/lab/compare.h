@@ -18,7 +18,7 @@ struct CompareOptions {
     MeasureOptions measure;
     TraceOptions trace;
     std::filesystem::path
-        out;                 ///< directory: rows.csv, curves.csv, verdict.md, report.html, figures
+        out;  ///< directory: rows.csv, curves.csv, bins.csv, verdict.md, report.html, figures
     std::uint64_t seed = 0;  ///< recorded; nothing here is random yet
     std::string command;     ///< as the user typed it, for the report
 };

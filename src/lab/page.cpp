@@ -182,10 +182,12 @@ given. Methods were tuned, if at all, on <strong>training</strong> scenes only; 
 <p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
 itself. <strong>sampled</strong> knows the exact lines but sees each pixel once, at its centre: the real
 ceiling of every method that does so.</p>
-<p><strong>Not here yet:</strong> <code>intersection</code> lines (two surfaces that pierce each other) are
-not traced, so a method that draws them is charged with false lines; the second construction of the truth
-that cross-checks the first, truth images as EXR, curves as SVG and skip statistics come in a later
-version.</p>)html";
+<p><strong>Causes</strong> come from the exact truth at pixel centres. A false pixel is judged by the
+3 × 3 pixels round it. For a missing one of a method that declares its code, that code is worked out from
+the scene's depth and normals at the stencils that see the line: if it stays silent there, the line is
+<em>cancelled</em> where one channel alone would have spoken, else <em>too faint</em>. The method's picture
+is not looked at for either.</p>
+<p><strong>Not here yet:</strong> skip statistics.</p>)html";
 }
 
 std::string provenance_html(const ReportData& data) {

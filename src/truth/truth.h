@@ -70,8 +70,10 @@ struct Truth {
 ///
 /// Lines are the scene's contours, boundaries, creases, intersections and seams, classified exactly
 /// from the eye; a line point is visible if the open segment from the eye meets no triangle but the
-/// line's own faces. Same result for every thread count. An empty picture or a scene that shows
-/// nothing gives labels of zeros. Throws TooLarge where the view would exceed the options' limits.
+/// line's own faces. Of surfaces at the same depth the lowest face is seen; where an edge lies in
+/// faces that are not its own, touching.h has the rule. Same result for every thread count. An
+/// empty picture or a scene that shows nothing gives labels of zeros. Throws TooLarge where the
+/// view would exceed the options' limits.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,
                                 const TruthOptions& options);

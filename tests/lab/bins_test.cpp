@@ -103,13 +103,13 @@ TEST(Bins, OfDistanceReachFromTheNearestLineToTheFarthest) {
 }
 
 TEST(Bins, OfDistanceFollowALineIntoTheDepth) {
-    // From w = 1 at x = 10.5 to w = 3 at 70.5; w = 1 / (1 - s 2/3) passes 1.4, 1.8, 2.2, 2.6 (0.2,
-    // 0.4 ... of the way) at s = 3/7, 2/3, 9/11, 12/13: after 25.7, 40, 49.1 and 55.4 pixels.
-    Curve line = level(LineClass::crease, 10, 61, 1);
+    // From w = 1 at x = 10.5 to w = 3 at 69.5; w = 1 / (1 - s 2/3) passes 1.4, 1.8, 2.2, 2.6 (0.2,
+    // 0.4 ... of the way) at s = 3/7, 2/3, 9/11, 12/13: after 25.3, 39.3, 48.3 and 54.5 pixels.
+    Curve line = level(LineClass::crease, 10, 60, 1);
     line.end.w = 3;
     EXPECT_EQ(bins_of({line}, 3),
               (std::vector<Bin>{
-                  {0, 0.2, 26}, {0.2, 0.4, 14}, {0.4, 0.6, 10}, {0.6, 0.8, 6}, {0.8, 1, 5}}));
+                  {0, 0.2, 26}, {0.2, 0.4, 14}, {0.4, 0.6, 9}, {0.6, 0.8, 6}, {0.8, 1, 5}}));
 }
 
 TEST(Bins, AreMatchedEachAlone) {

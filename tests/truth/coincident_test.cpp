@@ -85,7 +85,8 @@ TEST(Coincident, CutByAThirdTheyShowItOnce) {
     // A wall through both: where both are, only its crossing with the first is seen.
     scene::Mesh wall;
     add_quad(wall, {-1.5F, 0, 1}, {1.5F, 0, 1}, {1.5F, 0, -1}, {-1.5F, 0, -1});
-    const Truth truth = trace(scene_of({large_tile(), small_tile(), wall}), view_from({0, 3, 6}, {}));
+    const Truth truth =
+        trace(scene_of({large_tile(), small_tile(), wall}), view_from({0, 3, 6}, {}));
     const auto expected = project({-1, 0, 0}, 6), end = project({1.5, 0, 0}, 6);
     // From (0, 3, 6) the points (x, 0, 0) are sqrt(45) away and stand across the line of sight.
     const double scale = 6 / std::sqrt(45.0);

@@ -89,7 +89,8 @@ TEST(Crossing, BoxOnAFloorKeepsItsContourAndNothingIsDoubled) {
 /// Walls over the whole picture and beyond that cross in the line x = z = 0.
 scene::Mesh wall(float slope) {
     scene::Mesh mesh;
-    add_quad(mesh, {-8, -8, -8 * slope}, {8, -8, 8 * slope}, {8, 8, 8 * slope}, {-8, 8, -8 * slope});
+    add_quad(
+        mesh, {-8, -8, -8 * slope}, {8, -8, 8 * slope}, {8, 8, 8 * slope}, {-8, 8, -8 * slope});
     return mesh;
 }
 
@@ -191,8 +192,8 @@ scene::Mesh ball(const glm::vec3& centre, float radius) {
 
 TEST(Crossing, OutOfSightNothingIsDrawn) {
     // Two balls that pierce each other inside a third.
-    const scene::Scene scene = scene_of(
-        {ball({0, 0, 0}, 2), ball({-0.3F, 0.1F, 0}, 0.5F), ball({0.25F, 0, 0.1F}, 0.5F)});
+    const scene::Scene scene =
+        scene_of({ball({0, 0, 0}, 2), ball({-0.3F, 0.1F, 0}, 0.5F), ball({0.25F, 0, 0.1F}, 0.5F)});
     const Truth truth = trace(scene, view_from(8));
     EXPECT_GT(truth.counts.crossings, 20U);
     EXPECT_EQ(lengths(truth).count(LineClass::intersection), 0U);

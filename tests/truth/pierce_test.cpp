@@ -55,8 +55,8 @@ constexpr glm::vec3 kP{2, -2, 0}, kQ{2, 2, 0}, kR{-2, 0, 0};  ///< y = 0 in it f
 
 TEST(Pierce, BladeThroughATriangle) {
     // At z = 0 the blade is a quarter of its foot wide on either side.
-    const auto topology = welded({{kP, kQ, kR},
-                                  {glm::vec3{0, -0.5F, -1}, {0, 0.5F, -1}, {0, 0, 1}}});
+    const auto topology =
+        welded({{kP, kQ, kR}, {glm::vec3{0, -0.5F, -1}, {0, 0.5F, -1}, {0, 0, 1}}});
     expect_segment(meet(topology, 0, 1), {0, -0.25, 0}, {0, 0.25, 0});
     expect_segment(meet(topology, 1, 0), {0, -0.25, 0}, {0, 0.25, 0});
     EXPECT_EQ(meet(topology, 1, 0).crossing->face0, 0U);
@@ -72,8 +72,8 @@ TEST(Pierce, SegmentEndsWhereTheFirstOfBothEnds) {
 
 TEST(Pierce, SharedVertexAndACrossing) {
     const glm::vec3 shared{0, 0, 0};
-    const auto topology = welded(
-        {{shared, {2, -1, 0}, {2, 1, 0}}, {shared, {4, 0, -1}, {4, 0, 1}}});
+    const auto topology =
+        welded({{shared, {2, -1, 0}, {2, 1, 0}}, {shared, {4, 0, -1}, {4, 0, 1}}});
     ASSERT_EQ(topology.p_world.size(), 5U);
     expect_segment(meet(topology, 0, 1), {0, 0, 0}, {2, 0, 0});
 }
@@ -89,10 +89,10 @@ TEST(Pierce, SharedVertexAndNoCrossing) {
 
 TEST(Pierce, PointsAndSharedEdgesAreNothing) {
     const auto topology = welded({{kP, kQ, kR},
-                                  {glm::vec3{0, 0, 0}, {0, 1, 2}, {1, 0, 2}},    // tip inside
-                                  {glm::vec3{2, 0, -1}, {2, 0, 1}, {3, 0, 0}},   // edge on edge
+                                  {glm::vec3{0, 0, 0}, {0, 1, 2}, {1, 0, 2}},      // tip inside
+                                  {glm::vec3{2, 0, -1}, {2, 0, 1}, {3, 0, 0}},     // edge on edge
                                   {glm::vec3{-2, 0, -1}, {-2, 0, 1}, {-3, 0, 0}},  // edge on tip
-                                  {kP, kQ, {2, 0, 3}}});                         // neighbours
+                                  {kP, kQ, {2, 0, 3}}});                           // neighbours
     for (std::uint32_t g = 1; g <= 4; ++g) {
         SCOPED_TRACE(g);
         expect_nothing(meet(topology, 0, g));
@@ -100,8 +100,7 @@ TEST(Pierce, PointsAndSharedEdgesAreNothing) {
 }
 
 TEST(Pierce, FootOnATriangleIsAContactOfItsEdge) {
-    const auto topology =
-        welded({{kP, kQ, kR}, {glm::vec3{0, 0, 0}, {4, 0, 0}, {2, 0, 2}}});
+    const auto topology = welded({{kP, kQ, kR}, {glm::vec3{0, 0, 0}, {4, 0, 0}, {2, 0, 2}}});
     const Meeting meeting = meet(topology, 0, 1);
     EXPECT_FALSE(meeting.crossing.has_value());
     ASSERT_EQ(meeting.contact_count, 1U);
@@ -111,8 +110,7 @@ TEST(Pierce, FootOnATriangleIsAContactOfItsEdge) {
 
 TEST(Pierce, CollinearEdgesAreContactsOfBoth) {
     // A wall that stands on the rim x = 2 of the triangle and sticks out beyond its end.
-    const auto topology =
-        welded({{kP, kQ, kR}, {glm::vec3{2, 1, 0}, {2, 4, 0}, {2, 2, 2}}});
+    const auto topology = welded({{kP, kQ, kR}, {glm::vec3{2, 1, 0}, {2, 4, 0}, {2, 2, 2}}});
     const Meeting meeting = meet(topology, 0, 1);
     EXPECT_FALSE(meeting.crossing.has_value());
     ASSERT_EQ(meeting.contact_count, 2U);
@@ -122,8 +120,8 @@ TEST(Pierce, CollinearEdgesAreContactsOfBoth) {
 }
 
 TEST(Pierce, CoplanarTrianglesTouchAlongTheirSidesWithinEachOther) {
-    const auto topology = welded({{glm::vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
-                                  {glm::vec3{1, 1, 0}, {5, 1, 0}, {1, 5, 0}}});
+    const auto topology = welded(
+        {{glm::vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {glm::vec3{1, 1, 0}, {5, 1, 0}, {1, 5, 0}}});
     const Meeting meeting = meet(topology, 0, 1);
     EXPECT_TRUE(meeting.is_coplanar);
     EXPECT_FALSE(meeting.crossing.has_value());
@@ -144,8 +142,8 @@ TEST(Pierce, CoplanarNeighboursAndTouchingTipsAreNothing) {
 }
 
 TEST(Pierce, FaceFoldedFlatOnItsNeighbourIsCoplanar) {
-    const auto topology = welded({{glm::vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
-                                  {glm::vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}});
+    const auto topology = welded(
+        {{glm::vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {glm::vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}});
     const Meeting meeting = meet(topology, 0, 1);
     EXPECT_TRUE(meeting.is_coplanar);
     EXPECT_EQ(meeting.contact_count, 2U) << "both loose sides of the small one";
@@ -209,10 +207,8 @@ scene::Topology two_triangles(const std::array<glm::dvec3, 6>& p) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             face.vertices[i] = 3 * f + i;
             face.edges[i] = 3 * f + i;
-            topology.edges.push_back({3 * f + std::min(i, (i + 1) % 3),
-                                      3 * f + std::max(i, (i + 1) % 3),
-                                      3 * f + i,
-                                      1});
+            topology.edges.push_back(
+                {3 * f + std::min(i, (i + 1) % 3), 3 * f + std::max(i, (i + 1) % 3), 3 * f + i, 1});
             topology.edge_faces.push_back(f);
         }
         topology.faces.push_back(face);
@@ -347,7 +343,8 @@ TEST(Crossings, AgreeWithTheDefinitionInGeneralPosition) {
             undecided += crosses < 0 ? 1 : 0;
         }
     }
-    // Undecided are pairs that share a corner; they are in the count of the tree only if they cross.
+    // Undecided are pairs that share a corner; they are in the count of the tree only if they
+    // cross.
     const std::size_t found = find_crossings(topology, {}).segments.size();
     EXPECT_GE(found, expected);
     EXPECT_LE(found, expected + undecided);
@@ -369,7 +366,8 @@ TEST(Crossings, ThreadsChangeNothing) {
 TEST(Crossings, TooManyGiveUpAndSaySo) {
     const scene::Topology topology = soup(9, 600, 0);
     for (const int threads : {1, 2}) {
-        const Crossings by_pairs = find_crossings(topology, {.threads = threads, .most_pairs = 100});
+        const Crossings by_pairs =
+            find_crossings(topology, {.threads = threads, .most_pairs = 100});
         EXPECT_TRUE(by_pairs.is_too_many);
         EXPECT_EQ(by_pairs.pairs_tested, 100U);
         EXPECT_TRUE(by_pairs.segments.empty());
