@@ -58,7 +58,7 @@ bool check_truth(const TruthArgs& args,
     if (args.disagreement) {
         lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
     }
-    fmt::print("{}{}", lab::witness_summary(check), lab::id_summary(ids));
+    fmt::print("{}{}", lab::witness_summary(check, truth.curves), lab::id_summary(ids));
     const bool is_agreed = check.agreement.is_agreed();
     if (!is_agreed) {
         fmt::print(stderr, "inkbench: truth and witness agree on less than 99.9 % of a class\n");

@@ -278,7 +278,14 @@ bool is_under(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond)
     const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
     if (!cover.has_arrived) return false;
     const double w = WitnessMesh::plane_depth(mesh.local_face(cover.face, end_px));
-    return w >= mesh.view().camera.near && depth_under(mesh, cover.face, end.p_world) > 0;
+    if (w < mesh.view().camera.near) return false;
+    const auto& v = mesh.topology().faces[end.face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double under_a = depth_under(mesh, cover.face, p[v[end.side]]);
+    const double under_b = depth_under(mesh, cover.face, p[v[(end.side + 1) % 3]]);
+    // An edge that begins in the plane and goes under it is under it at once.
+    if (under_a * under_b >= 0) return under_a + under_b > 0;
+    return depth_under(mesh, cover.face, end.p_world) > 0;
 }
 
 /// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
