@@ -86,7 +86,7 @@ std::string witness_summary(const truth::WitnessCheck& check,
     const double strip_px = truth::strip_length_px(curves, check.agreement);
     if (strip_px > 0) {
         text += fmt::format(
-            "of the truth that the witness lacks {:.1f} px run within 1/512 px of another line: "
+            "of the truth that the witness lacks {:.1f} px run within 1/32 px of another line: "
             "strips thinner than its samples lie apart\n",
             strip_px);
     }
