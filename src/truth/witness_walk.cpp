@@ -316,17 +316,55 @@ void add_ends(const WitnessRays& rays,
     }
 }
 
+/// Whether one surface, followed to the other sample, lies in what is seen there: then nothing is
+/// crossed, and the line is what the way passed, or a seam of two objects in one plane.
+bool add_overlap(const WitnessMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<Walk, 2>& walks,
+                 Between& between) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::uint32_t seen = samples[1 - i].sight.face;
+        if (!walks[i].has_arrived || !mesh.is_level(walks[i].face, seen)) continue;
+        const MetEdge& met = walks[i].met;
+        if (met.line_class != LineClass::none) {
+            between.lines[between.count++] = {met.line_class, met.slant()};
+        } else if (mesh.is_seam(samples[i].sight.face, seen)) {
+            // The other surface is what bends here.
+            between.lines[between.count++] = {LineClass::seam, walks[1 - i].met.slant()};
+        }
+        return true;
+    }
+    return false;
+}
+
+/// Features that the ways passed before either surface dived under the other: seen, though by less
+/// than the distance of two samples.
+void add_passed(const WitnessMesh& mesh,
+                const std::array<Sample, 2>& samples,
+                const std::array<Walk, 2>& walks,
+                Between& between) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const MetEdge& met = walks[i].met;
+        if (met.line_class == LineClass::none) continue;
+        const glm::dvec2 met_px = mesh.px(met.p_world);
+        const Walk other = walk(mesh, samples[1 - i], met_px, Stop::at_end);
+        const double w = depth_at(mesh, other.face, met_px);
+        if (other.has_arrived && w > met.w * (1 + kSameDepth))
+            between.lines[between.count++] = {met.line_class, met.slant()};
+    }
+}
+
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
 /// takes one away, or they coincide.
 void add_meeting(const WitnessMesh& mesh,
                  const std::array<Sample, 2>& samples,
-                 const std::array<std::uint32_t, 2>& faces_beyond,
+                 const std::array<Walk, 2>& walks,
                  Between& between) {
     const double near = mesh.view().camera.near;
     std::array<double, 2> w_beyond{};
     for (std::size_t i = 0; i < 2; ++i) {
         if (samples[i].sight.face == kNothing) continue;
-        w_beyond[i] = depth_at(mesh, faces_beyond[i], samples[1 - i].p_px);
+        w_beyond[i] = depth_at(mesh, walks[i].face, samples[1 - i].p_px);
         between.is_near_cut = between.is_near_cut || w_beyond[i] < near;
     }
     if (between.is_near_cut) return;
@@ -337,9 +375,11 @@ void add_meeting(const WitnessMesh& mesh,
     const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
     if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
         return;
+    if (add_overlap(mesh, samples, walks, between)) return;
     between.lines[between.count++] = {
         LineClass::intersection,
         slant_of_planes(mesh, samples[0].sight.face, samples[1].sight.face)};
+    add_passed(mesh, samples, walks, between);
 }
 
 }  // namespace
@@ -374,7 +414,7 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
     }
     add_ends(rays, samples, walks, between);
     const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
-    if (!is_told) add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
+    if (!is_told) add_meeting(mesh, samples, walks, between);
     return between;
 }
 
