@@ -215,22 +215,33 @@ double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32
     return slant_of({difference.x, difference.y});
 }
 
+/// Whether the surface that is seen beyond the end of an edge of two faces touches it there, to
+/// within what double leaves.
+bool is_touched(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing) return false;
+    const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_end);
+    const bool has_met = back.met.line_class != LineClass::none;
+    const std::array<std::uint32_t, 3> faces{
+        beyond.sight.face, back.face, has_met ? back.met.face : back.face};
+    return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
+        return mesh.goes_on(end.face, face, end.p_world, {kTouching * mesh.tolerance(), 0});
+    });
+}
+
 /// Whether the surface goes on where one ends: in what is seen beyond, or, if that is a slit of the
 /// weld tolerance behind a border, in what is seen behind the slit. An edge of two faces has no
-/// such slit: there the other must touch it, to within what double leaves.
+/// such slit.
 bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
     const WitnessMesh& mesh = rays.mesh();
+    next = beyond;
+    if (end.line_class != LineClass::boundary) return is_touched(mesh, end, beyond);
     const double px_per_unit = mesh.projection().focal_px() / end.w;
-    const bool is_border = end.line_class == LineClass::boundary;
-    const Closeness close{is_border ? mesh.tolerance() : kTouching * mesh.tolerance(),
-                          4.0 / 512 / px_per_unit};
+    const Closeness close{mesh.tolerance(), 4.0 / 512 / px_per_unit};
     const auto continues = [&](const Sample& sample) {
         return sample.sight.face != kNothing &&
                mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
     };
-    next = beyond;
     if (continues(beyond)) return true;
-    if (!is_border) return false;
     next.p_px =
         mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
     next.sight = rays.look(next.p_px);
@@ -316,6 +327,31 @@ void add_ends(const WitnessRays& rays,
     }
 }
 
+/// Whether a feature that the way from `sample` passed comes out beyond the surface seen at
+/// `other`, which neither covers nor touches it.
+bool is_out(const WitnessMesh& mesh, const MetEdge& met, const Sample& other) {
+    if (met.w < mesh.view().camera.near) return false;
+    const glm::dvec2 met_px = mesh.px(met.p_world);
+    const Walk cover = walk(mesh, other, met_px, Stop::at_end);
+    if (cover.has_arrived) return depth_at(mesh, cover.face, met_px) > met.w * (1 + kSameDepth);
+    return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
+}
+
+/// Features that a surface passes before the other hides it: seen, though by less than the distance
+/// of two samples.
+void add_passed(const WitnessMesh& mesh,
+                const std::array<Sample, 2>& samples,
+                const std::array<Walk, 2>& walks,
+                Between& between) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const MetEdge& met = walks[i].met;
+        const bool has_passed = walks[i].has_arrived && met.line_class != LineClass::none;
+        if (has_passed && samples[1 - i].sight.face != kNothing &&
+            is_out(mesh, met, samples[1 - i]))
+            between.lines[between.count++] = {met.line_class, met.slant()};
+    }
+}
+
 /// Whether one surface, followed to the other sample, lies in what is seen there: then nothing is
 /// crossed, and the line is what the way passed, or a seam of two objects in one plane.
 bool add_overlap(const WitnessMesh& mesh,
@@ -335,23 +371,6 @@ bool add_overlap(const WitnessMesh& mesh,
         return true;
     }
     return false;
-}
-
-/// Features that the ways passed before either surface dived under the other: seen, though by less
-/// than the distance of two samples.
-void add_passed(const WitnessMesh& mesh,
-                const std::array<Sample, 2>& samples,
-                const std::array<Walk, 2>& walks,
-                Between& between) {
-    for (std::size_t i = 0; i < 2; ++i) {
-        const MetEdge& met = walks[i].met;
-        if (met.line_class == LineClass::none) continue;
-        const glm::dvec2 met_px = mesh.px(met.p_world);
-        const Walk other = walk(mesh, samples[1 - i], met_px, Stop::at_end);
-        const double w = depth_at(mesh, other.face, met_px);
-        if (other.has_arrived && w > met.w * (1 + kSameDepth))
-            between.lines[between.count++] = {met.line_class, met.slant()};
-    }
 }
 
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
@@ -413,6 +432,7 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
         if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
     }
     add_ends(rays, samples, walks, between);
+    if (between.count == 1) add_passed(mesh, samples, walks, between);
     const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
     if (!is_told) add_meeting(mesh, samples, walks, between);
     return between;
