@@ -16,6 +16,7 @@
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
 #include "lab/page_tables.h"
+#include "lab/page_witness.h"
 #include "lab/summary.h"
 #include "lab/verdict.h"
 
@@ -32,6 +33,7 @@ struct Material {
     Verdict verdict;
     PageScenes scenes;
     std::string failures;
+    std::string witness = {};  ///< HTML, "" if no truth was held against it
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -147,6 +149,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");
     link("rows", "All rows");
     link("about", "How to read this");
@@ -272,6 +275,14 @@ std::string main_html(const Material& m) {
         "One view per scene. Drag across a picture, or move the divider below it with "
         "the arrow keys: truth to the left, the method to the right.",
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
+    if (!m.witness.empty()) {
+        html += section("witness",
+                        "Truth against its witness",
+                        "The witness finds the lines by dense sampling of what is seen and shares "
+                        "only mesh and camera with the truth. Disagreement: the share of both "
+                        "lengths, class by class, that the other lacks within 0.25 px.",
+                        m.witness);
+    }
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
@@ -290,6 +301,7 @@ std::string main_html(const Material& m) {
 
 std::string report_page(const ReportData& data) {
     Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows)};
+    material.witness = witness_html(data.rows);
     material.verdict = find_verdict(material.summaries);
     material.scenes = encode_scenes(data.views, kPictureBudget_bytes);
     return fmt::format(
