@@ -45,6 +45,13 @@ Column counted(std::string name, std::int64_t Row::*field, std::string doc) {
             std::move(doc)};
 }
 
+template <class T>
+Column chance(std::string name, T value_of, std::string doc) {
+    return {std::move(name),
+            [value_of](const Row& row) { return row.chance ? text_of(value_of(*row.chance)) : ""; },
+            std::move(doc)};
+}
+
 Column recall(const std::string& line_class) {
     return {"recall_" + line_class,
             [line_class](const Row& row) {
@@ -89,7 +96,7 @@ std::vector<Column> make_columns() {
         column("width", &Row::width, "of the picture, px"),
         column("height", &Row::height, "of the picture, px"),
         column("threads", &Row::threads, "the method might use"),
-        column("seed", &Row::seed, "as given; nothing is random yet"),
+        column("seed", &Row::seed, "as given: of chance pictures and of drawing scenes again"),
         column("params", &Row::params, "every parameter, key=value;key=value"),
         column("status", &Row::status, "ok, or why there are no metrics"),
         column("f_2px", &Row::f_2px, "F of one-to-one matches within 2 px, 0..1"),
@@ -117,6 +124,16 @@ std::vector<Column> make_columns() {
         counted("missing", &Row::missing, "true pixels with no drawn one in reach"),
         counted("k_1px", &Row::k_1px, "matches within 1 px"),
         counted("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
+        chance(
+            "f_chance_2px",
+            [](const score::CurveCount& c) { return c.f(); },
+            "F of a random picture of as many pixels, within 2 px"),
+        chance(
+            "k_chance_2px", [](const score::CurveCount& c) { return c.k; }, "its matches"),
+        chance(
+            "n_pred_chance",
+            [](const score::CurveCount& c) { return c.n_pred; },
+            "its drawn pixels that count"),
         truth_px("contour"),
         truth_px("boundary"),
         truth_px("crease"),

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "score/score.h"
+
 namespace ink::lab {
 
 /// One cell of an experiment: one method, with its settings, on one view; one row of rows.csv.
@@ -40,6 +42,12 @@ struct Row {
     std::int64_t missing = 0;
     std::int64_t k_1px = 0;  ///< counts at 1 px; n_truth is the same
     std::int64_t n_pred_1px = 0;
+    /// Counts at each of kLadder_px (lab/cell.h): lines of ladder.csv, not columns here. Empty
+    /// where they were not asked for.
+    std::vector<score::CurveCount> ladder = {};
+    /// Counts at 2 px of a random picture of n_pred pixels (score/chance.h); nothing where it was
+    /// not asked for.
+    std::optional<score::CurveCount> chance = {};
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
     std::optional<std::int64_t> draw_ns;      ///< median over repetitions

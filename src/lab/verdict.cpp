@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "lab/leads.h"
 #include "truth/line_class.h"
 
 namespace ink::lab {
@@ -44,7 +45,7 @@ std::vector<Column> main_columns() {
         share_column("F 2px", &MethodSummary::f_2px),
         share_column("train", &MethodSummary::f_train),
         share_column("held-out", &MethodSummary::f_heldout),
-        share_column("mean", &MethodSummary::f_mean),
+        share_column("macro", &MethodSummary::f_macro),
         share_column("median", &MethodSummary::f_median),
         share_column("F 1px", &MethodSummary::f_1px),
         share_column("prec.", &MethodSummary::precision),
@@ -149,8 +150,8 @@ std::string cost_of(const Verdict& verdict) {
 /// A lead that chance could have made is said to be one.
 std::string doubt(const std::vector<Row>& rows, const Verdict& verdict) {
     if (verdict.runner_up == nullptr) return "";
-    const auto lead = f_lead(rows, verdict.best->method, verdict.runner_up->method);
-    if (!lead || lead->low > 0) return "";
+    const auto lead = lead_of(rows, verdict.best->method, verdict.runner_up->method);
+    if (!lead || !lead->range || lead->is_beyond_chance()) return "";
     return fmt::format(
         " These views cannot tell it from {} (F {}): the 95 % interval of the "
         "difference holds 0.",

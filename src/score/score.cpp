@@ -105,27 +105,40 @@ std::int64_t count(const edge::Mask& mask) {
     return std::count(mask.data(), mask.data() + mask.size(), std::uint8_t{1});
 }
 
-/// Threshold, thin, band, ignore.
-Drawing drawn_pixels(const edge::EdgeImage& prediction,
-                     int threshold,
-                     const TruthLists& lists,
-                     const ScoreOptions& options) {
+/// Threshold, thin, band.
+Drawing thin_pixels(const edge::EdgeImage& prediction, int threshold, const ScoreOptions& options) {
     edge::Mask mask = edge::threshold(prediction, threshold);
     const auto n_drawn = static_cast<double>(count(mask));
     if (options.thin) mask = edge::thin(mask);
     const auto n_thin = static_cast<double>(count(mask));
     clear_band(mask, options.band_px);
-    Drawing drawing{PixelList(mask), n_thin > 0 ? n_drawn / n_thin : 0};
-    if (!lists.ignore.is_empty()) {
-        std::vector<std::uint8_t> is_dropped =
-            within_reach(drawing.pixels, lists.ignore, lists.disk);
-        const auto has_truth = within_reach(drawing.pixels, lists.truth, lists.disk);
-        for (std::size_t i = 0; i < is_dropped.size(); ++i) {
-            if (has_truth[i] != 0) is_dropped[i] = 0;
-        }
-        drawing.pixels.drop(is_dropped);
+    return {PixelList(mask), n_thin > 0 ? n_drawn / n_thin : 0};
+}
+
+/// Drops what has an ignored pixel and no true one in reach.
+void drop_ignored(const TruthLists& lists, PixelList& drawn) {
+    if (lists.ignore.is_empty()) return;
+    std::vector<std::uint8_t> is_dropped = within_reach(drawn, lists.ignore, lists.disk);
+    const auto has_truth = within_reach(drawn, lists.truth, lists.disk);
+    for (std::size_t i = 0; i < is_dropped.size(); ++i) {
+        if (has_truth[i] != 0) is_dropped[i] = 0;
     }
+    drawn.drop(is_dropped);
+}
+
+Drawing drawn_pixels(const edge::EdgeImage& prediction,
+                     int threshold,
+                     const TruthLists& lists,
+                     const ScoreOptions& options) {
+    Drawing drawing = thin_pixels(prediction, threshold, options);
+    drop_ignored(lists, drawing.pixels);
     return drawing;
+}
+
+CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
+    return {.k = match_pixels(drawn, lists.truth, lists.disk).k,
+            .n_pred = static_cast<std::int64_t>(drawn.size()),
+            .n_truth = static_cast<std::int64_t>(lists.truth.size())};
 }
 
 /// Each class against all that is drawn, with a matching of its own: which of the equally good
@@ -146,6 +159,17 @@ std::vector<ClassCount> match_classes(const PixelList& drawn,
 }  // namespace
 
 double Score::f() const {
+    return CurveCount{k, n_pred, n_truth}.f();
+}
+
+CurveCount& CurveCount::operator+=(const CurveCount& other) {
+    k += other.k;
+    n_pred += other.n_pred;
+    n_truth += other.n_truth;
+    return *this;
+}
+
+double CurveCount::f() const {
     const std::int64_t all = n_pred + n_truth;
     return all > 0 ? 2.0 * static_cast<double>(k) / static_cast<double>(all) : 1.0;
 }
@@ -232,11 +256,30 @@ std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
         }
         n_before = n_drawn;
         const Drawing drawing = drawn_pixels(prediction, threshold, lists, options);
-        curve[i] = {.k = match_pixels(drawing.pixels, lists.truth, lists.disk).k,
-                    .n_pred = static_cast<std::int64_t>(drawing.pixels.size()),
-                    .n_truth = static_cast<std::int64_t>(lists.truth.size())};
+        curve[i] = match_counts(drawing.pixels, lists);
     }
     return curve;
+}
+
+std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
+                                     const ScoringTruth& truth,
+                                     const ScoreOptions& options,
+                                     std::span<const double> tolerances_px) {
+    std::vector<CurveCount> ladder;
+    if (tolerances_px.empty()) return ladder;
+    ScoreOptions at = options;
+    at.tolerance_px = tolerances_px.front();
+    TruthLists lists = list_truth(prediction, truth, at);
+    const Drawing drawing = thin_pixels(prediction, options.threshold, options);
+    for (const double tolerance_px : tolerances_px) {
+        at.tolerance_px = tolerance_px;
+        check(at);
+        lists.disk = Disk(tolerance_px);
+        PixelList drawn = drawing.pixels;
+        drop_ignored(lists, drawn);
+        ladder.push_back(match_counts(drawn, lists));
+    }
+    return ladder;
 }
 
 double average_precision(const std::array<CurveCount, 99>& curve) {

@@ -111,7 +111,7 @@ TEST(VerdictTable, SaysSoIfALeadMayBeChance) {
     for (int i = 0; i < 8; ++i) {
         Row even = made_up_row("even", 0.7, 3);
         Row moody = made_up_row("moody", i % 2 == 0 ? 0.5 : 0.91, 3);
-        even.view = moody.view = std::to_string(i);
+        even.scene = moody.scene = std::to_string(i);
         rows.insert(rows.end(), {even, moody});
     }
     EXPECT_THAT(verdict_table(rows), HasSubstr("These views cannot tell it from even (F .700)"));
