@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "lab/compare.h"
+#include "lab/statistics.h"
 #include "lab/verdict.h"
 
 namespace ink::cli {
@@ -26,6 +27,8 @@ struct CompareArgs {
     double crease_deg = 40;
     int threads = 1;
     int repetitions = 15;
+    bool no_sweep = false;
+    int sweep_views = 1;
     std::string seed = "0";
 };
 
@@ -45,6 +48,12 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     }
     options.measure.max_repetitions = args.repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
+    options.sweep.measure.threads = options.measure.threads;
+    if (args.sweep_views < 1 || args.sweep_views > 10000) {
+        throw core::Error(
+            "--sweep-views", fmt::format("{} is not possible", args.sweep_views), "1..10000");
+    }
+    options.sweep.views = args.no_sweep ? 0 : args.sweep_views;
     options.trace.truth.crease_rad = checked_crease_rad(args.crease_deg);
     options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
@@ -58,13 +67,8 @@ void run_compare(const CompareArgs& args, const std::string& command_line) {
     options.command = command_line;
     const lab::CompareResult result =
         lab::compare(lab::load_subjects(names_of(args), view_request(args.views)), options);
-    fmt::print("{}\n", lab::verdict_table(result.rows));
-    for (const lab::OdsPoint& point : result.ods) {
-        fmt::print("{}: best threshold over these training scenes {} (F {:.3f} pooled)\n",
-                   point.method,
-                   point.threshold,
-                   point.f);
-    }
+    fmt::print("{}\n", lab::verdict_table(result.rows, result.curves));
+    fmt::print("{}", lab::threshold_lines(result.rows, result.curves));
     fmt::print("report: {}\n", result.report.string());
     for (const std::string& reason : result.void_reasons) {
         fmt::print(stderr, "inkbench: this run is void: {}\n", reason);
@@ -90,8 +94,10 @@ void add_compare_command(CLI::App& app) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_view_options(*command, args->views);
     command
-        ->add_option(
-            "--out", args->out, "Folder for rows.csv, curves.csv, report.html, verdict.md, figures")
+        ->add_option("--out",
+                     args->out,
+                     "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, report.html, "
+                     "verdict.md, figures")
         ->capture_default_str();
     command->add_option("--crease", args->crease_deg, "Crease angle of the truth, degrees")
         ->capture_default_str();
@@ -99,7 +105,16 @@ void add_compare_command(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
-    command->add_option("--seed", args->seed, "Recorded in the rows")->capture_default_str();
+    command
+        ->add_option(
+            "--sweep-views", args->sweep_views, "Views of each scene on which sweeps are drawn")
+        ->capture_default_str();
+    command->add_flag(
+        "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
+    command
+        ->add_option(
+            "--seed", args->seed, "Of chance pictures and of intervals; recorded in the rows")
+        ->capture_default_str();
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

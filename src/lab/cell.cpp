@@ -54,25 +54,37 @@ std::string join_params(const core::ParamValues& values) {
     return text;
 }
 
-Scored score_picture(const edge::EdgeImage& picture,
-                     const score::ScoringTruth& truth,
-                     int threshold) {
+score::ScoreOptions cell_score_options(int threshold) {
     score::ScoreOptions options;
     options.threshold = threshold;
     options.band_px = kBand_px;
-    Scored scored;
-    options.tolerance_px = kStrictTolerance_px;
-    scored.at_1px = score::score(picture, truth, options);
     options.tolerance_px = kTolerance_px;
+    return options;
+}
+
+Scored score_picture(const edge::EdgeImage& picture,
+                     const score::ScoringTruth& truth,
+                     int threshold) {
+    const score::ScoreOptions options = cell_score_options(threshold);
+    Scored scored;
     scored.at_2px = score::score(picture, truth, options);
+    scored.ladder = score::score_ladder(picture, truth, options, kLadder_px);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
 }
 
 void fill_scores(const Scored& scored, Row& row) {
-    const score::Score& s = scored.at_2px;
+    fill_score_2px(scored.at_2px, row);
+    const score::CurveCount& strict = scored.ladder.front();
+    row.f_1px = strict.f();
+    row.k_1px = strict.k;
+    row.n_pred_1px = strict.n_pred;
+    row.ap = score::average_precision(scored.curve);
+    row.ladder = scored.ladder;
+}
+
+void fill_score_2px(const score::Score& s, Row& row) {
     row.f_2px = s.f();
-    row.f_1px = scored.at_1px.f();
     row.precision_2px = s.precision();
     row.recall_2px = s.recall();
     for (const score::ClassCount& c : s.classes) {
@@ -83,7 +95,6 @@ void fill_scores(const Scored& scored, Row& row) {
         row.truth_px_by_class[name] = c.n_truth;
     }
     if (s.mean_width_px > 0) row.mean_width_px = s.mean_width_px;
-    row.ap = score::average_precision(scored.curve);
     row.k_2px = s.k;
     row.n_pred = s.n_pred;
     row.n_truth = s.n_truth;
@@ -91,8 +102,6 @@ void fill_scores(const Scored& scored, Row& row) {
     row.off_line = s.off_line;
     row.lost = s.lost;
     row.missing = s.missing;
-    row.k_1px = scored.at_1px.k;
-    row.n_pred_1px = scored.at_1px.n_pred;
     row.truth_px = s.n_truth;
 }
 

@@ -14,6 +14,7 @@
 #include "lab/figures.h"
 #include "lab/interrupt.h"
 #include "lab/verdict.h"
+#include "score/chance.h"
 
 namespace ink::lab {
 namespace {
@@ -78,13 +79,21 @@ void fill_place(const Subject& subject,
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
+/// Each view has random pictures of its own; the same of a seed, whatever else takes part.
+std::uint64_t chance_seed(const Row& row) {
+    return core::Hasher().value(row.seed).text(row.scene).text(row.view).result();
+}
+
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
+    const score::Chance chance(
+        truth.scoring, cell_score_options(255), chance_seed(shots.front().row));
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
+        shot.row.chance = chance.counts(shot.row.n_pred);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
     for (Shot& shot : shots) {
@@ -124,7 +133,16 @@ class Comparison {
     explicit Comparison(const CompareOptions& options)
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
-          curves_(options.out / "curves.csv", curve_columns()) {}
+          curves_(options.out / "curves.csv", curve_columns()),
+          ladder_(options.out / "ladder.csv", ladder_columns()) {
+        const auto sweep = options.out / "sweep.csv";
+        if (options.sweep.views > 0) {
+            sweep_.emplace(sweep, row_columns());
+        } else {
+            std::error_code ignored;
+            std::filesystem::remove(sweep, ignored);  // an older run's would pass for this one's
+        }
+    }
 
     void run_subject(const Subject& subject,
                      const std::function<void(const scene::View&)>& before) {
@@ -143,13 +161,22 @@ class Comparison {
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
-        ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
+        ladder_.finish();
+        if (sweep_) sweep_->finish();
+        ReportData data{options_.command,
+                        result_rows_,
+                        std::move(shown_),
+                        elapsed_s,
+                        std::move(cell_curves_),
+                        std::move(sweep_rows_)};
         write_figures(data, options_.out);
-        core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
+        core::write_whole_file(options_.out / "verdict.md",
+                               verdict_markdown(data.rows, data.curves) + "\n");
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
-                ods_on_training(cell_curves_),
+                std::move(data.curves),
+                std::move(data.sweep),
                 report,
                 is_interrupted(),
                 std::move(void_reasons_)};
@@ -180,6 +207,22 @@ class Comparison {
         if (is_first_view && !truth.traced.labels.is_empty()) {
             shown_.push_back(shown_view(truth, shots));
         }
+        const auto nth = &view - subject.views.data();
+        if (nth < options_.sweep.views && !truth.traced.labels.is_empty()) {
+            run_sweeps(subject, view, truth);
+        }
+    }
+
+    void run_sweeps(const Subject& subject, const scene::View& view, const ViewTruth& truth) {
+        for (const Entrant& entrant : options_.entrants) {
+            if (is_interrupted()) return;
+            for (Row& row :
+                 sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
+                fill_place(subject, view, options_, row);
+                sweep_->write(to_csv(row));
+                sweep_rows_.push_back(std::move(row));
+            }
+        }
     }
 
     void write(const Shot& shot, scene::Split split) {
@@ -187,6 +230,7 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
+        ladder_.write(ladder_csv(shot.row));
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});
@@ -196,8 +240,11 @@ class Comparison {
     const CompareOptions& options_;
     CsvFile rows_;
     CsvFile curves_;
+    CsvFile ladder_;
+    std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
+    std::vector<Row> sweep_rows_;
     std::vector<ShownView> shown_;
     std::vector<std::string> void_reasons_;
 };

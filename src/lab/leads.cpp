@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "lab/bootstrap.h"
 #include "lab/summary.h"
@@ -11,16 +10,10 @@ namespace ink::lab {
 namespace {
 
 using Counts = score::CurveCount;
-using Place = std::tuple<std::string, std::string, int, int>;
-
-Place place(const Row& row) {
-    return {row.scene, row.view, row.width, row.height};
-}
-
 std::map<Place, const Row*> rows_by_place(const std::vector<Row>& rows, const std::string& method) {
     std::map<Place, const Row*> found;
     for (const Row& row : rows) {
-        if (row.method == method && row.is_ok() && row.f_2px) found.emplace(place(row), &row);
+        if (row.method == method && row.is_ok() && row.f_2px) found.emplace(place_of(row), &row);
     }
     return found;
 }

@@ -122,8 +122,8 @@ std::vector<Column> make_columns() {
         counted("off_line", &Row::off_line, "drawn pixels with no true one in reach"),
         counted("lost", &Row::lost, "true pixels left over beside a drawn line"),
         counted("missing", &Row::missing, "true pixels with no drawn one in reach"),
-        counted("k_1px", &Row::k_1px, "matches within 1 px"),
-        counted("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
+        column("k_1px", &Row::k_1px, "matches within 1 px"),
+        column("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
         chance(
             "f_chance_2px",
             [](const score::CurveCount& c) { return c.f(); },
@@ -158,6 +158,10 @@ const std::vector<Column>& columns() {
 }
 
 }  // namespace
+
+Place place_of(const Row& row) {
+    return {row.scene, row.view, row.width, row.height};
+}
 
 const std::vector<std::string>& row_columns() {
     static const std::vector<std::string> kNames = [] {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,8 +41,8 @@ struct Row {
     std::int64_t off_line = 0;
     std::int64_t lost = 0;
     std::int64_t missing = 0;
-    std::int64_t k_1px = 0;  ///< counts at 1 px; n_truth is the same
-    std::int64_t n_pred_1px = 0;
+    std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
+    std::optional<std::int64_t> n_pred_1px;
     /// Counts at each of kLadder_px (lab/cell.h): lines of ladder.csv, not columns here. Empty
     /// where they were not asked for.
     std::vector<score::CurveCount> ladder = {};
@@ -65,7 +66,11 @@ struct Row {
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
 
-/// The columns of rows.csv, in order, provenance last.
+/// Where a row's picture was taken: scene, view, width and height in pixels.
+using Place = std::tuple<std::string, std::string, int, int>;
+[[nodiscard]] Place place_of(const Row& row);
+
+/// The columns of rows.csv and sweep.csv, in order, provenance last.
 [[nodiscard]] const std::vector<std::string>& row_columns();
 
 /// The columns with what each means and its unit, for people.

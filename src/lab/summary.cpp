@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
+#include <string_view>
 #include <tuple>
 
 #include "lab/bootstrap.h"
@@ -14,7 +16,7 @@ namespace {
 using Counts = score::CurveCount;
 
 Counts counts_1px(const Row& row) {
-    return {row.k_1px, row.n_pred_1px, row.n_truth};
+    return {*row.k_1px, *row.n_pred_1px, row.n_truth};
 }
 
 std::optional<double> share(std::int64_t part, std::int64_t whole) {
@@ -73,12 +75,14 @@ std::vector<double> ladder_f(const Rows& rows) {
     return ladder;
 }
 
-std::optional<double> chance_f(const Rows& rows) {
-    Rows tried;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(tried), [](const Row* row) {
-        return row->chance.has_value();
+/// F of the counts of those rows that have them.
+template <class Has, class CountsOf>
+std::optional<double> pooled_where(const Rows& rows, Has has, CountsOf counts_of) {
+    Rows kept;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const Row* row) {
+        return has(*row);
     });
-    return pooled(tried, [](const Row& row) { return *row.chance; });
+    return pooled(kept, counts_of);
 }
 
 /// Recalls weighed by the truth pixels they are shares of. Counts of a class come back from its
@@ -100,6 +104,16 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
     return recalls;
 }
 
+/// The value of `threshold=` among a row's parameters.
+std::optional<int> threshold_of(const Row& row) {
+    constexpr std::string_view kKey = "threshold=";
+    std::size_t at = row.params.find(kKey);
+    while (at != std::string::npos && at > 0 && row.params[at - 1] != ';')
+        at = row.params.find(kKey, at + 1);
+    if (at == std::string::npos) return std::nullopt;
+    return std::atoi(row.params.c_str() + at + kKey.size());
+}
+
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     const auto f_2px = values_of(rows, [](const Row& row) { return row.f_2px; });
     Counts sum;
@@ -108,14 +122,21 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     const std::vector<Counts> scenes = counts_by_scene(rows);
     summary.scenes = static_cast<int>(scenes.size());
     summary.f_2px = pooled(rows, counts_2px);
-    if (!rows.empty()) summary.f_2px_range = f_interval(scenes, {.seed = rows.front()->seed});
+    if (!rows.empty()) {
+        summary.f_2px_range = f_interval(scenes, {.seed = rows.front()->seed});
+        summary.threshold = threshold_of(*rows.front());
+    }
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_macro = macro_f(scenes);
     summary.f_median = quantile(f_2px, 0.5);
-    summary.f_1px = pooled(rows, counts_1px);
+    summary.f_1px = pooled_where(
+        rows, [](const Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);
     summary.f_ladder = ladder_f(rows);
-    summary.f_chance = chance_f(rows);
+    summary.f_chance = pooled_where(
+        rows,
+        [](const Row& row) { return row.chance.has_value(); },
+        [](const Row& row) { return *row.chance; });
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
     summary.recall_by_class = pooled_recalls(rows);

@@ -30,6 +30,7 @@ struct MethodSummary {
     std::optional<double> f_heldout;      ///< pooled over those of held-out scenes
     std::optional<double> f_macro;        ///< mean over scenes of F pooled over each one's views
     std::optional<double> f_median;       ///< over views, each counting alike
+    std::optional<int> threshold;         ///< at which it is scored, from its parameters
     std::vector<double> f_ladder;         ///< pooled, at each of kLadder_px; empty if not scored
     std::optional<double> f_chance;       ///< pooled, of random pictures of as many pixels
     std::optional<CurveSummary> curve;    ///< over thresholds, all its views; see add_curves

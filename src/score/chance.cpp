@@ -20,21 +20,18 @@ Chance::Chance(const ScoringTruth& truth, const ScoreOptions& options, std::uint
     }
 }
 
-CurveCount Chance::counts(std::int64_t n_drawn) {
+CurveCount Chance::counts(std::int64_t n_drawn) const {
     edge::EdgeImage picture(truth_.labels.width_px(), truth_.labels.height_px());
     const std::size_t n =
         std::min(places_.size(), static_cast<std::size_t>(std::max<std::int64_t>(0, n_drawn)));
-    // Fisher and Yates's shuffle, as far as it is needed, undone afterwards so that the next
-    // picture starts from the same order.
     std::mt19937_64 random(seed_);
-    std::vector<std::size_t> swapped(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        swapped[i] = i + static_cast<std::size_t>(random() % (places_.size() - i));
-        std::swap(places_[i], places_[swapped[i]]);
-        picture.data()[places_[i]] = 255;
+    // Floyd's sampling without replacement (Bentley and Floyd, CACM 30(9), 1987): a place that is
+    // drawn again gives way to the newest, which cannot have been drawn yet.
+    for (std::size_t newest = places_.size() - n; newest < places_.size(); ++newest) {
+        const auto any = static_cast<std::size_t>(random() % (newest + 1));
+        const bool is_taken = picture.data()[places_[any]] != 0;
+        picture.data()[places_[is_taken ? newest : any]] = 255;
     }
-    for (std::size_t i = n; i-- > 0;)
-        std::swap(places_[i], places_[swapped[i]]);
     const double tolerance_px[] = {options_.tolerance_px};
     return score_ladder(picture, truth_, options_, tolerance_px).front();
 }

@@ -20,9 +20,8 @@ class Chance {
     /// `truth` must outlive this; the same seed gives the same pictures everywhere.
     Chance(const ScoringTruth& truth, const ScoreOptions& options, std::uint64_t seed);
 
-    /// The counts of a random picture of `n_drawn` pixels (all there are, if they are fewer). The
-    /// picture of n pixels holds those of every smaller one.
-    [[nodiscard]] CurveCount counts(std::int64_t n_drawn);
+    /// The counts of a random picture of `n_drawn` pixels (of all there are, if they are fewer).
+    [[nodiscard]] CurveCount counts(std::int64_t n_drawn) const;
 
   private:
     const ScoringTruth& truth_;
