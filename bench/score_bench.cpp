@@ -4,11 +4,19 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
+#include "score/cracks.h"
+#include "score/drawing.h"
+#include "score/false_ink.h"
+#include "score/line_width.h"
+#include "score/matching.h"
+#include "score/offset.h"
 #include "score/score.h"
+#include "truth/cracks.h"
 
 namespace ink::bench {
 namespace {
@@ -19,6 +27,7 @@ constexpr int kBand_px = 6;
 /// A drawing by an unsteady hand, and what it should have been.
 struct Drawing {
     core::Image<std::uint8_t> truth{kWidth_px, kHeight_px};
+    std::vector<truth::Curve> curves;  ///< the same lines, sub-pixel
     edge::EdgeImage strength{kWidth_px, kHeight_px};
     int truth_px = 0;
 };
@@ -39,10 +48,20 @@ void add_circle(Drawing& drawing, std::mt19937& random) {
     const double y = below(kHeight_px);
     const int steps = static_cast<int>(radius * 8);
     const int line_class = 1 + below(3);
-    for (int step = 0; step < steps; ++step) {
+    const auto at = [&](int step) {
         const double turn = 2 * std::numbers::pi * step / steps;
-        const double u = x + radius * std::cos(turn);
-        const double v = y + radius * std::sin(turn);
+        return truth::CurvePoint{x + radius * std::cos(turn), y + radius * std::sin(turn), 1};
+    };
+    for (int step = 0; step < steps; ++step) {
+        truth::Curve piece;
+        piece.line_class = static_cast<truth::LineClass>(line_class);
+        piece.begin = at(step);
+        piece.end = at(step + 1);
+        drawing.curves.push_back(piece);
+    }
+    for (int step = 0; step < steps; ++step) {
+        const double u = at(step).x_px;
+        const double v = at(step).y_px;
         set(drawing.truth, u, v, line_class);
         if (below(100) < 3) step += below(20);
         const double shake = below(300) / 100.0 - 1.5;
@@ -123,6 +142,105 @@ void time_curve(benchmark::State& state) {
     state.SetLabel(core::Hasher().value(ap).hex());
 }
 
+/// A drawing with its truth made ready, for the stages one by one.
+struct Stage {
+    score::ScoreOptions options = options_of_compare();
+    Drawing drawing = make_drawing(options);
+    score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
+    score::TruthLists lists = score::list_truth(truth, options);
+    score::Strokes strokes = score::make_strokes(drawing.strength, options.threshold, options);
+    score::PixelList drawn = score::counted_pixels(strokes.thinned, lists, options);
+};
+
+void time_thin(benchmark::State& state) {
+    Stage stage;
+    for (auto _ : state) {
+        stage.strokes =
+            score::make_strokes(stage.drawing.strength, stage.options.threshold, stage.options);
+    }
+    state.SetLabel(core::image_hash(stage.strokes.thinned));
+}
+
+/// Band, ignore and the list of what is left; the copy of the mask is part of it.
+void time_band(benchmark::State& state) {
+    Stage stage;
+    for (auto _ : state)
+        stage.drawn = score::counted_pixels(stage.strokes.thinned, stage.lists, stage.options);
+    state.SetLabel(core::Hasher().value(stage.drawn.size()).hex());
+}
+
+void time_lists(benchmark::State& state) {
+    Stage stage;
+    for (auto _ : state)
+        stage.lists = score::list_truth(stage.truth, stage.options);
+    state.SetLabel(core::Hasher().value(stage.lists.truth.size()).hex());
+}
+
+void time_matching(benchmark::State& state) {
+    const Stage stage;
+    score::MatchCounts counts;
+    for (auto _ : state)
+        counts = score::match_pixels(stage.drawn, stage.lists.truth, stage.lists.disk);
+    state.SetLabel(core::Hasher().value(counts.k).hex());
+}
+
+/// A thresholded picture against cracks that are ready.
+void time_cracks(benchmark::State& state) {
+    const Stage stage;
+    const auto cracks =
+        score::prepare_cracks(truth::draw_cracks(stage.drawing.curves, kWidth_px, kHeight_px),
+                              stage.truth,
+                              stage.options);
+    score::CrackScore result;
+    for (auto _ : state)
+        result = score::score_cracks(stage.strokes.drawn, cracks);
+    state.SetLabel(core::Hasher()
+                       .value(result.n_drawn)
+                       .value(result.n_beside)
+                       .value(result.all.n_found)
+                       .value(result.all.n_truth)
+                       .hex());
+}
+
+/// Offsets, widths and false ink of a picture that is thinned already.
+void time_place(benchmark::State& state) {
+    const Stage stage;
+    const auto nearest = score::find_nearest_curves(stage.drawing.curves, kWidth_px, kHeight_px);
+    const auto probes = score::place_probes(stage.drawing.curves, stage.truth, stage.options);
+    const auto ink = score::prepare_ink(stage.truth, stage.options);
+    score::Offsets offsets;
+    score::Widths widths;
+    score::InkCount counts;
+    for (auto _ : state) {
+        offsets = score::measure_offsets(stage.drawn, nearest);
+        widths = score::measure_widths(stage.strokes.drawn, probes);
+        counts = score::count_ink(stage.strokes.drawn, ink);
+    }
+    state.SetLabel(core::Hasher()
+                       .value(offsets.all.n)
+                       .value(offsets.all.sum)
+                       .value(widths.all.n)
+                       .value(widths.all.sum)
+                       .value(counts.n_false)
+                       .hex());
+}
+
+/// What cracks and place need of a truth, once a view.
+void time_prepare_curves(benchmark::State& state) {
+    const Stage stage;
+    const auto& curves = stage.drawing.curves;
+    std::size_t n = 0;
+    for (auto _ : state) {
+        const auto cracks = score::prepare_cracks(
+            truth::draw_cracks(curves, kWidth_px, kHeight_px), stage.truth, stage.options);
+        const auto nearest = score::find_nearest_curves(curves, kWidth_px, kHeight_px);
+        const auto probes = score::place_probes(curves, stage.truth, stage.options);
+        const auto ink = score::prepare_ink(stage.truth, stage.options);
+        n = cracks.cracks.size() + nearest.offsets.size() + probes.size() + ink.verdict.size();
+    }
+    state.SetLabel(core::Hasher().value(n).hex());
+}
+
 }  // namespace
 
 void add_score_benchmarks() {
@@ -132,6 +250,13 @@ void add_score_benchmarks() {
     add("score/36k", time_score);
     add("score/36k/prepare", time_prepare_and_score);
     add("score/36k/curve", time_curve);
+    add("score/36k/thin", time_thin);
+    add("score/36k/band", time_band);
+    add("score/36k/lists", time_lists);
+    add("score/36k/matching", time_matching);
+    add("score/36k/cracks", time_cracks);
+    add("score/36k/place", time_place);
+    add("score/36k/prepare_curves", time_prepare_curves);
 }
 
 }  // namespace ink::bench

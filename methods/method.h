@@ -9,8 +9,11 @@
 #include "core/param.h"
 #include "edge/edge_image.h"
 #include "edge/laplacian.h"
+#include "methods/depth_code.h"
 #include "raster/depth.h"
+#include "raster/pass.h"
 #include "scene/scene.h"
+#include "scene/surface.h"
 
 namespace ink::methods {
 
@@ -20,14 +23,30 @@ struct Frame {
     int threads = 1;  ///< 1 is plain serial; the picture must not depend on it
 };
 
+/// What a linear code reads of the surface, and how it comes to the pixels.
+struct CodeInputs {
+    scene::NormalSource normals = scene::NormalSource::patch;
+    double crease_rad = 0;  ///< bend from which on an edge parts two patches
+    RangeSource depth_range = RangeSource::fit;
+    raster::Interpolation interpolation = raster::Interpolation::affine;
+    bool at_vertices = true;  ///< summed at vertices and interpolated; else summed at pixels
+    bool renormalise = false;
+};
+
 /// A method whose code is a linear sum may declare it: the cost model, the planner and the
 /// cancellation study read this, nothing else.
+///
+/// A pixel's code is offset + depth_weight * depth + the normal's share, rounded to nearest;
+/// `sky_code` where nothing is seen.
 struct LinearCode {
     raster::DepthEncoding encoding = raster::DepthEncoding::inverse;
+    double offset = 0;
     double depth_weight = 0;       ///< code units for depth 0..1 (near = high)
     double normal_weight[3] = {};  ///< code units for each view-space component's 0..1, (n+1)/2
+    int sky_code = 0;
     int bits = 8;
     bool wraps = false;  ///< else it saturates
+    CodeInputs inputs;
     edge::LaplacianResponse response;
 };
 

@@ -1,5 +1,7 @@
 #include "methods/packed_buffer.h"
 
+#include <glm/trigonometric.hpp>
+
 namespace ink::methods {
 namespace {
 
@@ -27,15 +29,25 @@ PackedBuffer::PackedBuffer(const PackParams& params, CodeLayout layout)
 
 std::optional<LinearCode> PackedBuffer::code() const {
     const CodeLayout& layout = packer_.layout();
-    if (layout.fields.size() != 1 || params_.quantise != Quantise::sum) return std::nullopt;
+    const bool is_one_sum = layout.fields.size() == 1 && params_.quantise == Quantise::sum;
+    if (!is_one_sum || params_.fatten) return std::nullopt;
     const Ranges& ranges = layout.fields.front().ranges;
     LinearCode code;
     code.encoding = params_.depth_encoding;
-    code.depth_weight = params_.depth_sign == DepthSign::near_high ? ranges.depth : -ranges.depth;
+    const bool is_near_high = params_.depth_sign == DepthSign::near_high;
+    code.depth_weight = is_near_high ? ranges.depth : -ranges.depth;
+    code.offset = is_near_high ? 0 : ranges.depth;
     for (int i = 0; i < 3; ++i)
         code.normal_weight[i] = ranges.normal[i];
     code.bits = layout.bits();
     code.wraps = params_.overflow == raster::Overflow::wrap;
+    code.sky_code = params_.sky;
+    code.inputs = {.normals = params_.normals,
+                   .crease_rad = glm::radians(params_.crease_deg),
+                   .depth_range = params_.depth_range,
+                   .interpolation = params_.interpolation,
+                   .at_vertices = params_.packing == Packing::vertex,
+                   .renormalise = params_.renormalise};
     code.response = {.response = params_.response,
                      .clip_bits = params_.clip_bits,
                      .scale_bits = params_.scale_bits,

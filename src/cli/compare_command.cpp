@@ -24,7 +24,7 @@ struct CompareArgs {
     ViewOptions views;
     std::string out = "inkbench-out";
     CacheOptions cache;
-    double crease_deg = 40;
+    TruthSettings truth;
     int threads = 1;
     int repetitions = 15;
     bool no_sweep = false;
@@ -54,7 +54,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
             "--sweep-views", fmt::format("{} is not possible", args.sweep_views), "1..10000");
     }
     options.sweep.views = args.no_sweep ? 0 : args.sweep_views;
-    options.trace.truth.crease_rad = checked_crease_rad(args.crease_deg);
+    apply(args.truth, options.trace.truth);
     options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
@@ -99,8 +99,7 @@ void add_compare_command(CLI::App& app) {
                      "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, report.html, "
                      "verdict.md, figures")
         ->capture_default_str();
-    command->add_option("--crease", args->crease_deg, "Crease angle of the truth, degrees")
-        ->capture_default_str();
+    add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
         ->capture_default_str();
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
+#include "lab/exr_layers.h"
 #include "lab/picture.h"
 
 namespace ink::cli {
@@ -39,14 +40,18 @@ void run_draw(const DrawArgs& args) {
     }
     const lab::Entrant entrant = lab::make_entrants(args.method, args.settings).front();
     const int threads = checked_threads(args.threads);
-    check_png_path(args.file);
+    check_output_path(args.file, {".png", ".exr"});
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
     const auto strengths = lab::draw_strengths(subject, entrant, threads);
-    if (args.strength) {
-        lab::write_strengths(strengths, args.file);
+    const std::filesystem::path path = args.file;
+    if (path.extension() == ".exr") {
+        const auto picture = lab::compose_drawing(subject, entrant, strengths, shading);
+        lab::write_drawing_exr(subject, entrant, strengths, picture, path);
+    } else if (args.strength) {
+        lab::write_strengths(strengths, path);
     } else {
-        lab::write_drawing(subject, entrant, strengths, shading, args.file);
+        lab::write_drawing(subject, entrant, strengths, shading, path);
     }
     fmt::print("{}\n", args.file);
 }
@@ -57,7 +62,7 @@ void add_draw_command(CLI::App& app) {
     auto args = std::make_shared<DrawArgs>();
     auto* command = app.add_subcommand("draw", "Draw one picture with one method");
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
-    command->add_option("-o,--output", args->file, "PNG file to write")->required();
+    command->add_option("-o,--output", args->file, "PNG or EXR file to write")->required();
     command->add_option("--method,--methods", args->method, "Method")->capture_default_str();
     command->add_option("--set", args->settings, "A parameter: key=value")
         ->expected(1)
@@ -66,9 +71,11 @@ void add_draw_command(CLI::App& app) {
     add_view_options(*command, args->views);
     command->add_option("--shading", args->shading, "Under the lines: none, gouraud")
         ->capture_default_str();
-    command->add_flag("--strength",
-                      args->strength,
-                      "Write the strengths (grey) instead of black lines, for inkbench score");
+    command->add_flag(
+        "--strength",
+        args->strength,
+        "Write the strengths (grey) instead of black lines, for inkbench score; an EXR "
+        "has both anyway");
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
     command->footer(
         "Example: inkbench draw torus --method decaudin --shading gouraud -o torus.png");

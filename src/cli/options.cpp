@@ -16,6 +16,7 @@ namespace ink::cli {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
 template <class T>
 bool parse_whole(std::string_view text, T& value) {
@@ -125,13 +126,31 @@ std::uint64_t parse_seed(const std::string& text) {
     return seed;
 }
 
-double checked_crease_rad(double crease_deg) {
-    if (!(crease_deg >= 0 && crease_deg <= 180)) {
-        throw core::Error("--crease",
-                          fmt::format("the crease angle cannot be {:g} degrees", crease_deg),
-                          "0..180");
+void add_truth_settings(CLI::App& command, TruthSettings& settings) {
+    command.add_option("--crease", settings.crease_deg, "Crease angle of the truth, degrees")
+        ->capture_default_str();
+    command
+        .add_option("--weld-epsilon",
+                    settings.weld_epsilon,
+                    "Weld vertices this near to each other, as a share of their part's diagonal "
+                    "(0: at the same place only)")
+        ->capture_default_str();
+}
+
+void apply(const TruthSettings& settings, truth::TruthOptions& options) {
+    if (!(settings.crease_deg >= 0 && settings.crease_deg <= 180)) {
+        throw core::Error(
+            "--crease",
+            fmt::format("the crease angle cannot be {:g} degrees", settings.crease_deg),
+            "0..180");
     }
-    return crease_deg * kRadPerDeg;
+    if (!(settings.weld_epsilon >= 0 && settings.weld_epsilon <= kMaxWeldEpsilon)) {
+        throw core::Error("--weld-epsilon",
+                          fmt::format("it cannot be {:g}", settings.weld_epsilon),
+                          fmt::format("0..{:g}", kMaxWeldEpsilon));
+    }
+    options.crease_rad = settings.crease_deg * kRadPerDeg;
+    options.weld_epsilon = settings.weld_epsilon;
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {
@@ -151,10 +170,12 @@ std::filesystem::path cache_folder(const CacheOptions& options) {
     return {};
 }
 
-void check_png_path(const std::filesystem::path& path) {
-    if (path.extension() != ".png") {
-        throw core::Error(
-            path.string(), "this is not the name of a PNG file", "a name that ends in .png");
+void check_output_path(const std::filesystem::path& path,
+                       const std::vector<std::string>& extensions) {
+    if (std::find(extensions.begin(), extensions.end(), path.extension()) == extensions.end()) {
+        throw core::Error(path.string(),
+                          "this is not the name of such a file",
+                          fmt::format("a name that ends in {}", fmt::join(extensions, " or ")));
     }
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder)) {

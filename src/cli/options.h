@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/suite.h"
+#include "lab/tracing.h"
 
 namespace ink::cli {
 
@@ -34,8 +35,18 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// parser would turn -1 into the largest one without a word.
 [[nodiscard]] std::uint64_t parse_seed(const std::string& text);
 
-/// --crease as given, in radians, or an Error unless 0..180 degrees.
-[[nodiscard]] double checked_crease_rad(double crease_deg);
+/// What a command lets its user say of the truth.
+struct TruthSettings {
+    double crease_deg = 40;
+    double weld_epsilon = 0;
+};
+
+/// Adds --crease and --weld-epsilon to a command.
+void add_truth_settings(CLI::App& command, TruthSettings& settings);
+
+/// Writes the settings into `options`. Throws core::Error (where = the option) for numbers out of
+/// range.
+void apply(const TruthSettings& settings, truth::TruthOptions& options);
 
 /// Where traced truths are kept.
 struct CacheOptions {
@@ -49,8 +60,10 @@ void add_cache_options(CLI::App& command, CacheOptions& options);
 /// The folder the options mean; empty if truths are not to be kept or there is no home for them.
 [[nodiscard]] std::filesystem::path cache_folder(const CacheOptions& options);
 
-/// Throws core::Error unless a PNG can be written to `path`: its name ends in .png, and its folder
-/// is there and writable. Called before any work, so that an hour is not lost to a typing error.
-void check_png_path(const std::filesystem::path& path);
+/// Throws core::Error unless a file can be written to `path`: its name ends in one of `extensions`
+/// (".png", ".exr", ...), and its folder is there and writable. Called before any work, so that an
+/// hour is not lost to a typing error.
+void check_output_path(const std::filesystem::path& path,
+                       const std::vector<std::string>& extensions);
 
 }  // namespace ink::cli

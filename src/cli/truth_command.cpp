@@ -7,6 +7,9 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/whole_file.h"
+#include "lab/exr_layers.h"
+#include "lab/outline_svg.h"
 #include "lab/picture.h"
 #include "lab/tracing.h"
 
@@ -18,26 +21,45 @@ struct TruthArgs {
     std::string view;
     ViewOptions views;
     std::optional<std::string> file;
+    std::optional<std::string> svg;
     std::optional<std::string> picture;
     std::optional<std::string> sampled;
     CacheOptions cache;
-    double crease_deg = 40;
+    TruthSettings truth;
     int threads = core::hardware_threads();
 };
 
+/// In the format that the name asks for.
+void write_truth(const lab::Subject& subject,
+                 const truth::TruthOptions& options,
+                 const truth::Truth& truth,
+                 const std::filesystem::path& path) {
+    if (path.extension() == ".exr") {
+        lab::write_truth_exr(subject, options, truth, path);
+    } else if (path.extension() == ".svg") {
+        core::write_whole_file(path,
+                               lab::outline_svg(truth, subject.scene.name, subject.views.front()));
+    } else {
+        lab::write_truth_labels(truth, path);
+    }
+}
+
 void run_truth(const TruthArgs& args) {
     lab::TraceOptions options;
-    options.truth.crease_rad = checked_crease_rad(args.crease_deg);
+    apply(args.truth, options.truth);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
-    for (const auto& file : {args.file, args.picture, args.sampled}) {
-        if (file) check_png_path(*file);
+    if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
+    if (args.svg) check_output_path(*args.svg, {".svg"});
+    for (const auto& file : {args.picture, args.sampled}) {
+        if (file) check_output_path(*file, {".png"});
     }
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
     truth::SceneModel model(subject.scene, options.truth);
     const lab::ViewTruth truth = lab::trace_view(model, subject.views.front(), options.cache);
-    if (args.file) lab::write_truth_labels(truth.traced, *args.file);
+    if (args.file) write_truth(subject, options.truth, truth.traced, *args.file);
+    if (args.svg) write_truth(subject, options.truth, truth.traced, *args.svg);
     if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);
     if (args.sampled) lab::write_strengths(truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
@@ -54,13 +76,14 @@ void add_truth_command(CLI::App& app) {
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("-o,--output",
                         args->file,
-                        "PNG of class numbers (1 contour, 2 boundary, 3 crease, 5 seam, 7 ignore)");
+                        "By its ending: .png of class numbers (1 contour, 2 boundary, 3 crease, 4 "
+                        "intersection, 5 seam, 7 ignore), .exr of all layers, .svg of the curves");
+    command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes");
     command->add_option("--picture", args->picture, "PNG with a colour per class");
     command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
-    command->add_option("--crease", args->crease_deg, "Crease angle, degrees")
-        ->capture_default_str();
+    add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
     add_cache_options(*command, args->cache);
     command->footer(

@@ -1,7 +1,5 @@
 #include "image_io/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/whole_file.h"
+#include "image_io/open_image_io.h"
 
 namespace ink::image_io {
 namespace {
@@ -21,14 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr const char* kAccepted = "an 8-bit grey or colour image, such as a PNG";
-
-/// Another library's message on one line, short enough for one.
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    constexpr std::size_t kLongest = 160;
-    if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
-    return text;
-}
 
 /// What the file system alone can tell to be wrong.
 void check_file(const fs::path& path) {

@@ -54,20 +54,22 @@ std::string join_params(const core::ParamValues& values) {
     return text;
 }
 
-score::ScoreOptions cell_score_options(int threshold) {
+score::ScoreOptions score_options(int threshold) {
     score::ScoreOptions options;
+    options.tolerance_px = kTolerance_px;
     options.threshold = threshold;
     options.band_px = kBand_px;
-    options.tolerance_px = kTolerance_px;
+    options.ignore_label = static_cast<int>(truth::LineClass::ignore);
     return options;
 }
 
 Scored score_picture(const edge::EdgeImage& picture,
                      const score::ScoringTruth& truth,
                      int threshold) {
-    const score::ScoreOptions options = cell_score_options(threshold);
+    const score::ScoreOptions options = score_options(threshold);
     Scored scored;
     scored.at_2px = score::score(picture, truth, options);
+    scored.wrong_2px = score::wrong_pixels(picture, truth, options);
     scored.ladder = score::score_ladder(picture, truth, options, kLadder_px);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
@@ -81,6 +83,7 @@ void fill_scores(const Scored& scored, Row& row) {
     row.n_pred_1px = strict.n_pred;
     row.ap = score::average_precision(scored.curve);
     row.ladder = scored.ladder;
+    row.causes = scored.attribution.counts;
 }
 
 void fill_score_2px(const score::Score& s, Row& row) {

@@ -10,6 +10,7 @@
 #include "lab/entrants.h"
 #include "lab/row.h"
 #include "lab/tracing.h"
+#include "score/attribution.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -36,10 +37,12 @@ struct Scored {
     score::Score at_2px;
     std::vector<score::CurveCount> ladder;  ///< at each of kLadder_px, 1 px first
     std::array<score::CurveCount, 99> curve{};
+    score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
+    score::Attribution attribution;  ///< why: empty until attribute_errors() (miss_prediction.h)
 };
 
-/// How every cell is scored at `threshold`: 2 px apart, without what lies at the frame.
-[[nodiscard]] score::ScoreOptions cell_score_options(int threshold);
+/// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
+[[nodiscard]] score::ScoreOptions score_options(int threshold);
 
 /// Scores `picture` at `threshold` with all tolerances and the whole curve at 2 px.
 [[nodiscard]] Scored score_picture(const edge::EdgeImage& picture,

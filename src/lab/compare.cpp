@@ -13,8 +13,11 @@
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
+#include "lab/line_scores.h"
+#include "lab/miss_prediction.h"
 #include "lab/verdict.h"
 #include "score/chance.h"
+#include "truth/curve_facts.h"
 
 namespace ink::lab {
 namespace {
@@ -24,7 +27,9 @@ struct Shot {
     Row row;
     edge::EdgeImage picture;
     int threshold = 128;
+    std::optional<methods::LinearCode> code;
     Scored scored;
+    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -59,6 +64,7 @@ std::vector<Shot> method_shots(std::vector<std::unique_ptr<PreparedMethod>>& met
         shots[i].row = methods[i]->row();
         shots[i].picture = std::move(pictures[i]);
         shots[i].threshold = methods[i]->threshold();
+        if (methods[i]->failure().empty()) shots[i].code = methods[i]->method().code();
         if (!times[i].failure.empty()) shots[i].row.status = times[i].failure;
         fill_times(std::move(times[i].draw_ns), shots[i].row);
     }
@@ -76,6 +82,7 @@ void fill_place(const Subject& subject,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
+    row.weld_epsilon = options.trace.truth.weld_epsilon;
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
@@ -84,9 +91,27 @@ std::uint64_t chance_seed(const Row& row) {
     return core::Hasher().value(row.seed).text(row.scene).text(row.view).result();
 }
 
+/// Why each shot is wrong where it is. One after the other: they share what is kept of the scene.
+void attribute_shots(const ViewTruth& truth,
+                     const scene::View& view,
+                     MissPredictor& predictor,
+                     std::vector<Shot>& shots) {
+    for (Shot& shot : shots) {
+        if (!shot.row.is_ok()) continue;
+        std::vector<score::Cause> predicted;
+        if (shot.code) {
+            predicted = predictor.predict(
+                shot.scored.wrong_2px.missing, truth, view, {*shot.code, shot.threshold});
+        }
+        shot.scored.attribution = score::attribute(
+            shot.scored.wrong_2px, stencils_of(truth), predicted, score_options(shot.threshold));
+        shot.row.causes = shot.scored.attribution.counts;
+    }
+}
+
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
-    const score::Chance chance(
-        truth.scoring, cell_score_options(255), chance_seed(shots.front().row));
+    const LineTruth lines = prepare_lines(truth);
+    const score::Chance chance(truth.scoring, score_options(255), chance_seed(shots.front().row));
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
@@ -94,9 +119,16 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
         shot.row.chance = chance.counts(shot.row.n_pred);
+        LineResult result = score_lines(shot.picture, lines, shot.threshold);
+        shot.row.lines = result.scores;
+        shot.bins = std::move(result.bins);
         shot.row.image_hash = core::image_hash(shot.picture);
     });
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     for (Shot& shot : shots) {
+        shot.row.contour_sky_px = behind.sky_px;
+        shot.row.contour_other_px = behind.other_object_px;
+        shot.row.contour_self_px = behind.self_px;
         shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
         shot.row.crowded_share = truth.traced.counts.crowded_share;
     }
@@ -122,10 +154,17 @@ ShownView shown_view(const ViewTruth& truth, const std::vector<Shot>& shots) {
     ShownView shown{shots.front().row.scene, shots.front().row.view, truth.traced.labels, {}};
     for (const Shot& shot : shots) {
         if (!shot.row.is_ok() || shot.row.method == "none" || shot.row.method == "oracle") continue;
-        shown.pictures.push_back({shot.row.method, shot.picture, shot.threshold});
+        shown.pictures.push_back(
+            {shot.row.method, shot.picture, shot.threshold, shot.scored.attribution.pixels});
     }
     return shown;
 }
+
+/// What is kept of a scene from view to view.
+struct Known {
+    truth::SceneModel& model;
+    MissPredictor& predictor;
+};
 
 /// One comparison under way: what is written as it goes, and what the report will need.
 class Comparison {
@@ -134,6 +173,7 @@ class Comparison {
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
+          bins_(options.out / "bins.csv", bin_columns()),
           ladder_(options.out / "ladder.csv", ladder_columns()) {
         const auto sweep = options.out / "sweep.csv";
         if (options.sweep.views > 0) {
@@ -151,16 +191,18 @@ class Comparison {
             methods.push_back(std::make_unique<PreparedMethod>(entrant, subject.scene));
         }
         truth::SceneModel model(subject.scene, options_.trace.truth);
+        MissPredictor predictor(subject.scene);
         for (const scene::View& view : subject.views) {
             if (is_interrupted()) return;
             before(view);
-            run_view(subject, view, model, methods);
+            run_view(subject, view, {model, predictor}, methods);
         }
     }
 
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
+        bins_.finish();
         ladder_.finish();
         if (sweep_) sweep_->finish();
         ReportData data{options_.command,
@@ -185,12 +227,12 @@ class Comparison {
   private:
     void run_view(const Subject& subject,
                   const scene::View& view,
-                  truth::SceneModel& model,
+                  const Known& known,
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
         ViewTruth truth;
         try {
-            truth = trace_view(model, view, options_.trace.cache);
+            truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
         } catch (const std::bad_alloc&) {
@@ -199,7 +241,10 @@ class Comparison {
         }
         for (Shot& shot : shots)
             fill_place(subject, view, options_, shot.row);
-        if (!truth.traced.labels.is_empty()) score_shots(truth, shots);
+        if (!truth.traced.labels.is_empty()) {
+            score_shots(truth, shots);
+            attribute_shots(truth, view, known.predictor, shots);
+        }
         check_brackets(shots, void_reasons_);
         for (const Shot& shot : shots)
             write(shot, subject.scene.split);
@@ -231,6 +276,7 @@ class Comparison {
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
         ladder_.write(ladder_csv(shot.row));
+        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});
@@ -240,6 +286,7 @@ class Comparison {
     const CompareOptions& options_;
     CsvFile rows_;
     CsvFile curves_;
+    CsvFile bins_;
     CsvFile ladder_;
     std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;

@@ -12,16 +12,6 @@ std::vector<std::string> columns_of_counts(const std::string& what) {
     return {"method", "scene", "view", "width", "height", "params", what, "k", "n_pred", "n_truth"};
 }
 
-std::string key_of(const Row& row) {
-    return fmt::format("{},{},{},{},{},{}",
-                       csv_field(row.method),
-                       csv_field(row.scene),
-                       csv_field(row.view),
-                       row.width,
-                       row.height,
-                       csv_field(row.params));
-}
-
 /// Ends with a line break.
 std::string counts_line(const std::string& key,
                         const std::string& at,
@@ -87,8 +77,18 @@ const std::vector<std::string>& curve_columns() {
     return kColumns;
 }
 
+std::string cell_key(const Row& row) {
+    return fmt::format("{},{},{},{},{},{}",
+                       csv_field(row.method),
+                       csv_field(row.scene),
+                       csv_field(row.view),
+                       row.width,
+                       row.height,
+                       csv_field(row.params));
+}
+
 std::string curve_csv(const Row& row, const std::array<score::CurveCount, 99>& curve) {
-    const std::string key = key_of(row);
+    const std::string key = cell_key(row);
     std::string lines;
     for (std::size_t i = 0; i < curve.size(); ++i)
         lines += counts_line(key, fmt::format("{}", i + 1), curve[i]);
@@ -102,7 +102,7 @@ const std::vector<std::string>& ladder_columns() {
 }
 
 std::string ladder_csv(const Row& row) {
-    const std::string key = key_of(row);
+    const std::string key = cell_key(row);
     std::string lines;
     for (std::size_t i = 0; i < row.ladder.size(); ++i)
         lines += counts_line(key, fmt::format("{}", kLadder_px[i]), row.ladder[i]);

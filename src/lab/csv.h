@@ -41,6 +41,9 @@ class CsvFile {
     bool has_lines_ = false;
 };
 
+/// What tells a cell from others in files beside rows.csv: method,scene,view,width,height,params.
+[[nodiscard]] std::string cell_key(const Row& row);
+
 /// The columns of curves.csv: the cell's key, then threshold_k, k, n_pred, n_truth.
 [[nodiscard]] const std::vector<std::string>& curve_columns();
 

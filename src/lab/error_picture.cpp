@@ -69,17 +69,32 @@ void spread_owners(const edge::Mask& drawn, std::vector<int>& owner) {
     }
 }
 
-/// What thinned pixels are, outside the band: off the truth they are false, unless an ignored pixel
+/// What thinned pixels are, outside the band: off the truth they are wrong, unless an ignored pixel
 /// excuses them.
 struct ThinMarks {
     edge::Mask is_counted;
     edge::Mask is_hit;
     edge::Mask is_excused;
 
-    [[nodiscard]] Mark of(std::size_t i) const {
+    [[nodiscard]] Mark of(std::size_t i, Mark if_wrong) const {
         if (is_counted.data()[i] == 0) return Mark::ignored;
         if (is_hit.data()[i] != 0) return Mark::hit;
-        return is_excused.data()[i] != 0 ? Mark::ignored : Mark::false_line;
+        return is_excused.data()[i] != 0 ? Mark::ignored : if_wrong;
+    }
+};
+
+/// The marks that pixels have if they are wrong: their causes, or what stands for an unknown one.
+struct WrongMarks {
+    Marks off_line;
+    Marks missing;
+
+    WrongMarks(const Marks& marks, std::span<const score::WrongPixel> wrong)
+        : off_line(marks.width_px(), marks.height_px(), mark_of(score::Cause::other)),
+          missing(marks.width_px(), marks.height_px(), mark_of(score::Cause::undeclared)) {
+        for (const auto& [pixel, cause] : wrong) {
+            (score::is_miss(cause) ? missing : off_line).at(pixel.x_px, pixel.y_px) =
+                mark_of(cause);
+        }
     }
 };
 
@@ -94,19 +109,9 @@ ThinMarks judge(const edge::Mask& thin,
 }
 
 glm::u8vec3 colour_of_mark(Mark mark) {
-    switch (mark) {
-        case Mark::paper:
-            return kPaper.rgb;
-        case Mark::ignored:
-            return kIgnoredColour.rgb;
-        case Mark::hit:
-            return kHitColour.rgb;
-        case Mark::false_line:
-            return kFalseColour.rgb;
-        case Mark::missing:
-            return kMissingColour.rgb;
-    }
-    return kPaper.rgb;
+    if (is_wrong(mark)) return colour_of(cause_of(mark)).rgb;
+    if (mark == Mark::hit) return kHitColour.rgb;
+    return mark == Mark::ignored ? kIgnoredColour.rgb : kPaper.rgb;
 }
 
 /// The most important pixel of each factor x factor block; `matters_more(a, b)` says a beats b.
@@ -161,7 +166,7 @@ RgbImage truth_picture(const core::Image<std::uint8_t>& labels) {
 Marks thicken(const Marks& marks) {
     return thicken_by(
         marks,
-        [](Mark m) { return m == Mark::missing; },
+        [](Mark m) { return is_wrong(m) && score::is_miss(cause_of(m)); },
         [](Mark m) { return m <= Mark::ignored; });
 }
 
@@ -200,15 +205,17 @@ Marks mark_errors(const core::Image<std::uint8_t>& labels,
         if (thin.data()[i] != 0) owner[i] = static_cast<int>(i);
     }
     spread_owners(drawn, owner);
+    const WrongMarks wrong(marks, options.wrong);
     const edge::Mask is_found = near(truth.labels, thin_marks.is_counted, options.tolerance_px);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (drawn.data()[i] != 0) {
-            marks.data()[i] = thin_marks.of(static_cast<std::size_t>(owner[i]));
+            const auto thinned = static_cast<std::size_t>(owner[i]);
+            marks.data()[i] = thin_marks.of(thinned, wrong.off_line.data()[thinned]);
         } else if (labels.data()[i] == kIgnoreLabel) {
             marks.data()[i] = Mark::ignored;
         }
         const bool is_missing = truth.labels.data()[i] != 0 && is_found.data()[i] == 0;
-        if (is_missing) marks.data()[i] = Mark::missing;
+        if (is_missing) marks.data()[i] = wrong.missing.data()[i];
     }
     return marks;
 }

@@ -11,6 +11,8 @@
 #include "core/parallel.h"
 #include "core/whole_file.h"
 #include "image_io/image_file.h"
+#include "lab/cause_chart.h"
+#include "lab/cause_totals.h"
 #include "lab/charts.h"
 #include "lab/error_picture.h"
 #include "lab/palette.h"
@@ -25,7 +27,7 @@ constexpr double kFontScale = 0.48;
 constexpr int kLetter_px = 9;  // mean advance at that scale
 constexpr int kGap_px = 12;
 constexpr int kCaptionHeight_px = 30;
-constexpr int kLegendHeight_px = 34;
+constexpr int kLegendHeight_px = 26;
 constexpr std::size_t kOverviewStrips = 8;
 
 int shrink_factor(int width_px, int cell_px) {
@@ -95,7 +97,9 @@ std::vector<MarkedView> mark_views(const std::vector<ShownView>& views) {
         marked[i].view = &views[i];
         for (const MethodPicture& picture : views[i].pictures) {
             const Marks marks =
-                mark_errors(views[i].labels, picture.strength, {.threshold = picture.threshold});
+                mark_errors(views[i].labels,
+                            picture.strength,
+                            {.threshold = picture.threshold, .wrong = picture.wrong});
             marked[i].marks.push_back(marks);
         }
     });
@@ -133,30 +137,58 @@ RgbImage strip_of(const std::vector<Cell>& cells) {
     return strip;
 }
 
-/// What the colours mean, `width_px` wide (as far as it fits).
-RgbImage legend(int width_px) {
-    const std::vector<std::pair<Colour, std::string>> entries = {
-        {kHitColour, "right"},
-        {kMissingColour, "missing line"},
-        {kFalseColour, "false line"},
-        {kIgnoredColour, "not counted"},
-        {colour_of(truth::LineClass::contour), "contour"},
-        {colour_of(truth::LineClass::boundary), "boundary"},
-        {colour_of(truth::LineClass::crease), "crease"},
-        {colour_of(truth::LineClass::seam), "seam"},
-    };
+struct LegendEntry {
+    Colour colour;
+    std::string words;
+};
+
+/// One group of colours a line; a line that is too long for the picture goes on in the next.
+std::vector<std::vector<LegendEntry>> legend_groups() {
+    std::vector<LegendEntry> truth_lines;
+    for (const truth::LineClass c : truth::kLineClasses)
+        truth_lines.push_back({colour_of(c), std::string(truth::name(c))});
+    std::vector<LegendEntry> misses = {{kHitColour, "right"}};
+    for (const score::Cause cause : score::kMissCauses)
+        misses.push_back({colour_of(cause), fmt::format("missing: {}", label_of(cause))});
+    std::vector<LegendEntry> false_lines = {{kIgnoredColour, "not counted"}};
+    for (const score::Cause cause : score::kOffLineCauses)
+        false_lines.push_back({colour_of(cause), fmt::format("false: {}", label_of(cause))});
+    return {misses, false_lines, truth_lines};
+}
+
+int needed_px(const LegendEntry& entry) {
+    return 24 + kLetter_px * static_cast<int>(entry.words.size()) + 14;
+}
+
+/// The groups broken into lines that fit into `width_px`.
+std::vector<std::vector<LegendEntry>> legend_lines(int width_px) {
+    std::vector<std::vector<LegendEntry>> lines;
+    for (const std::vector<LegendEntry>& group : legend_groups()) {
+        int left = width_px;  // the first entry begins a line
+        for (const LegendEntry& entry : group) {
+            if (left + needed_px(entry) > width_px) {
+                lines.emplace_back();
+                left = kGap_px;
+            }
+            lines.back().push_back(entry);
+            left += needed_px(entry);
+        }
+    }
+    return lines;
+}
+
+RgbImage legend_line(const std::vector<LegendEntry>& entries, int width_px) {
     RgbImage image(width_px, kLegendHeight_px, kPaper.rgb);
     int left = kGap_px;
-    for (const auto& [colour, words] : entries) {
-        const int needed = 24 + kLetter_px * static_cast<int>(words.size()) + 14;
-        if (left + needed > width_px) break;
+    for (const LegendEntry& entry : entries) {
+        const auto& [colour, words] = entry;
         cv::Mat pixels(image.height_px(), image.width_px(), CV_8UC3, image.data());
         cv::rectangle(pixels,
-                      {left, 10, 16, 12},
+                      {left, 6, 16, 12},
                       cv::Scalar(colour.rgb.r, colour.rgb.g, colour.rgb.b),
                       cv::FILLED);
-        put_text(image, {left + 22, 21}, words, kInk.rgb);
-        left += needed;
+        put_text(image, {left + 22, 17}, words, kInk.rgb);
+        left += needed_px(entry);
     }
     return image;
 }
@@ -175,6 +207,14 @@ RgbImage stacked(const std::vector<RgbImage>& images) {
         top += image.height_px();
     }
     return canvas;
+}
+
+/// What the colours mean, `width_px` wide.
+RgbImage legend(int width_px) {
+    std::vector<RgbImage> lines;
+    for (const std::vector<LegendEntry>& line : legend_lines(width_px))
+        lines.push_back(legend_line(line, width_px));
+    return stacked(lines);
 }
 
 void write_strips(const std::vector<Row>& rows,
@@ -241,6 +281,9 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
                                .file("Error against time, per method"));
     core::write_whole_file(figures / "classes.svg",
                            class_chart(summaries).file("Recall per line class and method"));
+    core::write_whole_file(
+        figures / "causes.svg",
+        cause_chart(cause_totals(data.rows)).file("Where the error goes, per method and cause"));
     const std::vector<MarkedView> views = mark_views(data.views);
     write_strips(data.rows, views, figures);
     write_overview(data.rows, views, figures);

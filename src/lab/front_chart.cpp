@@ -170,6 +170,23 @@ Box box_round(double x, double y, double radius) {
     return {x - radius, y - radius, 2 * radius, 2 * radius};
 }
 
+/// Where the bars of draw_bars() stand.
+void add_bars(const SettingSummary& s, const FrontScale& scale, std::vector<Box>& taken) {
+    constexpr double kThick = 3;
+    const double x = scale.x(s.draw_ms);
+    const double y = scale.y(s.error);
+    if (s.draw_ms_quartiles && s.draw_ms_quartiles->low > 0) {
+        const double left = scale.x(s.draw_ms_quartiles->low);
+        const double right = scale.x(s.draw_ms_quartiles->high);
+        taken.push_back({left, y - kThick / 2, right - left, kThick});
+    }
+    if (s.error_range) {
+        const double top = scale.y(s.error_range->high);
+        const double bottom = scale.y(s.error_range->low);
+        taken.push_back({x - kThick / 2, top, kThick, bottom - top});
+    }
+}
+
 /// A label beside its marker, where it covers no other label and no marker.
 Box label_box(const std::string& label, double x, double y, const std::vector<Box>& taken) {
     const double width = text_width(label, kLabelSize);
@@ -200,6 +217,7 @@ void draw_labels(Svg& svg,
         for (const SettingSummary& setting : s.sweep->settings) {
             const double radius = setting.is_default() ? kMarker : 3;
             taken.push_back(box_round(scale.x(setting.draw_ms), scale.y(setting.error), radius));
+            if (setting.is_default()) add_bars(setting, scale, taken);
         }
     }
     for (const Series& s : series) {

@@ -7,9 +7,11 @@
 #include <set>
 
 #include "core/provenance.h"
+#include "lab/cause_chart.h"
 #include "lab/charts.h"
 #include "lab/html.h"
 #include "lab/page_assets.h"
+#include "lab/page_causes.h"
 #include "lab/page_scenes.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
@@ -139,6 +141,7 @@ std::string nav_html(const Material& m) {
     link("time", "Error against time");
     if (!m.statistics.empty()) link("statistics", "Thresholds");
     link("classes", "Line classes");
+    link("causes", "Where the error goes");
     link("by-scene", "By scene");
     link("pictures", "Pictures");
     if (!m.failures.empty()) link("failed", "Failed cells");
@@ -228,6 +231,12 @@ std::string provenance_html(const ReportData& data) {
     return fmt::format("<dl class=\"provenance\">{}</dl>", list);
 }
 
+std::string causes_html(const std::vector<Row>& rows) {
+    const std::vector<CauseTotals> totals = cause_totals(rows);
+    return chart_html(cause_chart(totals), "Missing and false pixels per method and cause") +
+           cause_legend_html() + cause_table_html(totals);
+}
+
 std::string main_html(const Material& m) {
     const std::vector<Row>& rows = m.data.rows;
     std::string html = section("verdict",
@@ -260,6 +269,13 @@ std::string main_html(const Material& m) {
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
                     chart_html(class_chart(m.summaries), "Recall per line class and method"));
+    html += section("causes",
+                    "Where the error goes",
+                    "Each missing and each false pixel has one cause, read off the exact truth at "
+                    "the pixel centres round it; pooled over views. Grey, or lost and surplus in "
+                    "the table, is what one-to-one pairing left over beside lines that were found: "
+                    "doubled, frayed or shortened ones.",
+                    causes_html(rows));
     html += section("by-scene",
                     "F by scene",
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "

@@ -62,6 +62,7 @@ tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
 .group { border-left: 1px solid var(--line); }
 td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
+.wide.fronts td.text { max-width: 620px; min-width: 0; white-space: normal; }
 .leads td { min-width: 96px; }
 .terms { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 3px 26px;
   margin: 4px 0 12px; font-size: .88rem; color: var(--soft); }
@@ -75,6 +76,21 @@ td b { font-weight: 700; }
   list-style: none; font-size: .92rem; }
 .legend i { display: inline-block; width: 13px; height: 13px; border-radius: 3px; margin-right: 7px;
   vertical-align: -1px; }
+.cause-legend { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 420px), 1fr));
+  gap: 6px 40px; margin: 10px 0 4px; }
+.causes { list-style: none; padding: 0; margin: 0; font-size: .92rem; }
+.causes li { padding-left: 20px; text-indent: -20px; margin: 2px 0; }
+.causes li:first-child { padding: 0; text-indent: 0; }
+.causes b { font-weight: 600; }
+.causes i, .cause-table i { display: inline-block; width: 13px; height: 13px; border-radius: 3px;
+  margin-right: 7px; vertical-align: -1px; text-indent: 0; }
+.cause-table { font-size: .84rem; }
+.cause-table th, .cause-table td { padding: 5px 6px; }
+.cause-table thead th { white-space: normal; min-width: 3.6em; line-height: 1.25; }
+.cause-table thead i { margin: 0 0 3px; }
+.cause-table small { display: block; color: var(--soft); font-size: .86em; }
+.counts { margin-top: 8px; font-size: .93rem; }
+.counts summary { color: var(--soft); cursor: pointer; width: max-content; max-width: 100%; }
 .tools { display: flex; flex-wrap: wrap; gap: 10px 26px; align-items: center; margin: 14px 0 4px;
   font-size: .93rem; }
 .tools label { color: var(--soft); }

@@ -8,6 +8,7 @@
 #include "image_io/image_file.h"
 #include "lab/error_picture.h"
 #include "lab/html.h"
+#include "lab/page_causes.h"
 #include "lab/page_tables.h"
 #include "lab/palette.h"
 #include "lab/summary.h"
@@ -33,8 +34,8 @@ PagePicture truth_of(const ShownView& view, int factor) {
 }
 
 PagePicture errors_of(const ShownView& view, const MethodPicture& picture, int factor) {
-    const Marks marks =
-        mark_errors(view.labels, picture.strength, {.threshold = picture.threshold});
+    const Marks marks = mark_errors(
+        view.labels, picture.strength, {.threshold = picture.threshold, .wrong = picture.wrong});
     const Marks whole = factor == 1 ? thicken(marks) : shrink(marks, factor);
     const Marks thumb = shrink(marks, thumb_factor(view.labels.width_px()));
     return {picture.method, uri_of(error_picture(whole)), uri_of(error_picture(thumb))};
@@ -117,13 +118,12 @@ std::string legend_html() {
     for (const truth::LineClass c : truth::kLineClasses)
         truth_colours += swatch(colour_of(c), truth::name(c));
     return fmt::format(
-        "<ul class=\"legend\" aria-label=\"Colours of methods' pictures\">{}{}{}{}</ul>"
+        "<ul class=\"legend\" aria-label=\"Colours of methods' pictures\">{}{}</ul>{}"
         "<ul class=\"legend\" aria-label=\"Colours of the truth\"><li class=\"soft\">Truth:</li>{}"
         "</ul>",
         swatch(kHitColour, "right, within 2 px of a true line"),
-        swatch(kMissingColour, "missing: a true line nobody drew"),
-        swatch(kFalseColour, "false: drawn where no line is"),
         swatch(kIgnoredColour, "not counted: crowded, or at the frame"),
+        cause_legend_html(),
         truth_colours);
 }
 
@@ -208,6 +208,17 @@ std::string picker_html(const PageScene& scene,
         "<fieldset class=\"picker\"><legend>Compare the truth with</legend>{}</fieldset>", choices);
 }
 
+/// The counts behind the colours of one view, folded away.
+std::string counts_html(const ShownView& view, const std::vector<Row>& rows) {
+    std::vector<const Row*> of_view;
+    for (const Row& row : rows) {
+        if (row.scene == view.scene && row.view == view.view) of_view.push_back(&row);
+    }
+    return fmt::format(
+        "<details class=\"counts\"><summary>Counts behind the colours</summary>{}</details>",
+        cause_table_html(cause_totals(of_view)));
+}
+
 std::string scene_html(const PageScene& scene,
                        const std::vector<Row>& rows,
                        const std::string& anchor,
@@ -228,13 +239,14 @@ std::string scene_html(const PageScene& scene,
                                 any->triangles);
     return fmt::format(
         "<article class=\"scene\" id=\"{}\"><div><h3>{}</h3><span class=\"note\">view {}</span>{}"
-        "</div><div class=\"stage\">{}{}</div></article>\n",
+        "</div><div class=\"stage\">{}{}</div>{}</article>\n",
         anchor,
         escape(view.scene),
         escape(view.view),
         facts,
         stage_html(scene, rows, shown),
-        picker_html(scene, rows, anchor, shown));
+        picker_html(scene, rows, anchor, shown),
+        counts_html(view, rows));
 }
 
 std::string room_note(const PageScenes& scenes) {

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "image_io/image_file.h"
-#include "lab/error_picture.h"
 #include "lab/palette.h"
 #include "shade/compose.h"
 #include "shade/gouraud.h"
@@ -27,18 +26,22 @@ edge::EdgeImage draw_strengths(const Subject& subject, const Entrant& entrant, i
     return strengths;
 }
 
+RgbImage compose_drawing(const Subject& subject,
+                         const Entrant& entrant,
+                         const edge::EdgeImage& strengths,
+                         Shading shading) {
+    const shade::Ink ink{kInk.rgb, threshold_of(entrant)};
+    if (shading == Shading::none) return shade::compose(strengths, kPaper.rgb, ink);
+    const auto light = shade::draw_gouraud(subject.scene, subject.views.front(), {});
+    return shade::compose(strengths, shade::to_8_bit(light), ink);
+}
+
 void write_drawing(const Subject& subject,
                    const Entrant& entrant,
                    const edge::EdgeImage& strengths,
                    Shading shading,
                    const std::filesystem::path& path) {
-    const shade::Ink ink{kInk.rgb, threshold_of(entrant)};
-    if (shading == Shading::none) {
-        image_io::write_png(shade::compose(strengths, kPaper.rgb, ink), path);
-        return;
-    }
-    const auto light = shade::draw_gouraud(subject.scene, subject.views.front(), {});
-    image_io::write_png(shade::compose(strengths, shade::to_8_bit(light), ink), path);
+    image_io::write_png(compose_drawing(subject, entrant, strengths, shading), path);
 }
 
 void write_strengths(const edge::EdgeImage& strengths, const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 
 #include "edge/edge_image.h"
 #include "lab/entrants.h"
+#include "lab/error_picture.h"
 #include "lab/suite.h"
 #include "truth/truth.h"
 
@@ -20,8 +21,14 @@ enum class Shading {
                                              const Entrant& entrant,
                                              int threads);
 
-/// Writes a finished drawing as PNG: black lines where a strength reaches the entrant's threshold,
-/// over white paper or shading. Throws core::Error if the file cannot be written.
+/// A finished drawing: black lines where a strength reaches the entrant's threshold, over white
+/// paper or shading.
+[[nodiscard]] RgbImage compose_drawing(const Subject& subject,
+                                       const Entrant& entrant,
+                                       const edge::EdgeImage& strengths,
+                                       Shading shading);
+
+/// Writes a finished drawing as PNG. Throws core::Error if the file cannot be written.
 void write_drawing(const Subject& subject,
                    const Entrant& entrant,
                    const edge::EdgeImage& strengths,

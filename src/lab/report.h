@@ -8,6 +8,7 @@
 #include "edge/edge_image.h"
 #include "lab/ods.h"
 #include "lab/row.h"
+#include "score/attribution.h"
 
 namespace ink::lab {
 
@@ -15,7 +16,8 @@ namespace ink::lab {
 struct MethodPicture {
     std::string method;
     edge::EdgeImage strength;
-    int threshold = 128;  ///< the strength at which it was scored
+    int threshold = 128;                        ///< the strength at which it was scored
+    std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
 };
 
 /// One view that the report shows whole: truth and methods side by side.

@@ -10,6 +10,8 @@
 namespace ink::lab {
 namespace {
 
+using score::Cause;
+
 /// A column: its name, how a row fills it, and what it means. One table, so that they cannot drift
 /// apart.
 struct Column {
@@ -68,6 +70,97 @@ Column truth_px(const std::string& line_class) {
                 return found == row.truth_px_by_class.end() ? "" : text_of(found->second);
             },
             "true pixels of this class"};
+}
+
+/// A value of the line scores: empty where there are none, or where `value` says nothing.
+template <class Value>
+Column of_lines(std::string name, Value value, std::string doc) {
+    return {std::move(name),
+            [value](const Row& row) { return row.lines ? text_of(value(*row.lines)) : ""; },
+            std::move(doc)};
+}
+
+void add_line_scores(std::vector<Column>& columns) {
+    using L = LineScores;
+    const auto add = [&columns](std::string name, auto value, std::string doc) {
+        columns.push_back(of_lines(std::move(name), value, std::move(doc)));
+    };
+    add(
+        "crack_precision",
+        [](const L& l) { return l.cracks.precision(); },
+        "share of the drawn pixels (unthinned) that have a true crack on one of their four sides");
+    add(
+        "crack_recall",
+        [](const L& l) { return l.cracks.recall(); },
+        "share of the true cracks with at least one of their two pixels drawn");
+    add(
+        "crack_f", [](const L& l) { return l.cracks.f(); }, "harmonic mean of the two");
+    add(
+        "offset_px",
+        [](const L& l) { return l.offsets.all.mean(); },
+        "mean signed distance of thinned pixels from the nearest curve within 2 px; positive to "
+        "the empty side, else right or down");
+    add(
+        "offset_spread_px",
+        [](const L& l) { return l.offsets.all.spread(); },
+        "standard deviation of that distance");
+    add(
+        "offset_rms_px",
+        [](const L& l) { return l.offsets.all.rms(); },
+        "root mean square of that distance");
+    add(
+        "shift_x_px",
+        [](const L& l) {
+            return l.offsets.shift ? std::optional(l.offsets.shift->x_px) : std::nullopt;
+        },
+        "translation to the right that explains the offsets best");
+    add(
+        "shift_y_px",
+        [](const L& l) {
+            return l.offsets.shift ? std::optional(l.offsets.shift->y_px) : std::nullopt;
+        },
+        "the same, down");
+    add(
+        "width_along_px",
+        [](const L& l) { return l.widths.all.mean(); },
+        "mean width of what is drawn (unthinned), across the true curves, a probe each px");
+    add(
+        "width_spread_px",
+        [](const L& l) { return l.widths.all.spread(); },
+        "standard deviation of that width");
+    add(
+        "false_ink_px",
+        [](const L& l) { return l.ink.n_false; },
+        "drawn pixels (unthinned) further than 2 px from every true one");
+}
+
+void add_line_counts(std::vector<Column>& columns) {
+    using L = LineScores;
+    const auto add = [&columns](std::string name, auto value, std::string doc) {
+        columns.push_back(of_lines(std::move(name), value, std::move(doc)));
+    };
+    add(
+        "ink_px", [](const L& l) { return l.ink.n_drawn; }, "drawn pixels (unthinned) that count");
+    add(
+        "crack_drawn",
+        [](const L& l) { return l.cracks.n_drawn; },
+        "drawn pixels (unthinned) that count for cracks");
+    add(
+        "crack_beside", [](const L& l) { return l.cracks.n_beside; }, "of them, beside a crack");
+    add(
+        "crack_found", [](const L& l) { return l.cracks.all.n_found; }, "true cracks found");
+    add(
+        "crack_truth", [](const L& l) { return l.cracks.all.n_truth; }, "true cracks");
+    add(
+        "offset_n", [](const L& l) { return l.offsets.all.n; }, "thinned pixels near a curve");
+    add(
+        "width_n", [](const L& l) { return l.widths.all.n; }, "probes that met a line");
+}
+
+Column wrong_px(score::Cause cause, std::string doc) {
+    return {fmt::format("{}_{}", score::is_miss(cause) ? "missing" : "off_line", name(cause)),
+            [cause](const Row& row) { return row.causes ? text_of((*row.causes)[cause]) : ""; },
+            std::move(doc)};
 }
 
 Column constant(std::string name, const std::string& value) {
@@ -146,8 +239,27 @@ std::vector<Column> make_columns() {
         column("draw_n", &Row::draw_n, "timed frames"),
         counted("truth_merged_px", &Row::truth_merged_px, "true pixels that thinning took away"),
         column("crowded_share", &Row::crowded_share, "share of true pixels too dense to score"),
+        wrong_px(Cause::one_triangle, "of off_line: one triangle fills the stencil"),
+        wrong_px(Cause::one_patch, "of off_line: triangles of one smooth patch"),
+        wrong_px(Cause::crack, "of off_line: a true line crosses the stencil, out of reach"),
+        wrong_px(Cause::frame, "of off_line: the frame took the true line away"),
+        wrong_px(Cause::other, "of off_line: several surfaces without a true line between"),
+        wrong_px(Cause::cancelled, "of missing: a channel changed enough, the code did not"),
+        wrong_px(Cause::below_threshold, "of missing: no channel changed enough"),
+        wrong_px(Cause::sub_pixel, "of missing: no stencil of pixel centres sees the line"),
+        wrong_px(Cause::thinned, "of missing: drawn, but thinning took it out of reach"),
+        wrong_px(Cause::unexplained, "of missing: the declared code should have drawn it"),
+        wrong_px(Cause::undeclared, "of missing: seen by a stencil, and no code is declared"),
         column("triangles", &Row::triangles, "of the scene, instances counted"),
+        column("weld_epsilon",
+               &Row::weld_epsilon,
+               "the truth joins vertices this near, as a share of each part's diagonal"),
+        column("contour_sky_px", &Row::contour_sky_px, "length of true contours before the sky"),
+        column("contour_other_px", &Row::contour_other_px, "the same before another object"),
+        column("contour_self_px", &Row::contour_self_px, "the same before their own object"),
     };
+    add_line_scores(columns);
+    add_line_counts(columns);
     add_provenance(columns);
     return columns;
 }

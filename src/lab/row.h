@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "lab/line_scores.h"
+#include "score/attribution.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -41,6 +43,8 @@ struct Row {
     std::int64_t off_line = 0;
     std::int64_t lost = 0;
     std::int64_t missing = 0;
+    /// What off_line and missing are made of; nothing where nobody asked why.
+    std::optional<score::CauseCounts> causes = {};
     std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
     std::optional<std::int64_t> n_pred_1px;
     /// Counts at each of kLadder_px (lab/cell.h): lines of ladder.csv, not columns here. Empty
@@ -62,6 +66,11 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
+    double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
+    std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
+    std::optional<double> contour_other_px;  ///< before another object,
+    std::optional<double> contour_self_px;   ///< and before their own
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };

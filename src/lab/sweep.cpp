@@ -38,7 +38,7 @@ std::vector<Row> sweep_rows(const Entrant& entrant,
         if (!times[i].failure.empty()) row.status = times[i].failure;
         if (!row.is_ok()) return;
         fill_times(std::move(times[i].draw_ns), row);
-        const score::ScoreOptions options = cell_score_options(methods[i]->threshold());
+        const score::ScoreOptions options = score_options(methods[i]->threshold());
         fill_score_2px(score::score(pictures[i], truth.scoring, options), row);
         row.image_hash = core::image_hash(pictures[i]);
         row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "truth/cracks.h"
+#include "truth/curve_facts.h"
 #include "truth/truth_cache.h"
 
 namespace ink::lab {
@@ -18,6 +20,7 @@ ViewTruth trace_view(truth::SceneModel& scene,
     ViewTruth result;
     result.traced = truth::cached_truth(scene, view, cache);
     result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
     // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
     result.scoring.is_binary = false;
     return result;
@@ -45,6 +48,12 @@ std::string truth_summary(const truth::Truth& truth) {
                             length_px,
                             c == truth::LineClass::intersection ? "   (not traced yet)" : "");
     }
+    const truth::ContourLengths behind = truth::contour_lengths(truth.curves);
+    text +=
+        fmt::format("behind contours: sky {:.1f} px, another object {:.1f} px, itself {:.1f} px\n",
+                    behind.sky_px,
+                    behind.other_object_px,
+                    behind.self_px);
     const truth::TruthCounts& n = truth.counts;
     text += fmt::format(
         "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
@@ -61,6 +70,11 @@ std::string truth_summary(const truth::Truth& truth) {
         n.merged_px,
         100 * n.crowded_share,
         truth.trace_s);
+    if (n.joined_vertices > 0) {
+        text += fmt::format("the weld's epsilon joined {} vertices and collapsed {} triangles\n",
+                            n.joined_vertices,
+                            n.collapsed);
+    }
     return text;
 }
 

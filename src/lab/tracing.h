@@ -27,6 +27,7 @@ struct TraceOptions {
 struct ViewTruth {
     truth::Truth traced;
     score::ScoringTruth scoring;
+    truth::Cracks cracks;
 };
 
 /// Traces `view`, or reads its truth from the folder `cache` (empty: none).

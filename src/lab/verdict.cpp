@@ -183,10 +183,10 @@ std::string verdict_table(const std::vector<Row>& rows, const std::vector<CellCu
     };
     add("recall of", class_columns(summaries));
     add("F at other thresholds and tolerances", statistics_columns(summaries));
-    text += '\n';
+    text += fmt::format("\n{}\n\n", kBracketNote);
     for (const auto& [term, meaning] : definitions())
-        text += fmt::format("{:<13}{}\n", term, meaning);
-    return fmt::format("{}{}\n\n{}", text, kBracketNote, sentence);
+        text += fmt::format("{:<14}{}\n", term, meaning);
+    return fmt::format("{}\n{}", text, sentence);
 }
 
 std::string verdict_markdown(const std::vector<Row>& rows, const std::vector<CellCurve>& curves) {

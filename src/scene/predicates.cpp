@@ -28,6 +28,13 @@ struct Expansion {
         if (size == 0) return 0;
         return terms[static_cast<std::size_t>(size - 1)] > 0 ? 1 : -1;
     }
+    /// Summed from the smallest on, so that rounding keeps the sign and all but the last bits.
+    [[nodiscard]] double rounded() const {
+        double sum = 0;
+        for (int i = 0; i < size; ++i)
+            sum += terms[static_cast<std::size_t>(i)];
+        return sum;
+    }
 };
 
 struct Split {
@@ -104,17 +111,40 @@ Row exact_row(const glm::dvec3& p, const glm::dvec3& origin) {
     return {difference(p.x, origin.x), difference(p.y, origin.y), difference(p.z, origin.z)};
 }
 
-int orient3d_exact(const glm::dvec3& a,
-                   const glm::dvec3& b,
-                   const glm::dvec3& c,
-                   const glm::dvec3& d) {
+Expansion orient3d_exact(const glm::dvec3& a,
+                         const glm::dvec3& b,
+                         const glm::dvec3& c,
+                         const glm::dvec3& d) {
     const Row ad = exact_row(a, d);
     const Row bd = exact_row(b, d);
     const Row cd = exact_row(c, d);
     Expansion det = product(ad.z, minor_of(bd.x, bd.y, cd.x, cd.y));
     add(det, product(bd.z, minor_of(cd.x, cd.y, ad.x, ad.y)), 1.0);
     add(det, product(cd.z, minor_of(ad.x, ad.y, bd.x, bd.y)), 1.0);
-    return det.sign();
+    return det;
+}
+
+/// The determinant in plain double, and the sum of what its products would be without signs, which
+/// bounds its error.
+struct Determinant {
+    double value;
+    double permanent;
+};
+
+Determinant plain_orient3d(const glm::dvec3& a,
+                           const glm::dvec3& b,
+                           const glm::dvec3& c,
+                           const glm::dvec3& d) {
+    const glm::dvec3 ad = a - d;
+    const glm::dvec3 bd = b - d;
+    const glm::dvec3 cd = c - d;
+    const double bxcy = bd.x * cd.y, cxby = cd.x * bd.y;
+    const double cxay = cd.x * ad.y, axcy = ad.x * cd.y;
+    const double axby = ad.x * bd.y, bxay = bd.x * ad.y;
+    return {ad.z * (bxcy - cxby) + bd.z * (cxay - axcy) + cd.z * (axby - bxay),
+            (std::abs(bxcy) + std::abs(cxby)) * std::abs(ad.z) +
+                (std::abs(cxay) + std::abs(axcy)) * std::abs(bd.z) +
+                (std::abs(axby) + std::abs(bxay)) * std::abs(cd.z)};
 }
 
 /// The exact sign of (bx-ax)(cy-ay) - (by-ay)(cx-ax) in one coordinate plane.
@@ -133,20 +163,21 @@ int orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
 }  // namespace
 
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-    const glm::dvec3 ad = a - d;
-    const glm::dvec3 bd = b - d;
-    const glm::dvec3 cd = c - d;
-    const double bxcy = bd.x * cd.y, cxby = cd.x * bd.y;
-    const double cxay = cd.x * ad.y, axcy = ad.x * cd.y;
-    const double axby = ad.x * bd.y, bxay = bd.x * ad.y;
-    const double det = ad.z * (bxcy - cxby) + bd.z * (cxay - axcy) + cd.z * (axby - bxay);
-    const double permanent = (std::abs(bxcy) + std::abs(cxby)) * std::abs(ad.z) +
-                             (std::abs(cxay) + std::abs(axcy)) * std::abs(bd.z) +
-                             (std::abs(axby) + std::abs(bxay)) * std::abs(cd.z);
+    const Determinant det = plain_orient3d(a, b, c, d);
     // Shewchuk, o3derrboundA: above it the rounded determinant has the right sign.
-    const double bound = (7 + 56 * kHalfUlp) * kHalfUlp * permanent;
-    if (std::abs(det) > bound) return det > 0 ? 1 : -1;
-    return orient3d_exact(a, b, c, d);
+    const double bound = (7 + 56 * kHalfUlp) * kHalfUlp * det.permanent;
+    if (std::abs(det.value) > bound) return det.value > 0 ? 1 : -1;
+    return orient3d_exact(a, b, c, d).sign();
+}
+
+double orient3d_value(const glm::dvec3& a,
+                      const glm::dvec3& b,
+                      const glm::dvec3& c,
+                      const glm::dvec3& d) {
+    const Determinant det = plain_orient3d(a, b, c, d);
+    // The same bound is 8e-16 of the permanent, so a hundredth of that is good to 1e-13.
+    if (std::abs(det.value) > 0.01 * det.permanent) return det.value;
+    return orient3d_exact(a, b, c, d).rounded();
 }
 
 bool is_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

@@ -16,6 +16,13 @@ namespace ink::scene {
                            const glm::dvec3& c,
                            const glm::dvec3& d);
 
+/// The determinant itself, its sign exact and its relative error below 1e-13: for points where two
+/// planes cross, which are quotients of such volumes.
+[[nodiscard]] double orient3d_value(const glm::dvec3& a,
+                                    const glm::dvec3& b,
+                                    const glm::dvec3& c,
+                                    const glm::dvec3& d);
+
 /// Whether a, b, c lie exactly on one line (coincident points do).
 [[nodiscard]] bool is_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 

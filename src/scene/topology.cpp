@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/hash.h"
+#include "scene/near_points.h"
 #include "scene/predicates.h"
 
 namespace ink::scene {
@@ -77,9 +78,78 @@ FaceKey sorted(FaceKey key) {
     return key;
 }
 
+glm::dvec3 place(const Instance& instance, const glm::vec3& p_object) {
+    return without_negative_zero(to_world(instance, p_object));
+}
+
+/// Where epsilon moves each place of the scene.
+class Moves {
+  public:
+    /// Nothing moves.
+    Moves() : places_(0) {}
+
+    Moves(const Scene& scene, double epsilon) : places_(triangle_count(scene) / 2) {
+        std::vector<std::vector<std::uint32_t>> parts;
+        for (const Instance& instance : scene.instances)
+            parts.push_back(places_of(instance, scene.meshes[instance.mesh]));
+        NearPoints near(places_.keys());
+        for (const std::vector<std::uint32_t>& part : parts)
+            near.add(part, epsilon * diagonal(part));
+        moved_ = near.representatives();
+        for (std::size_t i = 0; i < moved_.size(); ++i)
+            joined_ += moved_[i] != places_.keys()[i];
+    }
+
+    [[nodiscard]] bool has_any() const { return joined_ > 0; }
+    [[nodiscard]] std::size_t joined() const { return joined_; }
+    /// Where a place of the scene goes.
+    [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p) {
+        return has_any() ? moved_[places_.insert(p).first] : p;
+    }
+
+  private:
+    /// The places that the triangles of an instance use, each once.
+    std::vector<std::uint32_t> places_of(const Instance& instance, const Mesh& mesh) {
+        std::vector<bool> is_used(mesh.positions.size(), false);
+        for (const Triangle& t : mesh.triangles) {
+            for (const std::uint32_t v : {t[0], t[1], t[2]})
+                is_used[v] = true;
+        }
+        std::vector<std::uint32_t> part;
+        for (std::size_t v = 0; v < is_used.size(); ++v) {
+            if (is_used[v])
+                part.push_back(places_.insert(place(instance, mesh.positions[v])).first);
+        }
+        std::sort(part.begin(), part.end());
+        part.erase(std::unique(part.begin(), part.end()), part.end());
+        return part;
+    }
+
+    [[nodiscard]] double diagonal(const std::vector<std::uint32_t>& part) {
+        if (part.empty()) return 0;
+        glm::dvec3 low = places_.keys()[part.front()], high = low;
+        for (const std::uint32_t i : part) {
+            low = glm::min(low, places_.keys()[i]);
+            high = glm::max(high, places_.keys()[i]);
+        }
+        return glm::length(high - low);
+    }
+
+    Numbering<glm::dvec3, PointHash> places_;
+    std::vector<glm::dvec3> moved_;
+    std::size_t joined_ = 0;
+};
+
+/// Whether the triangle has an area before anything is moved.
+bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
+    return !is_collinear(place(instance, mesh.positions[t[0]]),
+                         place(instance, mesh.positions[t[1]]),
+                         place(instance, mesh.positions[t[2]]));
+}
+
 /// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
 /// dropped.
-void weld_faces(const Scene& scene, Topology& topology) {
+void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     const std::size_t count = triangle_count(scene);
     Numbering<glm::dvec3, PointHash> points(count / 2);
     Numbering<FaceKey, FaceHash> seen(count);
@@ -99,8 +169,7 @@ void weld_faces(const Scene& scene, Topology& topology) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::uint32_t v = mesh.triangles[t][i];
                 if (welded[v] == kFree) {
-                    const glm::dvec3 p = to_world(instance, mesh.positions[v]);
-                    welded[v] = points.insert(without_negative_zero(p)).first;
+                    welded[v] = points.insert(moves(place(instance, mesh.positions[v]))).first;
                 }
                 face.vertices[i] = welded[v];
             }
@@ -110,6 +179,9 @@ void weld_faces(const Scene& scene, Topology& topology) {
             const auto& p = points.keys();
             if (a == b || b == c || c == a || is_collinear(p[a], p[b], p[c])) {
                 ++topology.counts.degenerate;
+                if (moves.has_any() && has_area(instance, mesh, mesh.triangles[t])) {
+                    ++topology.counts.collapsed;
+                }
             } else if (!seen.insert(sorted(face.vertices)).second) {
                 ++topology.counts.duplicate;
             } else {
@@ -183,9 +255,11 @@ glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) 
 
 }  // namespace
 
-Topology weld(const Scene& scene) {
+Topology weld(const Scene& scene, const WeldOptions& options) {
     Topology topology;
-    weld_faces(scene, topology);
+    Moves moves = options.epsilon > 0 ? Moves(scene, options.epsilon) : Moves();
+    topology.counts.joined_vertices = moves.joined();
+    weld_faces(scene, moves, topology);
     build_edges(topology);
     count_edges(topology);
     return topology;

@@ -29,10 +29,12 @@ struct Edge {
 
 /// What welding met; nothing of it is repaired.
 struct TopologyCounts {
-    std::size_t triangles = 0;       ///< in the scene
-    std::size_t degenerate = 0;      ///< dropped: two corners welded together, or exactly collinear
-    std::size_t duplicate = 0;       ///< dropped: the same three vertices again, in any order
-    std::size_t boundary_edges = 0;  ///< one face
+    std::size_t triangles = 0;   ///< in the scene
+    std::size_t degenerate = 0;  ///< dropped: two corners welded together, or exactly collinear
+    std::size_t duplicate = 0;   ///< dropped: the same three vertices again, in any order
+    std::size_t collapsed = 0;   ///< of the degenerate ones those that only epsilon made so
+    std::size_t joined_vertices = 0;     ///< places that epsilon moved onto another one
+    std::size_t boundary_edges = 0;      ///< one face
     std::size_t nonmanifold_edges = 0;   ///< more than two faces
     std::size_t inconsistent_edges = 0;  ///< two faces that run through it in the same direction
 };
@@ -50,11 +52,24 @@ struct Topology {
     }
 };
 
+/// How near vertices must lie to be one.
+struct WeldOptions {
+    /// Share of the diagonal of the box round each part (instance), 0..1. 0 welds what is
+    /// bit-identical; more moves vertices, which closes cracks and may collapse small triangles.
+    double epsilon = 0;
+};
+
 /// Welds vertices at bit-identical world positions over the whole scene (-0 equals 0) and builds
 /// the edges. Importers split meshes by material and by seam, so per-mesh indices say nothing.
 ///
-/// O(n) expected. An empty scene gives an empty topology.
-[[nodiscard]] Topology weld(const Scene& scene);
+/// With an epsilon, vertices of one part that lie within that share of the part's own diagonal
+/// become one, and so do those that are joined over others; the group moves to the one that is
+/// first by x, then y, then z. Neither the order of triangles nor that of instances matters for
+/// which vertices are joined and where they go. Parts differ in size by orders of magnitude, so a
+/// distance that closes one would flatten another.
+///
+/// O(n) expected; O(n log n) with an epsilon. An empty scene gives an empty topology.
+[[nodiscard]] Topology weld(const Scene& scene, const WeldOptions& options = {});
 
 /// The angle by which the two faces at an edge deviate from flat, 0..pi, whichever way each is
 /// oriented: pi minus the angle between the directions from the edge into the two faces.

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "edge/thin.h"
+#include "score/drawing.h"
 #include "score/matching.h"
 #include "score/pixel_list.h"
 
@@ -15,19 +16,6 @@ namespace ink::score {
 namespace {
 
 constexpr double kMaxTolerance = 64;
-
-/// Sets a band along the frame to 0.
-void clear_band(core::Image<std::uint8_t>& image, int band_px) {
-    const int width = image.width_px();
-    const int height = image.height_px();
-    for (int y = 0; y < height; ++y) {
-        std::uint8_t* row = image.row(y);
-        const bool is_all = y < band_px || y >= height - band_px;
-        const int side = is_all ? width : std::min(band_px, width);
-        std::fill(row, row + side, std::uint8_t{0});
-        std::fill(row + width - side, row + width, std::uint8_t{0});
-    }
-}
 
 /// Moves the ignore label from the labels to a mask of its own.
 edge::Mask take_out_ignore(core::Image<std::uint8_t>& labels, std::optional<int> ignore_label) {
@@ -71,68 +59,13 @@ bool is_binary(const std::vector<std::uint8_t>& labels) {
     return labels.empty() || (labels.size() == 1 && (labels[0] == 1 || labels[0] == 255));
 }
 
-/// The truth's side of a comparison, as lists.
-struct TruthLists {
-    PixelList truth;
-    PixelList ignore;
-    Disk disk;
-};
-
-TruthLists list_truth(const edge::EdgeImage& prediction,
-                      const ScoringTruth& truth,
-                      const ScoreOptions& options) {
+/// Throws for options or sizes that will not do; else the truth as lists.
+TruthLists checked_lists(const edge::EdgeImage& prediction,
+                         const ScoringTruth& truth,
+                         const ScoreOptions& options) {
     check(options);
-    if (prediction.width_px() != truth.labels.width_px() ||
-        prediction.height_px() != truth.labels.height_px()) {
-        throw core::Error("score",
-                          fmt::format("the prediction is {} x {} px and the truth {} x {} px",
-                                      prediction.width_px(),
-                                      prediction.height_px(),
-                                      truth.labels.width_px(),
-                                      truth.labels.height_px()),
-                          "two pictures of one size");
-    }
-    return {PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px)};
-}
-
-/// What of a prediction is compared.
-struct Drawing {
-    PixelList pixels;
-    double mean_width_px = 0;
-};
-
-std::int64_t count(const edge::Mask& mask) {
-    return std::count(mask.data(), mask.data() + mask.size(), std::uint8_t{1});
-}
-
-/// Threshold, thin, band.
-Drawing thin_pixels(const edge::EdgeImage& prediction, int threshold, const ScoreOptions& options) {
-    edge::Mask mask = edge::threshold(prediction, threshold);
-    const auto n_drawn = static_cast<double>(count(mask));
-    if (options.thin) mask = edge::thin(mask);
-    const auto n_thin = static_cast<double>(count(mask));
-    clear_band(mask, options.band_px);
-    return {PixelList(mask), n_thin > 0 ? n_drawn / n_thin : 0};
-}
-
-/// Drops what has an ignored pixel and no true one in reach.
-void drop_ignored(const TruthLists& lists, PixelList& drawn) {
-    if (lists.ignore.is_empty()) return;
-    std::vector<std::uint8_t> is_dropped = within_reach(drawn, lists.ignore, lists.disk);
-    const auto has_truth = within_reach(drawn, lists.truth, lists.disk);
-    for (std::size_t i = 0; i < is_dropped.size(); ++i) {
-        if (has_truth[i] != 0) is_dropped[i] = 0;
-    }
-    drawn.drop(is_dropped);
-}
-
-Drawing drawn_pixels(const edge::EdgeImage& prediction,
-                     int threshold,
-                     const TruthLists& lists,
-                     const ScoreOptions& options) {
-    Drawing drawing = thin_pixels(prediction, threshold, options);
-    drop_ignored(lists, drawing.pixels);
-    return drawing;
+    check_same_size(prediction, truth.labels);
+    return list_truth(truth, options);
 }
 
 CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
@@ -218,26 +151,27 @@ ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
 Score score(const edge::EdgeImage& prediction,
             const ScoringTruth& truth,
             const ScoreOptions& options) {
-    const TruthLists lists = list_truth(prediction, truth, options);
-    const Drawing drawing = drawn_pixels(prediction, options.threshold, lists, options);
-    const MatchCounts counts = match_pixels(drawing.pixels, lists.truth, lists.disk);
+    const TruthLists lists = checked_lists(prediction, truth, options);
+    Strokes strokes = make_strokes(prediction, options.threshold, options);
+    const PixelList drawn = counted_pixels(std::move(strokes.thinned), lists, options);
+    const MatchCounts counts = match_pixels(drawn, lists.truth, lists.disk);
     Score result;
     result.k = counts.k;
-    result.n_pred = static_cast<std::int64_t>(drawing.pixels.size());
+    result.n_pred = static_cast<std::int64_t>(drawn.size());
     result.n_truth = static_cast<std::int64_t>(lists.truth.size());
     result.surplus = counts.left_reached - counts.k;
     result.off_line = result.n_pred - counts.left_reached;
     result.lost = counts.right_reached - counts.k;
     result.missing = result.n_truth - counts.right_reached;
-    result.mean_width_px = drawing.mean_width_px;
-    if (!truth.is_binary) result.classes = match_classes(drawing.pixels, truth, lists.disk);
+    result.mean_width_px = strokes.mean_width_px();
+    if (!truth.is_binary) result.classes = match_classes(drawn, truth, lists.disk);
     return result;
 }
 
 std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                        const ScoringTruth& truth,
                                        const ScoreOptions& options) {
-    const TruthLists lists = list_truth(prediction, truth, options);
+    const TruthLists lists = checked_lists(prediction, truth, options);
     std::array<std::int64_t, 257> n_at_least{};  // pixels of at least this strength
     for (std::size_t i = 0; i < prediction.size(); ++i)
         ++n_at_least[prediction.data()[i]];
@@ -255,8 +189,8 @@ std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
             continue;
         }
         n_before = n_drawn;
-        const Drawing drawing = drawn_pixels(prediction, threshold, lists, options);
-        curve[i] = match_counts(drawing.pixels, lists);
+        Strokes strokes = make_strokes(prediction, threshold, options);
+        curve[i] = match_counts(counted_pixels(std::move(strokes.thinned), lists, options), lists);
     }
     return curve;
 }
@@ -269,15 +203,13 @@ std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
     if (tolerances_px.empty()) return ladder;
     ScoreOptions at = options;
     at.tolerance_px = tolerances_px.front();
-    TruthLists lists = list_truth(prediction, truth, at);
-    const Drawing drawing = thin_pixels(prediction, options.threshold, options);
+    TruthLists lists = checked_lists(prediction, truth, at);
+    const Strokes strokes = make_strokes(prediction, options.threshold, options);
     for (const double tolerance_px : tolerances_px) {
         at.tolerance_px = tolerance_px;
         check(at);
         lists.disk = Disk(tolerance_px);
-        PixelList drawn = drawing.pixels;
-        drop_ignored(lists, drawn);
-        ladder.push_back(match_counts(drawn, lists));
+        ladder.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
     }
     return ladder;
 }

@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "scene/predicates.h"
+#include "truth/touching.h"
 
 namespace ink::truth {
 namespace {
@@ -69,6 +70,16 @@ LineClass class_between(const EyeView& eye,
     return result;
 }
 
+/// The class of a point of an edge by its own faces and what continues them, touching faces left
+/// out.
+LineClass own_class_at(const EyeView& eye, std::uint32_t e, double t) {
+    if (eye.edge_class[e] != LineClass::boundary) return eye.edge_class[e];
+    const auto continuations = eye.model.continuations_of(e);
+    if (continuations.empty()) return LineClass::boundary;
+    const std::uint32_t own = eye.model.topology.faces_of(eye.model.topology.edges[e])[0];
+    return class_between(eye, own, continuations, t);
+}
+
 void append(std::vector<ClassStretch>& stretches, const ClassStretch& next) {
     if (!stretches.empty() && stretches.back().line_class == next.line_class) {
         stretches.back().t_end = next.t_end;
@@ -126,18 +137,17 @@ bool EyeView::goes_on(const Continuation& continuation) const {
 }
 
 LineClass EyeView::class_at(std::uint32_t edge, double t) const {
-    if (edge_class[edge] != LineClass::boundary) return edge_class[edge];
-    const auto continuations = model.continuations_of(edge);
-    if (continuations.empty()) return LineClass::boundary;
-    const std::uint32_t own = model.topology.faces_of(model.topology.edges[edge])[0];
-    return class_between(*this, own, continuations, t);
+    const LineClass own_class = own_class_at(*this, edge, t);
+    return model.is_touched[edge] != 0 ? touched_class(*this, edge, t, own_class) : own_class;
 }
 
 std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
     const LineClass whole = eye.edge_class[e];
-    if (whole == LineClass::none) return {};
-    const auto continuations = eye.model.continuations_of(e);
-    if (whole != LineClass::boundary || continuations.empty()) return {{whole, 0, 1}};
+    const bool is_touched = eye.model.is_touched[e] != 0;
+    if (whole == LineClass::none && !is_touched) return {};
+    const auto continuations = whole == LineClass::boundary ? eye.model.continuations_of(e)
+                                                            : std::span<const Continuation>();
+    if (continuations.empty() && !is_touched) return {{whole, 0, 1}};
 
     const scene::Topology& topology = eye.model.topology;
     const scene::Edge& edge = topology.edges[e];
@@ -145,6 +155,10 @@ std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
     const double slit = kShortestSlit * eye.model.tolerance / length;
     std::vector<double> ends = {0, 1};
     for (const Continuation& c : continuations) {
+        ends.push_back(c.t_begin);
+        ends.push_back(c.t_end);
+    }
+    for (const Contact& c : eye.model.crossings.contacts_of(e)) {
         ends.push_back(c.t_begin);
         ends.push_back(c.t_end);
     }

@@ -28,7 +28,7 @@ struct EyeView {
     double near = 0;
     std::vector<glm::dvec3> p_clip;     ///< per vertex, (x, y, w) as Projection::to_clip has them
     std::vector<std::int8_t> facing;    ///< per face: 1 front, -1 back, 0 edge-on, exact
-    std::vector<LineClass> edge_class;  ///< per edge; a boundary here may yet be a defect in parts
+    std::vector<LineClass> edge_class;  ///< per edge, by its own faces; class_at has the rest
 
     EyeView(const Model& model, const scene::View& view, int threads);
 
@@ -50,7 +50,7 @@ struct EyeView {
 
     /// The class of a point of an edge: edge_class, save that a stretch of boundary across which
     /// the surface goes on is a `seam` if another object goes on and else `none`: a defect, not
-    /// drawn.
+    /// drawn; and that where the edge lies in other faces the rule of touching.h holds.
     [[nodiscard]] LineClass class_at(std::uint32_t edge, double t) const;
 };
 
@@ -62,7 +62,7 @@ struct ClassStretch {
 };
 
 /// The stretches of an edge that are lines, ascending; slits shorter than a few weld tolerances
-/// between two defects count as defect.
+/// go to the stretch after them.
 [[nodiscard]] std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t edge);
 
 }  // namespace ink::truth

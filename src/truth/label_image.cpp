@@ -1,32 +1,25 @@
 #include "truth/label_image.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "edge/thin.h"
+#include "truth/curve_walk.h"
 
 namespace ink::truth {
 namespace {
 
-constexpr double kSamplesPerPx = 16;
 constexpr int kBlock_px = 8;
 constexpr int kFullOutOf4 = 3;  ///< a block is full if more than this many quarters of it are drawn
 
 using Labels = core::Image<std::uint8_t>;
 
 void draw(const Curve& curve, Labels& labels) {
-    const double dx = curve.end.x_px - curve.begin.x_px;
-    const double dy = curve.end.y_px - curve.begin.y_px;
-    const int steps = static_cast<int>(std::ceil(std::hypot(dx, dy) * kSamplesPerPx));
     const auto label = static_cast<std::uint8_t>(curve.line_class);
-    for (int i = 0; i <= steps; ++i) {
-        const double s = steps == 0 ? 0.0 : static_cast<double>(i) / steps;
-        const int x = static_cast<int>(std::floor(curve.begin.x_px + s * dx));
-        const int y = static_cast<int>(std::floor(curve.begin.y_px + s * dy));
-        if (!labels.contains(x, y)) continue;
+    visit_pixels(curve, [&](int x, int y) {
+        if (!labels.contains(x, y)) return;
         std::uint8_t& pixel = labels.at(x, y);
         if (pixel == 0 || label < pixel) pixel = label;
-    }
+    });
 }
 
 edge::Mask drawn(const Labels& labels) {

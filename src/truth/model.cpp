@@ -103,7 +103,7 @@ LineClass Model::class_across(const scene::Edge& edge,
 
 Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     Model model;
-    model.topology = scene::weld(scene);
+    model.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     model.crease_rad = options.crease_rad;
     model.material_seams = options.material_seams;
     model.tolerance = weld_tolerance(model.topology);
@@ -113,6 +113,10 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                              {.tolerance = model.tolerance,
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
+    model.crossings = find_crossings(model.topology, {.threads = options.threads});
+    model.is_touched.assign(model.topology.edges.size(), 0);
+    for (const Contact& contact : model.crossings.contacts)
+        model.is_touched[contact.edge] = 1;
     model.defect_edges = count_defects(model);
     return model;
 }

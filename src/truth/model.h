@@ -6,6 +6,7 @@
 
 #include "scene/topology.h"
 #include "truth/continuation.h"
+#include "truth/crossings.h"
 #include "truth/line_class.h"
 
 namespace ink::truth {
@@ -28,6 +29,9 @@ struct Model {
     /// two faces that are neither crease nor seam.
     std::vector<std::uint32_t> patch;
     std::vector<Continuation> continuations;  ///< sorted by edge
+    Crossings crossings;  ///< where triangles meet other than at what they share
+    /// Per edge 1 if `crossings` has contacts of it.
+    std::vector<std::uint8_t> is_touched;
     std::size_t defect_edges = 0;  ///< boundary edges with a stretch where the same object goes on
 
     /// The stretches of one boundary edge across which the surface goes on.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/parallel.h"
+#include "truth/touching.h"
 #include "truth/truth.h"
 
 namespace ink::truth {
@@ -65,6 +66,11 @@ struct Walk {
         }
         return std::nullopt;
     }
+    /// How far it came.
+    [[nodiscard]] double end() const {
+        if (feature) return feature->s;
+        return pieces.empty() ? 0 : std::min(pieces.back().s_end, 1.0);
+    }
 };
 
 class Walker {
@@ -97,7 +103,7 @@ class Walker {
                 return;
             }
             face = across(*exit, face);
-            entered = eye_.model.topology.edges[exit->edge].face_count == 1 ? kNoEdge : exit->edge;
+            entered = face != kNoFace && has_edge(face, exit->edge) ? exit->edge : kNoEdge;
         }
     }
 
@@ -148,10 +154,20 @@ class Walker {
         return exit;
     }
 
+    [[nodiscard]] bool has_edge(std::uint32_t face, std::uint32_t edge) const {
+        const auto& edges = eye_.model.topology.faces[face].edges;
+        return std::find(edges.begin(), edges.end(), edge) != edges.end();
+    }
+
     /// The face seen beyond an edge that is no line.
     [[nodiscard]] std::uint32_t across(const Crossing& at, std::uint32_t from) const {
         const scene::Edge& edge = eye_.model.topology.edges[at.edge];
         const auto faces = eye_.model.topology.faces_of(edge);
+        if (eye_.model.is_touched[at.edge] != 0) {
+            const SeenFaces seen = seen_faces_at(eye_, at.edge, at.t);
+            if (seen.left == from && seen.right != kNoFace) return seen.right;
+            if (seen.right == from && seen.left != kNoFace) return seen.left;
+        }
         if (faces.size() == 2) return faces[0] == from ? faces[1] : faces[0];
         if (faces.size() == 1) {
             for (const Continuation& c : eye_.model.continuations_of(at.edge)) {
@@ -213,6 +229,70 @@ bool is_in_front(const Feature& feature, const Walk& other, double near) {
     return feature.q >= *q * (1 - kSameDepth);
 }
 
+/// A point between the two centres where the surface of one walk comes out of that of the other.
+struct Emergence {
+    double s = 0;
+    double q = 0;
+};
+
+/// Where the surface walked from the first centre, until then the nearer, goes under that walked
+/// from the second: there the two pierce each other.
+class Profiles {
+  public:
+    Profiles(const Walk& there, const Walk& back, double near)
+        : there_(there), back_(back), near_(near) {}
+
+    [[nodiscard]] std::optional<Emergence> crossing() {
+        list_breaks();
+        std::optional<Gap> above;
+        for (const double s : breaks_) {
+            const auto gap = gap_at(s);
+            if (!gap) continue;
+            if (gap->difference > kSameDepth * gap->q) {
+                above = gap;
+            } else if (above && gap->difference < -kSameDepth * gap->q) {
+                // Linear in between; a break between may have been a tie, and is as good.
+                const double part = above->difference / (above->difference - gap->difference);
+                return Emergence{above->s + part * (gap->s - above->s),
+                                 above->q + part * (gap->q - above->q)};
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    struct Gap {
+        double s, q, difference;
+    };
+
+    /// 1/w of the first surface less that of the second, if both are there.
+    [[nodiscard]] std::optional<Gap> gap_at(double s) const {
+        const auto q0 = there_.q_at(s), q1 = back_.q_at(1 - s);
+        if (!q0 || !q1 || *q0 * near_ > 1 || *q1 * near_ > 1) return std::nullopt;
+        return Gap{s, *q0, *q0 - *q1};
+    }
+
+    /// Where either profile may bend, in the part that both walks ran over, ascending.
+    void list_breaks() {
+        const double low = std::max(0.0, 1 - back_.end()), high = std::min(1.0, there_.end());
+        if (low >= high) return;
+        breaks_ = {low, high};
+        const auto keep = [&](double s) {
+            if (s > low && s < high) breaks_.push_back(s);
+        };
+        for (const Piece& piece : there_.pieces)
+            keep(piece.s_end);
+        for (const Piece& piece : back_.pieces)
+            keep(1 - piece.s_end);
+        std::sort(breaks_.begin(), breaks_.end());
+    }
+
+    const Walk& there_;
+    const Walk& back_;
+    double near_;
+    std::vector<double> breaks_;
+};
+
 /// At which of two neighbours the line between them is drawn.
 enum class Mark : std::uint8_t { none, first, second };
 
@@ -229,11 +309,17 @@ class PairRule {
         if (back_.reached) return Mark::none;
         const bool at_first = there_.feature && is_in_front(*there_.feature, back_, near_);
         const bool at_second = back_.feature && is_in_front(*back_.feature, there_, near_);
-        if (!at_first && !at_second) return Mark::none;
+        const auto emergence = Profiles(there_, back_, near_).crossing();
+        if (!at_first && !at_second) {
+            if (!emergence) return Mark::none;
+            return emergence->s < 0.5 ? Mark::first : Mark::second;
+        }
         const bool is_second_nearer =
             !at_first || (at_second && there_.feature->edge != back_.feature->edge &&
                           back_.feature->q > there_.feature->q * (1 + kSameDepth));
-        const double s = is_second_nearer ? 1 - back_.feature->s : there_.feature->s;
+        double s = is_second_nearer ? 1 - back_.feature->s : there_.feature->s;
+        const double q = is_second_nearer ? back_.feature->q : there_.feature->q;
+        if (emergence && emergence->q > q * (1 + kSameDepth)) s = emergence->s;
         return s < 0.5 ? Mark::first : Mark::second;
     }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "core/parallel.h"
@@ -18,24 +19,36 @@ constexpr double kBisected_px = 1.0 / 512;  ///< a change lies in an interval no
 // and whether one of them hides it says nothing about the line.
 constexpr double kInset_px = 1.0 / 1024;
 
-constexpr std::size_t kChunk = 64;  ///< edges a task
+constexpr std::size_t kChunk = 64;  ///< edges or crossings a task
 
 /// What can change along a line. `plain`: visible, and not a contour.
 enum class State : std::uint8_t { hidden, plain, against_sky, against_other, against_self };
 
-/// A stretch of an edge inside the picture, parameterised by s in 0..1, uniform on the screen.
+/// A segment in the world: a mesh edge, or a crossing of two faces.
+struct Segment {
+    std::uint32_t edge = kNoEdge;        ///< kNoEdge for a crossing
+    const Crossing* crossing = nullptr;  ///< null for an edge
+    glm::dvec3 a_world{0}, b_world{0};
+    glm::dvec3 a_clip{0}, b_clip{0};
+};
+
+/// A stretch of a segment inside the picture, parameterised by s in 0..1, uniform on the screen.
 struct ScreenLine {
-    std::uint32_t edge = 0;
+    Segment segment;
     LineClass line_class = LineClass::none;
-    double t_begin = 0, t_end = 1;  ///< parameters on the edge
+    double t_begin = 0, t_end = 1;  ///< parameters on the segment
     double w_begin = 0, w_end = 0;
     glm::dvec2 begin_px{0}, end_px{0};
     double length_px = 0;
 
-    /// The parameter on the edge of the point s of the way along on the screen: 1/w is linear in s.
-    [[nodiscard]] double edge_parameter(double s) const {
+    /// The point s of the way along on the screen: 1/w is linear in s.
+    [[nodiscard]] LinePoint line_point(double s) const {
         const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
-        return t_begin + along * (t_end - t_begin);
+        const double t = t_begin + along * (t_end - t_begin);
+        return {segment.edge,
+                segment.a_world + t * (segment.b_world - segment.a_world),
+                w_at(s),
+                segment.crossing};
     }
     [[nodiscard]] double w_at(double s) const {
         return w_begin * w_end / ((1 - s) * w_end + s * w_begin);
@@ -61,10 +74,11 @@ bool clip_to_positive(double at_0, double at_1, double& t0, double& t1) {
     return t0 < t1;
 }
 
-std::optional<ScreenLine> clip(const EyeView& eye, std::uint32_t e, const ClassStretch& stretch) {
-    const scene::Edge& edge = eye.model.topology.edges[e];
-    const glm::dvec3& a = eye.p_clip[edge.a];
-    const glm::dvec3& b = eye.p_clip[edge.b];
+std::optional<ScreenLine> clip(const EyeView& eye,
+                               const Segment& segment,
+                               const ClassStretch& stretch) {
+    const glm::dvec3& a = segment.a_clip;
+    const glm::dvec3& b = segment.b_clip;
     double t0 = stretch.t_begin, t1 = stretch.t_end;
     const double width = eye.width_px, height = eye.height_px;
     if (!clip_to_positive(a.z - eye.near, b.z - eye.near, t0, t1) ||
@@ -76,7 +90,7 @@ std::optional<ScreenLine> clip(const EyeView& eye, std::uint32_t e, const ClassS
     }
     const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
     const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
-    ScreenLine line{.edge = e, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
+    ScreenLine line{.segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
     line.w_begin = begin.z;
     line.w_end = end.z;
     line.begin_px = glm::dvec2(begin) / begin.z;
@@ -111,11 +125,7 @@ class LineTracer {
 
   private:
     State state_at(double s) {
-        const scene::Topology& topology = eye_.model.topology;
-        const scene::Edge& edge = topology.edges[line_->edge];
-        const glm::dvec3& a = topology.p_world[edge.a];
-        const glm::dvec3& b = topology.p_world[edge.b];
-        const EdgePoint point{line_->edge, a + line_->edge_parameter(s) * (b - a), line_->w_at(s)};
+        const LinePoint point = line_->line_point(s);
         ++out_.samples;
         if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
         if (line_->line_class != LineClass::contour) return State::plain;
@@ -156,21 +166,25 @@ class LineTracer {
         if (state == State::hidden) return;
         Curve curve;
         curve.line_class = line_->line_class;
-        curve.edge = line_->edge;
+        curve.edge = line_->segment.edge;
+        if (const Crossing* crossing = line_->segment.crossing) {
+            curve.face0 = crossing->face0;
+            curve.face1 = crossing->face1;
+        }
         curve.kind = state == State::against_sky     ? ContourKind::sky
                      : state == State::against_other ? ContourKind::other_object
                      : state == State::against_self  ? ContourKind::self
                                                      : ContourKind::none;
         curve.begin = line_->point_at(begin);
         curve.end = line_->point_at(end);
-        curve.bend_rad = bend();
+        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing() : bend();
         out_.curves.push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.
     [[nodiscard]] float bend() const {
         const scene::Topology& topology = eye_.model.topology;
-        const scene::Edge& edge = topology.edges[line_->edge];
+        const scene::Edge& edge = topology.edges[line_->segment.edge];
         if (edge.face_count < 2) return 0;
         const SeenFaces seen = eye_.seen_faces(edge);
         if (seen.left == kNoFace || seen.right == kNoFace) {
@@ -178,6 +192,20 @@ class LineTracer {
             return static_cast<float>(scene::bend_rad(topology, edge, faces[0], faces[1]));
         }
         return static_cast<float>(scene::bend_rad(topology, edge, seen.left, seen.right));
+    }
+
+    /// The same of a crossing. One face is seen on either side, both from where the eye is, so it
+    /// is the angle between the normals that face the eye.
+    [[nodiscard]] float bend_of_crossing() const {
+        const Crossing& crossing = *line_->segment.crossing;
+        const auto& p = eye_.model.topology.p_world;
+        const auto normal_of = [&](std::uint32_t f) {
+            const auto& v = eye_.model.topology.faces[f].vertices;
+            return glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]) *
+                   static_cast<double>(eye_.facing[f]);
+        };
+        const glm::dvec3 n0 = normal_of(crossing.face0), n1 = normal_of(crossing.face1);
+        return static_cast<float>(std::atan2(glm::length(glm::cross(n0, n1)), glm::dot(n0, n1)));
     }
 
     const EyeView& eye_;
@@ -191,20 +219,59 @@ class LineTracer {
 std::vector<std::uint32_t> feature_edges(const EyeView& eye) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t e = 0; e < eye.edge_class.size(); ++e) {
-        if (eye.edge_class[e] != LineClass::none) edges.push_back(e);
+        if (eye.edge_class[e] != LineClass::none || eye.model.is_touched[e] != 0) {
+            edges.push_back(e);
+        }
     }
     return edges;
 }
 
-TracedLines trace_chunk(const EyeView& eye,
-                        const Visibility& visibility,
-                        std::span<const std::uint32_t> edges) {
+/// A face seen edge-on has no sides, so a crossing with it is none.
+std::vector<const Crossing*> seen_crossings(const EyeView& eye) {
+    std::vector<const Crossing*> crossings;
+    for (const Crossing& crossing : eye.model.crossings.segments) {
+        if (eye.facing[crossing.face0] != 0 && eye.facing[crossing.face1] != 0) {
+            crossings.push_back(&crossing);
+        }
+    }
+    return crossings;
+}
+
+Segment segment_of(const EyeView& eye, std::uint32_t e) {
+    const scene::Edge& edge = eye.model.topology.edges[e];
+    const auto& p = eye.model.topology.p_world;
+    return {e, nullptr, p[edge.a], p[edge.b], eye.p_clip[edge.a], eye.p_clip[edge.b]};
+}
+
+Segment segment_of(const EyeView& eye, const Crossing& crossing) {
+    const glm::dvec3 &a = crossing.begin_world, &b = crossing.end_world;
+    return {kNoEdge, &crossing, a, b, eye.projection.to_clip(a), eye.projection.to_clip(b)};
+}
+
+/// What the tasks share.
+struct Tracing {
+    const EyeView& eye;
+    const Visibility& visibility;
+    std::vector<std::uint32_t> edges;
+    std::vector<const Crossing*> crossings;
+};
+
+/// Traces the edges, then the crossings, numbered through, from `begin` to `end`.
+TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t end) {
     TracedLines out;
-    LineTracer tracer(eye, visibility, out);
-    for (const std::uint32_t e : edges) {
+    LineTracer tracer(tracing.eye, tracing.visibility, out);
+    for (std::size_t i = begin; i < end; ++i) {
+        if (i >= tracing.edges.size()) {
+            const Crossing& crossing = *tracing.crossings[i - tracing.edges.size()];
+            const auto line = clip(
+                tracing.eye, segment_of(tracing.eye, crossing), {LineClass::intersection, 0, 1});
+            if (line) tracer.trace(*line);
+            continue;
+        }
+        const std::uint32_t e = tracing.edges[i];
         bool is_inside = false;
-        for (const ClassStretch& stretch : line_stretches(eye, e)) {
-            const auto line = clip(eye, e, stretch);
+        for (const ClassStretch& stretch : line_stretches(tracing.eye, e)) {
+            const auto line = clip(tracing.eye, segment_of(tracing.eye, e), stretch);
             if (!line) continue;
             is_inside = true;
             tracer.trace(*line);
@@ -217,13 +284,13 @@ TracedLines trace_chunk(const EyeView& eye,
 }  // namespace
 
 TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, int threads) {
-    const std::vector<std::uint32_t> edges = feature_edges(eye);
     const Visibility visibility(eye, scene);
-    std::vector<TracedLines> parts((edges.size() + kChunk - 1) / kChunk);
+    const Tracing tracing{eye, visibility, feature_edges(eye), seen_crossings(eye)};
+    const std::size_t count = tracing.edges.size() + tracing.crossings.size();
+    std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
     core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
         const std::size_t begin = chunk * kChunk;
-        const std::size_t count = std::min(kChunk, edges.size() - begin);
-        parts[chunk] = trace_chunk(eye, visibility, {edges.data() + begin, count});
+        parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
     });
     TracedLines all;
     for (const TracedLines& part : parts) {

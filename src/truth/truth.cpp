@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "truth/curve_facts.h"
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
 #include "truth/label_image.h"
@@ -22,10 +23,16 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.triangles = model.topology.counts.triangles;
     counts.degenerate = model.topology.counts.degenerate;
     counts.duplicate = model.topology.counts.duplicate;
+    counts.joined_vertices = model.topology.counts.joined_vertices;
+    counts.collapsed = model.topology.counts.collapsed;
     counts.defect_edges = model.defect_edges;
     counts.candidate_edges = lines.candidate_edges;
     counts.samples = lines.samples;
     counts.rays = lines.rays;
+    counts.pairs_tested = model.crossings.pairs_tested;
+    counts.crossings = model.crossings.segments.size();
+    counts.contacts = model.crossings.contacts.size();
+    counts.too_many_crossings = model.crossings.is_too_many ? 1 : 0;
     counts.merged_px = image.merged_px;
     counts.crowded_share = image.crowded_share;
     return counts;
@@ -41,6 +48,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 
     Truth truth;
     TracedLines lines = trace_lines(eye, scene, trace.threads);
+    lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px);
     truth.counts = counts_of(model, lines, image);
     truth.labels = std::move(image.labels);

@@ -17,16 +17,22 @@ constexpr double kBeside = 1.0 / 2048;  ///< px; design, section 5
 // degree. Those taken in vain cost a predicate each.
 constexpr double kPast = 1.0 / 64;
 
+constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();  ///< of a few operations
+
 }  // namespace
 
-bool Visibility::is_own(std::uint32_t face, std::uint32_t edge) const {
+bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
+    if (point.crossing != nullptr) {
+        return face == point.crossing->face0 || face == point.crossing->face1;
+    }
     const auto& edges = eye_.model.topology.faces[face].edges;
-    return edges[0] == edge || edges[1] == edge || edges[2] == edge;
+    return edges[0] == point.edge || edges[1] == point.edge || edges[2] == point.edge;
 }
 
 /// The side of the face's plane on which the point lies, exact for the true point of the edge: if
 /// both ends lie on one side so does it, whatever rounding did to its coordinates.
-int Visibility::side_of_point(std::uint32_t f, const EdgePoint& point) const {
+int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
+    if (point.crossing != nullptr) return side_of_crossing(f, point);
     const scene::Topology& topology = eye_.model.topology;
     const auto& p = topology.p_world;
     const scene::Edge& edge = topology.edges[point.edge];
@@ -41,9 +47,51 @@ int Visibility::side_of_point(std::uint32_t f, const EdgePoint& point) const {
     return scene::facing(p[v[0]], p[v[1]], p[v[2]], point.p_world);
 }
 
+/// The side where the true point lies for sure, else 0.
+int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const {
+    const auto& p = eye_.model.topology.p_world;
+    const auto& v = eye_.model.topology.faces[f].vertices;
+    const glm::dvec3 u0 = p[v[1]] - p[v[0]], u1 = p[v[2]] - p[v[0]];
+    const glm::dvec3 normal = glm::cross(u0, u1);
+    const glm::dvec3 d = point.p_world - p[v[0]];
+    const double height = glm::dot(normal, d);
+    const double off = point.crossing->error + kRounding * glm::length(point.p_world);
+    const double bound = off * glm::length(normal) +
+                         kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
+    return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
+}
+
+bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
+    const auto& p = eye_.model.topology.p_world;
+    const auto& v = eye_.model.topology.faces[face0].vertices;
+    const auto& w = eye_.model.topology.faces[face1].vertices;
+    return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
+        return scene::orient3d(p[v[0]], p[v[1]], p[v[2]], p[i]) == 0;
+    });
+}
+
+/// Whether a face through the line of a crossing is seen there in place of one of the two.
+bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
+    const Crossing& crossing = *point.crossing;
+    if (is_coplanar(f, crossing.face0)) return f < crossing.face0;
+    if (is_coplanar(f, crossing.face1)) return f < crossing.face1;
+    const auto& p = eye_.model.topology.p_world;
+    const glm::dvec3 sight = point.p_world - eye_.eye_world();
+    const glm::dvec3 beside = glm::cross(crossing.end_world - crossing.begin_world, sight);
+    // How much nearer the plane comes for each step to that side; on the other it recedes so.
+    const auto nearing = [&](std::uint32_t face) {
+        const auto& v = eye_.model.topology.faces[face].vertices;
+        const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
+        return glm::dot(normal, beside) / glm::dot(normal, sight);
+    };
+    const auto [low, high] = std::minmax({nearing(crossing.face0), nearing(crossing.face1)});
+    const double own = nearing(f);
+    return own < low || own > high;
+}
+
 /// Whether the line from the eye through the point meets the closed triangle; one seen edge-on is
 /// never met.
-bool Visibility::pierces(std::uint32_t f, const EdgePoint& point) const {
+bool Visibility::pierces(std::uint32_t f, const LinePoint& point) const {
     const auto& p = eye_.model.topology.p_world;
     const auto& v = eye_.model.topology.faces[f].vertices;
     int low = 0, high = 0;
@@ -57,7 +105,7 @@ bool Visibility::pierces(std::uint32_t f, const EdgePoint& point) const {
 }
 
 /// Whether the line of sight meets the face's plane in front of the near plane.
-bool Visibility::is_cut_away(std::uint32_t f, const EdgePoint& point) const {
+bool Visibility::is_cut_away(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
     const auto is_near = [&](std::uint32_t i) { return eye_.p_clip[i].z < eye_.near; };
     if (!is_near(v[0]) && !is_near(v[1]) && !is_near(v[2])) return false;
@@ -68,20 +116,23 @@ bool Visibility::is_cut_away(std::uint32_t f, const EdgePoint& point) const {
     return t * point.w < eye_.near;
 }
 
-bool Visibility::blocks(std::uint32_t f, const EdgePoint& point) const {
+bool Visibility::blocks(std::uint32_t f, const LinePoint& point) const {
     const int side_eye = eye_.facing[f];
-    if (side_eye == 0 || is_own(f, point.edge)) return false;
-    return side_of_point(f, point) * side_eye < 0 && pierces(f, point) && !is_cut_away(f, point);
+    if (side_eye == 0 || is_own(f, point)) return false;
+    const int side = side_of_point(f, point) * side_eye;
+    if (side > 0 || (side == 0 && point.crossing == nullptr)) return false;
+    if (!pierces(f, point) || is_cut_away(f, point)) return false;
+    return side < 0 || covers(f, point);
 }
 
 /// Beyond the point, or touching it there as the floor touches a box that stands on it.
-bool Visibility::is_behind(std::uint32_t f, const EdgePoint& point) const {
+bool Visibility::is_behind(std::uint32_t f, const LinePoint& point) const {
     const int side_eye = eye_.facing[f];
-    if (side_eye == 0 || is_own(f, point.edge)) return false;
+    if (side_eye == 0 || is_own(f, point)) return false;
     return side_of_point(f, point) * side_eye >= 0 && pierces(f, point);
 }
 
-bool Visibility::is_visible(const EdgePoint& point,
+bool Visibility::is_visible(const LinePoint& point,
                             std::uint32_t& blocker,
                             std::size_t& rays) const {
     if (blocker != kNoFace && blocks(blocker, point)) return false;
@@ -104,13 +155,18 @@ bool Visibility::is_visible(const EdgePoint& point,
     return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
 }
 
-ContourKind Visibility::kind_behind(const EdgePoint& point, std::size_t& rays) const {
+std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
+                                                      std::size_t& rays) const {
     EyeRay ray;
     ray.direction_world = point.p_world - eye_.eye_world();
     ray.t_near = 1 - kPast;
     ray.t_far = std::numeric_limits<double>::infinity();
     ++rays;
-    const auto hit = scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+    return scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+}
+
+ContourKind Visibility::kind_behind(const LinePoint& point, std::size_t& rays) const {
+    const auto hit = first_behind(point, rays);
     if (!hit) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;
     const std::uint32_t own = topology.faces_of(topology.edges[point.edge])[0];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
@@ -10,41 +11,55 @@
 
 namespace ink::truth {
 
-/// A point of a mesh edge, and the edge it is a point of.
-struct EdgePoint {
-    std::uint32_t edge = 0;
+/// A point of a line, and the mesh edge or the crossing it is a point of.
+struct LinePoint {
+    std::uint32_t edge = kNoEdge;  ///< kNoEdge on a crossing
     glm::dvec3 p_world{0};
     double w = 0;  ///< distance along the gaze
+    const Crossing* crossing = nullptr;
 };
 
-/// The exact rule of visibility: a point of an edge is visible if the open segment from the eye to
-/// it meets no triangle except the edge's own faces.
+/// The exact rule of visibility: a point of a line is visible if the open segment from the eye to
+/// it meets no triangle except the line's own faces: those of the edge, or the two that cross.
 ///
 /// Embree offers candidates along the segment and 1/2048 px beside it (even its robust mode lets a
 /// ray slip between two triangles now and then); each is confirmed or dropped by exact predicates
 /// on the segment itself. A triangle whose plane holds the point, or the eye, does not block. What
 /// lies in front of the near plane is not there.
+///
+/// The ends of a crossing are rounded, so there a triangle's plane holds the point if the side
+/// cannot be told for sure, which is within some 1e-12 of the crossing faces' size. Such a triangle
+/// through the line is one more sheet of the bundle: it hides the crossing where it coincides with
+/// one of the two faces and is the lower, or is the nearest of the three on either side; then the
+/// line is drawn once, as the crossing of those that are seen.
 class Visibility {
   public:
     Visibility(const EyeView& eye, const EyeScene& scene) : eye_(eye), scene_(scene) {}
 
     /// Whether the point is visible. `blocker` is tried first and set to the face that blocked:
     /// neighbouring points mostly hide behind the same one. `rays` counts up.
-    [[nodiscard]] bool is_visible(const EdgePoint& point,
+    [[nodiscard]] bool is_visible(const LinePoint& point,
                                   std::uint32_t& blocker,
                                   std::size_t& rays) const;
 
-    /// What lies behind a visible contour point: the object of the nearest face beyond it on the
-    /// line of sight, the edge's own faces left out.
-    [[nodiscard]] ContourKind kind_behind(const EdgePoint& point, std::size_t& rays) const;
+    /// The nearest face beyond a visible point on the line of sight, or touching it there, the
+    /// edge's own faces left out; nothing before the sky. The distance is Embree's.
+    [[nodiscard]] std::optional<EyeScene::Hit> first_behind(const LinePoint& point,
+                                                            std::size_t& rays) const;
+
+    /// What lies behind a visible contour point: the object of `first_behind`.
+    [[nodiscard]] ContourKind kind_behind(const LinePoint& point, std::size_t& rays) const;
 
   private:
-    [[nodiscard]] bool blocks(std::uint32_t face, const EdgePoint& point) const;
-    [[nodiscard]] bool is_behind(std::uint32_t face, const EdgePoint& point) const;
-    [[nodiscard]] int side_of_point(std::uint32_t face, const EdgePoint& point) const;
-    [[nodiscard]] bool pierces(std::uint32_t face, const EdgePoint& point) const;
-    [[nodiscard]] bool is_cut_away(std::uint32_t face, const EdgePoint& point) const;
-    [[nodiscard]] bool is_own(std::uint32_t face, std::uint32_t edge) const;
+    [[nodiscard]] bool blocks(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_behind(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] int side_of_point(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] int side_of_crossing(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;
+    [[nodiscard]] bool pierces(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_cut_away(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_own(std::uint32_t face, const LinePoint& point) const;
 
     const EyeView& eye_;
     const EyeScene& scene_;

@@ -21,7 +21,7 @@ const std::map<std::string, Names>& arrows() {
         {"edge", {"core"}},
         {"shade", {"core", "scene", "raster"}},
         {"truth", {"core", "scene", "edge"}},
-        {"score", {"core", "edge", "truth/line_class.h"}},
+        {"score", {"core", "edge", "truth/line_class.h", "truth/curve.h"}},
         {"lab",
          {"core", "image_io", "scene", "raster", "edge", "shade", "truth", "score", "methods"}},
         {"cli", {"core", "lab"}},

@@ -26,13 +26,18 @@ core::Image<std::uint8_t> digits(const std::vector<std::string>& rows, int facto
     return image;
 }
 
-/// Marks as letters: '.' paper, '-' ignored, 'h' hit, 'f' false, 'm' missing.
+/// A mark as a letter: '.' paper, '-' ignored, 'h' hit, 'f' false, 'm' missing.
+char letter(Mark mark) {
+    if (is_wrong(mark)) return score::is_miss(cause_of(mark)) ? 'm' : 'f';
+    return ".-h"[static_cast<int>(mark)];
+}
+
 std::vector<std::string> letters(const Marks& marks) {
     std::vector<std::string> rows;
     for (int y = 0; y < marks.height_px(); ++y) {
         std::string& row = rows.emplace_back();
         for (int x = 0; x < marks.width_px(); ++x)
-            row += ".-hfm"[static_cast<int>(marks.at(x, y))];
+            row += letter(marks.at(x, y));
     }
     return rows;
 }
@@ -89,14 +94,31 @@ TEST(MarkErrors, MissingAndFalsePixelsAreTheScoresOwn) {
     options.band_px = 6;
     options.ignore_label = 7;
     const auto score = score::score(drawn, score::prepare_truth(labels, options, true), options);
-    const auto count = [&](Mark mark) {
-        return std::count(marks.data(), marks.data() + marks.size(), mark);
+    const auto count = [&](char which) {
+        return std::count_if(marks.data(), marks.data() + marks.size(), [which](Mark mark) {
+            return letter(mark) == which;
+        });
     };
     ASSERT_GT(score.missing, 0);
     ASSERT_GT(score.off_line, 0);
-    EXPECT_EQ(count(Mark::missing), score.missing);
-    EXPECT_GE(count(Mark::false_line), score.off_line) << "with the width it was drawn with";
-    EXPECT_EQ(count(Mark::false_line) > 0, score.off_line > 0);
+    EXPECT_EQ(count('m'), score.missing);
+    EXPECT_GE(count('f'), score.off_line) << "with the width it was drawn with";
+    EXPECT_EQ(count('f') > 0, score.off_line > 0);
+}
+
+TEST(MarkErrors, WrongPixelsHaveTheCausesTheyAreGiven) {
+    const auto labels = digits({".....", "11...", ".....", ".....", "....."});
+    const auto drawn = digits({".....", ".....", ".....", ".....", "..222"}, 100);
+    const std::vector<score::WrongPixel> wrong = {{{2, 4}, score::Cause::one_patch},
+                                                  {{4, 4}, score::Cause::frame},
+                                                  {{0, 1}, score::Cause::sub_pixel}};
+    const Marks marks =
+        mark_errors(labels, drawn, {.tolerance_px = 1, .band_px = 0, .wrong = wrong});
+    EXPECT_EQ(marks.at(2, 4), mark_of(score::Cause::one_patch));
+    EXPECT_EQ(marks.at(3, 4), mark_of(score::Cause::other)) << "nobody said why";
+    EXPECT_EQ(marks.at(4, 4), mark_of(score::Cause::frame));
+    EXPECT_EQ(marks.at(0, 1), mark_of(score::Cause::sub_pixel));
+    EXPECT_EQ(marks.at(1, 1), mark_of(score::Cause::undeclared)) << "nobody said why";
 }
 
 TEST(MarkErrors, NothingGivesNothing) {
@@ -104,15 +126,20 @@ TEST(MarkErrors, NothingGivesNothing) {
 }
 
 TEST(ErrorPicture, HasAColourPerMark) {
-    Marks marks(5, 1);
-    for (int x = 0; x < 5; ++x)
+    constexpr int kCount = 14;  // paper, ignored, hit, five causes of false lines and six of misses
+    Marks marks(kCount, 1);
+    for (int x = 0; x < kCount; ++x)
         marks.at(x, 0) = static_cast<Mark>(x);
     const RgbImage picture = error_picture(marks);
+    for (int a = 0; a < kCount; ++a) {
+        for (int b = 0; b < a; ++b)
+            EXPECT_NE(picture.at(a, 0), picture.at(b, 0)) << a << " and " << b;
+    }
     EXPECT_EQ(picture.at(0, 0), glm::u8vec3(255, 255, 255));
     EXPECT_EQ(picture.at(1, 0), kMist.rgb);
     EXPECT_EQ(picture.at(2, 0), kInk.rgb);
     EXPECT_EQ(picture.at(3, 0), kBlue.rgb);
-    EXPECT_EQ(picture.at(4, 0), kVermilion.rgb);
+    EXPECT_EQ(picture.at(8, 0), kVermilion.rgb);
 }
 
 TEST(TruthPicture, HasAColourPerClass) {
@@ -125,7 +152,7 @@ TEST(TruthPicture, HasAColourPerClass) {
 
 TEST(Shrink, KeepsWhatMattersMost) {
     Marks marks(3, 2, Mark::hit);
-    marks.at(1, 1) = Mark::missing;
+    marks.at(1, 1) = mark_of(score::Cause::cancelled);
     marks.at(2, 0) = Mark::paper;
     EXPECT_EQ(letters(shrink(marks, 2)), (Letters{"mh"}));
     EXPECT_EQ(shrink(digits({"7300", "0500"}), 2), digits({"30"}));
@@ -135,7 +162,7 @@ TEST(Shrink, KeepsWhatMattersMost) {
 TEST(Thicken, WidensLinesAndCoversNoOther) {
     EXPECT_EQ(thicken(digits({"1.3", "...", "7.."})), digits({"113", "113", "7.."}));
     Marks marks(3, 2);
-    marks.at(0, 0) = Mark::missing;
+    marks.at(0, 0) = mark_of(score::Cause::cancelled);
     marks.at(1, 0) = Mark::hit;
     EXPECT_EQ(letters(thicken(marks)), (Letters{"mh.", "mm."}));
 }

@@ -70,7 +70,7 @@ TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {
     core::Image<std::uint8_t> labels(40, 40);
     for (int x = 0; x < 40; ++x)
         labels.at(x, 21) = 1;
-    truth.scoring = score::prepare_truth(labels, cell_score_options(1), true);
+    truth.scoring = score::prepare_truth(labels, score_options(1), true);
 
     const auto rows = sweep_rows({&info, {}}, scene, view, truth, {1, 2, 2, 1000});
     ASSERT_EQ(rows.size(), 4U);

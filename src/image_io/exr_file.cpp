@@ -1,0 +1,202 @@
+#include "image_io/exr_file.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <set>
+
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "image_io/open_image_io.h"
+
+namespace ink::image_io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
+constexpr const char* kAccepted = "an OpenEXR file";
+
+struct Size {
+    int width_px = 0;
+    int height_px = 0;
+    friend bool operator==(const Size&, const Size&) = default;
+};
+
+Size size_of(const ExrChannel& channel) {
+    return std::visit(
+        [](const auto& held) -> Size {
+            if constexpr (std::is_same_v<std::decay_t<decltype(held)>, HalfImage>) {
+                return {held.pixels.width_px(), held.pixels.height_px()};
+            } else {
+                return {held.width_px(), held.height_px()};
+            }
+        },
+        channel.pixels);
+}
+
+OIIO::TypeDesc type_of(const ExrChannel& channel) {
+    constexpr OIIO::TypeDesc::BASETYPE kTypes[] = {
+        OIIO::TypeDesc::UINT32, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::HALF};
+    return kTypes[channel.pixels.index()];
+}
+
+/// The bytes that a file holds of a channel, dense.
+std::vector<std::uint8_t> bytes_of(const ExrChannel& channel) {
+    const auto [width_px, height_px] = size_of(channel);
+    const std::size_t count = static_cast<std::size_t>(width_px) * height_px;
+    const OIIO::TypeDesc type = type_of(channel);
+    std::vector<std::uint8_t> bytes(count * type.size());
+    if (const auto* half = std::get_if<HalfImage>(&channel.pixels)) {
+        OIIO::convert_pixel_values(OIIO::TypeDesc::FLOAT,
+                                   half->pixels.data(),
+                                   type,
+                                   bytes.data(),
+                                   static_cast<int>(count));
+    } else if (const auto* whole = std::get_if<core::Image<std::uint32_t>>(&channel.pixels)) {
+        std::memcpy(bytes.data(), whole->data(), bytes.size());
+    } else {
+        std::memcpy(
+            bytes.data(), std::get<core::Image<float>>(channel.pixels).data(), bytes.size());
+    }
+    return bytes;
+}
+
+OIIO::ImageSpec spec_of(const ExrFile& file) {
+    const auto [width_px, height_px] = size_of(file.channels.front());
+    OIIO::ImageSpec spec(
+        width_px, height_px, static_cast<int>(file.channels.size()), OIIO::TypeDesc::FLOAT);
+    spec.channelnames.clear();
+    for (const ExrChannel& channel : file.channels) {
+        spec.channelnames.push_back(channel.name);
+        spec.channelformats.push_back(type_of(channel));
+    }
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // else it is the clock's, and no file is the same twice
+    for (const ExrAttribute& attribute : file.attributes) {
+        if (const auto* text = std::get_if<std::string>(&attribute.value)) {
+            spec.attribute(attribute.name, *text);
+        } else if (const auto* number = std::get_if<double>(&attribute.value)) {
+            spec.attribute(attribute.name, OIIO::TypeDesc::DOUBLE, number);
+        } else {
+            spec.attribute(attribute.name,
+                           OIIO::TypeMatrix,
+                           std::get<std::array<float, 16>>(attribute.value).data());
+        }
+    }
+    return spec;
+}
+
+/// All channels pixel by pixel, each in its own type: what a file with mixed types takes.
+std::vector<std::uint8_t> interleave(const ExrFile& file, const OIIO::ImageSpec& spec) {
+    const std::size_t pixel_bytes = spec.pixel_bytes(true);
+    const auto pixels = static_cast<std::size_t>(spec.image_pixels());
+    std::vector<std::uint8_t> all(pixels * pixel_bytes);
+    std::size_t offset = 0;
+    for (const ExrChannel& channel : file.channels) {
+        const std::vector<std::uint8_t> own = bytes_of(channel);
+        const std::size_t bytes = type_of(channel).size();
+        for (std::size_t i = 0; i < pixels; ++i)
+            std::memcpy(all.data() + i * pixel_bytes + offset, own.data() + i * bytes, bytes);
+        offset += bytes;
+    }
+    return all;
+}
+
+[[maybe_unused]] bool is_well_formed(const ExrFile& file) {
+    std::set<std::string> names;
+    return std::all_of(file.channels.begin(), file.channels.end(), [&](const ExrChannel& c) {
+        return size_of(c) == size_of(file.channels.front()) && names.insert(c.name).second;
+    });
+}
+
+ExrChannel read_channel(OIIO::ImageInput& input,
+                        const OIIO::ImageSpec& spec,
+                        int index,
+                        const fs::path& path) {
+    ExrChannel channel{spec.channelnames[static_cast<std::size_t>(index)], {}};
+    const OIIO::TypeDesc type = spec.channelformat(index);
+    const auto read = [&](OIIO::TypeDesc as, void* data) {
+        if (!input.read_image(0, 0, index, index + 1, as, data)) {
+            throw core::Error(
+                path.string(), "cannot be read: " + one_line(input.geterror()), kAccepted);
+        }
+    };
+    if (type == OIIO::TypeDesc::UINT32) {
+        core::Image<std::uint32_t> image(spec.width, spec.height);
+        read(type, image.data());
+        channel.pixels = std::move(image);
+        return channel;
+    }
+    core::Image<float> image(spec.width, spec.height);
+    read(OIIO::TypeDesc::FLOAT, image.data());
+    if (type == OIIO::TypeDesc::HALF) {
+        channel.pixels = HalfImage{std::move(image)};
+    } else {
+        channel.pixels = std::move(image);
+    }
+    return channel;
+}
+
+std::vector<ExrAttribute> attributes_of(const OIIO::ImageSpec& spec) {
+    std::vector<ExrAttribute> attributes;
+    for (const OIIO::ParamValue& param : spec.extra_attribs) {
+        const std::string name = param.name().string();
+        if (param.type() == OIIO::TypeDesc::STRING) {
+            attributes.push_back({name, param.get_string()});
+        } else if (param.type() == OIIO::TypeDesc::DOUBLE) {
+            attributes.push_back({name, *static_cast<const double*>(param.data())});
+        } else if (param.type() == OIIO::TypeDesc::FLOAT || param.type() == OIIO::TypeDesc::INT) {
+            attributes.push_back({name, static_cast<double>(param.get_float())});
+        } else if (param.type() == OIIO::TypeMatrix) {
+            std::array<float, 16> matrix{};
+            std::memcpy(matrix.data(), param.data(), sizeof matrix);
+            attributes.push_back({name, matrix});
+        }
+    }
+    return attributes;
+}
+
+}  // namespace
+
+void write_exr(const ExrFile& file, const fs::path& path) {
+    if (file.channels.empty() || size_of(file.channels.front()).width_px == 0 ||
+        size_of(file.channels.front()).height_px == 0) {
+        throw core::Error(path.string(), "the picture is empty", "a channel of at least 1 x 1 px");
+    }
+    assert(is_well_formed(file));
+    const OIIO::ImageSpec spec = spec_of(file);
+    std::vector<std::uint8_t> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create("picture.exr", &memory);
+    if (!output) throw core::Error(path.string(), "no EXR writer: " + one_line(OIIO::geterror()));
+    if (!output->open("picture.exr", spec) ||
+        !output->write_image(OIIO::TypeDesc::UNKNOWN, interleave(file, spec).data()) ||
+        !output->close()) {
+        throw core::Error(path.string(), "cannot be encoded: " + one_line(output->geterror()));
+    }
+    core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+ExrFile read_exr(const fs::path& path) {
+    if (!fs::exists(path)) throw core::Error(path.string(), "no such file", kAccepted);
+    const auto input = OIIO::ImageInput::open(path.string());
+    if (!input) {
+        throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), kAccepted);
+    }
+    const OIIO::ImageSpec spec = input->spec();
+    const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
+    if (std::string_view(input->format_name()) != "openexr" || pixels < 1 || pixels > kMaxPixels) {
+        throw core::Error(path.string(), "this is not such a file", kAccepted);
+    }
+    ExrFile file;
+    for (int i = 0; i < spec.nchannels; ++i)
+        file.channels.push_back(read_channel(*input, spec, i, path));
+    std::sort(file.channels.begin(), file.channels.end(), [](const auto& a, const auto& b) {
+        return a.name < b.name;
+    });
+    file.attributes = attributes_of(spec);
+    return file;
+}
+
+}  // namespace ink::image_io

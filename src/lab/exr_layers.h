@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+
+#include "edge/edge_image.h"
+#include "lab/entrants.h"
+#include "lab/error_picture.h"
+#include "lab/suite.h"
+#include "truth/truth.h"
+
+namespace ink::lab {
+
+/// Writes a truth as a multi-channel OpenEXR file.
+///
+/// Channels: `R G B` (HALF, linear light) the classes in colour, `Z` (FLOAT) the distance along the
+/// gaze, infinity before the sky; `class.label` (UINT) the labels, `id.triangle` and `id.patch`
+/// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
+/// (HALF) 0 or 1. What the truth was traced without is left out. The header names scene, view,
+/// camera (`worldToCamera`, eye, field of view, near), crease angle, program and commit.
+///
+/// `subject` has the traced view first. Throws core::Error if the file cannot be written.
+void write_truth_exr(const Subject& subject,
+                     const truth::TruthOptions& options,
+                     const truth::Truth& truth,
+                     const std::filesystem::path& path);
+
+/// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished
+/// picture and `strength.Y` (HALF, k/255) the method's strengths; the header as above, and the
+/// method with its parameters.
+void write_drawing_exr(const Subject& subject,
+                       const Entrant& entrant,
+                       const edge::EdgeImage& strengths,
+                       const RgbImage& picture,
+                       const std::filesystem::path& path);
+
+}  // namespace ink::lab

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "lab/tracing.h"
+#include "methods/method.h"
+#include "scene/scene.h"
+#include "score/attribution.h"
+
+namespace ink::lab {
+
+/// The stencils of a view's truth, borrowed from it.
+[[nodiscard]] score::TruthStencils stencils_of(const ViewTruth& truth);
+
+/// A code that a method declared, and the strength from which on it is a line.
+struct DeclaredCode {
+    methods::LinearCode code;
+    int threshold = 128;
+};
+
+/// Predicts from truth geometry and a declared code alone (never from a method's picture) why a
+/// line was missed.
+///
+/// Keeps a scene's surface for each kind of normals that codes ask for. Borrows the scene.
+class MissPredictor {
+  public:
+    explicit MissPredictor(const scene::Scene& scene);
+
+    /// One cause for each of `missing`: of the stencils that see its line
+    /// (score::seeing_stencils),
+    /// - `unexplained` if the code, rounded and limited as declared, reaches the threshold in one;
+    /// - else `cancelled` if one of its four channels would do so alone;
+    /// - else `below_threshold`, also where there is no such stencil.
+    ///
+    /// Saturation and wrapping count as cancelling. Stencils that the frame cuts are left out.
+    [[nodiscard]] std::vector<score::Cause> predict(const std::vector<score::Pixel>& missing,
+                                                    const ViewTruth& truth,
+                                                    const scene::View& view,
+                                                    const DeclaredCode& declared);
+
+  private:
+    [[nodiscard]] const scene::Surface& surface(const methods::CodeInputs& inputs);
+
+    const scene::Scene& scene_;
+    scene::Sphere bounds_;
+    std::map<std::pair<scene::NormalSource, double>, scene::Surface> surfaces_;
+};
+
+}  // namespace ink::lab

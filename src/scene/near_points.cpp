@@ -1,0 +1,107 @@
+#include "scene/near_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+
+namespace ink::scene {
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellPoint {
+    Cell cell{};
+    std::uint32_t point = 0;
+    friend bool operator<(const CellPoint& a, const CellPoint& b) {
+        return std::tie(a.cell, a.point) < std::tie(b.cell, b.point);
+    }
+};
+
+// Cells are a little wider than the distance, so that two points within it lie in neighbouring
+// cells whatever the division rounds.
+constexpr double kCellWidth = 1.01;  ///< distances
+
+std::vector<CellPoint> sorted_by_cell(std::span<const glm::dvec3> points,
+                                      std::span<const std::uint32_t> part,
+                                      double distance) {
+    glm::dvec3 low = points[part.front()];
+    for (const std::uint32_t i : part)
+        low = glm::min(low, points[i]);
+    std::vector<CellPoint> cells;
+    cells.reserve(part.size());
+    for (const std::uint32_t i : part) {
+        const glm::dvec3 at = (points[i] - low) / (kCellWidth * distance);
+        cells.push_back({{static_cast<std::int64_t>(at.x),
+                          static_cast<std::int64_t>(at.y),
+                          static_cast<std::int64_t>(at.z)},
+                         i});
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+/// Where neighbours of a cell stand in the sorted list: three cells in a row along z. These five
+/// rows hold the cell itself and each pair of neighbours once.
+constexpr std::array<std::array<std::int64_t, 2>, 5> kRows = {
+    {{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+
+bool is_before(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+}  // namespace
+
+NearPoints::NearPoints(std::span<const glm::dvec3> points)
+    : points_(points), parent_(points.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+std::uint32_t NearPoints::root_of(std::uint32_t i) {
+    while (parent_[i] != i) {
+        parent_[i] = parent_[parent_[i]];
+        i = parent_[i];
+    }
+    return i;
+}
+
+void NearPoints::link(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax({root_of(a), root_of(b)});
+    parent_[high] = low;
+}
+
+void NearPoints::add(std::span<const std::uint32_t> part, double distance) {
+    if (part.empty() || !(distance > 0)) return;
+    const std::vector<CellPoint> cells = sorted_by_cell(points_, part, distance);
+    for (const auto& [dx, dy] : kRows) {
+        // As the cells ascend so do the rows beside them: one pointer follows.
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const auto& [cell, point] = cells[i];
+            const Cell low{cell[0] + dx, cell[1] + dy, cell[2] - 1};
+            const Cell high{cell[0] + dx, cell[1] + dy, cell[2] + 1};
+            while (first < cells.size() && cells[first].cell < low)
+                ++first;
+            for (std::size_t j = first; j < cells.size() && !(high < cells[j].cell); ++j) {
+                const std::uint32_t other = cells[j].point;
+                if (other == point) continue;
+                if (glm::length(points_[point] - points_[other]) <= distance) link(point, other);
+            }
+        }
+    }
+}
+
+std::vector<glm::dvec3> NearPoints::representatives() {
+    std::vector<glm::dvec3> first(points_.begin(), points_.end());
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+        glm::dvec3& best = first[root_of(i)];
+        if (is_before(points_[i], best)) best = points_[i];
+    }
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+        first[i] = first[root_of(i)];
+    return first;
+}
+
+}  // namespace ink::scene

@@ -1,0 +1,176 @@
+#include "score/attribution.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "score/pixel_list.h"
+
+namespace ink::score {
+namespace {
+
+/// Whether a crack runs between two pixels that are neighbours, `b` right of or below `a`.
+bool is_cracked(const TruthStencils& stencils, Pixel a, Pixel b) {
+    return (a.y_px == b.y_px ? stencils.cracks.right : stencils.cracks.below).at(a.x_px, a.y_px) !=
+           0;
+}
+
+/// The 3 x 3 pixels round one that has eight neighbours.
+class Square {
+  public:
+    Square(const TruthStencils& stencils, Pixel middle) : stencils_(stencils), middle_(middle) {}
+
+    [[nodiscard]] bool is_uniform(const core::Image<std::uint32_t>& ids) const {
+        const std::uint32_t first = ids.at(middle_.x_px, middle_.y_px);
+        for (int y = middle_.y_px - 1; y <= middle_.y_px + 1; ++y) {
+            for (int x = middle_.x_px - 1; x <= middle_.x_px + 1; ++x) {
+                if (ids.at(x, y) != first) return false;
+            }
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool has_crack() const {
+        const int right = middle_.x_px + 1;
+        const int bottom = middle_.y_px + 1;
+        for (int y = middle_.y_px - 1; y <= bottom; ++y) {
+            for (int x = middle_.x_px - 1; x <= right; ++x) {
+                if (x < right && is_cracked(stencils_, {x, y}, {x + 1, y})) return true;
+                if (y < bottom && is_cracked(stencils_, {x, y}, {x, y + 1})) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    const TruthStencils& stencils_;
+    Pixel middle_;
+};
+
+/// The truth pixels that the band took out of the comparison, by where they are.
+class BandTruth {
+  public:
+    BandTruth(const core::Image<std::uint8_t>& labels, const ScoreOptions& options)
+        : labels_(labels), options_(options), disk_(options.tolerance_px) {}
+
+    [[nodiscard]] bool is_near(Pixel pixel) const {
+        const int radius = disk_.radius_px();
+        for (int dy = -radius; dy <= radius; ++dy) {
+            const int half_width = disk_.half_width_px(dy);
+            for (int dx = -half_width; dx <= half_width; ++dx) {
+                if (was_taken_out({pixel.x_px + dx, pixel.y_px + dy})) return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    [[nodiscard]] bool was_taken_out(Pixel p) const {
+        if (!labels_.contains(p.x_px, p.y_px)) return false;
+        const int depth_px = std::min(std::min(p.x_px, labels_.width_px() - 1 - p.x_px),
+                                      std::min(p.y_px, labels_.height_px() - 1 - p.y_px));
+        const int label = labels_.at(p.x_px, p.y_px);
+        return depth_px < options_.band_px && label != 0 && label != options_.ignore_label;
+    }
+
+    const core::Image<std::uint8_t>& labels_;
+    const ScoreOptions& options_;
+    Disk disk_;
+};
+
+Cause off_line_cause(const TruthStencils& stencils, const BandTruth& band, Pixel pixel) {
+    const auto [x, y] = pixel;
+    const bool has_neighbours = x > 0 && y > 0 && x < stencils.triangle.width_px() - 1 &&
+                                y < stencils.triangle.height_px() - 1;
+    if (!has_neighbours || band.is_near(pixel)) return Cause::frame;
+    const Square square(stencils, pixel);
+    if (square.is_uniform(stencils.triangle)) return Cause::one_triangle;
+    if (square.has_crack()) return Cause::crack;
+    return square.is_uniform(stencils.patch) ? Cause::one_patch : Cause::other;
+}
+
+Cause miss_cause(const std::vector<Pixel>& seeing, const edge::Mask& drawn, Cause predicted) {
+    if (seeing.empty()) return Cause::sub_pixel;
+    if (predicted == Cause::cancelled || predicted == Cause::below_threshold) return predicted;
+    const bool is_drawn = std::any_of(
+        seeing.begin(), seeing.end(), [&](Pixel p) { return drawn.at(p.x_px, p.y_px) != 0; });
+    return is_drawn ? Cause::thinned : predicted;
+}
+
+}  // namespace
+
+std::string_view name(Cause cause) {
+    switch (cause) {
+        case Cause::one_triangle:
+            return "one_triangle";
+        case Cause::one_patch:
+            return "one_patch";
+        case Cause::crack:
+            return "crack";
+        case Cause::frame:
+            return "frame";
+        case Cause::other:
+            return "other";
+        case Cause::cancelled:
+            return "cancelled";
+        case Cause::below_threshold:
+            return "below_threshold";
+        case Cause::sub_pixel:
+            return "sub_pixel";
+        case Cause::thinned:
+            return "thinned";
+        case Cause::unexplained:
+            return "unexplained";
+        case Cause::undeclared:
+            return "undeclared";
+    }
+    return "?";
+}
+
+bool sees_line(const TruthStencils& stencils, Pixel pixel) {
+    const auto [x, y] = pixel;
+    const std::pair<Pixel, Pixel> pairs[4] = {
+        {{x - 1, y}, pixel}, {pixel, {x + 1, y}}, {{x, y - 1}, pixel}, {pixel, {x, y + 1}}};
+    const auto& ids = stencils.triangle;
+    return std::any_of(std::begin(pairs), std::end(pairs), [&](const auto& pair) {
+        const auto& [a, b] = pair;
+        return ids.contains(a.x_px, a.y_px) && ids.contains(b.x_px, b.y_px) &&
+               is_cracked(stencils, a, b) && ids.at(a.x_px, a.y_px) != ids.at(b.x_px, b.y_px);
+    });
+}
+
+std::vector<Pixel> seeing_stencils(const TruthStencils& stencils, Pixel pixel) {
+    std::vector<Pixel> seeing;
+    for (int y = pixel.y_px - 1; y <= pixel.y_px + 1; ++y) {
+        for (int x = pixel.x_px - 1; x <= pixel.x_px + 1; ++x) {
+            if (stencils.triangle.contains(x, y) && sees_line(stencils, {x, y})) {
+                seeing.push_back({x, y});
+            }
+        }
+    }
+    return seeing;
+}
+
+Attribution attribute(const WrongPixels& wrong,
+                      const TruthStencils& stencils,
+                      std::span<const Cause> predicted,
+                      const ScoreOptions& options) {
+    assert(predicted.empty() || predicted.size() == wrong.missing.size());
+    Attribution result;
+    const auto add = [&result](Pixel pixel, Cause cause) {
+        result.pixels.push_back({pixel, cause});
+        ++result.counts[cause];
+    };
+    const BandTruth band(stencils.labels, options);
+    for (const Pixel pixel : wrong.off_line)
+        add(pixel, off_line_cause(stencils, band, pixel));
+    for (std::size_t i = 0; i < wrong.missing.size(); ++i) {
+        const Pixel pixel = wrong.missing[i];
+        const Cause cause = predicted.empty() ? Cause::undeclared : predicted[i];
+        assert(is_miss(cause));
+        add(pixel, miss_cause(seeing_stencils(stencils, pixel), wrong.drawn, cause));
+    }
+    return result;
+}
+
+}  // namespace ink::score

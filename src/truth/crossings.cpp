@@ -1,0 +1,277 @@
+#include "truth/crossings.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <tuple>
+
+#include "core/parallel.h"
+#include "truth/pair_tree.h"
+
+namespace ink::truth {
+namespace {
+
+// Bounds on the error of the products below, in units of the products of the largest components:
+// three subtractions, three products and their sums, each off by at most half an ulp (54 and 320
+// halves counted term by term), rounded up.
+constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
+constexpr double kPlaneError = 64 * kHalfUlp;
+constexpr double kSideError = 512 * kHalfUlp;
+
+double largest(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// A triangle laid out for the quick tests, and its index among the faces.
+struct Flat {
+    std::array<glm::dvec3, 3> p;
+    glm::dvec3 normal;  ///< cross product of two sides
+    double size = 0;    ///< largest component of its sides
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t face = 0;
+};
+
+Flat flat(const scene::Topology& topology, std::uint32_t f) {
+    Flat result;
+    result.vertices = topology.faces[f].vertices;
+    result.face = f;
+    for (std::size_t i = 0; i < 3; ++i)
+        result.p[i] = topology.p_world[result.vertices[i]];
+    const glm::dvec3 u = result.p[1] - result.p[0], v = result.p[2] - result.p[0];
+    result.normal = glm::cross(u, v);
+    result.size = std::max({largest(u), largest(v), largest(v - u)});
+    return result;
+}
+
+/// The corners of one triangle that the other does not share.
+struct Loose {
+    std::array<std::size_t, 3> corners{};
+    std::size_t count = 0;
+};
+
+Loose loose_corners(const Flat& f, const Flat& g) {
+    Loose loose;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = f.vertices[i];
+        if (v != g.vertices[0] && v != g.vertices[1] && v != g.vertices[2]) {
+            loose.corners[loose.count++] = i;
+        }
+    }
+    return loose;
+}
+
+/// Whether all loose corners of `g` certainly lie on one side of f's plane. Then what they have in
+/// common is what they share.
+bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
+    int side = 0;
+    const double scale = kPlaneError * f.size * f.size;
+    for (std::size_t i = 0; i < loose.count; ++i) {
+        const glm::dvec3 d = g.p[loose.corners[i]] - f.p[0];
+        const double height = glm::dot(f.normal, d);
+        if (std::abs(height) <= scale * largest(d)) return false;
+        const int here = height > 0 ? 1 : -1;
+        if (here == -side) return false;
+        side = here;
+    }
+    return true;
+}
+
+/// Whether all loose corners of `g` certainly lie outwards of one side of `f`, seen along f's
+/// normal. Then they have nothing in common but shared corners on that side.
+bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose& loose) {
+    std::array<bool, 3> is_shared = {true, true, true};
+    for (std::size_t i = 0; i < of_f.count; ++i)
+        is_shared[of_f.corners[i]] = false;
+    const double scale = kSideError * f.size * f.size * f.size;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (is_shared[(i + 2) % 3]) continue;  // from there g may run through f
+        const glm::dvec3 inward = glm::cross(f.normal, f.p[(i + 1) % 3] - f.p[i]);
+        const bool is_outside = std::all_of(
+            loose.corners.begin(),
+            loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
+            [&](std::size_t corner) {
+                const glm::dvec3 d = g.p[corner] - f.p[i];
+                return glm::dot(inward, d) < -scale * largest(d);
+            });
+        if (is_outside) return true;
+    }
+    return false;
+}
+
+/// Whether a plane through the corner they share, halfway between the middles of their angles
+/// there, certainly has one triangle on either side.
+bool is_parted_at_corner(const Flat& f, const Loose& of_f, const Flat& g, const Loose& of_g) {
+    const glm::dvec3& shared = f.p[3 - of_f.corners[0] - of_f.corners[1]];
+    std::array<glm::dvec3, 4> out;
+    for (std::size_t i = 0; i < 2; ++i) {
+        out[i] = glm::normalize(f.p[of_f.corners[i]] - shared);
+        out[2 + i] = glm::normalize(g.p[of_g.corners[i]] - shared);
+    }
+    const glm::dvec3 normal =
+        glm::normalize(out[0] + out[1]) - glm::normalize(out[2] + out[3]);
+    constexpr double kSure = 1e-9;  // far above what rounding does to unit vectors
+    return glm::dot(normal, out[0]) > kSure && glm::dot(normal, out[1]) > kSure &&
+           glm::dot(normal, out[2]) < -kSure && glm::dot(normal, out[3]) < -kSure;
+}
+
+/// Whether two triangles with a common side certainly do not lie folded on each other.
+bool is_unfolded(const Flat& f, const Flat& g, const Loose& of_f, const Loose& of_g) {
+    const std::size_t i = of_f.corners[0];
+    const glm::dvec3& base = f.p[(i + 1) % 3];
+    const glm::dvec3 along = glm::normalize(f.p[(i + 2) % 3] - base);
+    const glm::dvec3 a = f.p[i] - base, b = g.p[of_g.corners[0]] - base;
+    const glm::dvec3 into_f = a - along * glm::dot(along, a);
+    const glm::dvec3 into_g = b - along * glm::dot(along, b);
+    return glm::dot(into_f, into_g) < -1e-9 * glm::length(a) * glm::length(b);
+}
+
+/// Whether two triangles whose boxes touch certainly have nothing in common but what they share.
+bool is_apart(const Flat& f, const Flat& g) {
+    const Loose of_f = loose_corners(f, g), of_g = loose_corners(g, f);
+    if (is_beside_plane(f, g, of_g) || is_beside_plane(g, f, of_f)) return true;
+    if (of_f.count == 1) return is_unfolded(f, g, of_f, of_g);
+    if (of_f.count == 2 && is_parted_at_corner(f, of_f, g, of_g)) return true;
+    return is_beside_side(f, of_f, g, of_g) || is_beside_side(g, of_g, f, of_f);
+}
+
+/// What the tasks have found together: once over a budget, always over it.
+class Budget {
+  public:
+    explicit Budget(const CrossingOptions& options) : options_(options) {}
+    void add(std::size_t pairs, std::size_t found) {
+        pairs_ += pairs;
+        found_ += found;
+    }
+    [[nodiscard]] std::size_t pairs() const { return pairs_; }
+    [[nodiscard]] bool is_spent() const {
+        return pairs_ > options_.most_pairs || found_ > options_.most_found;
+    }
+
+  private:
+    const CrossingOptions& options_;
+    std::atomic<std::size_t> pairs_{0}, found_{0};
+};
+
+/// Tests the pairs of one task after another and keeps what they have in common.
+class PairTester {
+  public:
+    PairTester(const scene::Topology& topology, const std::vector<Flat>& flats, Budget& budget)
+        : topology_(topology), flats_(flats), budget_(budget) {}
+
+    /// False once the budget is spent.
+    bool test(std::uint32_t place0, std::uint32_t place1, Crossings& out) {
+        if (++pairs_ == kReport && !report(out)) return false;
+        const Flat& f = flats_[place0];
+        const Flat& g = flats_[place1];
+        if (!is_apart(f, g)) keep(meet(topology_, f.face, g.face), f.face, g.face, out);
+        return true;
+    }
+
+    bool report(const Crossings& out) {
+        const std::size_t found = out.segments.size() + out.contacts.size();
+        budget_.add(pairs_, found - found_before_);
+        found_before_ = found;
+        pairs_ = 0;
+        return !budget_.is_spent();
+    }
+
+  private:
+    static constexpr std::size_t kReport = 4096;  ///< pairs between looks at the budget
+
+    static void keep(const Meeting& meeting, std::uint32_t f, std::uint32_t g, Crossings& out) {
+        if (meeting.crossing) out.segments.push_back(*meeting.crossing);
+        out.contacts.insert(out.contacts.end(),
+                            meeting.contacts.begin(),
+                            meeting.contacts.begin() +
+                                static_cast<std::ptrdiff_t>(meeting.contact_count));
+        if (meeting.is_coplanar) out.coplanar.push_back({std::max(f, g), std::min(f, g)});
+    }
+
+    const scene::Topology& topology_;
+    const std::vector<Flat>& flats_;
+    Budget& budget_;
+    std::size_t pairs_ = 0;
+    std::size_t found_before_ = 0;
+};
+
+PairTree tree_of(const scene::Topology& topology) {
+    std::vector<Box> boxes(topology.faces.size());
+    for (std::size_t f = 0; f < boxes.size(); ++f) {
+        for (const std::uint32_t v : topology.faces[f].vertices)
+            boxes[f].add(topology.p_world[v]);
+    }
+    return PairTree(boxes);
+}
+
+/// Both faces of an edge find the same contact of it with a third; one of the two is enough.
+void sort_and_merge(Crossings& all) {
+    std::sort(all.segments.begin(), all.segments.end(), [](const Crossing& x, const Crossing& y) {
+        return std::tie(x.face0, x.face1) < std::tie(y.face0, y.face1);
+    });
+    std::sort(
+        all.coplanar.begin(), all.coplanar.end(), [](const CoplanarPair& x, const CoplanarPair& y) {
+            return std::tie(x.face, x.lower_face) < std::tie(y.face, y.lower_face);
+        });
+    auto& contacts = all.contacts;
+    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
+        return std::tie(x.edge, x.face, x.t_begin, x.t_end) <
+               std::tie(y.edge, y.face, y.t_begin, y.t_end);
+    });
+    const auto is_same = [](const Contact& x, const Contact& y) {
+        return x.edge == y.edge && x.face == y.face;
+    };
+    contacts.erase(std::unique(contacts.begin(), contacts.end(), is_same), contacts.end());
+    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
+        return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
+    });
+}
+
+}  // namespace
+
+std::span<const Contact> Crossings::contacts_of(std::uint32_t edge) const {
+    const auto [begin, end] = std::ranges::equal_range(contacts, edge, {}, &Contact::edge);
+    return {begin, end};
+}
+
+std::span<const CoplanarPair> Crossings::coplanar_with(std::uint32_t face) const {
+    const auto [begin, end] = std::ranges::equal_range(coplanar, face, {}, &CoplanarPair::face);
+    return {begin, end};
+}
+
+Crossings find_crossings(const scene::Topology& topology, const CrossingOptions& options) {
+    if (topology.faces.empty()) return {};
+    const PairTree tree = tree_of(topology);
+    std::vector<Flat> flats;
+    flats.reserve(topology.faces.size());
+    for (const std::uint32_t f : tree.order())
+        flats.push_back(flat(topology, f));
+
+    const auto tasks = tree.tasks();
+    std::vector<Crossings> parts(tasks.size());
+    Budget budget(options);
+    core::parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
+        if (budget.is_spent()) return;
+        PairTester tester(topology, flats, budget);
+        tree.for_each(tasks[i], [&](std::uint32_t place0, std::uint32_t place1) {
+            return tester.test(place0, place1, parts[i]);
+        });
+        (void)tester.report(parts[i]);
+    });
+
+    Crossings all;
+    all.is_too_many = budget.is_spent();
+    all.pairs_tested = all.is_too_many ? options.most_pairs : budget.pairs();
+    if (all.is_too_many) return all;
+    for (const Crossings& part : parts) {
+        all.segments.insert(all.segments.end(), part.segments.begin(), part.segments.end());
+        all.contacts.insert(all.contacts.end(), part.contacts.begin(), part.contacts.end());
+        all.coplanar.insert(all.coplanar.end(), part.coplanar.begin(), part.coplanar.end());
+    }
+    sort_and_merge(all);
+    return all;
+}
+
+}  // namespace ink::truth

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/topology.h"
+#include "truth/pierce.h"
+
+namespace ink::truth {
+
+/// Where the triangles of a scene meet other than at the edges and vertices they share.
+struct Crossings {
+    std::vector<Crossing> segments;      ///< sorted by (face0, face1)
+    std::vector<Contact> contacts;       ///< sorted by edge, then t_begin, then face
+    std::vector<CoplanarPair> coplanar;  ///< sorted by (face, lower_face)
+    std::size_t pairs_tested = 0;        ///< pairs of triangles whose boxes touch
+    bool is_too_many = false;  ///< the search was given up; then the lists are empty and
+                               ///< pairs_tested is the budget
+
+    /// The contacts of one mesh edge.
+    [[nodiscard]] std::span<const Contact> contacts_of(std::uint32_t edge) const;
+    /// The coplanar pairs in which a face is the higher.
+    [[nodiscard]] std::span<const CoplanarPair> coplanar_with(std::uint32_t face) const;
+};
+
+/// When to give the search up, and how to run it. Real scenes stay far below both budgets (the
+/// worst model at hand has 3 million pairs and 40 thousand segments); a heap of long needles, in
+/// which everything crosses everything, does not.
+struct CrossingOptions {
+    int threads = 1;
+    std::size_t most_pairs = 200'000'000;  ///< of touching boxes: half a minute's work
+    std::size_t most_found = 8'000'000;    ///< segments and contacts: a gigabyte
+};
+
+/// Finds every segment in which two triangles cross, every contact of an edge with a face it does
+/// not belong to, and every pair of triangles that overlap in one plane.
+///
+/// A tree over the triangles' boxes (pair_tree.h) offers pairs; the planes and sides of both, in
+/// double with a bound on its error, drop nearly all of them, and what is left is decided exactly
+/// (pierce.h). The same for every thread count; says nothing about any eye.
+///
+/// O(n log n) plus the pairs whose boxes touch.
+[[nodiscard]] Crossings find_crossings(const scene::Topology& topology,
+                                       const CrossingOptions& options);
+
+}  // namespace ink::truth

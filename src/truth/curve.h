@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/image.h"
+#include "truth/line_class.h"
+
+namespace ink::truth {
+
+/// A point of a visible line: where it is on the picture and how far away.
+struct CurvePoint {
+    double x_px = 0;
+    double y_px = 0;
+    double w = 0;  ///< distance along the gaze, world units
+};
+
+/// What lies behind a contour.
+enum class ContourKind : std::uint8_t { none, sky, other_object, self };
+
+inline constexpr std::uint32_t kNoEdge = 0xffffffffU;
+inline constexpr std::uint32_t kNoTriangle = 0xffffffffU;
+
+/// A visible piece of one line, clipped to the picture: of a mesh edge, or of an intersection.
+///
+/// What is said of its faces and its surroundings holds at the middle of the piece.
+struct Curve {
+    LineClass line_class = LineClass::none;
+    ContourKind kind = ContourKind::none;  ///< contours only
+    std::int8_t empty_side =
+        0;  ///< contours and boundaries: the side without a face of the line's,
+            ///< going from begin to end on the picture: 1 right, -1 left; else 0
+    std::uint32_t edge = kNoEdge;       ///< into the scene's Topology; kNoEdge for an intersection
+    std::uint32_t face0 = kNoTriangle;  ///< a face on the line, into Topology::faces: the seen one
+                                        ///< of contour and boundary, else the left one
+    std::uint32_t face1 = kNoTriangle;  ///< the other (of a contour hidden, or in the line of
+                                        ///< sight); kNoTriangle for a boundary
+    float bend_rad = 0;  ///< how far the two seen faces deviate from flat (dihedral); 0 for one
+    float gap = 0;  ///< from the line to what lies behind it, along the gaze, world units; infinity
+                    ///< before the sky, 0 for lines that have both sides
+    float view_angle_rad = 0;  ///< between the line of sight and the normal of that seen face which
+                               ///< is nearest edge-on: 0 seen from the front .. pi/2 edge-on
+    CurvePoint begin;
+    CurvePoint end;
+};
+
+/// Between which neighbouring pixel centres the visible lines run: the second, thinning-free
+/// product.
+///
+/// `right.at(x, y)` is the LineClass (the lowest number of several, 0 for none) of the curves that
+/// cross the open segment from the centre of (x, y) to that of (x + 1, y), `below` the same to
+/// (x, y + 1). The last column of `right` and the last row of `below` are 0.
+struct Cracks {
+    core::Image<std::uint8_t> right;
+    core::Image<std::uint8_t> below;
+};
+
+}  // namespace ink::truth

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "truth/box_tree.h"
+
+namespace ink::truth {
+
+/// A balanced tree of boxes that finds which of them touch each other.
+///
+/// Boxes are rounded outward to float, ordered along a Morton curve (Lauterbach et al. 2009, "Fast
+/// BVH construction on GPUs", section 4) and halved again and again by number, so the tree needs no
+/// pointers and both sides of a comparison always stand at the same depth. Numbers that the
+/// caller's visitor gets are *places* on the curve; `order()[place]` is the box's own index.
+class PairTree {
+  public:
+    /// Two nodes of equal depth whose boxes touch; the same node twice for the pairs within it.
+    struct Task {
+        std::uint32_t first = 0;
+        std::uint32_t second = 0;
+    };
+
+    explicit PairTree(const std::vector<Box>& boxes);
+
+    [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
+
+    /// The whole search as independent parts, in an order that only the boxes decide.
+    [[nodiscard]] std::vector<Task> tasks() const;
+
+    /// Calls `visit(place, place)` once for each pair of touching boxes in one part, and stops as
+    /// soon as it says false. Boxes that only touch in float, not in double, are visited too.
+    template <class Visit>
+    void for_each(const Task& task, Visit&& visit) const {
+        (void)descend(task.first, task.second, visit);
+    }
+
+  private:
+    static constexpr std::uint32_t kLeafSize = 4;
+    static constexpr float kFar = std::numeric_limits<float>::infinity();
+
+    struct FloatBox {
+        std::array<float, 3> low{kFar, kFar, kFar};
+        std::array<float, 3> high{-kFar, -kFar, -kFar};
+
+        [[nodiscard]] bool touches(const FloatBox& o) const {
+            // One branch instead of six: which of the tests fails cannot be foreseen.
+            return (low[0] <= o.high[0]) & (o.low[0] <= high[0]) & (low[1] <= o.high[1]) &
+                   (o.low[1] <= high[1]) & (low[2] <= o.high[2]) & (o.low[2] <= high[2]);
+        }
+        void add(const FloatBox& o);
+    };
+
+    [[nodiscard]] static FloatBox rounded_outward(const Box& box);
+    void expand(std::uint32_t a, std::uint32_t b, std::vector<Task>& tasks) const;
+
+    template <class Visit>
+    bool descend(std::uint32_t a, std::uint32_t b, Visit& visit) const {
+        if (a >= leaf_count_) return compare_leaves(a - leaf_count_, b - leaf_count_, visit);
+        if (a == b) {
+            return descend(2 * a, 2 * a, visit) && descend(2 * a + 1, 2 * a + 1, visit) &&
+                   enter(2 * a, 2 * a + 1, visit);
+        }
+        return enter(2 * a, 2 * b, visit) && enter(2 * a, 2 * b + 1, visit) &&
+               enter(2 * a + 1, 2 * b, visit) && enter(2 * a + 1, 2 * b + 1, visit);
+    }
+    template <class Visit>
+    bool enter(std::uint32_t a, std::uint32_t b, Visit& visit) const {
+        return !nodes_[a].touches(nodes_[b]) || descend(a, b, visit);
+    }
+    template <class Visit>
+    bool compare_leaves(std::uint32_t leaf0, std::uint32_t leaf1, Visit& visit) const {
+        const FloatBox& other = nodes_[leaf_count_ + leaf1];
+        for (std::uint32_t i = leaf0 * kLeafSize; i < (leaf0 + 1) * kLeafSize; ++i) {
+            if (leaf0 != leaf1 && !boxes_[i].touches(other)) continue;
+            for (std::uint32_t j = leaf0 == leaf1 ? i + 1 : leaf1 * kLeafSize;
+                 j < (leaf1 + 1) * kLeafSize;
+                 ++j) {
+                if (boxes_[i].touches(boxes_[j]) && !visit(i, j)) return false;
+            }
+        }
+        return true;
+    }
+
+    std::vector<std::uint32_t> order_;  ///< per place the box's index
+    std::vector<FloatBox> boxes_;       ///< per place; empty ones fill the last leaves
+    std::vector<FloatBox> nodes_;       ///< a heap: the root is 1, node i has children 2i and 2i+1
+    std::uint32_t leaf_count_ = 1;      ///< a power of two
+};
+
+}  // namespace ink::truth

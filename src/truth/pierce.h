@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/topology.h"
+
+namespace ink::truth {
+
+/// The segment in which two triangles cross, in the interior of both but for its ends.
+struct Crossing {
+    std::uint32_t face0 = 0;  ///< into Topology::faces, face0 < face1
+    std::uint32_t face1 = 0;
+    glm::dvec3 begin_world{0};
+    glm::dvec3 end_world{0};
+    double error = 0;  ///< world units: each end lies within this of where it truly is
+};
+
+/// A stretch of a mesh edge that lies in a triangle it is no edge of: inside it, or along its
+/// border.
+struct Contact {
+    std::uint32_t edge = 0;
+    double t_begin = 0;  ///< the stretch is a + t (b - a), t_begin <= t <= t_end
+    double t_end = 1;
+    std::uint32_t face = 0;
+};
+
+/// Two triangles in one plane that have more than points in common.
+struct CoplanarPair {
+    std::uint32_t face = 0;
+    std::uint32_t lower_face = 0;  ///< the one that is seen where both are: lower_face < face
+};
+
+/// What two triangles of a welded scene have in common besides shared vertices and edges.
+struct Meeting {
+    std::optional<Crossing> crossing;
+    std::array<Contact, 6> contacts;
+    std::size_t contact_count = 0;
+    bool is_coplanar = false;  ///< and they have more than points in common
+};
+
+/// Decides exactly what two triangles have in common.
+///
+/// Planes that cross: each triangle meets the line in which they do in a stretch whose ends lie on
+/// two of its edges (or at its vertices); signs of orient3d say which edges, and the sign for one
+/// edge of either triangle says whose end comes first along the line (Guigue and Devillers 2003,
+/// "Fast and robust triangle-triangle overlap test using orientation predicates", section 3). What
+/// the stretches share is a crossing if its inside lies in the interior of both triangles, and
+/// contacts of each edge that it lies on. So a single common point is nothing, nor is an edge that
+/// both share. Only the coordinates of the ends are rounded. One plane: every edge that is not
+/// shared is clipped to the other triangle; there stretches below 1e-12 of the edge count as points.
+///
+/// Degenerate triangles are not allowed (weld drops them). Same result if the faces are swapped.
+[[nodiscard]] Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g);
+
+}  // namespace ink::truth

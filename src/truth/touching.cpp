@@ -1,0 +1,146 @@
+#include "truth/touching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "scene/predicates.h"
+#include "truth/truth.h"
+
+namespace ink::truth {
+namespace {
+
+/// The part of a face to one side of an edge it contains.
+struct Sheet {
+    std::uint32_t face = kNoFace;
+    std::uint32_t vertex = 0;  ///< one of the face's that lies to that side
+    bool is_own = false;       ///< the edge is one of the face's
+    bool is_border = false;    ///< the face has no other side
+
+    [[nodiscard]] bool is_there() const { return face != kNoFace; }
+};
+
+/// The sheets round one point of an edge, of which each side keeps the nearest.
+class Bundle {
+  public:
+    Bundle(const EyeView& eye, std::uint32_t e, double t)
+        : eye_(eye), p_(eye.model.topology.p_world), edge_(eye.model.topology.edges[e]) {
+        for (const std::uint32_t f : eye.model.topology.faces_of(edge_))
+            add(f, true);
+        for (const Contact& contact : eye.model.crossings.contacts_of(e)) {
+            if (contact.t_begin <= t && t <= contact.t_end) add(contact.face, false);
+        }
+    }
+
+    [[nodiscard]] const Sheet& left() const { return left_; }
+    [[nodiscard]] const Sheet& right() const { return right_; }
+
+    /// How far two sheets, one on either side, deviate from flat.
+    [[nodiscard]] double bend_rad(const Sheet& s0, const Sheet& s1) const {
+        const glm::dvec3 along = glm::normalize(p_[edge_.b] - p_[edge_.a]);
+        const auto into = [&](const Sheet& s) {
+            const glm::dvec3 d = p_[s.vertex] - p_[edge_.a];
+            return d - along * glm::dot(along, d);
+        };
+        const glm::dvec3 d0 = into(s0), d1 = into(s1);
+        return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
+    }
+
+    /// Whether an own face lies exactly under this sheet.
+    [[nodiscard]] bool covers_own(const Sheet& sheet) const {
+        const auto& faces = eye_.model.topology.faces;
+        const auto own = eye_.model.topology.faces_of(edge_);
+        return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
+            const std::uint32_t v = opposite(faces[f]);
+            return side_of(v) == side_of(sheet.vertex) &&
+                   scene::orient3d(p_[edge_.a], p_[edge_.b], p_[v], p_[sheet.vertex]) == 0;
+        });
+    }
+
+    /// The edge of a face of which this sheet is the whole: the one that lies on ours.
+    [[nodiscard]] std::uint32_t border_of(const Sheet& sheet) const {
+        const scene::Face& face = eye_.model.topology.faces[sheet.face];
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (face.vertices[(i + 2) % 3] == sheet.vertex) return face.edges[i];
+        }
+        return kNoEdge;
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t opposite(const scene::Face& face) const {
+        for (const std::uint32_t v : face.vertices)
+            if (v != edge_.a && v != edge_.b) return v;
+        return edge_.a;
+    }
+    /// As EyeView::side: 1 or -1, 0 in the plane of edge and eye.
+    [[nodiscard]] int side_of(std::uint32_t v) const {
+        return scene::facing(p_[edge_.a], p_[edge_.b], p_[v], eye_.eye_world());
+    }
+    [[nodiscard]] bool hides(const Sheet& s0, const Sheet& s1) const {
+        const glm::dvec3 &a = p_[edge_.a], &b = p_[edge_.b], &v0 = p_[s0.vertex];
+        const int other = scene::orient3d(a, b, v0, p_[s1.vertex]);
+        if (other == 0) return s0.face < s1.face;
+        return other != scene::orient3d(a, b, v0, eye_.eye_world());
+    }
+    /// A face seen edge-on is in the plane of edge and eye, and on neither side.
+    void add(std::uint32_t f, bool is_own) {
+        if (eye_.facing[f] == 0) return;
+        Sheet left{f, 0, is_own, true}, right = left;
+        int sides = 0;
+        for (const std::uint32_t v : eye_.model.topology.faces[f].vertices) {
+            if (v == edge_.a || v == edge_.b) continue;
+            const int s = side_of(v);
+            if (s == 0) continue;
+            (s < 0 ? left : right).vertex = v;
+            sides |= s < 0 ? 1 : 2;
+        }
+        left.is_border = right.is_border = sides != 3;
+        if ((sides & 1) != 0 && (!left_.is_there() || hides(left, left_))) left_ = left;
+        if ((sides & 2) != 0 && (!right_.is_there() || hides(right, right_))) right_ = right;
+    }
+
+    const EyeView& eye_;
+    const std::vector<glm::dvec3>& p_;
+    const scene::Edge& edge_;
+    Sheet left_, right_;
+};
+
+bool is_outline(LineClass c) {
+    return c == LineClass::contour || c == LineClass::boundary;
+}
+
+/// The class where an own sheet is seen on one side and a touching one on the other.
+LineClass class_against(const EyeView& eye,
+                        const Bundle& bundle,
+                        const Sheet& own,
+                        const Sheet& touching,
+                        LineClass own_class) {
+    if (bundle.bend_rad(own, touching) < eye.model.crease_rad) {
+        return eye.model.is_seam(own.face, touching.face) ? LineClass::seam : LineClass::none;
+    }
+    if (is_outline(own_class)) return own_class;
+    if (own_class == LineClass::crease && bundle.covers_own(touching)) return own_class;
+    if (!touching.is_border) return LineClass::intersection;
+    const bool is_drawn_there = is_outline(eye.edge_class[bundle.border_of(touching)]);
+    return is_drawn_there || touching.face < own.face ? LineClass::none : LineClass::intersection;
+}
+
+}  // namespace
+
+SeenFaces seen_faces_at(const EyeView& eye, std::uint32_t edge, double t) {
+    const Bundle bundle(eye, edge, t);
+    return {bundle.left().face, bundle.right().face};
+}
+
+LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineClass own_class) {
+    const Bundle bundle(eye, edge, t);
+    const Sheet& left = bundle.left();
+    const Sheet& right = bundle.right();
+    if (!left.is_own && !right.is_own) return LineClass::none;
+    if (!left.is_there() || !right.is_there() || (left.is_own && right.is_own)) return own_class;
+    return left.is_own ? class_against(eye, bundle, left, right, own_class)
+                       : class_against(eye, bundle, right, left, own_class);
+}
+
+}  // namespace ink::truth

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "truth/eye_view.h"
+
+namespace ink::truth {
+
+/// The rule of touching faces, for a point of a mesh edge that lies in faces of others
+/// (Crossings::contacts): inside them, or on their border.
+///
+/// There the edge's own faces and those it touches are one bundle of sheets round the edge. On
+/// either side of it only the sheet nearest the eye is seen; of coplanar ones the lowest face, as
+/// everywhere. The edge is a line where
+/// - its own faces are seen on both sides, or on one with nothing on the other: as without the
+///   touching faces;
+/// - an own face is seen on one side and a touching one on the other. If they bend by less than a
+///   crease, the surface goes on: a seam between two objects, and within one nothing. Else the edge
+///   keeps its own class if that is a contour or a boundary (a box on a floor), or a crease whose
+///   other face coincides with the touching one; what is left is an intersection.
+/// Where no own face is seen the edge is hidden, though no face stands before it: the foot of a
+/// wall seen through the floor it stands on, or the outline of a tile under a coincident one.
+///
+/// Two edges of two faces each that lie on each other, and would both be the same intersection, are
+/// one line: that of the edge whose seen face is the lower.
+
+/// The faces seen to either side of the point a + t (b - a), own and touching.
+[[nodiscard]] SeenFaces seen_faces_at(const EyeView& eye, std::uint32_t edge, double t);
+
+/// The class of that point by the rule above, if `own_class` is what it is without the touching
+/// faces.
+[[nodiscard]] LineClass touched_class(const EyeView& eye,
+                                      std::uint32_t edge,
+                                      double t,
+                                      LineClass own_class);
+
+}  // namespace ink::truth

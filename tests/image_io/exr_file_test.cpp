@@ -1,0 +1,114 @@
+#include "image_io/exr_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include "core/error.h"
+
+namespace ink::image_io {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Exr : public testing::Test {
+  protected:
+    Exr() : folder_(fs::path(testing::TempDir()) / ("exr_" + name())) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~Exr() override { fs::remove_all(folder_); }
+    static std::string name() {
+        return testing::UnitTest::GetInstance()->current_test_info()->name();
+    }
+    [[nodiscard]] fs::path file(const std::string& file_name) const { return folder_ / file_name; }
+
+    fs::path folder_;
+};
+
+/// 3 x 2 px: ids with the largest one, depths with infinity, and a grey.
+ExrFile small_file() {
+    core::Image<std::uint32_t> ids(3, 2, 0xffffffffU);
+    ids.at(0, 0) = 16777217;  // no float holds it
+    ids.at(2, 1) = 7;
+    core::Image<float> depth(3, 2, std::numeric_limits<float>::infinity());
+    depth.at(1, 0) = 0.1F;
+    core::Image<float> gray(3, 2, 0);
+    gray.at(1, 1) = 0.5F;
+    gray.at(2, 1) = 0.1F;
+    ExrFile file;
+    file.channels = {{"id.triangle", ids}, {"Z", depth}, {"sampled.Y", HalfImage{gray}}};
+    file.attributes = {{"ink:scene", "cube \"one\""}, {"ink:crease_deg", 40.25}};
+    return file;
+}
+
+TEST_F(Exr, ReadsBackEveryChannelInItsOwnType) {
+    write_exr(small_file(), file("a.exr"));
+    const ExrFile back = read_exr(file("a.exr"));
+    ASSERT_EQ(back.channels.size(), 3U);
+    EXPECT_EQ(back.channels[0].name, "Z");
+    EXPECT_EQ(back.channels[1].name, "id.triangle");
+    EXPECT_EQ(back.channels[2].name, "sampled.Y");
+    const auto* depth = std::get_if<core::Image<float>>(&back.channels[0].pixels);
+    const auto* ids = std::get_if<core::Image<std::uint32_t>>(&back.channels[1].pixels);
+    const auto* gray = std::get_if<HalfImage>(&back.channels[2].pixels);
+    ASSERT_TRUE(depth != nullptr && ids != nullptr && gray != nullptr);
+    EXPECT_EQ(depth->at(1, 0), 0.1F);
+    EXPECT_EQ(depth->at(0, 1), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(ids->at(0, 0), 16777217U);
+    EXPECT_EQ(ids->at(2, 1), 7U);
+    EXPECT_EQ(ids->at(1, 0), 0xffffffffU);
+    EXPECT_EQ(gray->pixels.at(1, 1), 0.5F);
+    EXPECT_NEAR(gray->pixels.at(2, 1), 0.1F, 1.0 / 16384) << "rounded to 11 bits";
+}
+
+TEST_F(Exr, KeepsItsAttributes) {
+    write_exr(small_file(), file("a.exr"));
+    std::map<std::string, std::variant<std::string, double, std::array<float, 16>>> found;
+    for (const ExrAttribute& attribute : read_exr(file("a.exr")).attributes)
+        found[attribute.name] = attribute.value;
+    ASSERT_TRUE(found.contains("ink:scene") && found.contains("ink:crease_deg"));
+    EXPECT_EQ(std::get<std::string>(found.at("ink:scene")), "cube \"one\"");
+    EXPECT_EQ(std::get<double>(found.at("ink:crease_deg")), 40.25);
+}
+
+TEST_F(Exr, IsTheSameFileTwice) {
+    write_exr(small_file(), file("a.exr"));
+    write_exr(small_file(), file("b.exr"));
+    const auto bytes = [](const fs::path& path) {
+        std::ifstream in(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    EXPECT_GT(bytes(file("a.exr")).size(), 100U);
+    for (const ExrAttribute& attribute : read_exr(file("a.exr")).attributes) {
+        EXPECT_FALSE(attribute.name == "DateTime" && std::get<std::string>(attribute.value) != "")
+            << "or tomorrow's file differs";
+    }
+    EXPECT_EQ(bytes(file("a.exr")), bytes(file("b.exr")));
+}
+
+TEST_F(Exr, RefusesAnEmptyPictureAndLeavesNothing) {
+    EXPECT_THROW(write_exr({}, file("a.exr")), core::Error);
+    ExrFile empty;
+    empty.channels = {{"Y", core::Image<float>()}};
+    EXPECT_THROW(write_exr(empty, file("a.exr")), core::Error);
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Exr, RefusesAFolderThatIsNotThere) {
+    EXPECT_THROW(write_exr(small_file(), file("none") / "a.exr"), core::Error);
+}
+
+TEST_F(Exr, RefusesToReadWhatIsNone) {
+    EXPECT_THROW(static_cast<void>(read_exr(file("none.exr"))), core::Error);
+    std::ofstream(file("text.exr")) << "not a picture";
+    EXPECT_THROW(static_cast<void>(read_exr(file("text.exr"))), core::Error);
+    write_exr(small_file(), file("a.exr"));
+    fs::resize_file(file("a.exr"), fs::file_size(file("a.exr")) - 20);
+    EXPECT_THROW(static_cast<void>(read_exr(file("a.exr"))), core::Error);
+}
+
+}  // namespace
+}  // namespace ink::image_io
