@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
-std::filesystem::path bunny_path() {
-    return std::filesystem::path(INK_SHARED_DIR) / "models" / "bunny.obj";
+std::filesystem::path model_path(const char* name) {
+    return std::filesystem::path(INK_SHARED_DIR) / "models" / name;
 }
 
 scene::Scene scene_with(scene::Mesh mesh) {
@@ -81,7 +81,8 @@ scene::Mesh subdivide(const scene::Mesh& mesh) {
 
 scene::Scene make_scene(const std::string& name) {
     if (name == "sphere") return make_sphere(131, 266);
-    scene::Scene bunny = scene::import_scene(bunny_path());
+    if (name == "dragon") return scene::import_scene(model_path("dragon.ply"));
+    scene::Scene bunny = scene::import_scene(model_path("bunny.obj"));
     if (name == "bunny") return bunny;
     for (scene::Mesh& mesh : bunny.meshes)
         mesh = subdivide(subdivide(mesh));
@@ -92,7 +93,14 @@ scene::Scene make_scene(const std::string& name) {
 
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names = {"sphere"};
-    if (std::filesystem::exists(bunny_path())) names.insert(names.end(), {"bunny", "bunny_x16"});
+    if (std::filesystem::exists(model_path("bunny.obj")))
+        names.insert(names.end(), {"bunny", "bunny_x16"});
+    return names;
+}
+
+std::vector<std::string> truth_mesh_names() {
+    std::vector<std::string> names = mesh_names();
+    if (std::filesystem::exists(model_path("dragon.ply"))) names.push_back("dragon");
     return names;
 }
 

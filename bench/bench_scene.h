@@ -16,6 +16,9 @@ inline constexpr int kHeight_px = 1080;
 /// `bunny_x16` (the same, subdivided twice: 1.1 million).
 [[nodiscard]] std::vector<std::string> mesh_names();
 
+/// Those that truth is timed on: the same, and `dragon` (871 thousand) where the shared models are.
+[[nodiscard]] std::vector<std::string> truth_mesh_names();
+
 /// The mesh called `name` as a scene of one instance; made at its first use and kept.
 [[nodiscard]] const scene::Scene& bench_scene(const std::string& name);
 

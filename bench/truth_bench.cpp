@@ -2,11 +2,23 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
+#include "bench/dense_rays.h"
 #include "core/hash.h"
+#include "truth/curve_facts.h"
+#include "truth/eye_scene.h"
+#include "truth/eye_view.h"
+#include "truth/model.h"
+#include "truth/trace_layers.h"
+#include "truth/trace_lines.h"
 #include "truth/truth.h"
 
 namespace ink::bench {
 namespace {
+
+void count_lines(benchmark::State& state, std::size_t samples, std::size_t rays) {
+    state.counters["samples"] = static_cast<double>(samples);
+    state.counters["rays"] = static_cast<double>(rays);
+}
 
 /// The whole truth of a view, from the scene: topology, Embree's tree, lines, visibility, layers.
 void time_truth(benchmark::State& state, const std::string& mesh) {
@@ -16,18 +28,100 @@ void time_truth(benchmark::State& state, const std::string& mesh) {
     for (auto _ : state)
         truth = truth::trace_truth(scene, view, {});
     state.SetLabel(core::image_hash(truth.labels));
-    state.counters["rays"] = static_cast<double>(truth.counts.rays);
-    state.counters["samples"] = static_cast<double>(truth.counts.samples);
+    count_lines(state, truth.counts.samples, truth.counts.rays);
+}
+
+/// What no eye changes: weld, edges, crossings.
+void time_model(benchmark::State& state, const std::string& mesh) {
+    const scene::Scene& scene = bench_scene(mesh);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(truth::build_model(scene, {}));
+}
+
+/// A model with what one eye makes of it, for the stages after.
+struct Stage {
+    scene::View view;
+    truth::Model model;
+    truth::EyeView eye;
+    truth::EyeScene scene;
+
+    explicit Stage(const std::string& mesh)
+        : view(bench_views(bench_scene(mesh))[0]),
+          model(truth::build_model(bench_scene(mesh), {})),
+          eye(model, view, 1),
+          scene(model.topology, view.camera.eye_world, 1) {}
+};
+
+void time_eye(benchmark::State& state, const std::string& mesh) {
+    const Stage stage(mesh);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(truth::EyeView(stage.model, stage.view, 1));
+}
+
+void time_bvh(benchmark::State& state, const std::string& mesh) {
+    const Stage stage(mesh);
+    for (auto _ : state) {
+        const truth::EyeScene tree(stage.model.topology, stage.view.camera.eye_world, 1);
+        benchmark::DoNotOptimize(&tree);
+    }
+}
+
+/// The lines alone, visibility and what lies behind them included.
+void time_lines(benchmark::State& state, const std::string& mesh) {
+    const Stage stage(mesh);
+    truth::TracedLines lines;
+    for (auto _ : state) {
+        lines = truth::trace_lines(stage.eye, stage.scene, {});
+        lines.rays += truth::fill_curve_facts(stage.eye, stage.scene, lines.curves, 1);
+    }
+    count_lines(state, lines.samples, lines.rays);
+}
+
+void time_layers(benchmark::State& state, const std::string& mesh) {
+    const Stage stage(mesh);
+    truth::TracedLayers layers;
+    for (auto _ : state)
+        layers = truth::trace_layers(stage.eye, stage.scene, 1);
+    state.SetLabel(core::image_hash(layers.layers.triangle));
+    state.counters["rays"] = static_cast<double>(layers.face.size());
+}
+
+/// What a truth without lines would cost: 16 x 16 rays in each pixel, or only where a pixel's
+/// corners and centre see different triangles.
+void time_dense(benchmark::State& state, const std::string& mesh, bool is_adaptive) {
+    const scene::Scene& scene = bench_scene(mesh);
+    const DenseRays rays(scene, bench_views(scene)[0]);
+    DenseCounts counts;
+    for (auto _ : state)
+        counts = is_adaptive ? rays.cast_adaptive() : rays.cast_everywhere();
+    state.counters["rays"] = static_cast<double>(counts.rays);
+    state.counters["mixed_px"] = static_cast<double>(counts.mixed_px);
+}
+
+template <class Time>
+void add(const std::string& name, Time time) {
+    benchmark::RegisterBenchmark(name.c_str(), time)->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
 
 void add_truth_benchmarks() {
-    for (const std::string& mesh : mesh_names()) {
+    for (const std::string& mesh : truth_mesh_names()) {
         const std::string name = "truth/" + mesh + "/1080p";
-        benchmark::RegisterBenchmark(name.c_str(), [mesh](benchmark::State& state) {
-            time_truth(state, mesh);
-        })->Unit(benchmark::kMillisecond);
+        add(name, [mesh](benchmark::State& state) { time_truth(state, mesh); });
+        add(name + "/model", [mesh](benchmark::State& state) { time_model(state, mesh); });
+        add(name + "/eye", [mesh](benchmark::State& state) { time_eye(state, mesh); });
+        add(name + "/bvh", [mesh](benchmark::State& state) { time_bvh(state, mesh); });
+        add(name + "/lines", [mesh](benchmark::State& state) { time_lines(state, mesh); });
+        add(name + "/layers", [mesh](benchmark::State& state) { time_layers(state, mesh); });
+    }
+    for (const std::string& mesh : mesh_names()) {
+        if (mesh == "bunny_x16") continue;
+        const std::string name = mesh + "/1080p";
+        add("truth_dense/" + name,
+            [mesh](benchmark::State& state) { time_dense(state, mesh, false); });
+        add("truth_adaptive/" + name,
+            [mesh](benchmark::State& state) { time_dense(state, mesh, true); });
     }
 }
 

@@ -44,6 +44,18 @@ void write_truth(const lab::Subject& subject,
     }
 }
 
+/// A view that is too large to trace is told in one line, exit code 1.
+lab::ViewTruth traced_or_refused(truth::SceneModel& model,
+                                 const scene::View& view,
+                                 const std::filesystem::path& cache) {
+    try {
+        return lab::trace_view(model, view, cache);
+    } catch (const truth::TooLarge& reason) {
+        fmt::print(stderr, "inkbench: {}: too_large: {}\n", model.scene().name, reason.what());
+        throw CLI::RuntimeError(1);
+    }
+}
+
 void run_truth(const TruthArgs& args) {
     lab::TraceOptions options;
     apply(args.truth, options.truth);
@@ -56,8 +68,9 @@ void run_truth(const TruthArgs& args) {
     }
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
+    lab::report_progress(options.truth);
     truth::SceneModel model(subject.scene, options.truth);
-    const lab::ViewTruth truth = lab::trace_view(model, subject.views.front(), options.cache);
+    const lab::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
     if (args.file) write_truth(subject, options.truth, truth.traced, *args.file);
     if (args.svg) write_truth(subject, options.truth, truth.traced, *args.svg);
     if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);

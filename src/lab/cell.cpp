@@ -68,7 +68,8 @@ Scored score_picture(const edge::EdgeImage& picture,
                      int threshold) {
     const score::ScoreOptions options = score_options(threshold);
     Scored scored;
-    scored.at_2px = score::score(picture, truth, options);
+    scored.strokes = score::make_strokes(picture, threshold, options);
+    scored.at_2px = score::score_strokes(scored.strokes, truth, options);
     scored.wrong_2px = score::wrong_pixels(picture, truth, options);
     scored.ladder = score::score_ladder(picture, truth, options, kLadder_px);
     scored.curve = score::score_curve(picture, truth, options);

@@ -11,6 +11,7 @@
 #include "lab/row.h"
 #include "lab/tracing.h"
 #include "score/attribution.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
@@ -34,11 +35,12 @@ inline constexpr std::array<double, 5> kLadder_px = {kStrictTolerance_px, 1.5, k
 
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
     std::vector<score::CurveCount> ladder;  ///< at each of kLadder_px, 1 px first
     std::array<score::CurveCount, 99> curve{};
     score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
-    score::Attribution attribution;  ///< why: empty until attribute_errors() (miss_prediction.h)
+    score::Attribution attribution;  ///< why: empty until MissPredictor fills it
 };
 
 /// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.

@@ -34,10 +34,7 @@ std::string clipped(const std::string& name, std::size_t longest) {
     return name.size() <= longest ? name : name.substr(0, longest - 1) + "~";
 }
 
-/// What a panel without bars says.
-std::string_view absence(truth::LineClass c) {
-    return c == truth::LineClass::intersection ? "not traced yet" : "none on these views";
-}
+constexpr std::string_view kAbsence = "none on these views";  ///< what an empty panel says
 
 void draw_panel(Svg& svg, const Box& panel, truth::LineClass c, const Summaries& shown) {
     const std::string name(truth::name(c));
@@ -48,7 +45,7 @@ void draw_panel(Svg& svg, const Box& panel, truth::LineClass c, const Summaries&
         return s->recall_by_class.count(name) != 0;
     });
     if (!is_there) {
-        svg.text(panel.x, panel.y + 18, absence(c), {.fill = "#6b7280"});
+        svg.text(panel.x, panel.y + 18, kAbsence, {.fill = "#6b7280"});
         return;
     }
     const double full = panel.width - kValueWidth;

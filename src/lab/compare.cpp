@@ -29,7 +29,6 @@ struct Shot {
     int threshold = 128;
     std::optional<methods::LinearCode> code;
     Scored scored;
-    std::vector<BinCount> bins;
 };
 
 edge::EdgeImage full_strength(const core::Image<std::uint8_t>& labels) {
@@ -98,15 +97,20 @@ void attribute_shots(const ViewTruth& truth,
                      std::vector<Shot>& shots) {
     for (Shot& shot : shots) {
         if (!shot.row.is_ok()) continue;
-        std::vector<score::Cause> predicted;
-        if (shot.code) {
-            predicted = predictor.predict(
-                shot.scored.wrong_2px.missing, truth, view, {*shot.code, shot.threshold});
-        }
-        shot.scored.attribution = score::attribute(
-            shot.scored.wrong_2px, stencils_of(truth), predicted, score_options(shot.threshold));
+        shot.scored.attribution =
+            predictor.attribute(shot.scored.wrong_2px, truth, view, {shot.code, shot.threshold});
         shot.row.causes = shot.scored.attribution.counts;
     }
+}
+
+/// What rows of one view have in common.
+void fill_truth_facts(const ViewTruth& truth, Row& row) {
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
+    row.contour_sky_px = behind.sky_px;
+    row.contour_other_px = behind.other_object_px;
+    row.contour_self_px = behind.self_px;
+    row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
+    row.crowded_share = truth.traced.counts.crowded_share;
 }
 
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
@@ -119,19 +123,12 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
         shot.row.chance = chance.counts(shot.row.n_pred);
-        LineResult result = score_lines(shot.picture, lines, shot.threshold);
-        shot.row.lines = result.scores;
-        shot.bins = std::move(result.bins);
+        shot.row.lines = score_lines(shot.scored.strokes, lines);
+        shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
-    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
-    for (Shot& shot : shots) {
-        shot.row.contour_sky_px = behind.sky_px;
-        shot.row.contour_other_px = behind.other_object_px;
-        shot.row.contour_self_px = behind.self_px;
-        shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
-        shot.row.crowded_share = truth.traced.counts.crowded_share;
-    }
+    for (Shot& shot : shots)
+        fill_truth_facts(truth, shot.row);
 }
 
 /// A run whose brackets do not come out as they must says nothing about methods either.
@@ -235,6 +232,9 @@ class Comparison {
             truth = trace_view(known.model, view, options_.trace.cache);
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
+        } catch (const truth::TooLarge& reason) {
+            for (Shot& shot : shots)
+                shot.row.status = fmt::format("too_large: {}", reason.what());
         } catch (const std::bad_alloc&) {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
@@ -264,6 +264,7 @@ class Comparison {
             for (Row& row :
                  sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
                 fill_place(subject, view, options_, row);
+                fill_truth_facts(truth, row);
                 sweep_->write(to_csv(row));
                 sweep_rows_.push_back(std::move(row));
             }
@@ -276,7 +277,8 @@ class Comparison {
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
         ladder_.write(ladder_csv(shot.row));
-        if (!shot.bins.empty()) bins_.write(bin_csv(shot.row, shot.bins));
+        const std::string bins = bin_csv(shot.row, shot.row.lines->bins);
+        if (!bins.empty()) bins_.write(bins);
         if (shot.row.draw_ns) {
             cell_curves_.push_back(
                 {shot.row.method, split == scene::Split::train, shot.scored.curve});

@@ -19,7 +19,8 @@ struct CompareOptions {
     MeasureOptions measure;
     SweepOptions sweep;
     TraceOptions trace;
-    /// Directory: rows.csv, curves.csv, ladder.csv, sweep.csv, verdict.md, report.html, figures.
+    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, verdict.md, report.html,
+    /// figures.
     std::filesystem::path out;
     std::uint64_t seed = 0;  ///< of chance pictures and of drawing scenes again
     std::string command;     ///< as the user typed it, for the report

@@ -87,6 +87,15 @@ std::vector<Level> levels_of(const std::vector<MethodSummary>& brackets) {
     return levels;
 }
 
+/// The base line of a label no lower than `base` that no level's line runs through.
+double clear_base(double base, const FrontScale& scale, const std::vector<Level>& levels) {
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+        const double y = scale.y(level->error);
+        if (y > base - 13 && y < base + 3) base = y - 5;
+    }
+    return base;
+}
+
 }  // namespace
 
 void draw_front_axes(Svg& svg, const FrontScale& scale) {
@@ -118,7 +127,7 @@ std::vector<Box> draw_levels(Svg& svg,
                  kFrontPlot.x + kFrontPlot.width,
                  y,
                  R"(stroke="#5b6470" stroke-width="1.2" stroke-dasharray="2 4")");
-        const double base = std::min(y - 5, lowest_free);
+        const double base = clear_base(std::min(y - 5, lowest_free), scale, levels);
         taken.push_back({right - text_width(level->label, kSize), base - kSize, 400, kStep});
         svg.text(right, base, level->label, {"end", kFaintText, kSize});
         lowest_free = base - kStep;

@@ -1,9 +1,5 @@
 #include "lab/line_scores.h"
 
-#include <utility>
-
-#include "truth/cracks.h"
-
 namespace ink::lab {
 namespace {
 
@@ -20,25 +16,22 @@ LineTruth prepare_lines(const ViewTruth& truth) {
     const score::ScoreOptions options = harness_options();
     const auto& curves = truth.traced.curves;
     const int width = truth.scoring.labels.width_px(), height = truth.scoring.labels.height_px();
-    return {
-        score::list_truth(truth.scoring, options),
-        score::prepare_cracks(truth::draw_cracks(curves, width, height), truth.scoring, options),
-        score::find_nearest_curves(curves, width, height),
-        score::place_probes(curves, truth.scoring, options),
-        score::prepare_ink(truth.scoring, options),
-        bin_truth(truth.traced, truth.scoring)};
+    return {score::list_truth(truth.scoring, options),
+            score::prepare_cracks(truth.cracks, truth.scoring, options),
+            score::find_nearest_curves(curves, width, height),
+            score::place_probes(curves, truth.scoring, options),
+            score::prepare_ink(truth.scoring, options),
+            bin_truth(truth.traced, truth.scoring)};
 }
 
-LineResult score_lines(const edge::EdgeImage& picture, const LineTruth& truth, int threshold) {
-    const score::ScoreOptions options = harness_options();
-    score::Strokes strokes = score::make_strokes(picture, threshold, options);
-    LineResult result;
-    result.scores.cracks = score::score_cracks(strokes.drawn, truth.cracks);
-    result.scores.widths = score::measure_widths(strokes.drawn, truth.probes);
-    result.scores.ink = score::count_ink(strokes.drawn, truth.ink);
+LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth) {
+    LineScores result;
+    result.cracks = score::score_cracks(strokes.drawn, truth.cracks);
+    result.widths = score::measure_widths(strokes.drawn, truth.probes);
+    result.ink = score::count_ink(strokes.drawn, truth.ink);
     const score::PixelList drawn =
-        score::counted_pixels(std::move(strokes.thinned), truth.lists, options);
-    result.scores.offsets = score::measure_offsets(drawn, truth.nearest);
+        score::counted_pixels(strokes.thinned, truth.lists, harness_options());
+    result.offsets = score::measure_offsets(drawn, truth.nearest);
     result.bins = match_bins(drawn, truth.bins, truth.lists.disk);
     return result;
 }

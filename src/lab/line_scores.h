@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "edge/edge_image.h"
 #include "lab/bins.h"
 #include "lab/tracing.h"
 #include "score/cracks.h"
@@ -18,7 +17,8 @@ struct LineScores {
     score::CrackScore cracks;
     score::Offsets offsets;
     score::Widths widths;
-    score::InkCount ink;  ///< at 2 px
+    score::InkCount ink;         ///< at 2 px
+    std::vector<BinCount> bins;  ///< at 2 px
 };
 
 /// A view's truth made ready for that, from its sub-pixel curves; once a view.
@@ -33,16 +33,8 @@ struct LineTruth {
 
 [[nodiscard]] LineTruth prepare_lines(const ViewTruth& truth);
 
-/// What one picture scores against the lines.
-struct LineResult {
-    LineScores scores;
-    std::vector<BinCount> bins;  ///< at 2 px
-};
-
-/// Scores `picture` at `threshold`, with the harness's band and tolerance. Made once a view and
-/// shared: only reads `truth`, so several threads may score against one.
-[[nodiscard]] LineResult score_lines(const edge::EdgeImage& picture,
-                                     const LineTruth& truth,
-                                     int threshold);
+/// Scores a thresholded picture with the harness's band and tolerance. Only reads `truth`, so
+/// several threads may score against one.
+[[nodiscard]] LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth);
 
 }  // namespace ink::lab

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "edge/laplacian.h"
+#include "lab/cell.h"
 #include "lab/truth_code.h"
 
 namespace ink::lab {
@@ -19,8 +20,11 @@ struct Response {
 
 class Filter {
   public:
-    Filter(const TruthCode& code, const truth::Layers& layers, const DeclaredCode& declared)
-        : code_(code), layers_(layers), declared_(declared) {}
+    Filter(const TruthCode& code, const truth::Layers& layers, const Declaration& declared)
+        : code_(code),
+          layers_(layers),
+          response_(declared.code->response),
+          threshold_(declared.threshold) {}
 
     [[nodiscard]] Response at(score::Pixel p) const {
         const PixelCode middle = code_at(p.x_px, p.y_px);
@@ -50,12 +54,13 @@ class Filter {
         return code_.at(x, y, layers_.triangle.at(x, y));
     }
     [[nodiscard]] bool fires(int laplacian) const {
-        return edge::respond(laplacian, declared_.code.response) >= declared_.threshold;
+        return edge::respond(laplacian, response_) >= threshold_;
     }
 
     const TruthCode& code_;
     const truth::Layers& layers_;
-    const DeclaredCode& declared_;
+    edge::LaplacianResponse response_;
+    int threshold_;
 };
 
 score::Cause cause_at(const std::vector<score::Pixel>& seeing,
@@ -94,9 +99,9 @@ const scene::Surface& MissPredictor::surface(const methods::CodeInputs& inputs) 
 std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>& missing,
                                                  const ViewTruth& truth,
                                                  const scene::View& view,
-                                                 const DeclaredCode& declared) {
-    if (missing.empty()) return {};
-    const TruthCode code(surface(declared.code.inputs), bounds_, view, declared.code);
+                                                 const Declaration& declared) {
+    if (missing.empty() || !declared.code) return {};
+    const TruthCode code(surface(declared.code->inputs), bounds_, view, *declared.code);
     const Filter filter(code, truth.traced.layers, declared);
     const score::TruthStencils stencils = stencils_of(truth);
     std::vector<score::Cause> causes;
@@ -106,6 +111,16 @@ std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>
             score::seeing_stencils(stencils, pixel), truth.traced.layers.triangle, filter));
     }
     return causes;
+}
+
+score::Attribution MissPredictor::attribute(const score::WrongPixels& wrong,
+                                            const ViewTruth& truth,
+                                            const scene::View& view,
+                                            const Declaration& declared) {
+    return score::attribute(wrong,
+                            stencils_of(truth),
+                            predict(wrong.missing, truth, view, declared),
+                            score_options(declared.threshold));
 }
 
 }  // namespace ink::lab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace ink::lab {
 /// The stencils of a view's truth, borrowed from it.
 [[nodiscard]] score::TruthStencils stencils_of(const ViewTruth& truth);
 
-/// A code that a method declared, and the strength from which on it is a line.
-struct DeclaredCode {
-    methods::LinearCode code;
+/// What a method says of itself: its code, if it declares one, and the strength from which on a
+/// pixel is a line.
+struct Declaration {
+    std::optional<methods::LinearCode> code;
     int threshold = 128;
 };
 
@@ -35,10 +37,19 @@ class MissPredictor {
     /// - else `below_threshold`, also where there is no such stencil.
     ///
     /// Saturation and wrapping count as cancelling. Stencils that the frame cuts are left out.
+    ///
+    /// Empty if there is no code.
     [[nodiscard]] std::vector<score::Cause> predict(const std::vector<score::Pixel>& missing,
                                                     const ViewTruth& truth,
                                                     const scene::View& view,
-                                                    const DeclaredCode& declared);
+                                                    const Declaration& declared);
+
+    /// Every wrong pixel of a picture of `view` with its cause (score::attribute), misses as
+    /// predicted.
+    [[nodiscard]] score::Attribution attribute(const score::WrongPixels& wrong,
+                                               const ViewTruth& truth,
+                                               const scene::View& view,
+                                               const Declaration& declared);
 
   private:
     [[nodiscard]] const scene::Surface& surface(const methods::CodeInputs& inputs);

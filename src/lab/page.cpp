@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <set>
 
@@ -12,6 +13,7 @@
 #include "lab/html.h"
 #include "lab/page_assets.h"
 #include "lab/page_causes.h"
+#include "lab/page_place.h"
 #include "lab/page_scenes.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
@@ -142,6 +144,13 @@ std::string nav_html(const Material& m) {
     if (!m.statistics.empty()) link("statistics", "Thresholds");
     link("classes", "Line classes");
     link("causes", "Where the error goes");
+    const bool has_lines = std::any_of(m.data.rows.begin(), m.data.rows.end(), [](const Row& row) {
+        return row.lines.has_value();
+    });
+    if (has_lines) {
+        link("place", "Place and width");
+        link("bins", "By kind of place");
+    }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
     if (!m.failures.empty()) link("failed", "Failed cells");
@@ -200,10 +209,12 @@ given. Methods were tuned, if at all, on <strong>training</strong> scenes only; 
 <p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
 itself. <strong>sampled</strong> knows the exact lines but sees each pixel once, at its centre: the real
 ceiling of every method that does so.</p>
-<p><strong>Not here yet:</strong> <code>intersection</code> lines (two surfaces that pierce each other) are
-not traced, so a method that draws them is charged with false lines; the second construction of the truth
-that cross-checks the first, truth images as EXR, curves as SVG and skip statistics come in a later
-version.</p>)html";
+<p><strong>Causes</strong> come from the exact truth at pixel centres. A false pixel is judged by the
+3 × 3 pixels round it. For a missing one of a method that declares its code, that code is worked out from
+the scene's depth and normals at the stencils that see the line: if it stays silent there, the line is
+<em>cancelled</em> where one channel alone would have spoken, else <em>too faint</em>. The method's picture
+is not looked at for either.</p>
+<p><strong>Not here yet:</strong> skip statistics.</p>)html";
 }
 
 std::string provenance_html(const ReportData& data) {
@@ -276,6 +287,24 @@ std::string main_html(const Material& m) {
                     "the table, is what one-to-one pairing left over beside lines that were found: "
                     "doubled, frayed or shortened ones.",
                     causes_html(rows));
+    const std::string place = place_html(rows);
+    if (!place.empty()) {
+        html += section(
+            "place",
+            "Place and width",
+            "What F forgives, because it thins and allows 2 px. Cracks: unthinned, a drawn pixel "
+            "is "
+            "right if a true line runs between it and one of its four neighbours. Offset: thinned "
+            "pixels from the nearest true curve, positive to its empty side. Width: across the "
+            "true "
+            "curves. False ink: unthinned pixels further than 2 px from every true one.",
+            place);
+        html += section("bins",
+                        "Recall by kind of place",
+                        "Share of the true pixels found within 2 px, each bin by a matching of its "
+                        "own; the redder, the more is missed.",
+                        bins_html(rows));
+    }
     html += section("by-scene",
                     "F by scene",
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "

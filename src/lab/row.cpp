@@ -113,7 +113,8 @@ void add_line_scores(std::vector<Column>& columns) {
         [](const L& l) {
             return l.offsets.shift ? std::optional(l.offsets.shift->x_px) : std::nullopt;
         },
-        "translation to the right that explains the offsets best");
+        "translation to the right that explains the offsets best; thinned pixels, so that what "
+        "thinning itself moves is part of it (of lines two pixels wide half a pixel)");
     add(
         "shift_y_px",
         [](const L& l) {

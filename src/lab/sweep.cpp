@@ -41,8 +41,6 @@ std::vector<Row> sweep_rows(const Entrant& entrant,
         const score::ScoreOptions options = score_options(methods[i]->threshold());
         fill_score_2px(score::score(pictures[i], truth.scoring, options), row);
         row.image_hash = core::image_hash(pictures[i]);
-        row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
-        row.crowded_share = truth.traced.counts.crowded_share;
     });
     return rows;
 }

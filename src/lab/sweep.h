@@ -13,7 +13,7 @@ namespace ink::lab {
 struct SweepOptions {
     int views = 1;  ///< of every scene, its first ones; 0 leaves the sweep out
     /// A front needs times to a few percent, not to a fraction of one: few repetitions do.
-    MeasureOptions measure{.min_repetitions = 2, .max_repetitions = 2};
+    MeasureOptions measure{.min_repetitions = 3, .max_repetitions = 3};
 };
 
 /// The settings over which `entrant` is swept, each as an entrant: what the user set, with a line

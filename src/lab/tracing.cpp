@@ -4,12 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
+#include "core/progress.h"
 #include "truth/cracks.h"
 #include "truth/curve_facts.h"
 #include "truth/truth_cache.h"
 
 namespace ink::lab {
+
+void report_progress(truth::TruthOptions& options) {
+    // Made when the first lines are done, gone with the last copy of the options.
+    auto progress = std::make_shared<std::optional<core::Progress>>();
+    options.progress = [progress](std::size_t done, std::size_t total) {
+        if (!*progress) progress->emplace("truth", static_cast<int>(total));
+        (*progress)->report(static_cast<int>(done), "lines");
+        if (done == total) progress->reset();
+    };
+}
 
 ViewTruth trace_view(truth::SceneModel& scene,
                      const scene::View& view,
@@ -41,12 +54,8 @@ std::string truth_summary(const truth::Truth& truth) {
             length_px +=
                 std::hypot(curve.end.x_px - curve.begin.x_px, curve.end.y_px - curve.begin.y_px);
         }
-        text += fmt::format("{:<14} {:>9} {:>9} {:>12.1f}{}\n",
-                            truth::name(c),
-                            pixels,
-                            curves,
-                            length_px,
-                            c == truth::LineClass::intersection ? "   (not traced yet)" : "");
+        text += fmt::format(
+            "{:<14} {:>9} {:>9} {:>12.1f}\n", truth::name(c), pixels, curves, length_px);
     }
     const truth::ContourLengths behind = truth::contour_lengths(truth.curves);
     text +=
@@ -58,6 +67,7 @@ std::string truth_summary(const truth::Truth& truth) {
     text += fmt::format(
         "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
         "{}\n"
+        "pairs of triangles tested {}, crossings {}, contacts {}{}\n"
         "samples {}, rays {}, merged by thinning {} px, crowded {:.2f} % of truth pixels\n"
         "traced in {:.3f} s\n",
         n.triangles,
@@ -65,6 +75,10 @@ std::string truth_summary(const truth::Truth& truth) {
         n.duplicate,
         n.defect_edges,
         n.candidate_edges,
+        n.pairs_tested,
+        n.crossings,
+        n.contacts,
+        n.too_many_crossings != 0 ? " (too many: given up, none are drawn)" : "",
         n.samples,
         n.rays,
         n.merged_px,

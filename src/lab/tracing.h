@@ -30,6 +30,9 @@ struct ViewTruth {
     truth::Cracks cracks;
 };
 
+/// Lets a trace with these options say on stderr how far it is (see core::Progress).
+void report_progress(truth::TruthOptions& options);
+
 /// Traces `view`, or reads its truth from the folder `cache` (empty: none).
 [[nodiscard]] ViewTruth trace_view(truth::SceneModel& scene,
                                    const scene::View& view,

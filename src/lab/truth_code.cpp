@@ -3,10 +3,64 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "methods/depth_code.h"
+#include "methods/vertex_cut.h"
 
 namespace ink::lab {
+
+/// A triangle as it is drawn, and what each corner counts for at a pixel.
+struct DrawnTriangle {
+    std::array<glm::dvec3, 3> p_clip;
+    std::array<glm::dvec3, 3> n_view;
+    std::array<double, 3> share{};  ///< linear on the surface; they add up to 1
+};
+
+namespace {
+
+/// Sets the shares of the corners at a point of the picture.
+///
+/// Source: Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
+/// Hardware 1997, section 3.
+void share_out(const glm::dvec3& p_px, DrawnTriangle& corners) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        corners.share[i] =
+            glm::dot(p_px, glm::cross(corners.p_clip[(i + 1) % 3], corners.p_clip[(i + 2) % 3]));
+        sum += corners.share[i];
+    }
+    for (double& share : corners.share)
+        share = sum == 0 ? 1.0 / 3 : share / sum;
+}
+
+/// The piece of a triangle that a method draws at a point of the picture, if the near plane cuts
+/// the triangle: what is computed at corners is computed at the corners of the cut.
+DrawnTriangle cut_corners(const DrawnTriangle& whole, const glm::dvec3& p_px, double near) {
+    methods::CutVertices vertices{{whole.p_clip.begin(), whole.p_clip.end()},
+                                  {whole.n_view.begin(), whole.n_view.end()}};
+    methods::CutTriangles pieces;
+    const scene::Triangle triangle{0, 1, 2};
+    const std::int8_t facing = 1;
+    methods::cut_triangles({&triangle, 1}, {&facing, 1}, near, vertices, pieces);
+    DrawnTriangle best = whole;
+    double best_share = -std::numeric_limits<double>::infinity();
+    for (const scene::Triangle& piece : pieces.triangles) {
+        DrawnTriangle corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            corners.p_clip[i] = vertices.p_clip[piece[i]];
+            corners.n_view[i] = vertices.n_view[piece[i]];
+        }
+        share_out(p_px, corners);
+        // The point lies in the piece in which its least share is largest.
+        const double least = *std::min_element(corners.share.begin(), corners.share.end());
+        if (least > best_share) best = corners;
+        best_share = std::max(best_share, least);
+    }
+    return best;
+}
+
+}  // namespace
 
 /// Depth, encoded, and the view-space normal of the side that is seen.
 struct TruthCode::Inputs {
@@ -24,50 +78,50 @@ TruthCode::TruthCode(const scene::Surface& surface,
       range_(methods::depth_range(code.inputs.depth_range, view.camera, bounds)),
       code_(code) {}
 
-/// Source of the shares: Olano and Greer, "Triangle scan conversion using 2D homogeneous
-/// coordinates", Graphics Hardware 1997, section 3.
 TruthCode::Inputs TruthCode::inputs_at(int x_px, int y_px, std::uint32_t triangle) const {
-    const scene::Triangle& corners = surface_.triangles[triangle];
-    glm::dvec3 p_clip[3];
-    for (int i = 0; i < 3; ++i)
-        p_clip[i] = projection_.to_clip(surface_.p_world[corners[i]]);
-    const glm::dvec3 pixel(x_px + 0.5, y_px + 0.5, 1);
-    double share[3];
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        share[i] = glm::dot(pixel, glm::cross(p_clip[(i + 1) % 3], p_clip[(i + 2) % 3]));
-        sum += share[i];
+    const scene::Triangle& indices = surface_.triangles[triangle];
+    // A triangle is seen from its back where the eye lies behind its plane.
+    const glm::dvec3& a = surface_.p_world[indices[0]];
+    const glm::dvec3 normal =
+        glm::cross(surface_.p_world[indices[1]] - a, surface_.p_world[indices[2]] - a);
+    const double side = glm::dot(normal, camera_.eye_world - a) < 0 ? -1 : 1;
+
+    const glm::dvec3 p_px(x_px + 0.5, y_px + 0.5, 1);
+    DrawnTriangle corners;
+    bool is_whole = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        corners.p_clip[i] = projection_.to_clip(surface_.p_world[indices[i]]);
+        corners.n_view[i] =
+            side * (camera_.view_from_world * glm::dvec3(surface_.n_world[indices[i]]));
+        is_whole = is_whole && !methods::needs_cut(corners.p_clip[i], camera_.near);
     }
+    share_out(p_px, corners);
+    if (!is_whole) corners = cut_corners(corners, p_px, camera_.near);
+    return interpolated(corners);
+}
+
+TruthCode::Inputs TruthCode::interpolated(const DrawnTriangle& corners) const {
+    const std::array<glm::dvec3, 3>& p_clip = corners.p_clip;
+    std::array<double, 3> share = corners.share;
+    const auto encoded = [&](double w) {
+        return methods::encode_limited(code_.encoding, std::max(w, camera_.near), range_);
+    };
     double w = 0;
-    for (int i = 0; i < 3; ++i) {
-        share[i] = sum == 0 ? 1.0 / 3 : share[i] / sum;
+    for (std::size_t i = 0; i < 3; ++i)
         w += share[i] * p_clip[i].z;
-    }
-    w = std::max(w, camera_.near);
-    const bool is_whole =
-        std::all_of(p_clip, p_clip + 3, [&](const glm::dvec3& p) { return p.z >= camera_.near; });
-    if (is_whole && code_.inputs.interpolation == raster::Interpolation::affine) {
-        for (int i = 0; i < 3; ++i)
+    if (code_.inputs.interpolation == raster::Interpolation::affine) {
+        for (std::size_t i = 0; i < 3; ++i)
             share[i] *= p_clip[i].z / w;
     }
     Inputs inputs;
-    const auto encoded = [&](double at_w) {
-        return methods::encode_limited(code_.encoding, at_w, range_);
-    };
-    if (!is_whole || !code_.inputs.at_vertices) inputs.depth = encoded(w);
-    for (int i = 0; i < 3; ++i) {
-        if (is_whole && code_.inputs.at_vertices) inputs.depth += share[i] * encoded(p_clip[i].z);
-        inputs.n_view +=
-            share[i] * (camera_.view_from_world * glm::dvec3(surface_.n_world[corners[i]]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        inputs.depth += share[i] * encoded(p_clip[i].z);
+        inputs.n_view += share[i] * corners.n_view[i];
     }
-    // A triangle is seen from its back where the eye lies behind its plane.
-    const glm::dvec3& a = surface_.p_world[corners[0]];
-    const glm::dvec3 normal =
-        glm::cross(surface_.p_world[corners[1]] - a, surface_.p_world[corners[2]] - a);
-    if (glm::dot(normal, camera_.eye_world - a) < 0) inputs.n_view = -inputs.n_view;
+    if (code_.inputs.at_vertices) return inputs;
+    inputs.depth = encoded(w);
     const double length = glm::length(inputs.n_view);
-    if (code_.inputs.renormalise && !code_.inputs.at_vertices && length > 0)
-        inputs.n_view /= length;
+    if (code_.inputs.renormalise && length > 0) inputs.n_view /= length;
     return inputs;
 }
 

@@ -10,6 +10,8 @@
 
 namespace ink::lab {
 
+struct DrawnTriangle;
+
 /// What a declared code holds at a pixel.
 struct PixelCode {
     /// What depth and the normal's x, y and z contribute, in code units, not rounded.
@@ -20,8 +22,7 @@ struct PixelCode {
 /// A declared code, worked out from the truth instead of from a picture: which triangle a pixel
 /// centre sees is the truth's, depth and normal are the scene's, and the sum is as declared.
 ///
-/// Triangles that reach in front of the near plane are taken as if packed at pixels and in
-/// perspective. Borrows everything it is made of; for many threads at once.
+/// Borrows everything it is made of; for many threads at once.
 class TruthCode {
   public:
     /// `surface` has the normals that `code` asks for, `bounds` is the scene's sphere.
@@ -36,6 +37,7 @@ class TruthCode {
   private:
     struct Inputs;
     [[nodiscard]] Inputs inputs_at(int x_px, int y_px, std::uint32_t triangle) const;
+    [[nodiscard]] Inputs interpolated(const DrawnTriangle& corners) const;
     [[nodiscard]] int limited(double sum) const;
 
     const scene::Surface& surface_;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ink::scene {
 namespace {
@@ -56,17 +57,17 @@ Split two_product(double a, double b) {
     return {high, std::fma(a, b, -high)};
 }
 
-/// Adds one double to an expansion in place (Shewchuk, grow-expansion, theorem 10).
+/// Adds one double to an expansion in place (Shewchuk, grow-expansion, theorem 10): what is written
+/// never overtakes what is still to be read.
 void grow(Expansion& e, double b) {
-    Expansion result;
     double q = b;
-    for (int i = 0; i < e.size; ++i) {
+    const int size = std::exchange(e.size, 0);
+    for (int i = 0; i < size; ++i) {
         const Split s = two_sum(q, e.terms[static_cast<std::size_t>(i)]);
-        result.push(s.low);
+        e.push(s.low);
         q = s.high;
     }
-    result.push(q);
-    e = result;
+    e.push(q);
 }
 
 Expansion difference(double a, double b) {

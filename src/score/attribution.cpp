@@ -131,12 +131,15 @@ bool sees_line(const TruthStencils& stencils, Pixel pixel) {
     const auto [x, y] = pixel;
     const std::pair<Pixel, Pixel> pairs[4] = {
         {{x - 1, y}, pixel}, {pixel, {x + 1, y}}, {{x, y - 1}, pixel}, {pixel, {x, y + 1}}};
-    const auto& ids = stencils.triangle;
-    return std::any_of(std::begin(pairs), std::end(pairs), [&](const auto& pair) {
-        const auto& [a, b] = pair;
-        return ids.contains(a.x_px, a.y_px) && ids.contains(b.x_px, b.y_px) &&
-               is_cracked(stencils, a, b) && ids.at(a.x_px, a.y_px) != ids.at(b.x_px, b.y_px);
-    });
+    const core::Image<std::uint32_t>& ids = stencils.triangle;
+    bool has_crack = false;
+    bool has_two_triangles = false;
+    for (const auto& [a, b] : pairs) {
+        if (!ids.contains(a.x_px, a.y_px) || !ids.contains(b.x_px, b.y_px)) continue;
+        has_crack = has_crack || is_cracked(stencils, a, b);
+        has_two_triangles = has_two_triangles || ids.at(a.x_px, a.y_px) != ids.at(b.x_px, b.y_px);
+    }
+    return has_crack && has_two_triangles;
 }
 
 std::vector<Pixel> seeing_stencils(const TruthStencils& stencils, Pixel pixel) {

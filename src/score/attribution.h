@@ -68,9 +68,12 @@ struct TruthStencils {
     const core::Image<std::uint8_t>& labels;     ///< the truth image, band not yet taken out
 };
 
-/// Whether the four-neighbour stencil round a pixel sees a line: between its centre and a neighbour
-/// inside the picture runs a crack, and the two see different triangles. A crack between centres
-/// that see the same triangle is the line of something thinner than their distance.
+/// Whether the four-neighbour stencil round a pixel sees a line: a crack runs between its centre
+/// and a neighbour inside the picture, and its five centres do not all see the same triangle. A
+/// crack between centres that do is the line of something thinner than their distance.
+///
+/// The two need not lie between the same two centres: of a line straight through a centre, cracks
+/// and layers may say differently on which side the centre lies.
 [[nodiscard]] bool sees_line(const TruthStencils& stencils, Pixel pixel);
 
 /// The stencils that ought to find the line of a truth pixel: those of the 3 x 3 pixels round it

@@ -44,6 +44,14 @@ struct TruthLists {
                                        const TruthLists& lists,
                                        const ScoreOptions& options);
 
+/// What score() says of strokes that were made already with these options: several tolerances
+/// need one thinning. `threshold` is not read.
+///
+/// Throws core::Error as score() does.
+[[nodiscard]] Score score_strokes(const Strokes& strokes,
+                                  const ScoringTruth& truth,
+                                  const ScoreOptions& options);
+
 /// Sets the pixels closer than `band_px` to the frame to 0.
 void clear_band(core::Image<std::uint8_t>& image, int band_px);
 

@@ -1,24 +1,45 @@
 #include "score/false_ink.h"
 
+#include <algorithm>
+
 #include "edge/set_pixels.h"
 #include "score/drawing.h"
 
 namespace ink::score {
+namespace {
+
+static_assert(InkTruth::kLeftOut == 0, "clear_band leaves out what it clears");
+
+/// Sets what lies within the disk of a pixel to `value`.
+void mark_disks(const PixelList& pixels,
+                const Disk& disk,
+                std::uint8_t value,
+                core::Image<std::uint8_t>& image) {
+    const int radius = disk.radius_px();
+    for (int y = 0; y < pixels.height_px(); ++y) {
+        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
+            const int last_row = std::min(image.height_px() - 1, y + radius);
+            for (int v = std::max(0, y - radius); v <= last_row; ++v) {
+                const int half_width = disk.half_width_px(v - y);
+                const int first = std::max(0, pixels.x(i) - half_width);
+                const int last = std::min(image.width_px() - 1, pixels.x(i) + half_width);
+                std::fill(image.row(v) + first, image.row(v) + last + 1, value);
+            }
+        }
+    }
+}
+
+}  // namespace
 
 InkTruth prepare_ink(const ScoringTruth& truth, const ScoreOptions& options) {
     check(options);
     const TruthLists lists = list_truth(truth, options);
-    edge::Mask all(truth.labels.width_px(), truth.labels.height_px(), 1);
-    const PixelList counted = counted_pixels(std::move(all), lists, options);
-    const auto is_near = within_reach(counted, lists.truth, lists.disk);
     InkTruth ready;
-    ready.verdict = core::Image<std::uint8_t>(truth.labels.width_px(), truth.labels.height_px());
-    for (int y = 0; y < counted.height_px(); ++y) {
-        for (std::size_t i = counted.row_begin(y); i < counted.row_begin(y + 1); ++i) {
-            ready.verdict.at(counted.x(i), y) =
-                is_near[i] != 0 ? InkTruth::kNear : InkTruth::kFalse;
-        }
-    }
+    ready.verdict = core::Image<std::uint8_t>(
+        truth.labels.width_px(), truth.labels.height_px(), InkTruth::kFalse);
+    mark_disks(lists.ignore, lists.disk, InkTruth::kLeftOut, ready.verdict);
+    mark_disks(lists.truth, lists.disk, InkTruth::kNear, ready.verdict);
+    clear_band(ready.verdict, options.band_px);
     return ready;
 }
 

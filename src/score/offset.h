@@ -58,7 +58,9 @@ struct Offsets {
     std::array<Moments, 8> classes;  ///< by truth::LineClass of the nearest curve
     /// The translation that explains the offsets best (least squares over the normals): a picture
     /// drawn half a pixel too far right and down has (0.5, 0.5), one drawn all round outside
-    /// (0, 0). Nothing if the curves run in nearly one direction only.
+    /// (0, 0). Thinning moves lines too, to the left above all: of lines two pixels wide by half a
+    /// pixel, which measuring the drawing before thinning shows. Nothing if the curves run in
+    /// nearly one direction only.
     std::optional<Shift> shift;
 };
 

@@ -148,12 +148,11 @@ ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
     return truth;
 }
 
-Score score(const edge::EdgeImage& prediction,
-            const ScoringTruth& truth,
-            const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(prediction, truth, options);
-    Strokes strokes = make_strokes(prediction, options.threshold, options);
-    const PixelList drawn = counted_pixels(std::move(strokes.thinned), lists, options);
+Score score_strokes(const Strokes& strokes,
+                    const ScoringTruth& truth,
+                    const ScoreOptions& options) {
+    const TruthLists lists = checked_lists(strokes.thinned, truth, options);
+    const PixelList drawn = counted_pixels(strokes.thinned, lists, options);
     const MatchCounts counts = match_pixels(drawn, lists.truth, lists.disk);
     Score result;
     result.k = counts.k;
@@ -166,6 +165,14 @@ Score score(const edge::EdgeImage& prediction,
     result.mean_width_px = strokes.mean_width_px();
     if (!truth.is_binary) result.classes = match_classes(drawn, truth, lists.disk);
     return result;
+}
+
+Score score(const edge::EdgeImage& prediction,
+            const ScoringTruth& truth,
+            const ScoreOptions& options) {
+    check(options);
+    check_same_size(prediction, truth.labels);
+    return score_strokes(make_strokes(prediction, options.threshold, options), truth, options);
 }
 
 std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,

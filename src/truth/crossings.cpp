@@ -48,7 +48,7 @@ Flat flat(const scene::Topology& topology, std::uint32_t f) {
 
 /// The corners of one triangle that the other does not share.
 struct Loose {
-    std::array<std::size_t, 3> corners{};
+    std::array<std::size_t, 4> corners{};  ///< one more than can be, so that all may be written
     std::size_t count = 0;
 };
 
@@ -56,9 +56,9 @@ Loose loose_corners(const Flat& f, const Flat& g) {
     Loose loose;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = f.vertices[i];
-        if (v != g.vertices[0] && v != g.vertices[1] && v != g.vertices[2]) {
-            loose.corners[loose.count++] = i;
-        }
+        loose.corners[loose.count] = i;  // no branch: which corner is shared cannot be foreseen
+        loose.count += static_cast<std::size_t>((v != g.vertices[0]) & (v != g.vertices[1]) &
+                                                (v != g.vertices[2]));
     }
     return loose;
 }
@@ -66,17 +66,16 @@ Loose loose_corners(const Flat& f, const Flat& g) {
 /// Whether all loose corners of `g` certainly lie on one side of f's plane. Then what they have in
 /// common is what they share.
 bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
-    int side = 0;
     const double scale = kPlaneError * f.size * f.size;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (std::size_t i = 0; i < loose.count; ++i) {
         const glm::dvec3 d = g.p[loose.corners[i]] - f.p[0];
         const double height = glm::dot(f.normal, d);
-        if (std::abs(height) <= scale * largest(d)) return false;
-        const int here = height > 0 ? 1 : -1;
-        if (here == -side) return false;
-        side = here;
+        const double error = scale * largest(d);
+        lowest = std::min(lowest, height - error);
+        highest = std::max(highest, height + error);
     }
-    return true;
+    return lowest > 0 || highest < 0;
 }
 
 /// Whether all loose corners of `g` certainly lie outwards of one side of `f`, seen along f's
@@ -89,13 +88,13 @@ bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose
     for (std::size_t i = 0; i < 3; ++i) {
         if (is_shared[(i + 2) % 3]) continue;  // from there g may run through f
         const glm::dvec3 inward = glm::cross(f.normal, f.p[(i + 1) % 3] - f.p[i]);
-        const bool is_outside = std::all_of(
-            loose.corners.begin(),
-            loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
-            [&](std::size_t corner) {
-                const glm::dvec3 d = g.p[corner] - f.p[i];
-                return glm::dot(inward, d) < -scale * largest(d);
-            });
+        const bool is_outside =
+            std::all_of(loose.corners.begin(),
+                        loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
+                        [&](std::size_t corner) {
+                            const glm::dvec3 d = g.p[corner] - f.p[i];
+                            return glm::dot(inward, d) < -scale * largest(d);
+                        });
         if (is_outside) return true;
     }
     return false;
@@ -110,8 +109,7 @@ bool is_parted_at_corner(const Flat& f, const Loose& of_f, const Flat& g, const 
         out[i] = glm::normalize(f.p[of_f.corners[i]] - shared);
         out[2 + i] = glm::normalize(g.p[of_g.corners[i]] - shared);
     }
-    const glm::dvec3 normal =
-        glm::normalize(out[0] + out[1]) - glm::normalize(out[2] + out[3]);
+    const glm::dvec3 normal = glm::normalize(out[0] + out[1]) - glm::normalize(out[2] + out[3]);
     constexpr double kSure = 1e-9;  // far above what rounding does to unit vectors
     return glm::dot(normal, out[0]) > kSure && glm::dot(normal, out[1]) > kSure &&
            glm::dot(normal, out[2]) < -kSure && glm::dot(normal, out[3]) < -kSure;
@@ -183,10 +181,10 @@ class PairTester {
 
     static void keep(const Meeting& meeting, std::uint32_t f, std::uint32_t g, Crossings& out) {
         if (meeting.crossing) out.segments.push_back(*meeting.crossing);
-        out.contacts.insert(out.contacts.end(),
-                            meeting.contacts.begin(),
-                            meeting.contacts.begin() +
-                                static_cast<std::ptrdiff_t>(meeting.contact_count));
+        out.contacts.insert(
+            out.contacts.end(),
+            meeting.contacts.begin(),
+            meeting.contacts.begin() + static_cast<std::ptrdiff_t>(meeting.contact_count));
         if (meeting.is_coplanar) out.coplanar.push_back({std::max(f, g), std::min(f, g)});
     }
 

@@ -16,8 +16,8 @@ struct Crossings {
     std::vector<Contact> contacts;       ///< sorted by edge, then t_begin, then face
     std::vector<CoplanarPair> coplanar;  ///< sorted by (face, lower_face)
     std::size_t pairs_tested = 0;        ///< pairs of triangles whose boxes touch
-    bool is_too_many = false;  ///< the search was given up; then the lists are empty and
-                               ///< pairs_tested is the budget
+    bool is_too_many = false;            ///< the search was given up; then the lists are empty and
+                                         ///< pairs_tested is the budget
 
     /// The contacts of one mesh edge.
     [[nodiscard]] std::span<const Contact> contacts_of(std::uint32_t edge) const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "truth/touching.h"
 #include "truth/visibility.h"
 
 namespace ink::truth {
@@ -77,10 +78,16 @@ float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& poin
 void fill_faces(const EyeView& eye, double t, Curve& curve) {
     const scene::Topology& topology = eye.model.topology;
     const scene::Edge& edge = topology.edges[curve.edge];
-    const SeenFaces seen = eye.seen_faces(edge);
-    std::uint32_t left = seen.right, right = seen.left;
     const bool is_one_sided =
         curve.line_class == LineClass::contour || curve.line_class == LineClass::boundary;
+    // What a box stands on is no face of the box's outline, but is one of a seam or an
+    // intersection.
+    SeenFaces seen = eye.seen_faces(edge);
+    if (!is_one_sided && eye.model.is_touched[curve.edge] != 0) {
+        const SeenSheets sheets = seen_sheets_at(eye, curve.edge, t);
+        seen = {sheets.left.face, sheets.right.face};
+    }
+    std::uint32_t left = seen.right, right = seen.left;
     if (is_one_sided) {
         curve.empty_side = left == kNoFace ? std::int8_t{-1} : std::int8_t{1};
         curve.face0 = left == kNoFace ? right : left;
@@ -114,7 +121,7 @@ std::size_t fill_one(const EyeView& eye, const Visibility& visibility, Curve& cu
             std::max(curve.view_angle_rad, view_angle_rad(eye, curve.face1, to_point));
         return rays;
     }
-    const LinePoint point{curve.edge, p_world, w};
+    const LinePoint point{curve.edge, p_world, w, nullptr};
     const auto behind = visibility.first_behind(point, rays);
     curve.gap = behind ? gap_to(eye, *behind, point) : std::numeric_limits<float>::infinity();
     return rays;

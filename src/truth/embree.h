@@ -2,8 +2,9 @@
 
 /// The one door to Embree: what versions 3 and 4 call differently has one name here.
 ///
-/// Only `eye_scene.cpp` includes this header. Filters travel with the query in both versions; in 3
-/// they sit in the context, in 4 in the arguments, and the scene must be told so when it is made.
+/// Only `eye_scene.cpp` and the benchmarks include this header. Filters travel with the query in
+/// both versions; in 3 they sit in the context, in 4 in the arguments, and the scene must be told
+/// so when it is made.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -55,6 +56,25 @@ inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filte
     rtcIntersect1(scene, &ray, &arguments);
 }
 
+/// Sixteen rays that run close by; no filter if it is null.
+inline void intersect_16(const int* valid,
+                         RTCScene scene,
+                         Context& context,
+                         RTCFilterFunctionN filter,
+                         RTCRayHit16& rays) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    arguments.filter = filter;
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    if (filter != nullptr) {
+        arguments.flags = static_cast<RTCRayQueryFlags>(
+            static_cast<int>(RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER) |
+            static_cast<int>(RTC_RAY_QUERY_FLAG_COHERENT));
+    }
+    rtcIntersect16(valid, scene, &rays, &arguments);
+}
+
 #else
 
 using Context = RTCIntersectContext;
@@ -80,6 +100,16 @@ inline void occluded_4(RTCScene scene, Context& context, RTCFilterFunctionN filt
 inline void intersect(RTCScene scene, Context& context, RTCFilterFunctionN filter, RTCRayHit& ray) {
     context.filter = filter;
     rtcIntersect1(scene, &context, &ray);
+}
+
+inline void intersect_16(const int* valid,
+                         RTCScene scene,
+                         Context& context,
+                         RTCFilterFunctionN filter,
+                         RTCRayHit16& rays) {
+    context.filter = filter;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
 }
 
 #endif

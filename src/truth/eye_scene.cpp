@@ -114,6 +114,31 @@ void confirm_first(const RTCFilterFunctionNArguments* args) {
     query.best_face = face;
 }
 
+/// What a filter knows of sixteen rays; each has its number as id.
+struct PacketQuery {
+    embree::Context context;  // first: the filter casts its address back
+    std::array<float, 16> best_t{};
+    std::array<std::uint32_t, 16> best_face{};
+};
+
+void keep_lowest_first(const RTCFilterFunctionNArguments* args) {
+    auto& query = *reinterpret_cast<PacketQuery*>(args->context);
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (args->valid[i] == 0) continue;
+        const unsigned face = RTCHitN_primID(args->hit, args->N, i);
+        const float t = RTCRayN_tfar(args->ray, args->N, i);
+        const unsigned ray = RTCRayN_id(args->ray, args->N, i);
+        float& best_t = query.best_t[ray];
+        std::uint32_t& best_face = query.best_face[ray];
+        if (t < best_t || (t == best_t && face < best_face)) {
+            best_t = t;
+            best_face = face;
+        } else {
+            args->valid[i] = 0;
+        }
+    }
+}
+
 }  // namespace
 
 EyeScene::EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads)
@@ -183,6 +208,39 @@ std::optional<EyeScene::Hit> EyeScene::first_of(const EyeRay& ray, Callback conf
     if (rtc_ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const double length = glm::length(ray.direction_world);
     return Hit{rtc_ray.hit.primID, rtc_ray.ray.tfar / (length * scale_)};
+}
+
+std::array<std::optional<EyeScene::Hit>, 16> EyeScene::first_of_sixteen(
+    const std::array<glm::dvec3, 16>& directions_world,
+    const RayRange& range,
+    std::uint32_t valid) const {
+    PacketQuery query{};
+    embree::init_context(query.context);
+    query.best_t.fill(std::numeric_limits<float>::infinity());
+    query.best_face.fill(RTC_INVALID_GEOMETRY_ID);
+    RTCRayHit16 packet{};
+    alignas(64) std::array<int, 16> is_valid{};
+    for (std::size_t i = 0; i < 16; ++i) {
+        is_valid[i] = (valid >> i & 1U) != 0 ? -1 : 0;
+        const RTCRay ray = make_ray({directions_world[i], range.t_near, range.t_far}, scale_);
+        packet.ray.dir_x[i] = ray.dir_x;
+        packet.ray.dir_y[i] = ray.dir_y;
+        packet.ray.dir_z[i] = ray.dir_z;
+        packet.ray.tnear[i] = ray.tnear;
+        packet.ray.tfar[i] = ray.tfar;
+        packet.ray.mask[i] = ray.mask;
+        packet.ray.id[i] = static_cast<unsigned>(i);
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    embree::intersect_16(
+        is_valid.data(), handles_->scene, query.context, &keep_lowest_first, packet);
+    std::array<std::optional<Hit>, 16> hits;
+    for (std::size_t i = 0; i < 16; ++i) {
+        if (is_valid[i] == 0 || packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        const double length = glm::length(directions_world[i]);
+        hits[i] = Hit{packet.hit.primID[i], packet.ray.tfar[i] / (length * scale_)};
+    }
+    return hits;
 }
 
 }  // namespace ink::truth

@@ -102,10 +102,15 @@ LineClass Model::class_across(const scene::Edge& edge,
 }
 
 Model build_model(const scene::Scene& scene, const TruthOptions& options) {
+    check_memory(scene, options.limits);
     Model model;
     model.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     model.crease_rad = options.crease_rad;
     model.material_seams = options.material_seams;
+    const auto& faces = model.topology.faces;
+    model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
+        return f.object == faces.front().object;
+    });
     model.tolerance = weld_tolerance(model.topology);
     classify_edges(model, options.threads);
     join_patches(model);

@@ -68,8 +68,10 @@ std::vector<std::uint32_t> along_the_curve(const std::vector<Box>& boxes) {
 }
 
 float rounded_down(double x) {
+    // A whole ulp below the nearest float, or a little more; nextafter is a call.
     const auto f = static_cast<float>(x);
-    return f <= x ? f : std::nextafterf(f, -std::numeric_limits<float>::infinity());
+    return f - std::abs(f) * std::numeric_limits<float>::epsilon() -
+           std::numeric_limits<float>::denorm_min();
 }
 
 }  // namespace
@@ -93,11 +95,17 @@ PairTree::FloatBox PairTree::rounded_outward(const Box& box) {
 PairTree::PairTree(const std::vector<Box>& boxes) : order_(along_the_curve(boxes)) {
     const auto leaves = static_cast<std::uint32_t>((boxes.size() + kLeafSize - 1) / kLeafSize);
     leaf_count_ = std::bit_ceil(std::max(1U, leaves));
-    boxes_.resize(static_cast<std::size_t>(leaf_count_) * kLeafSize);
+    leaves_.resize(leaf_count_);
     nodes_.resize(2 * static_cast<std::size_t>(leaf_count_));
-    for (std::size_t place = 0; place < order_.size(); ++place) {
-        boxes_[place] = rounded_outward(boxes[order_[place]]);
-        nodes_[leaf_count_ + place / kLeafSize].add(boxes_[place]);
+    for (std::size_t place = 0; place < std::size_t{leaf_count_} * kLeafSize; ++place) {
+        const bool is_there = place < order_.size();
+        const FloatBox box = is_there ? rounded_outward(boxes[order_[place]]) : FloatBox();
+        Leaf& leaf = leaves_[place / kLeafSize];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            leaf.low[axis][place % kLeafSize] = box.low[axis];
+            leaf.high[axis][place % kLeafSize] = box.high[axis];
+        }
+        nodes_[leaf_count_ + place / kLeafSize].add(box);
     }
     for (std::uint32_t node = leaf_count_ - 1; node > 0; --node) {
         nodes_[node] = nodes_[2 * node];

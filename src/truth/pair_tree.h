@@ -54,6 +54,27 @@ class PairTree {
         void add(const FloatBox& o);
     };
 
+    /// The boxes of one leaf, each coordinate side by side: one box is compared with all of them at
+    /// once.
+    struct Leaf {
+        std::array<std::array<float, kLeafSize>, 3> low;
+        std::array<std::array<float, kLeafSize>, 3> high;
+
+        using Hits = std::array<std::int32_t, kLeafSize>;
+        [[nodiscard]] Hits touching(const FloatBox& o) const {
+            Hits hits;
+            for (std::size_t j = 0; j < kLeafSize; ++j) {
+                hits[j] = (low[0][j] <= o.high[0]) & (o.low[0] <= high[0][j]) &
+                          (low[1][j] <= o.high[1]) & (o.low[1] <= high[1][j]) &
+                          (low[2][j] <= o.high[2]) & (o.low[2] <= high[2][j]);
+            }
+            return hits;
+        }
+        [[nodiscard]] FloatBox box(std::size_t j) const {
+            return {{low[0][j], low[1][j], low[2][j]}, {high[0][j], high[1][j], high[2][j]}};
+        }
+    };
+
     [[nodiscard]] static FloatBox rounded_outward(const Box& box);
     void expand(std::uint32_t a, std::uint32_t b, std::vector<Task>& tasks) const;
 
@@ -74,19 +95,21 @@ class PairTree {
     template <class Visit>
     bool compare_leaves(std::uint32_t leaf0, std::uint32_t leaf1, Visit& visit) const {
         const FloatBox& other = nodes_[leaf_count_ + leaf1];
-        for (std::uint32_t i = leaf0 * kLeafSize; i < (leaf0 + 1) * kLeafSize; ++i) {
-            if (leaf0 != leaf1 && !boxes_[i].touches(other)) continue;
-            for (std::uint32_t j = leaf0 == leaf1 ? i + 1 : leaf1 * kLeafSize;
-                 j < (leaf1 + 1) * kLeafSize;
-                 ++j) {
-                if (boxes_[i].touches(boxes_[j]) && !visit(i, j)) return false;
+        for (std::uint32_t i = 0; i < kLeafSize; ++i) {
+            const FloatBox box = leaves_[leaf0].box(i);
+            if (!box.touches(other)) continue;
+            const auto hits = leaves_[leaf1].touching(box);
+            for (std::uint32_t j = leaf0 == leaf1 ? i + 1 : 0; j < kLeafSize; ++j) {
+                if (hits[j] != 0 && !visit(leaf0 * kLeafSize + i, leaf1 * kLeafSize + j)) {
+                    return false;
+                }
             }
         }
         return true;
     }
 
     std::vector<std::uint32_t> order_;  ///< per place the box's index
-    std::vector<FloatBox> boxes_;       ///< per place; empty ones fill the last leaves
+    std::vector<Leaf> leaves_;          ///< empty boxes fill the last ones
     std::vector<FloatBox> nodes_;       ///< a heap: the root is 1, node i has children 2i and 2i+1
     std::uint32_t leaf_count_ = 1;      ///< a power of two
 };

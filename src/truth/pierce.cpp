@@ -120,8 +120,8 @@ class Pair {
         Crossing crossing;
         crossing.face0 = index_[0];
         crossing.face1 = index_[1];
-        crossing.begin_world = g_begins_later ? point(1, g.fall, crossing.error)
-                                              : point(0, f.rise, crossing.error);
+        crossing.begin_world =
+            g_begins_later ? point(1, g.fall, crossing.error) : point(0, f.rise, crossing.error);
         crossing.end_world =
             g_ends_earlier ? point(1, g.rise, crossing.error) : point(0, f.fall, crossing.error);
         bool is_on_edge = false;
@@ -151,10 +151,7 @@ class Pair {
         return p_[a] + at_a / (at_a - at_b) * along;
     }
 
-    void add_contact(std::size_t i,
-                     Side side,
-                     const Crossing& crossing,
-                     Meeting& meeting) const {
+    void add_contact(std::size_t i, Side side, const Crossing& crossing, Meeting& meeting) const {
         const scene::Edge& edge = topology_.edges[face_[i]->edges[side]];
         const glm::dvec3 along = p_[edge.b] - p_[edge.a];
         const auto parameter = [&](const glm::dvec3& p) {
@@ -194,10 +191,8 @@ class Pair {
         const scene::Edge& edge = topology_.edges[e];
         const scene::Face& other = *face_[1 - i];
         const glm::dvec3 top = apex(other);
-        const int inwards = scene::orient3d(p_[other.vertices[0]],
-                                            p_[other.vertices[1]],
-                                            top,
-                                            p_[other.vertices[2]]);
+        const int inwards = scene::orient3d(
+            p_[other.vertices[0]], p_[other.vertices[1]], top, p_[other.vertices[2]]);
         double begin = 0, end = 1;
         for (Side side = 0; side < 3; ++side) {
             const std::uint32_t r = other.vertices[side], s = other.vertices[(side + 1) % 3];

@@ -51,7 +51,8 @@ struct Meeting {
 /// the stretches share is a crossing if its inside lies in the interior of both triangles, and
 /// contacts of each edge that it lies on. So a single common point is nothing, nor is an edge that
 /// both share. Only the coordinates of the ends are rounded. One plane: every edge that is not
-/// shared is clipped to the other triangle; there stretches below 1e-12 of the edge count as points.
+/// shared is clipped to the other triangle; there stretches below 1e-12 of the edge count as
+/// points.
 ///
 /// Degenerate triangles are not allowed (weld drops them). Same result if the faces are swapped.
 [[nodiscard]] Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g);

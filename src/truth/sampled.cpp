@@ -35,7 +35,8 @@ double ahead(const PlanePoint& p, const PlanePoint& o) {
     return p.u * o.w - o.u * p.w;
 }
 
-struct Crossing {
+/// Where a walk passes over an edge.
+struct Passage {
     std::uint32_t edge = 0;
     double t = 0;  ///< on the edge, from a to b
     PlanePoint point;
@@ -97,12 +98,16 @@ class Walker {
                 return;
             }
             s = exit->point.s();
-            const LineClass line_class = eye_.class_at(exit->edge, exit->t);
-            if (line_class != LineClass::none) {
+            if (eye_.class_at(exit->edge, exit->t) != LineClass::none) {
                 out.feature = {exit->edge, s, 1 / exit->point.w};
                 return;
             }
-            face = across(*exit, face);
+            const SeenSheet next = across(*exit, face);
+            if (next.face == kNoFace && next.border != kNoEdge) {
+                out.feature = {next.border, s, 1 / exit->point.w};
+                return;
+            }
+            face = next.face;
             entered = face != kNoFace && has_edge(face, exit->edge) ? exit->edge : kNoEdge;
         }
     }
@@ -118,19 +123,19 @@ class Walker {
 
     /// Where the segment's line crosses an edge. Zero height counts as above, always, so a face is
     /// crossed at two of its edges or none, and both its neighbours agree.
-    [[nodiscard]] std::optional<Crossing> crossing(std::uint32_t e) const {
+    [[nodiscard]] std::optional<Passage> crossing(std::uint32_t e) const {
         const scene::Edge& edge = eye_.model.topology.edges[e];
         const glm::dvec3& a = eye_.p_clip[edge.a];
         const glm::dvec3& b = eye_.p_clip[edge.b];
         const double height_a = height(a), height_b = height(b);
         if ((height_a >= 0) == (height_b >= 0)) return std::nullopt;
         const double t = height_a / (height_a - height_b);
-        return Crossing{e, t, {along(a) + t * (along(b) - along(a)), a.z + t * (b.z - a.z)}};
+        return Passage{e, t, {along(a) + t * (along(b) - along(a)), a.z + t * (b.z - a.z)}};
     }
 
     /// The crossing through which the walk leaves a face; notes the face's piece of the profile.
-    std::optional<Crossing> leave(std::uint32_t f, std::uint32_t entered, double s, Walk& out) {
-        std::optional<Crossing> in, exit;
+    std::optional<Passage> leave(std::uint32_t f, std::uint32_t entered, double s, Walk& out) {
+        std::optional<Passage> in, exit;
         for (const std::uint32_t e : eye_.model.topology.faces[f].edges) {
             const auto c = crossing(e);
             if (!c) continue;
@@ -159,25 +164,36 @@ class Walker {
         return std::find(edges.begin(), edges.end(), edge) != edges.end();
     }
 
-    /// The face seen beyond an edge that is no line.
-    [[nodiscard]] std::uint32_t across(const Crossing& at, std::uint32_t from) const {
+    /// The face seen beyond an edge that is no line. Where there is none because another face
+    /// covers this one and ends here too, the line is that one's border: then `border` alone is
+    /// set.
+    [[nodiscard]] SeenSheet across(const Passage& at, std::uint32_t from) const {
         const scene::Edge& edge = eye_.model.topology.edges[at.edge];
-        const auto faces = eye_.model.topology.faces_of(edge);
         if (eye_.model.is_touched[at.edge] != 0) {
-            const SeenFaces seen = seen_faces_at(eye_, at.edge, at.t);
-            if (seen.left == from && seen.right != kNoFace) return seen.right;
-            if (seen.right == from && seen.left != kNoFace) return seen.left;
+            const SeenSheets seen = seen_sheets_at(eye_, at.edge, at.t);
+            const bool is_left = side_of(edge, from) < 0;
+            const SeenSheet& beyond = is_left ? seen.right : seen.left;
+            if (beyond.face != kNoFace) return {beyond.face, kNoEdge};
+            const SeenSheet& here = is_left ? seen.left : seen.right;
+            if (here.face != from && here.border != kNoEdge) return {kNoFace, here.border};
         }
-        if (faces.size() == 2) return faces[0] == from ? faces[1] : faces[0];
-        if (faces.size() == 1) {
-            for (const Continuation& c : eye_.model.continuations_of(at.edge)) {
-                if (at.t >= c.t_begin && at.t <= c.t_end && eye_.goes_on(c)) return c.face;
-            }
-            return kNoFace;
-        }
+        const auto faces = eye_.model.topology.faces_of(edge);
+        if (faces.size() == 2) return {faces[0] == from ? faces[1] : faces[0], kNoEdge};
+        if (faces.size() == 1) return {continued(at), kNoEdge};
         const SeenFaces seen = eye_.seen_faces(edge);
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            if (faces[i] == from) return eye_.side(edge, i) < 0 ? seen.right : seen.left;
+        return {side_of(edge, from) < 0 ? seen.right : seen.left, kNoEdge};
+    }
+
+    [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const {
+        const auto faces = eye_.model.topology.faces_of(edge);
+        const auto at = std::find(faces.begin(), faces.end(), face);
+        return eye_.side(edge, static_cast<std::size_t>(at - faces.begin()));
+    }
+
+    /// What continues the face of a boundary edge.
+    [[nodiscard]] std::uint32_t continued(const Passage& at) const {
+        for (const Continuation& c : eye_.model.continuations_of(at.edge)) {
+            if (at.t >= c.t_begin && at.t <= c.t_end && eye_.goes_on(c)) return c.face;
         }
         return kNoFace;
     }

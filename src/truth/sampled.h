@@ -15,8 +15,8 @@ namespace ink::truth {
 /// feature edge. That is a line if the edge's surface is not behind the surface of the other walk
 /// at that point; of two lines the nearer counts, of equally near ones the first. Against the sky
 /// there is one walk. A face within 1e-3 px of its centre counts as met there. Where the surface of
-/// one walk, until then the nearer, goes under that of the other, the two pierce each other: that is
-/// a line too, found from the depths along both walks and not from the crossings of the model.
+/// one walk, until then the nearer, goes under that of the other, the two pierce each other: that
+/// is a line too, found from the depths along both walks and not from the crossings of the model.
 ///
 /// The line is drawn at that of the two pixels which holds the crossing, as the truth image draws
 /// it. At the pixel of the nearer surface it would be as near, but where lines run two pixels apart

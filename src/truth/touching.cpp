@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "scene/predicates.h"
-#include "truth/truth.h"
 
 namespace ink::truth {
 namespace {
@@ -60,6 +59,7 @@ class Bundle {
 
     /// The edge of a face of which this sheet is the whole: the one that lies on ours.
     [[nodiscard]] std::uint32_t border_of(const Sheet& sheet) const {
+        if (!sheet.is_there()) return kNoEdge;
         const scene::Face& face = eye_.model.topology.faces[sheet.face];
         for (std::size_t i = 0; i < 3; ++i) {
             if (face.vertices[(i + 2) % 3] == sheet.vertex) return face.edges[i];
@@ -128,9 +128,12 @@ LineClass class_against(const EyeView& eye,
 
 }  // namespace
 
-SeenFaces seen_faces_at(const EyeView& eye, std::uint32_t edge, double t) {
+SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t) {
     const Bundle bundle(eye, edge, t);
-    return {bundle.left().face, bundle.right().face};
+    const auto seen = [&](const Sheet& sheet) {
+        return SeenSheet{sheet.face, sheet.is_border ? bundle.border_of(sheet) : kNoEdge};
+    };
+    return {seen(bundle.left()), seen(bundle.right())};
 }
 
 LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineClass own_class) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "truth/eye_view.h"
+#include "truth/truth.h"
 
 namespace ink::truth {
 
@@ -24,8 +25,19 @@ namespace ink::truth {
 /// Two edges of two faces each that lie on each other, and would both be the same intersection, are
 /// one line: that of the edge whose seen face is the lower.
 
-/// The faces seen to either side of the point a + t (b - a), own and touching.
-[[nodiscard]] SeenFaces seen_faces_at(const EyeView& eye, std::uint32_t edge, double t);
+/// What is seen to one side of a point of an edge, of own and touching faces.
+struct SeenSheet {
+    std::uint32_t face = kNoFace;    ///< kNoFace: nothing
+    std::uint32_t border = kNoEdge;  ///< the face's edge that lies there, if the face ends there
+};
+
+/// The same for both sides: what EyeView::seen_faces is for the own faces alone.
+struct SeenSheets {
+    SeenSheet left, right;
+};
+
+/// What is seen to either side of the point a + t (b - a).
+[[nodiscard]] SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t);
 
 /// The class of that point by the rule above, if `own_class` is what it is without the touching
 /// faces.

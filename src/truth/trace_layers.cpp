@@ -1,6 +1,7 @@
 #include "truth/trace_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -47,6 +48,41 @@ std::uint32_t lowest(const EyeView& eye, const glm::dvec3& ray, std::uint32_t fa
     return face;
 }
 
+constexpr int kBlock = 4;  ///< px: rays are cast in squares of 4 x 4
+
+void fill_pixel(const EyeView& eye,
+                const glm::dvec3& ray,
+                const EyeScene::Hit& hit,
+                std::size_t pixel,
+                TracedLayers& out) {
+    const std::uint32_t face = lowest(eye, ray, hit.face);
+    out.face.data()[pixel] = face;
+    out.layers.triangle.data()[pixel] = eye.model.topology.faces[face].triangle;
+    out.layers.patch.data()[pixel] = eye.model.patch[face];
+    float& w = out.layers.w.data()[pixel];
+    w = static_cast<float>(hit.t);
+    set_depth(eye, ray, face, w, out.layers.n_dot_v.data()[pixel]);
+}
+
+void trace_block(const EyeView& eye, const EyeScene& scene, int x_px, int y_px, TracedLayers& out) {
+    const RayRange range{eye.near, std::numeric_limits<double>::infinity()};
+    std::array<glm::dvec3, kBlock * kBlock> rays;
+    std::uint32_t valid = 0;
+    for (int i = 0; i < kBlock * kBlock; ++i) {
+        const int x = x_px + i % kBlock, y = y_px + i / kBlock;
+        rays[static_cast<std::size_t>(i)] = eye.projection.ray_world(x + 0.5, y + 0.5);
+        if (out.face.contains(x, y)) valid |= 1U << i;
+    }
+    const auto hits = scene.first_of_sixteen(rays, range, valid);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!hits[i]) continue;
+        const auto x = static_cast<std::size_t>(x_px) + i % kBlock;
+        const auto y = static_cast<std::size_t>(y_px) + i / kBlock;
+        const std::size_t pixel = y * static_cast<std::size_t>(eye.width_px) + x;
+        fill_pixel(eye, rays[i], *hits[i], pixel, out);
+    }
+}
+
 }  // namespace
 
 TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads) {
@@ -57,27 +93,10 @@ TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads
     out.layers.patch = core::Image<std::uint32_t>(width, height, kNoTriangle);
     out.layers.n_dot_v = core::Image<float>(width, height, 0);
     out.layers.w = core::Image<float>(width, height, std::numeric_limits<float>::infinity());
-    const auto accept = [](std::uint32_t) { return true; };
-    core::parallel_for(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
-        const int y = static_cast<int>(row);
-        for (int x = 0; x < width; ++x) {
-            EyeRay ray;
-            ray.direction_world = eye.projection.ray_world(x + 0.5, y + 0.5);
-            ray.t_near = eye.near;
-            ray.t_far = std::numeric_limits<double>::infinity();
-            const auto hit = scene.first(ray, accept);
-            if (!hit) continue;
-            const std::uint32_t face = lowest(eye, ray.direction_world, hit->face);
-            out.face.at(x, y) = face;
-            out.layers.triangle.at(x, y) = eye.model.topology.faces[face].triangle;
-            out.layers.patch.at(x, y) = eye.model.patch[face];
-            out.layers.w.at(x, y) = static_cast<float>(hit->t);
-            set_depth(eye,
-                      ray.direction_world,
-                      face,
-                      out.layers.w.at(x, y),
-                      out.layers.n_dot_v.at(x, y));
-        }
+    const auto rows = static_cast<std::size_t>((height + kBlock - 1) / kBlock);
+    core::parallel_for(rows, threads, [&](std::size_t row) {
+        for (int x = 0; x < width; x += kBlock)
+            trace_block(eye, scene, x, static_cast<int>(row) * kBlock, out);
     });
     return out;
 }

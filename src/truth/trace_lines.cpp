@@ -1,9 +1,12 @@
 #include "truth/trace_lines.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <mutex>
 #include <optional>
+#include <string>
 
 #include "core/parallel.h"
 #include "scene/topology.h"
@@ -90,7 +93,8 @@ std::optional<ScreenLine> clip(const EyeView& eye,
     }
     const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
     const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
-    ScreenLine line{.segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
+    ScreenLine line{
+        .segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
     line.w_begin = begin.z;
     line.w_end = end.z;
     line.begin_px = glm::dvec2(begin) / begin.z;
@@ -281,17 +285,50 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
     return out;
 }
 
+/// What the tasks have spent together, and how far they are.
+class Account {
+  public:
+    Account(const TruthTrace& trace, std::size_t tasks) : trace_(trace), tasks_(tasks) {}
+
+    void add(const TracedLines& part) {
+        samples_ += part.samples;
+        rays_ += part.rays;
+        const std::size_t done = ++done_;
+        // Whoever comes while another thread reports need not wait: the next one will say more.
+        const std::unique_lock lock(reporting_, std::try_to_lock);
+        if (trace_.progress && lock) trace_.progress(done, tasks_);
+    }
+    /// Once it is, it stays so: whether it ends so does not hang on the order of the tasks.
+    [[nodiscard]] bool is_overdrawn() const {
+        return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
+    }
+
+  private:
+    const TruthTrace& trace_;
+    std::size_t tasks_;
+    std::atomic<std::size_t> samples_{0}, rays_{0}, done_{0};
+    std::mutex reporting_;
+};
+
 }  // namespace
 
-TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, int threads) {
+TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTrace& trace) {
     const Visibility visibility(eye, scene);
     const Tracing tracing{eye, visibility, feature_edges(eye), seen_crossings(eye)};
     const std::size_t count = tracing.edges.size() + tracing.crossings.size();
     std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
-    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
+    Account account(trace, parts.size());
+    core::parallel_for(parts.size(), trace.threads, [&](std::size_t chunk) {
+        if (account.is_overdrawn()) return;
         const std::size_t begin = chunk * kChunk;
         parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
+        account.add(parts[chunk]);
     });
+    if (account.is_overdrawn()) {
+        throw TooLarge(std::to_string(count) + " lines need more than " +
+                       std::to_string(trace.limits.samples) + " samples or " +
+                       std::to_string(trace.limits.rays) + " rays");
+    }
     TracedLines all;
     for (const TracedLines& part : parts) {
         all.curves.insert(all.curves.end(), part.curves.begin(), part.curves.end());

@@ -18,8 +18,11 @@ struct TracedLines {
 };
 
 /// Construction A: clips every feature edge and every crossing of two faces to near plane and
-/// picture, samples it at most 1/4 px apart and bisects each change of visibility (of a contour also each change of what lies behind
-/// it) to 1/512 px. The same for every thread count.
-[[nodiscard]] TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, int threads);
+/// picture, samples it at most 1/4 px apart and bisects each change of visibility (of a contour
+/// also each change of what lies behind it) to 1/512 px. The same for every thread count. Throws
+/// TooLarge once samples or rays exceed `trace.limits`.
+[[nodiscard]] TracedLines trace_lines(const EyeView& eye,
+                                      const EyeScene& scene,
+                                      const TruthTrace& trace);
 
 }  // namespace ink::truth

@@ -43,11 +43,14 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
 Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace& trace) {
     const auto begin = std::chrono::steady_clock::now();
     if (view.width_px <= 0 || view.height_px <= 0) return {};
+    if (model.crossings.is_too_many) {
+        throw TooLarge("more pairs of triangles touch than the search for crossings may look at");
+    }
     const EyeView eye(model, view, trace.threads);
     const EyeScene scene(model.topology, view.camera.eye_world, trace.threads);
 
     Truth truth;
-    TracedLines lines = trace_lines(eye, scene, trace.threads);
+    TracedLines lines = trace_lines(eye, scene, trace);
     lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px);
     truth.counts = counts_of(model, lines, image);
@@ -65,7 +68,8 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
 Truth trace_truth(const scene::Scene& scene, const scene::View& view, const TruthOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     const Model model = build_model(scene, options);
-    Truth truth = trace_truth(model, view, {options.threads, options.layers});
+    Truth truth = trace_truth(
+        model, view, {options.threads, options.layers, options.limits, options.progress});
     truth.trace_s = seconds_since(begin);
     return truth;
 }

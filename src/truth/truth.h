@@ -9,6 +9,7 @@
 #include "edge/edge_image.h"
 #include "scene/scene.h"
 #include "truth/curve.h"
+#include "truth/limits.h"
 #include "truth/line_class.h"
 
 namespace ink::truth {
@@ -21,6 +22,8 @@ struct TruthOptions {
     double weld_epsilon = 0;      ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers and `sampled`; without, both stay empty
+    TruthLimits limits = {};
+    TruthProgress progress = {};  ///< may be empty
 };
 
 /// What is seen at pixel centres, by one Embree ray each: for attribution, and for the `sampled`
@@ -44,13 +47,13 @@ struct TruthCounts {
     std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
     std::size_t samples = 0;
     std::size_t rays = 0;
-    std::size_t merged_px = 0;  ///< truth pixels that thinning the union removed
+    std::size_t merged_px = 0;     ///< truth pixels that thinning the union removed
     std::size_t pairs_tested = 0;  ///< pairs of triangles whose boxes touch
     std::size_t crossings = 0;     ///< segments in which two triangles cross
     std::size_t contacts = 0;      ///< stretches of edges that lie in a triangle of others
     std::size_t too_many_crossings =
         0;  ///< 1: more pairs or segments than the budget (crossings.h); the truth has none
-    double crowded_share = 0;   ///< share of drawn truth pixels that fell under the ignore map
+    double crowded_share = 0;  ///< share of drawn truth pixels that fell under the ignore map
 };
 
 /// The exact outline of a scene from a view.
@@ -65,20 +68,24 @@ struct Truth {
 
 /// Traces the truth of the polyhedron as given (construction A of the design, section 5).
 ///
-/// Lines are the scene's contours, boundaries, creases and seams, classified exactly from the eye;
-/// a line point is visible if the open segment from the eye meets no triangle but the edge's own
-/// faces. Intersection lines are not traced yet. Same result for every thread count. An empty
-/// picture or a scene that shows nothing gives labels of zeros.
+/// Lines are the scene's contours, boundaries, creases, intersections and seams, classified exactly
+/// from the eye; a line point is visible if the open segment from the eye meets no triangle but the
+/// line's own faces. Of surfaces at the same depth the lowest face is seen; where an edge lies in
+/// faces that are not its own, touching.h has the rule. Same result for every thread count. An
+/// empty picture or a scene that shows nothing gives labels of zeros. Throws TooLarge where the
+/// view would exceed the options' limits.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,
                                 const TruthOptions& options);
 
 struct Model;
 
-/// How one view of a model is traced; nothing here changes a result.
+/// How one view of a model is traced; nothing here changes a result, but limits may refuse one.
 struct TruthTrace {
     int threads = 1;
     bool layers = true;  ///< also layers and `sampled`; without, both stay empty
+    TruthLimits limits = {};
+    TruthProgress progress = {};  ///< may be empty
 };
 
 /// The same from a model (model.h) that serves many views; `trace_s` then leaves the model's own

@@ -58,9 +58,10 @@ std::string truth_key(const scene::Scene& scene,
 Truth cached_truth(SceneModel& scene,
                    const scene::View& view,
                    const std::filesystem::path& cache_dir) {
-    const TruthTrace trace{scene.options().threads, scene.options().layers};
+    const TruthOptions& options = scene.options();
+    const TruthTrace trace{options.threads, options.layers, options.limits, options.progress};
     if (cache_dir.empty()) return trace_truth(scene.model(), view, trace);
-    const std::string key = truth_key(scene.scene(), view, scene.options());
+    const std::string key = truth_key(scene.scene(), view, options);
     const fs::path path = cache_dir / (key + ".truth");
     if (auto truth = load(path, key, view)) return std::move(*truth);
     Truth truth = trace_truth(scene.model(), view, trace);

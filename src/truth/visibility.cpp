@@ -29,6 +29,16 @@ bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
     return edges[0] == point.edge || edges[1] == point.edge || edges[2] == point.edge;
 }
 
+/// Known since the model was built; finding it anew takes two exact predicates that come out 0, the
+/// slowest there are.
+bool Visibility::is_touched_by(std::uint32_t face, std::uint32_t edge) const {
+    if (eye_.model.is_touched[edge] == 0) return false;
+    const auto contacts = eye_.model.crossings.contacts_of(edge);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return contact.face == face;
+    });
+}
+
 /// The side of the face's plane on which the point lies, exact for the true point of the edge: if
 /// both ends lie on one side so does it, whatever rounding did to its coordinates.
 int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
@@ -37,6 +47,7 @@ int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
     const auto& p = topology.p_world;
     const scene::Edge& edge = topology.edges[point.edge];
     const auto& v = topology.faces[f].vertices;
+    if (is_touched_by(f, point.edge)) return 0;
     const auto side = [&](std::uint32_t end) {
         if (end == v[0] || end == v[1] || end == v[2]) return 0;
         return scene::facing(p[v[0]], p[v[1]], p[v[2]], p[end]);
@@ -56,8 +67,8 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
     const glm::dvec3 d = point.p_world - p[v[0]];
     const double height = glm::dot(normal, d);
     const double off = point.crossing->error + kRounding * glm::length(point.p_world);
-    const double bound = off * glm::length(normal) +
-                         kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
+    const double bound =
+        off * glm::length(normal) + kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
     return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
 }
 
@@ -157,15 +168,25 @@ bool Visibility::is_visible(const LinePoint& point,
 
 std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
                                                       std::size_t& rays) const {
+    ++rays;
+    return scene_.first(beyond(point), [&](std::uint32_t face) { return is_behind(face, point); });
+}
+
+/// The part of the line of sight on which what lies behind a point is looked for.
+EyeRay Visibility::beyond(const LinePoint& point) const {
     EyeRay ray;
     ray.direction_world = point.p_world - eye_.eye_world();
     ray.t_near = 1 - kPast;
     ray.t_far = std::numeric_limits<double>::infinity();
-    ++rays;
-    return scene_.first(ray, [&](std::uint32_t face) { return is_behind(face, point); });
+    return ray;
 }
 
 ContourKind Visibility::kind_behind(const LinePoint& point, std::size_t& rays) const {
+    const auto is_found = [&](std::uint32_t face) { return is_behind(face, point); };
+    if (eye_.model.is_one_object) {
+        ++rays;
+        return scene_.any(beyond(point), is_found) ? ContourKind::self : ContourKind::sky;
+    }
     const auto hit = first_behind(point, rays);
     if (!hit) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;

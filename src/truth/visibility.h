@@ -47,13 +47,16 @@ class Visibility {
     [[nodiscard]] std::optional<EyeScene::Hit> first_behind(const LinePoint& point,
                                                             std::size_t& rays) const;
 
-    /// What lies behind a visible contour point: the object of `first_behind`.
+    /// What lies behind a visible contour point: the object of `first_behind`. Where a scene is one
+    /// object any face will do.
     [[nodiscard]] ContourKind kind_behind(const LinePoint& point, std::size_t& rays) const;
 
   private:
+    [[nodiscard]] EyeRay beyond(const LinePoint& point) const;
     [[nodiscard]] bool blocks(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_behind(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] int side_of_point(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool is_touched_by(std::uint32_t face, std::uint32_t edge) const;
     [[nodiscard]] int side_of_crossing(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;

@@ -107,10 +107,9 @@ TEST(ReportPage, ListsFailedCellsWithTheirStatusAndOnlyThen) {
     EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert"));
 }
 
-TEST(ReportPage, NamesTheWinnerAndWhatIsNotTracedYet) {
+TEST(ReportPage, NamesTheWinnerAndWhatIsNotThereYet) {
     const std::string page = report_page(made_up_report({}));
     EXPECT_THAT(page, HasSubstr("<h1>decaudin makes the fewest errors</h1>"));
-    EXPECT_THAT(page, HasSubstr("<code>intersection</code> lines"));
     EXPECT_THAT(page, HasSubstr("a later\nversion"));
 }
 
@@ -210,10 +209,13 @@ TEST_F(ReportFiles, FiguresAreStripsAndCharts) {
                                               "figures/scene_2.png",
                                               "figures/overview.png",
                                               "figures/fronts.svg",
-                                              "figures/classes.svg"));
+                                              "figures/classes.svg",
+                                              "figures/causes.svg"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/fronts.svg")), "");
     EXPECT_THAT(text_of(folder_ / "figures/fronts.svg"), HasSubstr(">decaudin</text>"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/classes.svg")), "");
+    EXPECT_EQ(nesting_error(text_of(folder_ / "figures/causes.svg")), "");
+    EXPECT_THAT(text_of(folder_ / "figures/causes.svg"), HasSubstr(">decaudin</text>"));
 }
 
 TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
@@ -232,7 +234,8 @@ TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
 TEST_F(ReportFiles, FiguresWithoutAnythingToShowAreEmptyCharts) {
     write_figures({}, folder_);
     EXPECT_THAT(names(),
-                testing::UnorderedElementsAre("figures/fronts.svg", "figures/classes.svg"));
+                testing::UnorderedElementsAre(
+                    "figures/fronts.svg", "figures/classes.svg", "figures/causes.svg"));
 }
 
 TEST_F(ReportFiles, FiguresThatCannotBeWrittenAreAnError) {

@@ -146,5 +146,37 @@ TEST(CurveCsv, HasNinetyNineLinesOfOneCell) {
     EXPECT_EQ(fields[9], "3");
 }
 
+TEST(RowColumns, OfLineScoresAreEmptyWithoutThem) {
+    const std::vector<std::string> names = {"crack_precision",
+                                            "crack_recall",
+                                            "crack_f",
+                                            "offset_px",
+                                            "offset_spread_px",
+                                            "offset_rms_px",
+                                            "shift_x_px",
+                                            "shift_y_px",
+                                            "width_along_px",
+                                            "width_spread_px",
+                                            "false_ink_px"};
+    Row row;
+    for (const std::string& name : names)
+        EXPECT_EQ(field(row, name), "") << name;
+    row.lines = LineScores{};
+    row.lines->cracks.n_drawn = 8;
+    row.lines->cracks.n_beside = 4;
+    row.lines->cracks.all = {4, 4};
+    row.lines->ink = {8, 3};
+    row.lines->offsets.all.add(0.25);
+    row.lines->offsets.all.add(0.75);
+    EXPECT_EQ(field(row, "crack_precision"), "0.5");
+    EXPECT_EQ(field(row, "crack_recall"), "1");
+    EXPECT_EQ(field(row, "offset_px"), "0.5");
+    EXPECT_EQ(field(row, "offset_spread_px"), "0.25");
+    EXPECT_EQ(field(row, "shift_x_px"), "");
+    EXPECT_EQ(field(row, "width_along_px"), "");
+    EXPECT_EQ(field(row, "false_ink_px"), "3");
+    EXPECT_EQ(field(row, "ink_px"), "8");
+}
+
 }  // namespace
 }  // namespace ink::lab

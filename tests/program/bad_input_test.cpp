@@ -278,6 +278,10 @@ TEST(BadOutput, WhereNoFileCanBe) {
         expect_refused(desk, {"truth", "torus", "-o", file, "--size", "64x36"}, "");
     }
     expect_refused(desk, {"draw", "torus", "-o", "a.nosuchformat"}, "a.nosuchformat");
+    expect_refused(desk, {"draw", "torus", "-o", "a.svg"}, "a.svg");
+    expect_refused(desk, {"truth", "torus", "--svg", "a.png"}, "a.png");
+    for (const char* epsilon : {"-1", "0.5", "nan", "x"})
+        expect_refused(desk, {"truth", "torus", "--weld-epsilon", epsilon}, "--weld-epsilon");
 }
 
 TEST(BadOutput, EarlierResultsStay) {

@@ -19,6 +19,7 @@ using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
 using testing::Key;
+using testing::Not;
 using testing::StartsWith;
 
 using Words = std::vector<std::string>;
@@ -292,6 +293,49 @@ TEST(Compare, CtrlCLeavesFinishedRowsWhole) {
     ASSERT_FALSE(text.empty());
     EXPECT_EQ(text.back(), '\n');
     EXPECT_NO_THROW(EXPECT_FALSE(parse_csv(text).empty()));
+}
+
+TEST(Truth, WritesLayersAndCurvesByTheEndingOfTheName) {
+    const Desk desk;
+    const std::string summary = expect_done(
+        desk, {"truth", "torus", "--size", "160x90", "-o", "truth.exr", "--svg", "curves.svg"});
+    EXPECT_THAT(summary, HasSubstr("behind contours: sky"));
+    EXPECT_THAT(desk.read("truth.exr"), StartsWith("\x76\x2f\x31\x01")) << "OpenEXR's magic";
+    EXPECT_THAT(desk.read("curves.svg"), AllOf(StartsWith("<svg"), HasSubstr("data-dihedral-deg")));
+    expect_done(desk, {"truth", "torus", "--size", "160x90", "-o", "again.svg"});
+    EXPECT_EQ(desk.read("again.svg"), desk.read("curves.svg"));
+    expect_done(desk, {"draw", "torus", "--size", "160x90", "-o", "ink.exr"});
+    EXPECT_THAT(desk.read("ink.exr"), StartsWith("\x76\x2f\x31\x01"));
+}
+
+TEST(Truth, WeldEpsilonClosesCracksAndIsRecorded) {
+    const Desk desk;
+    // Two triangles of a square that miss each other by a hair.
+    desk.write("crack.obj",
+               "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.00001 0 0\nv 1.00001 1 0\nv 0 1 0\n"
+               "f 1 2 3\nf 4 5 6\n");
+    const Words exact = {"truth", "crack.obj", "--size", "64x36", "--no-cache"};
+    Words near = exact;
+    near.insert(near.end(), {"--weld-epsilon", "1e-4"});
+    EXPECT_THAT(expect_done(desk, exact), Not(HasSubstr("epsilon joined")));
+    EXPECT_THAT(expect_done(desk, near), HasSubstr("epsilon joined 2 vertices"));
+    expect_done(desk,
+                {"compare",
+                 "crack.obj",
+                 "--methods",
+                 "mote4",
+                 "--views",
+                 "1",
+                 "--size",
+                 "64x36",
+                 "--repetitions",
+                 "1",
+                 "--weld-epsilon",
+                 "0.0001",
+                 "--out",
+                 "out"});
+    for (const auto& row : rows_of(desk, "out"))
+        EXPECT_EQ(row.at("weld_epsilon"), "0.0001");
 }
 
 TEST(DrawTruthScore, WorkHandInHand) {

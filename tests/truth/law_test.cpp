@@ -185,30 +185,39 @@ TEST(Sampled, IsDrawnWhereTheLineCrosses) {
     }
 }
 
-TEST(Sampled, PiercingPlanesHaveNoClassYet) {
-    // Two walls that cross, with no edge on the crossing line: ids differ there, no feature does.
+TEST(Sampled, PiercingPlanesShowTheirCrossing) {
+    // Two walls that cross at x = 320.3 px, with no edge there: only the depths of both walks tell.
     scene::Mesh a, b;
-    add_quad(a, {-9, -9, -1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, -1});
-    add_quad(b, {-9, -9, 1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, 1});
+    const auto x = static_cast<float>(0.3 / 100);
+    add_quad(a, {-9 + x, -9, -1}, {9 + x, -9, 1}, {9 + x, 9, 1}, {-9 + x, 9, -1});
+    add_quad(b, {-9 + x, -9, 1}, {9 + x, -9, -1}, {9 + x, 9, -1}, {-9 + x, 9, 1});
     const Truth truth = trace(scene_of({a, b}), view_from(6));
-    EXPECT_EQ(std::count(truth.sampled.data(), truth.sampled.data() + truth.sampled.size(), 255),
-              0);
-    EXPECT_TRUE(truth.curves.empty());
+    for (int row = 0; row < kHeight_px; ++row) {
+        for (int column = 0; column < kWidth_px; ++column)
+            ASSERT_EQ(truth.sampled.at(column, row), column == 320 ? 255 : 0) << column << row;
+    }
 }
 
 TEST(Sampled, HiddenFeaturesAreNotDrawn) {
-    // A box half sunk into a floor: the rim of the floor is seen, the box's bottom is not.
+    // A box half sunk into a floor: the rim of the floor is seen and the line round the box, the
+    // box's bottom is not.
     scene::Mesh floor;
     add_quad(floor, {-90, 0, 90}, {90, 0, 90}, {90, 0, -90}, {-90, 0, -90});
-    const scene::Scene scene = scene_of({floor, box({-1, -0.01F, -1}, {1, 1, 1})});
+    const scene::Scene scene = scene_of({floor, box({-1, -0.5F, -1}, {1, 1, 1})});
     const scene::View view = view_from({2, 6, 8}, {0, 0, 0});
     const Truth truth = trace(scene, view);
-    EXPECT_EQ(seen_length(scene, truth, {-1, -0.01F, 1}, {1, -0.01F, 1}), 0);
-    // The middle of the foot's front edge on the picture, and a ring round it.
-    const glm::dvec3 foot = scene::Projection(view).to_clip({0, 0, 1});
-    const int x = static_cast<int>(foot.x / foot.z), y = static_cast<int>(foot.y / foot.z);
-    for (int dy = -3; dy <= 3; ++dy)
-        EXPECT_EQ(truth.sampled.at(x, y + dy), 0);
+    EXPECT_EQ(seen_length(scene, truth, {-1, -0.5F, 1}, {1, -0.5F, 1}), 0);
+    // The middle of the hidden edge on the picture and that of the line above it.
+    const auto column_at = [&](const glm::dvec3& p, int reach) {
+        const glm::dvec3 at = scene::Projection(view).to_clip(p);
+        const int x = static_cast<int>(at.x / at.z), y = static_cast<int>(at.y / at.z);
+        int drawn = 0;
+        for (int dy = -reach; dy <= reach; ++dy)
+            drawn += truth.sampled.at(x, y + dy) != 0;
+        return drawn;
+    };
+    EXPECT_EQ(column_at({0, -0.5, 1}, 3), 0);
+    EXPECT_GE(column_at({0, 0, 1}, 1), 1);
     EXPECT_GT(sampled_f(truth), 0.97);
 }
 

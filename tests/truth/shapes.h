@@ -128,6 +128,7 @@ inline double seen_length(const scene::Scene& scene,
     };
     double sum = 0;
     for (const Curve& curve : truth.curves) {
+        if (curve.edge == kNoEdge) continue;
         const scene::Edge& edge = topology.edges[curve.edge];
         if ((is_at(edge.a, a) && is_at(edge.b, b)) || (is_at(edge.a, b) && is_at(edge.b, a))) {
             sum += length_px(curve);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+
+#include "scene/scene.h"
+
+namespace ink::truth {
+
+/// What the truth of a view may cost, in things that are counted, never in time: so whether a view
+/// is too large does not hang on the machine, the load or the number of threads.
+///
+/// The defaults keep one thread of a machine of 2023 below a minute, and every machine below 4 GB,
+/// at 1920 x 1080 (bench/README.md has the measurements).
+struct TruthLimits {
+    /// Bytes that scene, topology, trees and results are reckoned to take at their peak
+    /// (`memory_estimate`).
+    std::size_t memory_bytes = 3'600'000'000;
+    /// Samples along lines, counted from their lengths before any ray is cast.
+    std::size_t samples = 10'000'000;
+    /// Rays, counted as they are cast; lines that flicker need many more than their samples.
+    std::size_t rays = 24'000'000;
+};
+
+/// A view that would exceed the limits. `what()` says which and gives the counts; it is the same on
+/// every machine and for every thread count.
+class TooLarge : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Told of `done` steps of `total` while lines are traced, from one thread at a time, often.
+using TruthProgress = std::function<void(std::size_t done, std::size_t total)>;
+
+/// What a scene's truth is reckoned to take at its peak, bytes: measured on smooth surfaces, on
+/// rough ones and on soups of triangles, `places` being its distinct vertices.
+[[nodiscard]] std::size_t memory_estimate(const scene::Scene& scene, std::size_t places);
+
+/// Throws TooLarge if the scene's `memory_estimate` exceeds the limit. Vertices are counted as
+/// distinct, and only if that is too many one by one.
+void check_memory(const scene::Scene& scene, const TruthLimits& limits);
+
+}  // namespace ink::truth
