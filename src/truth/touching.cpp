@@ -138,6 +138,7 @@ LineClass class_against(const EyeView& eye,
     }
     if (is_outline(own_class)) return own_class;
     if (own_class == LineClass::crease && bundle.covers_own(touching)) return own_class;
+    if (!touching.is_border) return LineClass::intersection;
     const bool is_drawn_there = is_outline(eye.edge_class[bundle.border_of(touching)]);
     return is_drawn_there || touching.face < own.face ? LineClass::none : LineClass::intersection;
 }

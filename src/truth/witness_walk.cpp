@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace ink::truth {
 namespace {
@@ -265,15 +266,37 @@ void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, 
     if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
 }
 
+/// By how much a point lies on the far side of a face's plane as the eye sees it, world units; 0
+/// where double cannot tell it from a point of the plane.
+double depth_under(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const glm::dvec3 n = glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
+    const double height = glm::dot(n, p_world - p[v[0]]);
+    const double towards_eye = glm::dot(n, mesh.projection().eye_world() - p[v[0]]);
+    const double noise = 16 * std::numeric_limits<double>::epsilon() *
+                         (glm::length(p_world) + glm::length(p[v[0]]));
+    if (!(std::abs(height) > noise)) return 0;
+    return towards_eye > 0 ? -height : height;
+}
+
 /// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
-/// just before it, and it is not seen.
+/// just before it, and it is not seen. By the height over the plane, not by depths: an edge that a
+/// modeller put into a wall lies in it to within the rounding of its floats, on either side.
 bool is_under(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond) {
     if (beyond.sight.face == kNothing || end.w < mesh.view().camera.near) return false;
     const glm::dvec2 end_px = mesh.px(end.p_world);
     const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
     if (!cover.has_arrived) return false;
     const double w = WitnessMesh::plane_depth(mesh.local_face(cover.face, end_px));
-    return w >= mesh.view().camera.near && w < end.w * (1 - kSameDepth);
+    if (w < mesh.view().camera.near) return false;
+    const auto& v = mesh.topology().faces[end.face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double under_a = depth_under(mesh, cover.face, p[v[end.side]]);
+    const double under_b = depth_under(mesh, cover.face, p[v[(end.side + 1) % 3]]);
+    // An edge that begins in the plane and goes under it is under it at once.
+    if (under_a * under_b >= 0) return under_a + under_b > 0;
+    return depth_under(mesh, cover.face, end.p_world) > 0;
 }
 
 /// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
