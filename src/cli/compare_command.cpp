@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "lab/compare.h"
+#include "lab/statistics.h"
 #include "lab/verdict.h"
 
 namespace ink::cli {
@@ -26,6 +27,8 @@ struct CompareArgs {
     TruthSettings truth;
     int threads = 1;
     int repetitions = 15;
+    bool no_sweep = false;
+    int sweep_views = 1;
     std::string seed = "0";
     bool no_witness = false;
 };
@@ -46,6 +49,12 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     }
     options.measure.max_repetitions = args.repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
+    options.sweep.measure.threads = options.measure.threads;
+    if (args.sweep_views < 1 || args.sweep_views > 10000) {
+        throw core::Error(
+            "--sweep-views", fmt::format("{} is not possible", args.sweep_views), "1..10000");
+    }
+    options.sweep.views = args.no_sweep ? 0 : args.sweep_views;
     apply(args.truth, options.trace.truth);
     options.trace.truth.threads = core::hardware_threads();
     options.trace.witness = !args.no_witness;
@@ -60,13 +69,8 @@ void run_compare(const CompareArgs& args, const std::string& command_line) {
     options.command = command_line;
     const lab::CompareResult result =
         lab::compare(lab::load_subjects(names_of(args), view_request(args.views)), options);
-    fmt::print("{}\n", lab::verdict_table(result.rows));
-    for (const lab::OdsPoint& point : result.ods) {
-        fmt::print("{}: best threshold over these training scenes {} (F {:.3f} pooled)\n",
-                   point.method,
-                   point.threshold,
-                   point.f);
-    }
+    fmt::print("{}\n", lab::verdict_table(result.rows, result.curves));
+    fmt::print("{}", lab::threshold_lines(result.rows, result.curves));
     fmt::print("report: {}\n", result.report.string());
     for (const std::string& reason : result.void_reasons) {
         fmt::print(stderr, "inkbench: this run is void: {}\n", reason);
@@ -92,17 +96,28 @@ void add_compare_command(CLI::App& app) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_view_options(*command, args->views);
     command
-        ->add_option(
-            "--out", args->out, "Folder for rows.csv, curves.csv, report.html, verdict.md, figures")
+        ->add_option("--out",
+                     args->out,
+                     "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, report.html, "
+                     "verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
         ->capture_default_str();
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
-    command->add_option("--seed", args->seed, "Recorded in the rows")->capture_default_str();
     command->add_flag(
         "--no-witness", args->no_witness, "Do not hold the truth against its witness");
+    command
+        ->add_option(
+            "--sweep-views", args->sweep_views, "Views of each scene on which sweeps are drawn")
+        ->capture_default_str();
+    command->add_flag(
+        "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
+    command
+        ->add_option(
+            "--seed", args->seed, "Of chance pictures and of intervals; recorded in the rows")
+        ->capture_default_str();
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

@@ -75,7 +75,7 @@ bool check_truth(const TruthArgs& args,
     const lab::IdAgreement ids = lab::compare_ids(model.scene(), view, raster::DepthFormat::q32);
     lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
     fmt::print("{}{}disagreements: {}\n",
-               lab::witness_summary(check),
+               lab::witness_summary(check, truth.curves),
                lab::id_summary(ids),
                *args.disagreement);
     const bool is_agreed = check.agreement.is_agreed();

@@ -14,8 +14,8 @@ void add(const Row& row, CauseTotals& totals) {
     totals.off_line += row.off_line;
     totals.lost += row.lost;
     totals.missing += row.missing;
-    for (std::size_t i = 0; i < totals.causes.px.size(); ++i)
-        totals.causes.px[i] += row.causes.px[i];
+    for (std::size_t i = 0; row.causes && i < totals.causes.px.size(); ++i)
+        totals.causes.px[i] += row.causes->px[i];
 }
 
 }  // namespace

@@ -66,22 +66,29 @@ score::ScoreOptions score_options(int threshold) {
 Scored score_picture(const edge::EdgeImage& picture,
                      const score::ScoringTruth& truth,
                      int threshold) {
-    score::ScoreOptions options = score_options(threshold);
+    const score::ScoreOptions options = score_options(threshold);
     Scored scored;
     scored.strokes = score::make_strokes(picture, threshold, options);
-    options.tolerance_px = kStrictTolerance_px;
-    scored.at_1px = score::score_strokes(scored.strokes, truth, options);
-    options.tolerance_px = kTolerance_px;
     scored.at_2px = score::score_strokes(scored.strokes, truth, options);
     scored.wrong_2px = score::wrong_pixels(picture, truth, options);
+    scored.ladder = score::score_ladder(picture, truth, options, kLadder_px);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
 }
 
 void fill_scores(const Scored& scored, Row& row) {
-    const score::Score& s = scored.at_2px;
+    fill_score_2px(scored.at_2px, row);
+    const score::CurveCount& strict = scored.ladder.front();
+    row.f_1px = strict.f();
+    row.k_1px = strict.k;
+    row.n_pred_1px = strict.n_pred;
+    row.ap = score::average_precision(scored.curve);
+    row.ladder = scored.ladder;
+    row.causes = scored.attribution.counts;
+}
+
+void fill_score_2px(const score::Score& s, Row& row) {
     row.f_2px = s.f();
-    row.f_1px = scored.at_1px.f();
     row.precision_2px = s.precision();
     row.recall_2px = s.recall();
     for (const score::ClassCount& c : s.classes) {
@@ -92,7 +99,6 @@ void fill_scores(const Scored& scored, Row& row) {
         row.truth_px_by_class[name] = c.n_truth;
     }
     if (s.mean_width_px > 0) row.mean_width_px = s.mean_width_px;
-    row.ap = score::average_precision(scored.curve);
     row.k_2px = s.k;
     row.n_pred = s.n_pred;
     row.n_truth = s.n_truth;
@@ -100,9 +106,6 @@ void fill_scores(const Scored& scored, Row& row) {
     row.off_line = s.off_line;
     row.lost = s.lost;
     row.missing = s.missing;
-    row.causes = scored.attribution.counts;
-    row.k_1px = scored.at_1px.k;
-    row.n_pred_1px = scored.at_1px.n_pred;
     row.truth_px = s.n_truth;
 }
 

@@ -30,11 +30,14 @@ struct DrawTimes {
     std::string failure;  ///< why there are none, or ""
 };
 
+/// The tolerances at which every cell is scored, for the ladder: how near the lines lie.
+inline constexpr std::array<double, 5> kLadder_px = {kStrictTolerance_px, 1.5, kTolerance_px, 3, 4};
+
 /// What is scored: a picture, at a threshold, against a prepared truth.
 struct Scored {
     score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
-    score::Score at_1px;
+    std::vector<score::CurveCount> ladder;  ///< at each of kLadder_px, 1 px first
     std::array<score::CurveCount, 99> curve{};
     score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
     score::Attribution attribution;  ///< why: empty until MissPredictor fills it
@@ -43,13 +46,16 @@ struct Scored {
 /// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
 [[nodiscard]] score::ScoreOptions score_options(int threshold);
 
-/// Scores `picture` at `threshold` with both tolerances and the whole curve at 2 px.
+/// Scores `picture` at `threshold` with all tolerances and the whole curve at 2 px.
 [[nodiscard]] Scored score_picture(const edge::EdgeImage& picture,
                                    const score::ScoringTruth& truth,
                                    int threshold);
 
 /// Writes the metrics of `scored` into `row`.
 void fill_scores(const Scored& scored, Row& row);
+
+/// Writes only those of a score at 2 px.
+void fill_score_2px(const score::Score& at_2px, Row& row);
 
 /// Writes median, quartiles, minimum and number of `draw_ns` into `row`; none leaves it empty.
 void fill_times(std::vector<std::int64_t> draw_ns, Row& row);

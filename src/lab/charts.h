@@ -4,14 +4,16 @@
 
 #include "lab/summary.h"
 #include "lab/svg.h"
+#include "lab/sweep_summary.h"
 
 namespace ink::lab {
 
-/// Error 1 - F at 2 px against draw time, logarithmic in time: a point per method with its 95 %
-/// interval (error) and its quartiles over views (time), the front of methods that none beats in
-/// both, and the floor and ceiling rows as lines. Methods without a time or a score are left out;
-/// an empty chart says so.
-[[nodiscard]] Svg front_chart(const std::vector<MethodSummary>& summaries);
+/// Error 1 - F at 2 px against draw time, logarithmic in time. Per method: a small point per
+/// setting of its sweep, a stair along those that no other of its settings beats in both, and its
+/// own setting as a large marker with its 95 % interval (error) and its quartiles over views
+/// (time). Floor, ceiling and chance are lines across, or notes at the top where they lie above. An
+/// empty chart says so.
+[[nodiscard]] Svg front_chart(const Fronts& fronts);
 
 /// Recall per line class at 2 px: a panel per class, a bar per method and for `sampled`.
 [[nodiscard]] Svg class_chart(const std::vector<MethodSummary>& summaries);

@@ -16,6 +16,7 @@
 #include "lab/line_scores.h"
 #include "lab/miss_prediction.h"
 #include "lab/verdict.h"
+#include "score/chance.h"
 #include "truth/curve_facts.h"
 #include "truth/witness_cache.h"
 
@@ -85,6 +86,11 @@ void fill_place(const Subject& subject,
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
 }
 
+/// Each view has random pictures of its own; the same of a seed, whatever else takes part.
+std::uint64_t chance_seed(const Row& row) {
+    return core::Hasher().value(row.seed).text(row.scene).text(row.view).result();
+}
+
 /// Why each shot is wrong where it is. One after the other: they share what is kept of the scene.
 void attribute_shots(const ViewTruth& truth,
                      const scene::View& view,
@@ -98,26 +104,32 @@ void attribute_shots(const ViewTruth& truth,
     }
 }
 
+/// What rows of one view have in common.
+void fill_truth_facts(const ViewTruth& truth, Row& row) {
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
+    row.contour_sky_px = behind.sky_px;
+    row.contour_other_px = behind.other_object_px;
+    row.contour_self_px = behind.self_px;
+    row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
+    row.crowded_share = truth.traced.counts.crowded_share;
+}
+
 void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
     const LineTruth lines = prepare_lines(truth);
+    const score::Chance chance(truth.scoring, score_options(255), chance_seed(shots.front().row));
     // Scores are not timed, so they may use every core.
     core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
         Shot& shot = shots[i];
         if (!shot.row.is_ok()) return;
         shot.scored = score_picture(shot.picture, truth.scoring, shot.threshold);
         fill_scores(shot.scored, shot.row);
+        shot.row.chance = chance.counts(shot.row.n_pred);
         shot.row.lines = score_lines(shot.scored.strokes, lines);
         shot.scored.strokes = {};
         shot.row.image_hash = core::image_hash(shot.picture);
     });
-    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
-    for (Shot& shot : shots) {
-        shot.row.contour_sky_px = behind.sky_px;
-        shot.row.contour_other_px = behind.other_object_px;
-        shot.row.contour_self_px = behind.self_px;
-        shot.row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
-        shot.row.crowded_share = truth.traced.counts.crowded_share;
-    }
+    for (Shot& shot : shots)
+        fill_truth_facts(truth, shot.row);
 }
 
 /// What the witness says of the truth stands in every row of the view; a truth that it disputes
@@ -174,7 +186,16 @@ class Comparison {
         : options_(options),
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
-          bins_(options.out / "bins.csv", bin_columns()) {}
+          bins_(options.out / "bins.csv", bin_columns()),
+          ladder_(options.out / "ladder.csv", ladder_columns()) {
+        const auto sweep = options.out / "sweep.csv";
+        if (options.sweep.views > 0) {
+            sweep_.emplace(sweep, row_columns());
+        } else {
+            std::error_code ignored;
+            std::filesystem::remove(sweep, ignored);  // an older run's would pass for this one's
+        }
+    }
 
     void run_subject(const Subject& subject,
                      const std::function<void(const scene::View&)>& before) {
@@ -195,13 +216,22 @@ class Comparison {
         rows_.finish();
         curves_.finish();
         bins_.finish();
-        ReportData data{options_.command, result_rows_, std::move(shown_), elapsed_s};
+        ladder_.finish();
+        if (sweep_) sweep_->finish();
+        ReportData data{options_.command,
+                        result_rows_,
+                        std::move(shown_),
+                        elapsed_s,
+                        std::move(cell_curves_),
+                        std::move(sweep_rows_)};
         write_figures(data, options_.out);
-        core::write_whole_file(options_.out / "verdict.md", verdict_markdown(data.rows) + "\n");
+        core::write_whole_file(options_.out / "verdict.md",
+                               verdict_markdown(data.rows, data.curves) + "\n");
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
-                ods_on_training(cell_curves_),
+                std::move(data.curves),
+                std::move(data.sweep),
                 report,
                 is_interrupted(),
                 std::move(void_reasons_)};
@@ -244,6 +274,23 @@ class Comparison {
         if (is_first_view && !truth.traced.labels.is_empty()) {
             shown_.push_back(shown_view(truth, shots));
         }
+        const auto nth = &view - subject.views.data();
+        if (nth < options_.sweep.views && !truth.traced.labels.is_empty()) {
+            run_sweeps(subject, view, truth);
+        }
+    }
+
+    void run_sweeps(const Subject& subject, const scene::View& view, const ViewTruth& truth) {
+        for (const Entrant& entrant : options_.entrants) {
+            if (is_interrupted()) return;
+            for (Row& row :
+                 sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
+                fill_place(subject, view, options_, row);
+                fill_truth_facts(truth, row);
+                sweep_->write(to_csv(row));
+                sweep_rows_.push_back(std::move(row));
+            }
+        }
     }
 
     void write(const Shot& shot, scene::Split split) {
@@ -251,6 +298,7 @@ class Comparison {
         result_rows_.push_back(shot.row);
         if (!shot.row.is_ok()) return;
         curves_.write(curve_csv(shot.row, shot.scored.curve));
+        ladder_.write(ladder_csv(shot.row));
         const std::string bins = bin_csv(shot.row, shot.row.lines->bins);
         if (!bins.empty()) bins_.write(bins);
         if (shot.row.draw_ns) {
@@ -263,8 +311,11 @@ class Comparison {
     CsvFile rows_;
     CsvFile curves_;
     CsvFile bins_;
+    CsvFile ladder_;
+    std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
+    std::vector<Row> sweep_rows_;
     std::vector<ShownView> shown_;
     std::vector<std::string> void_reasons_;
 };

@@ -8,6 +8,7 @@
 #include "lab/ods.h"
 #include "lab/report.h"
 #include "lab/suite.h"
+#include "lab/sweep.h"
 #include "lab/tracing.h"
 
 namespace ink::lab {
@@ -16,26 +17,31 @@ namespace ink::lab {
 struct CompareOptions {
     std::vector<Entrant> entrants;
     MeasureOptions measure;
+    SweepOptions sweep;
     TraceOptions trace;
-    std::filesystem::path
-        out;  ///< directory: rows.csv, curves.csv, bins.csv, verdict.md, report.html, figures
-    std::uint64_t seed = 0;  ///< recorded; nothing here is random yet
+    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, verdict.md, report.html,
+    /// figures.
+    std::filesystem::path out;
+    std::uint64_t seed = 0;  ///< of chance pictures and of drawing scenes again
     std::string command;     ///< as the user typed it, for the report
 };
 
 /// What came of a comparison.
 struct CompareResult {
     std::vector<Row> rows;
-    std::vector<OdsPoint> ods;     ///< best thresholds over the training scenes of this run
-    std::filesystem::path report;  ///< the page that was written
-    bool is_interrupted = false;   ///< Ctrl-C: what was finished is there
+    std::vector<CellCurve> curves;          ///< of the methods' cells
+    std::vector<Row> sweep;                 ///< a row per setting, method and swept view
+    std::filesystem::path report;           ///< the page that was written
+    bool is_interrupted = false;            ///< Ctrl-C: what was finished is there
     std::vector<std::string> void_reasons;  ///< bracket rows that did not come out as they must
 };
 
 /// Draws, traces, scores and times every cell, and writes the results to `options.out`.
 ///
 /// For each view the bracket rows come first: `none` (F = 0 where there is truth), `oracle` (the
-/// stored truth itself, F = 1) and `sampled`. A cell that fails is a row with its status. Rows are
+/// stored truth itself, F = 1) and `sampled`. The sweeps of the methods follow on the first views
+/// of each scene; their rows have the columns of rows.csv and a file of their own, so that rows.csv
+/// stays one row per method and view. A cell that fails is a row with its status. Rows are
 /// on disk as soon as their view is finished. Throws core::Error if `out` cannot be written, before
 /// any work.
 [[nodiscard]] CompareResult compare(const std::vector<Subject>& subjects,

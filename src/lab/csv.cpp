@@ -3,8 +3,23 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "lab/cell.h"
 
 namespace ink::lab {
+namespace {
+
+std::vector<std::string> columns_of_counts(const std::string& what) {
+    return {"method", "scene", "view", "width", "height", "params", what, "k", "n_pred", "n_truth"};
+}
+
+/// Ends with a line break.
+std::string counts_line(const std::string& key,
+                        const std::string& at,
+                        const score::CurveCount& counts) {
+    return fmt::format("{},{},{},{},{}\n", key, at, counts.k, counts.n_pred, counts.n_truth);
+}
+
+}  // namespace
 
 std::string csv_field(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -58,16 +73,7 @@ void CsvFile::finish() {
 }
 
 const std::vector<std::string>& curve_columns() {
-    static const std::vector<std::string> kColumns = {"method",
-                                                      "scene",
-                                                      "view",
-                                                      "width",
-                                                      "height",
-                                                      "params",
-                                                      "threshold_k",
-                                                      "k",
-                                                      "n_pred",
-                                                      "n_truth"};
+    static const std::vector<std::string> kColumns = columns_of_counts("threshold_k");
     return kColumns;
 }
 
@@ -84,15 +90,23 @@ std::string cell_key(const Row& row) {
 std::string curve_csv(const Row& row, const std::array<score::CurveCount, 99>& curve) {
     const std::string key = cell_key(row);
     std::string lines;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        lines += fmt::format("{}{},{},{},{},{}",
-                             i == 0 ? "" : "\n",
-                             key,
-                             i + 1,
-                             curve[i].k,
-                             curve[i].n_pred,
-                             curve[i].n_truth);
-    }
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        lines += counts_line(key, fmt::format("{}", i + 1), curve[i]);
+    lines.pop_back();
+    return lines;
+}
+
+const std::vector<std::string>& ladder_columns() {
+    static const std::vector<std::string> kColumns = columns_of_counts("tolerance_px");
+    return kColumns;
+}
+
+std::string ladder_csv(const Row& row) {
+    const std::string key = cell_key(row);
+    std::string lines;
+    for (std::size_t i = 0; i < row.ladder.size(); ++i)
+        lines += counts_line(key, fmt::format("{}", kLadder_px[i]), row.ladder[i]);
+    if (!lines.empty()) lines.pop_back();
     return lines;
 }
 

@@ -50,4 +50,10 @@ class CsvFile {
 /// The 99 lines of one cell: threshold_k = 1..99 hundredths of the full strength.
 [[nodiscard]] std::string curve_csv(const Row& row, const std::array<score::CurveCount, 99>& curve);
 
+/// The columns of ladder.csv: the cell's key, then tolerance_px, k, n_pred, n_truth.
+[[nodiscard]] const std::vector<std::string>& ladder_columns();
+
+/// A line per tolerance of the cell; "" if it has no ladder.
+[[nodiscard]] std::string ladder_csv(const Row& row);
+
 }  // namespace ink::lab

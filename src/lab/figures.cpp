@@ -277,7 +277,8 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
     }
     const std::vector<MethodSummary> summaries = summarise(data.rows);
     core::write_whole_file(figures / "fronts.svg",
-                           front_chart(summaries).file("Error against time, per method"));
+                           front_chart(summarise_fronts(data.rows, data.sweep))
+                               .file("Error against time, per method"));
     core::write_whole_file(figures / "classes.svg",
                            class_chart(summaries).file("Recall per line class and method"));
     core::write_whole_file(

@@ -5,195 +5,203 @@
 #include <cmath>
 
 #include "lab/charts.h"
+#include "lab/front_scale.h"
+#include "lab/html.h"
 #include "lab/palette.h"
 #include "lab/verdict.h"
 
 namespace ink::lab {
 namespace {
 
-constexpr double kWidth = 1000;
-constexpr double kHeight = 470;
-constexpr Box kPlot{76, 22, 890, 382};
 constexpr double kMarker = 6;
 constexpr double kLabelSize = 14;
-constexpr std::string_view kGrid = R"(stroke="#e6e8eb" stroke-width="1")";
-constexpr std::string_view kAxis = R"(stroke="#8a919c" stroke-width="1")";
-constexpr std::string_view kFaint = "#5b6470";
 
 constexpr std::array kMethodColours = {kBlue, kVermilion, kGreen, kPurple, kOrange, kSky};
 
-/// A method's place on the chart.
-struct Point {
-    const MethodSummary* summary = nullptr;
-    double time_ms = 0;
-    double error = 0;
+/// A method on the chart: how it is told from the others.
+struct Series {
+    const MethodSweep* sweep = nullptr;
     std::string_view colour;
+    int shape = 0;  ///< of its markers, for more methods than colours
+
+    [[nodiscard]] const SettingSummary* usual() const {
+        const auto found = std::find_if(sweep->settings.begin(),
+                                        sweep->settings.end(),
+                                        [](const SettingSummary& s) { return s.is_default(); });
+        return found == sweep->settings.end() ? nullptr : &*found;
+    }
 };
 
-std::vector<Point> points_of(const std::vector<MethodSummary>& summaries) {
-    std::vector<Point> points;
-    for (const MethodSummary& s : summaries) {
-        if (s.is_bracket || !s.f_2px || !s.draw_ms || *s.draw_ms <= 0) continue;
-        const Colour& colour = kMethodColours[points.size() % kMethodColours.size()];
-        points.push_back({&s, *s.draw_ms, 1 - *s.f_2px, colour.hex});
+std::vector<Series> series_of(const Fronts& fronts) {
+    std::vector<Series> series;
+    for (const MethodSweep& sweep : fronts.methods) {
+        const std::size_t i = series.size();
+        series.push_back({&sweep,
+                          kMethodColours[i % kMethodColours.size()].hex,
+                          static_cast<int>(i / kMethodColours.size())});
     }
-    return points;
+    return series;
 }
 
-/// Where values stand on the plot: time logarithmic to the right, error upwards from 0.
-struct Scale {
-    double log_min = 0;
-    double log_max = 1;
-    double error_max = 1;
-
-    [[nodiscard]] double x(double time_ms) const {
-        return kPlot.x + kPlot.width * (std::log10(time_ms) - log_min) / (log_max - log_min);
+/// What the plot must show of a setting.
+void widen(const SettingSummary& setting, FrontScale& scale) {
+    double least = setting.draw_ms;
+    double most = setting.draw_ms;
+    double error = setting.error;
+    if (setting.is_default() && setting.draw_ms_quartiles) {
+        if (setting.draw_ms_quartiles->low > 0) least = setting.draw_ms_quartiles->low;
+        most = std::max(most, setting.draw_ms_quartiles->high);
     }
-    [[nodiscard]] double y(double error) const {
-        return kPlot.y + kPlot.height * (1 - error / error_max);
+    if (setting.is_default() && setting.error_range) {
+        error = std::max(error, setting.error_range->high);
     }
-};
+    scale.log_min = std::min(scale.log_min, std::log10(least));
+    scale.log_max = std::max(scale.log_max, std::log10(most));
+    scale.error_max = std::max(scale.error_max, error);
+}
 
-Scale scale_of(const std::vector<Point>& points) {
-    double least = points.front().time_ms;
-    double most = least;
-    double error = 0;
-    for (const Point& p : points) {
-        const Interval times =
-            p.summary->draw_ms_quartiles.value_or(Interval{p.time_ms, p.time_ms});
-        least = std::min({least, p.time_ms, times.low > 0 ? times.low : p.time_ms});
-        most = std::max({most, p.time_ms, times.high});
-        error = std::max(error, p.error);
-        if (p.summary->f_2px_range) error = std::max(error, 1 - p.summary->f_2px_range->low);
+FrontScale scale_of(const std::vector<Series>& series) {
+    FrontScale scale{1e9, -1e9, 0};
+    for (const Series& s : series) {
+        for (const SettingSummary& setting : s.sweep->settings)
+            widen(setting, scale);
     }
     // Room for the labels; at least a factor of ten, so that noise does not look like a difference.
-    const double middle = (std::log10(least) + std::log10(most)) / 2;
-    const double half = std::max(0.5, (std::log10(most) - std::log10(least)) / 2 + 0.18);
-    return {middle - half, middle + half, std::min(1.04, std::max(0.02, error * 1.15))};
+    const double middle = (scale.log_min + scale.log_max) / 2;
+    const double half = std::max(0.5, (scale.log_max - scale.log_min) / 2 + 0.18);
+    const double error_max = std::min(1.04, std::max(0.02, scale.error_max * 1.15));
+    return {middle - half, middle + half, error_max};
 }
 
-/// 1, 2 or 5 times a power of ten that splits `range` into 4 to 10 steps.
-double nice_step(double range) {
-    const double raw = range / 5;
-    const double power = std::pow(10, std::floor(std::log10(raw)));
-    const double lead = raw / power;
-    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-}
-
-void draw_error_axis(Svg& svg, const Scale& scale) {
-    const double step = nice_step(scale.error_max);
-    const int decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    for (int i = 0; step * i <= scale.error_max + 1e-9; ++i) {
-        const double y = scale.y(step * i);
-        svg.line(kPlot.x, y, kPlot.x + kPlot.width, y, i == 0 ? kAxis : kGrid);
-        svg.text(
-            kPlot.x - 10, y + 4.5, fmt::format("{:.{}f}", step * i, decimals), {"end", kFaint});
-    }
-    svg.vertical_text(
-        22, kPlot.y + kPlot.height / 2, "error 1 − F at 2 px  (lower is better)", {.fill = kFaint});
-}
-
-std::string tick_label(double ms) {
-    return ms < 1 ? fmt::format("{:g} µs", ms * 1000) : fmt::format("{:g} ms", ms);
-}
-
-void draw_time_axis(Svg& svg, const Scale& scale) {
-    const double bottom = kPlot.y + kPlot.height;
-    const bool is_long = scale.log_max - scale.log_min > 3;
-    for (int decade = static_cast<int>(std::floor(scale.log_min)); decade < scale.log_max;
-         ++decade) {
-        for (const int lead : {1, 2, 5}) {
-            const double ms = lead * std::pow(10, decade);
-            const double log_ms = std::log10(ms);
-            if (log_ms < scale.log_min || log_ms > scale.log_max) continue;
-            if (is_long && lead != 1) continue;
-            svg.line(scale.x(ms), kPlot.y, scale.x(ms), bottom, kGrid);
-            svg.text(scale.x(ms), bottom + 21, tick_label(ms), {"middle", kFaint});
-        }
-    }
-    svg.text(kPlot.x + kPlot.width / 2,
-             bottom + 50,
-             "time to draw one frame, median over views, logarithmic  (further left is faster)",
-             {"middle", kFaint});
-}
-
-/// The line of a bracket row across the plot, or a note at the top where it lies above.
-void draw_bracket(Svg& svg, const Scale& scale, const MethodSummary& s, std::string_view meaning) {
-    const double error = 1 - *s.f_2px;
-    const std::string label = fmt::format("{}: {:.3f}, {}", s.method, error, meaning);
-    const double right = kPlot.x + kPlot.width - 4;
-    if (error > scale.error_max) {
-        svg.text(right, kPlot.y + 11, "↑ " + label, {"end", kFaint, 12});
-        return;
-    }
-    const double y = scale.y(error);
-    svg.line(kPlot.x,
-             y,
-             kPlot.x + kPlot.width,
-             y,
-             R"(stroke="#5b6470" stroke-width="1.2" stroke-dasharray="2 4")");
-    const bool is_low = y > kPlot.y + kPlot.height - 20;
-    svg.text(right, is_low ? y - 5 : y + 15, label, {"end", kFaint, 12});
-}
-
-void draw_brackets(Svg& svg, const Scale& scale, const std::vector<MethodSummary>& summaries) {
-    for (const MethodSummary& s : summaries) {
-        if (!s.f_2px) continue;
-        if (s.method == "none") draw_bracket(svg, scale, s, "an empty picture");
-        if (s.method == "sampled") {
-            draw_bracket(svg, scale, s, "the best that one sample a pixel can do");
-        }
-    }
-}
-
-/// A staircase: at a given budget, the lowest error that some method reaches.
-void draw_front(Svg& svg, const Scale& scale, const std::vector<Point>& points) {
-    std::vector<CostPoint> costs;
-    for (const Point& p : points)
-        costs.push_back({p.time_ms, p.error});
+/// A stair through points from the fastest to the best, from the plot's top to its right end.
+void draw_stair(Svg& svg,
+                const FrontScale& scale,
+                const std::vector<CostPoint>& points,
+                std::string_view style) {
     std::vector<double> xy;
-    for (const std::size_t index : pareto_front(costs)) {
-        const double x = scale.x(costs[index].time);
-        xy.insert(xy.end(), {x, xy.empty() ? kPlot.y : xy.back(), x, scale.y(costs[index].error)});
+    for (const CostPoint& point : points) {
+        const double x = scale.x(point.time);
+        const double y = scale.y(point.error);
+        if (!xy.empty()) xy.insert(xy.end(), {x, xy.back()});
+        xy.insert(xy.end(), {x, y});
     }
-    xy.insert(xy.end(), {kPlot.x + kPlot.width, xy.back()});
-    svg.polyline(xy, R"(stroke="#b9bfc8" stroke-width="2" stroke-linejoin="round")");
+    if (xy.size() > 2) svg.polyline(xy, style);
 }
 
-void draw_point(Svg& svg, const Scale& scale, const Point& p) {
-    const double x = scale.x(p.time_ms);
-    const double y = scale.y(p.error);
+/// At a given budget, the lowest error that some setting of some method reaches.
+void draw_front_of_all(Svg& svg, const FrontScale& scale, const std::vector<Series>& series) {
+    std::vector<CostPoint> all;
+    for (const Series& s : series) {
+        for (const SettingSummary& setting : s.sweep->settings)
+            all.push_back({setting.draw_ms, setting.error});
+    }
+    std::vector<CostPoint> front;
+    for (const std::size_t index : pareto_front(all))
+        front.push_back(all[index]);
+    std::vector<CostPoint> stair = front;
+    stair.insert(stair.begin(), {front.front().time, scale.error_max});
+    stair.push_back({std::pow(10, scale.log_max), front.back().error});
+    draw_stair(
+        svg,
+        scale,
+        stair,
+        R"(stroke="#d3d7dd" stroke-width="5" stroke-linejoin="round" stroke-linecap="round")");
+}
+
+void draw_front(Svg& svg, const FrontScale& scale, const Series& series) {
+    std::vector<CostPoint> front;
+    for (const std::size_t index : series.sweep->front) {
+        const SettingSummary& setting = series.sweep->settings[index];
+        front.push_back({setting.draw_ms, setting.error});
+    }
+    draw_stair(
+        svg,
+        scale,
+        front,
+        fmt::format(R"(stroke="{}" stroke-width="1.6" stroke-linejoin="round")", series.colour));
+}
+
+void draw_marker(Svg& svg, double x, double y, double radius, const Series& series) {
+    const std::string style = fmt::format(
+        R"(fill="{}" stroke="#ffffff" stroke-width="{}")", series.colour, radius > 4 ? 1.5 : 0.6);
+    const double r = radius;
+    switch (series.shape % 4) {
+        case 1:
+            return svg.rect({x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r}, style);
+        case 2:
+            return svg.polygon({x, y - 1.3 * r, x + 1.3 * r, y, x, y + 1.3 * r, x - 1.3 * r, y},
+                               style);
+        case 3:
+            return svg.polygon({x, y - 1.2 * r, x + 1.2 * r, y + r, x - 1.2 * r, y + r}, style);
+        default:
+            return svg.circle(x, y, r, style);
+    }
+}
+
+/// A setting says what it is when it is pointed at.
+void draw_setting(Svg& svg,
+                  const FrontScale& scale,
+                  const Series& series,
+                  const SettingSummary& s) {
+    svg.raw(fmt::format("<g><title>{}: {}, {} ms, F {}</title>",
+                        escape(series.sweep->method),
+                        escape(s.is_default() ? "as it comes" : s.difference),
+                        format_ms(s.draw_ms),
+                        format_share(1 - s.error)));
+    draw_marker(svg, scale.x(s.draw_ms), scale.y(s.error), s.is_default() ? kMarker : 3, series);
+    svg.raw("</g>");
+}
+
+void draw_bars(Svg& svg, const FrontScale& scale, const Series& series, const SettingSummary& s) {
+    const double x = scale.x(s.draw_ms);
+    const double y = scale.y(s.error);
     const std::string stroke =
-        fmt::format(R"(stroke="{}" stroke-width="1.6" opacity="0.75")", p.colour);
-    if (p.summary->draw_ms_quartiles && p.summary->draw_ms_quartiles->low > 0) {
-        const Interval& times = *p.summary->draw_ms_quartiles;
-        svg.line(scale.x(times.low), y, scale.x(times.high), y, stroke);
+        fmt::format(R"(stroke="{}" stroke-width="1.6" opacity="0.6")", series.colour);
+    if (s.draw_ms_quartiles && s.draw_ms_quartiles->low > 0) {
+        svg.line(
+            scale.x(s.draw_ms_quartiles->low), y, scale.x(s.draw_ms_quartiles->high), y, stroke);
     }
-    if (p.summary->f_2px_range) {
-        const Interval& f = *p.summary->f_2px_range;
-        svg.line(x, scale.y(1 - f.low), x, scale.y(1 - f.high), stroke);
+    if (s.error_range) {
+        svg.line(x, scale.y(s.error_range->low), x, scale.y(s.error_range->high), stroke);
     }
-    svg.circle(
-        x, y, kMarker, fmt::format(R"(fill="{}" stroke="#ffffff" stroke-width="1.5")", p.colour));
 }
 
-/// A label beside its marker, where it covers no other label and no other marker.
-Box label_box(const Point& p, const Scale& scale, const std::vector<Box>& taken) {
-    const double x = scale.x(p.time_ms);
-    const double y = scale.y(p.error);
-    const double width = text_width(p.summary->method, kLabelSize);
+Box box_round(double x, double y, double radius) {
+    return {x - radius, y - radius, 2 * radius, 2 * radius};
+}
+
+/// Where the bars of draw_bars() stand.
+void add_bars(const SettingSummary& s, const FrontScale& scale, std::vector<Box>& taken) {
+    constexpr double kThick = 3;
+    const double x = scale.x(s.draw_ms);
+    const double y = scale.y(s.error);
+    if (s.draw_ms_quartiles && s.draw_ms_quartiles->low > 0) {
+        const double left = scale.x(s.draw_ms_quartiles->low);
+        const double right = scale.x(s.draw_ms_quartiles->high);
+        taken.push_back({left, y - kThick / 2, right - left, kThick});
+    }
+    if (s.error_range) {
+        const double top = scale.y(s.error_range->high);
+        const double bottom = scale.y(s.error_range->low);
+        taken.push_back({x - kThick / 2, top, kThick, bottom - top});
+    }
+}
+
+/// A label beside its marker, where it covers no other label and no marker.
+Box label_box(const std::string& label, double x, double y, const std::vector<Box>& taken) {
+    const double width = text_width(label, kLabelSize);
     const double height = kLabelSize + 3;
-    const std::array<Box, 6> places = {{
-        {x + 11, y - height - 3, width, height},
-        {x + 11, y + 4, width, height},
-        {x - 11 - width, y - height - 3, width, height},
-        {x - 11 - width, y + 4, width, height},
-        {x - width / 2, y - height - 22, width, height},
-        {x - width / 2, y + 22, width, height},
-    }};
+    std::vector<Box> places;
+    for (const double away : {3.0, 20.0, 38.0, 58.0, 80.0}) {
+        for (const double left : {x + 11, x - 11 - width, x - width / 2}) {
+            places.push_back({left, y - height - away, width, height});
+            places.push_back({left, y + away + 1, width, height});
+        }
+    }
     for (const Box& place : places) {
-        const bool is_inside = place.x >= kPlot.x && place.x + width <= kPlot.x + kPlot.width &&
-                               place.y >= kPlot.y && place.y + height <= kPlot.y + kPlot.height;
+        const bool is_inside =
+            place.x >= kFrontPlot.x && place.x + width <= kFrontPlot.x + kFrontPlot.width &&
+            place.y >= kFrontPlot.y && place.y + height <= kFrontPlot.y + kFrontPlot.height;
         const bool is_free = std::none_of(
             taken.begin(), taken.end(), [&](const Box& other) { return place.overlaps(other); });
         if (is_inside && is_free) return place;
@@ -201,40 +209,57 @@ Box label_box(const Point& p, const Scale& scale, const std::vector<Box>& taken)
     return places[0];
 }
 
-void draw_labels(Svg& svg, const Scale& scale, const std::vector<Point>& points) {
-    std::vector<Box> taken;
-    for (const Point& p : points) {
-        taken.push_back(
-            {scale.x(p.time_ms) - kMarker, scale.y(p.error) - kMarker, 2 * kMarker, 2 * kMarker});
+void draw_labels(Svg& svg,
+                 const FrontScale& scale,
+                 const std::vector<Series>& series,
+                 std::vector<Box> taken) {
+    for (const Series& s : series) {
+        for (const SettingSummary& setting : s.sweep->settings) {
+            const double radius = setting.is_default() ? kMarker : 3;
+            taken.push_back(box_round(scale.x(setting.draw_ms), scale.y(setting.error), radius));
+            if (setting.is_default()) add_bars(setting, scale, taken);
+        }
     }
-    for (const Point& p : points) {
-        const Box box = label_box(p, scale, taken);
+    for (const Series& s : series) {
+        const SettingSummary* usual = s.usual();
+        if (usual == nullptr) usual = &s.sweep->settings.front();
+        const double x = scale.x(usual->draw_ms);
+        const Box box = label_box(s.sweep->method, x, scale.y(usual->error), taken);
         taken.push_back(box);
-        const bool is_left = box.x < scale.x(p.time_ms);
-        svg.text(is_left ? box.x + box.width : box.x,
-                 box.y + kLabelSize,
-                 p.summary->method,
-                 {is_left ? "end" : "start", p.colour, kLabelSize, true});
+        svg.text(box.x, box.y + kLabelSize, s.sweep->method, {"start", s.colour, kLabelSize, true});
     }
 }
 
 }  // namespace
 
-Svg front_chart(const std::vector<MethodSummary>& summaries) {
-    const std::vector<Point> points = points_of(summaries);
-    Svg svg(kWidth, points.empty() ? 80 : kHeight);
-    if (points.empty()) {
-        svg.text(kWidth / 2, 44, "No method was both scored and timed.", {"middle", kFaint, 14});
+Svg front_chart(const Fronts& fronts) {
+    const std::vector<Series> series = series_of(fronts);
+    Svg svg(kFrontWidth, series.empty() ? 80 : kFrontHeight);
+    if (series.empty()) {
+        svg.text(kFrontWidth / 2,
+                 44,
+                 "No method was both scored and timed.",
+                 {"middle", kFaintText, 14});
         return svg;
     }
-    const Scale scale = scale_of(points);
-    draw_error_axis(svg, scale);
-    draw_time_axis(svg, scale);
-    draw_front(svg, scale, points);
-    draw_brackets(svg, scale, summaries);
-    for (const Point& p : points)
-        draw_point(svg, scale, p);
-    draw_labels(svg, scale, points);
+    const FrontScale scale = scale_of(series);
+    draw_front_axes(svg, scale);
+    draw_front_of_all(svg, scale, series);
+    const std::vector<Box> taken = draw_levels(svg, scale, fronts.brackets);
+    for (const Series& s : series)
+        draw_front(svg, scale, s);
+    for (const Series& s : series) {
+        for (const SettingSummary& setting : s.sweep->settings) {
+            if (!setting.is_default()) draw_setting(svg, scale, s, setting);
+        }
+    }
+    for (const Series& s : series) {
+        const SettingSummary* usual = s.usual();
+        if (usual == nullptr) continue;
+        draw_bars(svg, scale, s, *usual);
+        draw_setting(svg, scale, s, *usual);
+    }
+    draw_labels(svg, scale, series, taken);
     return svg;
 }
 

@@ -2,57 +2,67 @@
 
 #include <algorithm>
 
+#include "edge/thin.h"
+
 namespace ink::lab {
 namespace {
 
 using Counts = std::array<score::CurveCount, 99>;
 
-void pool(const Counts& from, Counts& into) {
-    for (std::size_t i = 0; i < into.size(); ++i) {
-        into[i].k += from[i].k;
-        into[i].n_pred += from[i].n_pred;
-        into[i].n_truth += from[i].n_truth;
+/// Index of the highest F; the first on a tie.
+std::size_t best_index(const Counts& counts) {
+    const auto best = std::max_element(
+        counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.f() < b.f(); });
+    return static_cast<std::size_t>(best - counts.begin());
+}
+
+/// The cells of one method, added up.
+struct Pool {
+    std::string method;
+    Counts curve{};
+    score::CurveCount best_of_each{};
+
+    void add(const Counts& cell) {
+        for (std::size_t i = 0; i < curve.size(); ++i)
+            curve[i] += cell[i];
+        best_of_each += cell[best_index(cell)];
     }
-}
-
-double f_of(const score::CurveCount& c) {
-    const auto total = c.n_pred + c.n_truth;
-    return total == 0 ? 1.0 : 2.0 * static_cast<double>(c.k) / static_cast<double>(total);
-}
-
-/// Entry i stands for strength * 100 >= 255 * (i + 1): the least strength that is on.
-int strength_at(std::size_t i) {
-    return static_cast<int>((255 * (i + 1) + 99) / 100);
-}
-
-OdsPoint best_point(const std::string& method, const Counts& pooled) {
-    OdsPoint best{method, strength_at(0), f_of(pooled[0])};
-    for (std::size_t i = 1; i < pooled.size(); ++i) {
-        if (f_of(pooled[i]) > best.f) best = {method, strength_at(i), f_of(pooled[i])};
+    [[nodiscard]] OdsPoint ods() const {
+        const std::size_t best = best_index(curve);
+        return {method, edge::strength_at_percent(static_cast<int>(best) + 1), curve[best].f()};
     }
-    return best;
+};
+
+template <class Keep>
+std::vector<Pool> pools_of(const std::vector<CellCurve>& curves, Keep keep) {
+    std::vector<Pool> pools;
+    for (const CellCurve& curve : curves) {
+        if (!keep(curve)) continue;
+        auto pool = std::find_if(pools.begin(), pools.end(), [&](const Pool& known) {
+            return known.method == curve.method;
+        });
+        if (pool == pools.end()) pool = pools.insert(pool, Pool{curve.method});
+        pool->add(curve.counts);
+    }
+    return pools;
 }
 
 }  // namespace
 
 std::vector<OdsPoint> ods_on_training(const std::vector<CellCurve>& curves) {
-    std::vector<std::string> methods;
-    std::vector<Counts> pooled;
-    for (const CellCurve& curve : curves) {
-        if (!curve.is_training) continue;
-        auto found = std::find(methods.begin(), methods.end(), curve.method);
-        if (found == methods.end()) {
-            methods.push_back(curve.method);
-            pooled.emplace_back();
-            found = methods.end() - 1;
-        }
-        pool(curve.counts, pooled[static_cast<std::size_t>(found - methods.begin())]);
-    }
     std::vector<OdsPoint> points;
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        points.push_back(best_point(methods[i], pooled[i]));
-    }
+    for (const Pool& pool : pools_of(curves, [](const CellCurve& c) { return c.is_training; }))
+        points.push_back(pool.ods());
     return points;
+}
+
+std::vector<CurveSummary> summarise_curves(const std::vector<CellCurve>& curves) {
+    std::vector<CurveSummary> summaries;
+    for (const Pool& pool : pools_of(curves, [](const CellCurve&) { return true; })) {
+        summaries.push_back(
+            {pool.ods(), pool.best_of_each.f(), score::average_precision(pool.curve)});
+    }
+    return summaries;
 }
 
 }  // namespace ink::lab

@@ -29,4 +29,22 @@ struct OdsPoint {
 /// Methods without a training cell are left out.
 [[nodiscard]] std::vector<OdsPoint> ods_on_training(const std::vector<CellCurve>& curves);
 
+/// What the curves of one method say together, over all the cells that were given.
+///
+/// Source: Arbelaez, Maire, Fowlkes and Malik, "Contour detection and hierarchical image
+/// segmentation", PAMI 33(5), 2011, section 3.1, for ODS, OIS and AP.
+struct CurveSummary {
+    OdsPoint ods;
+    /// Optimal image scale: F of the counts pooled over cells, each at the threshold where its own
+    /// F is highest (the lowest on a tie). As a rule at least ODS, and what a perfect choice of
+    /// threshold per picture would gain; it can fall below by a little, because the highest F of
+    /// one picture need not add most to the pool.
+    double ois = 0;
+    /// Area under the envelope of the pooled precision-recall curve, from recall 0.
+    double ap = 0;
+};
+
+/// One summary per method, in order of first appearance.
+[[nodiscard]] std::vector<CurveSummary> summarise_curves(const std::vector<CellCurve>& curves);
+
 }  // namespace ink::lab

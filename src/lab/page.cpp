@@ -15,6 +15,7 @@
 #include "lab/page_causes.h"
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
+#include "lab/page_statistics.h"
 #include "lab/page_tables.h"
 #include "lab/page_witness.h"
 #include "lab/summary.h"
@@ -34,6 +35,9 @@ struct Material {
     PageScenes scenes;
     std::string failures;
     std::string witness = {};  ///< HTML, "" if no truth was held against it
+    Fronts fronts;
+    std::string leads;       ///< HTML, "" with fewer than two methods
+    std::string statistics;  ///< HTML, "" if there are none
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -137,7 +141,9 @@ std::string nav_html(const Material& m) {
         links += fmt::format("<a href=\"#{}\">{}</a>", anchor, words);
     };
     link("verdict", "Verdict");
+    if (!m.leads.empty()) link("leads", "Leads");
     link("time", "Error against time");
+    if (!m.statistics.empty()) link("statistics", "Thresholds");
     link("classes", "Line classes");
     link("causes", "Where the error goes");
     const bool has_lines = std::any_of(m.data.rows.begin(), m.data.rows.end(), [](const Row& row) {
@@ -172,14 +178,35 @@ std::string chart_html(const Svg& chart, std::string_view title) {
     return fmt::format("<div class=\"scroll chart\">{}</div>", chart.inline_element(title));
 }
 
+/// What the chart shows, and over which views.
+std::string time_intro(const Fronts& fronts) {
+    const std::string stair =
+        "The grey stair is the lowest error to be had at each time; what lies above it is beaten "
+        "in "
+        "both.";
+    if (!fronts.is_swept) return "One point per method. " + stair;
+    return fmt::format(
+        "Large: a method as it comes, with its 95 % interval and the quartiles of its time. Small: "
+        "other settings of it; point at one to read which. Its line joins those that no other of "
+        "its "
+        "settings beats. {} Over {} view{} of {} scene{}, so values differ a little from the "
+        "verdict's.",
+        stair,
+        fronts.views,
+        fronts.views == 1 ? "" : "s",
+        fronts.scenes,
+        fronts.scenes == 1 ? "" : "s");
+}
+
 std::string about_html() {
     return R"html(<p><strong>F</strong> joins precision and recall: F = 2 K / (drawn + true), with K the
 largest number of drawn and true pixels that can be paired one to one, at most 2 px (or 1 px) apart. Lines
 are thinned first, and 6 px at the frame do not count. The <strong>error</strong> is 1 − F.
-<strong>Pooled</strong> values add the counts of all views before they divide; mean and median take every
-view alike. A cell that failed is in none of them.</p>
-<p>The <strong>95 % interval</strong> comes from drawing views again and again, with replacement; the bars
-along the time axis are quartiles over views. <strong>Truth</strong> is traced from the exact polyhedron as
+<strong>Pooled</strong> values add the counts of all views before they divide; macro is the mean over scenes,
+each counting alike, and median takes every view alike. A cell that failed is in none of them.</p>
+<p>The <strong>95 % interval</strong> comes from drawing scenes 2000 times, with replacement, each with all its
+views, for views of one scene are hard or easy together; with one scene there is none. The bars along the time
+axis are quartiles over views. <strong>Truth</strong> is traced from the exact polyhedron as
 given. Methods were tuned, if at all, on <strong>training</strong> scenes only; look at the
 <strong>held-out</strong> column before you believe a lead.</p>
 <p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
@@ -230,11 +257,28 @@ std::string main_html(const Material& m) {
                                "Verdict",
                                "Best of each column in bold. Grey rows are brackets, not methods.",
                                verdict_html(m.summaries));
+    if (!m.leads.empty()) {
+        html +=
+            section("leads",
+                    "Who leads whom",
+                    "By how much F of a line's method exceeds that of a column's, with its 95 % "
+                    "interval: scenes drawn again with all their views, both methods on the same "
+                    "ones. Bold: beyond chance. Of twenty such intervals one may miss by chance.",
+                    m.leads);
+    }
     html += section("time",
                     "Error against time",
-                    "One point per method. The grey staircase is the lowest error to be had at "
-                    "each time; a method above it is beaten in both.",
-                    chart_html(front_chart(m.summaries), "Error 1 - F at 2 px against draw time"));
+                    time_intro(m.fronts),
+                    chart_html(front_chart(m.fronts), "Error 1 - F at 2 px against draw time") +
+                        fronts_html(m.fronts));
+    if (!m.statistics.empty()) {
+        html +=
+            section("statistics",
+                    "Other thresholds and tolerances",
+                    "What a method could reach at another threshold, how near its lines lie, and "
+                    "what blind luck would score with as much ink.",
+                    m.statistics);
+    }
     html += section("classes",
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
@@ -286,13 +330,16 @@ std::string main_html(const Material& m) {
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
-    html += section("rows",
-                    "All rows",
-                    "The same rows, with every column, are in <code>rows.csv</code>; the curves "
-                    "over 99 thresholds in <code>curves.csv</code>. Press a heading to sort.",
-                    "<div class=\"tools\"><label>Filter <input type=\"search\" id=\"filter-rows\" "
-                    "placeholder=\"method, scene ...\"></label></div>" +
-                        rows_html(rows));
+    html +=
+        section("rows",
+                "All rows",
+                "The same rows, with every column, are in <code>rows.csv</code>; the curves "
+                "over 99 thresholds in <code>curves.csv</code>, the tolerances in "
+                "<code>ladder.csv</code>, the settings of the sweeps, with the same columns, in "
+                "<code>sweep.csv</code>. Press a heading to sort.",
+                "<div class=\"tools\"><label>Filter <input type=\"search\" id=\"filter-rows\" "
+                "placeholder=\"method, scene ...\"></label></div>" +
+                    rows_html(rows));
     html += section("about", "How to read this", "", about_html() + provenance_html(m.data));
     return html;
 }
@@ -300,8 +347,12 @@ std::string main_html(const Material& m) {
 }  // namespace
 
 std::string report_page(const ReportData& data) {
-    Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows)};
+    Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
     material.witness = witness_html(data.rows);
+    add_curves(data.curves, material.summaries);
+    material.fronts = summarise_fronts(data.rows, data.sweep);
+    material.leads = leads_html(data.rows);
+    material.statistics = statistics_html(material.summaries);
     material.verdict = find_verdict(material.summaries);
     material.scenes = encode_scenes(data.views, kPictureBudget_bytes);
     return fmt::format(

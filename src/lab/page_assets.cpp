@@ -62,6 +62,12 @@ tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
 .group { border-left: 1px solid var(--line); }
 td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
+.wide.fronts td.text { max-width: 620px; min-width: 0; white-space: normal; }
+.leads td { min-width: 96px; }
+.terms { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 3px 26px;
+  margin: 4px 0 12px; font-size: .88rem; color: var(--soft); }
+.terms dt { display: inline; font-weight: 600; color: var(--ink); }
+.terms dd { display: inline; margin: 0 0 0 .5em; }
 .heat td { min-width: 74px; text-align: center; }
 .heat th[scope=row] { max-width: 340px; overflow: hidden; text-overflow: ellipsis; }
 .tag { display: inline-block; font-size: .78rem; color: var(--soft); border: 1px solid var(--line);

@@ -60,7 +60,7 @@ std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& sum
         {kF, "95 %", range_cell},
         share_column(kF, "training", &MethodSummary::f_train),
         share_column(kF, "held-out", &MethodSummary::f_heldout),
-        share_column(kF, "mean", &MethodSummary::f_mean),
+        share_column(kF, "macro", &MethodSummary::f_macro),
         share_column(kF, "median", &MethodSummary::f_median),
         share_column("at 1 px", "F", &MethodSummary::f_1px),
         share_column("at 2 px", "prec.", &MethodSummary::precision),

@@ -6,6 +6,7 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
+#include "lab/ods.h"
 #include "lab/row.h"
 #include "score/attribution.h"
 
@@ -33,6 +34,8 @@ struct ReportData {
     std::vector<Row> rows;
     std::vector<ShownView> views;  ///< one per scene, to keep the page under 20 MB
     double elapsed_s = 0;
+    std::vector<CellCurve> curves = {};  ///< of the methods' cells: what ODS, OIS and AP come from
+    std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

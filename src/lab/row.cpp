@@ -47,6 +47,13 @@ Column counted(std::string name, std::int64_t Row::*field, std::string doc) {
             std::move(doc)};
 }
 
+template <class T>
+Column chance(std::string name, T value_of, std::string doc) {
+    return {std::move(name),
+            [value_of](const Row& row) { return row.chance ? text_of(value_of(*row.chance)) : ""; },
+            std::move(doc)};
+}
+
 Column recall(const std::string& line_class) {
     return {"recall_" + line_class,
             [line_class](const Row& row) {
@@ -153,7 +160,7 @@ void add_line_counts(std::vector<Column>& columns) {
 
 Column wrong_px(score::Cause cause, std::string doc) {
     return {fmt::format("{}_{}", score::is_miss(cause) ? "missing" : "off_line", name(cause)),
-            [cause](const Row& row) { return row.is_ok() ? text_of(row.causes[cause]) : ""; },
+            [cause](const Row& row) { return row.causes ? text_of((*row.causes)[cause]) : ""; },
             std::move(doc)};
 }
 
@@ -183,7 +190,7 @@ std::vector<Column> make_columns() {
         column("width", &Row::width, "of the picture, px"),
         column("height", &Row::height, "of the picture, px"),
         column("threads", &Row::threads, "the method might use"),
-        column("seed", &Row::seed, "as given; nothing is random yet"),
+        column("seed", &Row::seed, "as given: of chance pictures and of drawing scenes again"),
         column("params", &Row::params, "every parameter, key=value;key=value"),
         column("status", &Row::status, "ok, or why there are no metrics"),
         column("f_2px", &Row::f_2px, "F of one-to-one matches within 2 px, 0..1"),
@@ -209,8 +216,18 @@ std::vector<Column> make_columns() {
         counted("off_line", &Row::off_line, "drawn pixels with no true one in reach"),
         counted("lost", &Row::lost, "true pixels left over beside a drawn line"),
         counted("missing", &Row::missing, "true pixels with no drawn one in reach"),
-        counted("k_1px", &Row::k_1px, "matches within 1 px"),
-        counted("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
+        column("k_1px", &Row::k_1px, "matches within 1 px"),
+        column("n_pred_1px", &Row::n_pred_1px, "drawn pixels after thinning, at 1 px"),
+        chance(
+            "f_chance_2px",
+            [](const score::CurveCount& c) { return c.f(); },
+            "F of a random picture of as many pixels, within 2 px"),
+        chance(
+            "k_chance_2px", [](const score::CurveCount& c) { return c.k; }, "its matches"),
+        chance(
+            "n_pred_chance",
+            [](const score::CurveCount& c) { return c.n_pred; },
+            "its drawn pixels that count"),
         truth_px("contour"),
         truth_px("boundary"),
         truth_px("crease"),
@@ -257,6 +274,10 @@ const std::vector<Column>& columns() {
 }
 
 }  // namespace
+
+Place place_of(const Row& row) {
+    return {row.scene, row.view, row.width, row.height};
+}
 
 const std::vector<std::string>& row_columns() {
     static const std::vector<std::string> kNames = [] {

@@ -4,11 +4,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "lab/line_scores.h"
 #include "score/attribution.h"
+#include "score/score.h"
 
 namespace ink::lab {
 
@@ -41,9 +43,16 @@ struct Row {
     std::int64_t off_line = 0;
     std::int64_t lost = 0;
     std::int64_t missing = 0;
-    score::CauseCounts causes = {};  ///< what off_line and missing are made of
-    std::int64_t k_1px = 0;          ///< counts at 1 px; n_truth is the same
-    std::int64_t n_pred_1px = 0;
+    /// What off_line and missing are made of; nothing where nobody asked why.
+    std::optional<score::CauseCounts> causes = {};
+    std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
+    std::optional<std::int64_t> n_pred_1px;
+    /// Counts at each of kLadder_px (lab/cell.h): lines of ladder.csv, not columns here. Empty
+    /// where they were not asked for.
+    std::vector<score::CurveCount> ladder = {};
+    /// Counts at 2 px of a random picture of n_pred pixels (score/chance.h); nothing where it was
+    /// not asked for.
+    std::optional<score::CurveCount> chance = {};
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
     std::optional<std::int64_t> draw_ns;      ///< median over repetitions
@@ -69,7 +78,11 @@ struct Row {
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
 
-/// The columns of rows.csv, in order, provenance last.
+/// Where a row's picture was taken: scene, view, width and height in pixels.
+using Place = std::tuple<std::string, std::string, int, int>;
+[[nodiscard]] Place place_of(const Row& row);
+
+/// The columns of rows.csv and sweep.csv, in order, provenance last.
 [[nodiscard]] const std::vector<std::string>& row_columns();
 
 /// The columns with what each means and its unit, for people.

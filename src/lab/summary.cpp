@@ -1,41 +1,22 @@
 #include "lab/summary.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
-#include <random>
+#include <string_view>
 #include <tuple>
+
+#include "lab/bootstrap.h"
 
 namespace ink::lab {
 namespace {
 
-constexpr int kResamples = 2000;
-constexpr std::uint64_t kBootstrapSeed = 1;
+using Counts = score::CurveCount;
 
-/// Counts that add up over views, where F does not.
-struct Counts {
-    std::int64_t k = 0;
-    std::int64_t n_pred = 0;
-    std::int64_t n_truth = 0;
-
-    void add(const Counts& other) {
-        k += other.k;
-        n_pred += other.n_pred;
-        n_truth += other.n_truth;
-    }
-    [[nodiscard]] double f() const {
-        const auto pixels = static_cast<double>(n_pred + n_truth);
-        return pixels == 0 ? 1.0 : 2.0 * static_cast<double>(k) / pixels;
-    }
-};
-
-Counts counts_2px(const Row& row) {
-    return {row.k_2px, row.n_pred, row.n_truth};
-}
 Counts counts_1px(const Row& row) {
-    return {row.k_1px, row.n_pred_1px, row.n_truth};
+    return {*row.k_1px, *row.n_pred_1px, row.n_truth};
 }
 
 std::optional<double> share(std::int64_t part, std::int64_t whole) {
@@ -50,7 +31,7 @@ std::optional<double> pooled(const Rows& rows, CountsOf counts_of) {
     if (rows.empty()) return std::nullopt;
     Counts sum;
     for (const Row* row : rows)
-        sum.add(counts_of(*row));
+        sum += counts_of(*row);
     return sum.f();
 }
 
@@ -72,37 +53,36 @@ std::vector<double> values_of(const Rows& rows, ValueOf value_of) {
     return values;
 }
 
-std::optional<double> mean(const std::vector<double>& values) {
-    if (values.empty()) return std::nullopt;
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// The middle 95 % of `statistic` over resamplings of `count` things; it is given their indices.
-/// Efron and Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3 (percentiles).
-template <class Statistic>
-std::optional<Interval> bootstrap(std::size_t count, Statistic statistic) {
-    if (count < 2) return std::nullopt;
-    // The engine's sequence is fixed by the standard; its distributions are not, hence the modulo.
-    std::mt19937_64 random(kBootstrapSeed);
+std::optional<double> macro_f(const std::vector<Counts>& scenes) {
     std::vector<double> values;
-    std::vector<std::size_t> drawn(count);
-    for (int i = 0; i < kResamples; ++i) {
-        for (std::size_t& index : drawn)
-            index = static_cast<std::size_t>(random() % count);
-        values.push_back(statistic(drawn));
+    for (const Counts& scene : scenes)
+        values.push_back(scene.f());
+    return mean(values);
+}
+
+/// Pooled F at each tolerance, if every row has its ladder.
+std::vector<double> ladder_f(const Rows& rows) {
+    std::vector<Counts> sums;
+    for (const Row* row : rows) {
+        if (row->ladder.empty()) return {};
+        sums.resize(row->ladder.size());
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += row->ladder[i];
     }
-    return Interval{*quantile(values, 0.025), *quantile(values, 0.975)};
+    std::vector<double> ladder;
+    for (const Counts& sum : sums)
+        ladder.push_back(sum.f());
+    return ladder;
 }
 
-double f_of(const Rows& rows, const std::vector<std::size_t>& drawn) {
-    Counts sum;
-    for (const std::size_t index : drawn)
-        sum.add(counts_2px(*rows[index]));
-    return sum.f();
-}
-
-std::optional<Interval> f_range(const Rows& rows) {
-    return bootstrap(rows.size(), [&](const auto& drawn) { return f_of(rows, drawn); });
+/// F of the counts of those rows that have them.
+template <class Has, class CountsOf>
+std::optional<double> pooled_where(const Rows& rows, Has has, CountsOf counts_of) {
+    Rows kept;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const Row* row) {
+        return has(*row);
+    });
+    return pooled(kept, counts_of);
 }
 
 /// Recalls weighed by the truth pixels they are shares of. Counts of a class come back from its
@@ -124,18 +104,39 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
     return recalls;
 }
 
+/// The value of `threshold=` among a row's parameters.
+std::optional<int> threshold_of(const Row& row) {
+    constexpr std::string_view kKey = "threshold=";
+    std::size_t at = row.params.find(kKey);
+    while (at != std::string::npos && at > 0 && row.params[at - 1] != ';')
+        at = row.params.find(kKey, at + 1);
+    if (at == std::string::npos) return std::nullopt;
+    return std::atoi(row.params.c_str() + at + kKey.size());
+}
+
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     const auto f_2px = values_of(rows, [](const Row& row) { return row.f_2px; });
     Counts sum;
     for (const Row* row : rows)
-        sum.add(counts_2px(*row));
+        sum += counts_2px(*row);
+    const std::vector<Counts> scenes = counts_by_scene(rows);
+    summary.scenes = static_cast<int>(scenes.size());
     summary.f_2px = pooled(rows, counts_2px);
-    summary.f_2px_range = f_range(rows);
+    if (!rows.empty()) {
+        summary.f_2px_range = f_interval(scenes, {.seed = rows.front()->seed});
+        summary.threshold = threshold_of(*rows.front());
+    }
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
-    summary.f_mean = mean(f_2px);
+    summary.f_macro = macro_f(scenes);
     summary.f_median = quantile(f_2px, 0.5);
-    summary.f_1px = pooled(rows, counts_1px);
+    summary.f_1px = pooled_where(
+        rows, [](const Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);
+    summary.f_ladder = ladder_f(rows);
+    summary.f_chance = pooled_where(
+        rows,
+        [](const Row& row) { return row.chance.has_value(); },
+        [](const Row& row) { return *row.chance; });
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
     summary.recall_by_class = pooled_recalls(rows);
@@ -165,25 +166,36 @@ Rows good_rows(const std::vector<Row>& rows, const std::string& method) {
     return good;
 }
 
-auto place(const Row& row) {
-    return std::tie(row.scene, row.view, row.width, row.height);
-}
-
 }  // namespace
 
 bool is_bracket(std::string_view method) {
     return method == "none" || method == "sampled" || method == "oracle";
 }
 
-std::optional<double> quantile(std::vector<double> values, double q) {
-    assert(q >= 0 && q <= 1);
-    if (values.empty()) return std::nullopt;
-    std::sort(values.begin(), values.end());
-    const double position = q * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    const double t = position - static_cast<double>(below);
-    return values[below] + t * (values[above] - values[below]);
+Counts counts_2px(const Row& row) {
+    return {row.k_2px, row.n_pred, row.n_truth};
+}
+
+std::vector<Counts> counts_by_scene(const std::vector<const Row*>& rows) {
+    std::vector<std::string> scenes;
+    std::vector<Counts> sums;
+    for (const Row* row : rows) {
+        auto known = std::find(scenes.begin(), scenes.end(), row->scene);
+        if (known == scenes.end()) {
+            known = scenes.insert(known, row->scene);
+            sums.emplace_back();
+        }
+        sums[static_cast<std::size_t>(known - scenes.begin())] += counts_2px(*row);
+    }
+    return sums;
+}
+
+void add_curves(const std::vector<CellCurve>& curves, std::vector<MethodSummary>& summaries) {
+    for (CurveSummary& curve : summarise_curves(curves)) {
+        for (MethodSummary& summary : summaries) {
+            if (summary.method == curve.ods.method) summary.curve = curve;
+        }
+    }
 }
 
 std::optional<double> pooled_f(const std::vector<const Row*>& rows) {
@@ -192,24 +204,6 @@ std::optional<double> pooled_f(const std::vector<const Row*>& rows) {
         return row->is_ok() && row->f_2px;
     });
     return pooled(good, counts_2px);
-}
-
-std::optional<Interval> f_lead(const std::vector<Row>& rows,
-                               const std::string& a,
-                               const std::string& b) {
-    Rows of_a;
-    Rows of_b;
-    const Rows candidates = good_rows(rows, b);
-    for (const Row* row : good_rows(rows, a)) {
-        const auto same = std::find_if(candidates.begin(), candidates.end(), [&](const Row* other) {
-            return place(*other) == place(*row);
-        });
-        if (same == candidates.end()) continue;
-        of_a.push_back(row);
-        of_b.push_back(*same);
-    }
-    return bootstrap(of_a.size(),
-                     [&](const auto& drawn) { return f_of(of_a, drawn) - f_of(of_b, drawn); });
 }
 
 std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points) {

@@ -7,18 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "lab/ods.h"
 #include "lab/row.h"
+#include "lab/spread.h"
 
 namespace ink::lab {
 
 /// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
 [[nodiscard]] bool is_bracket(std::string_view method);
-
-/// A range that holds a value with a stated confidence, or the middle half of some values.
-struct Interval {
-    double low = 0;
-    double high = 0;
-};
 
 /// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
 /// an empty value never enters a mean.
@@ -28,13 +24,18 @@ struct MethodSummary {
     int views = 0;                        ///< rows without failure
     int failed = 0;                       ///< rows with one
     std::optional<double> f_2px;          ///< of the counts pooled over its views
-    std::optional<Interval> f_2px_range;  ///< 95 %, bootstrap over views; two views at least
+    int scenes = 0;                       ///< that those are of
+    std::optional<Interval> f_2px_range;  ///< 95 %, cluster bootstrap; two scenes at least
     std::optional<double> f_train;        ///< pooled over the views of training scenes
     std::optional<double> f_heldout;      ///< pooled over those of held-out scenes
-    std::optional<double> f_mean;         ///< over views, each counting alike
-    std::optional<double> f_median;
-    std::optional<double> f_1px;      ///< pooled
-    std::optional<double> precision;  ///< pooled, 2 px
+    std::optional<double> f_macro;        ///< mean over scenes of F pooled over each one's views
+    std::optional<double> f_median;       ///< over views, each counting alike
+    std::optional<int> threshold;         ///< at which it is scored, from its parameters
+    std::vector<double> f_ladder;         ///< pooled, at each of kLadder_px; empty if not scored
+    std::optional<double> f_chance;       ///< pooled, of random pictures of as many pixels
+    std::optional<CurveSummary> curve;    ///< over thresholds, all its views; see add_curves
+    std::optional<double> f_1px;          ///< pooled
+    std::optional<double> precision;      ///< pooled, 2 px
     std::optional<double> recall;
     std::map<std::string, double> recall_by_class;  ///< pooled, classes present only
     std::optional<double> mean_width_px;            ///< mean over views
@@ -50,11 +51,14 @@ struct MethodSummary {
 /// neither a pixel is drawn nor one is there.
 [[nodiscard]] std::optional<double> pooled_f(const std::vector<const Row*>& rows);
 
-/// By how much the pooled F of `a` exceeds that of `b`, as a 95 % interval: views that both have
-/// are drawn again and again, each pair as one (a paired bootstrap). Nothing with fewer than two.
-[[nodiscard]] std::optional<Interval> f_lead(const std::vector<Row>& rows,
-                                             const std::string& a,
-                                             const std::string& b);
+/// Writes what the curves say into the summaries of their methods.
+void add_curves(const std::vector<CellCurve>& curves, std::vector<MethodSummary>& summaries);
+
+/// The counts at 2 px of a row.
+[[nodiscard]] score::CurveCount counts_2px(const Row& row);
+
+/// Counts at 2 px summed over the views of each scene, in order of first appearance.
+[[nodiscard]] std::vector<score::CurveCount> counts_by_scene(const std::vector<const Row*>& rows);
 
 /// The error of a method, and what it pays for it.
 struct CostPoint {
@@ -65,9 +69,6 @@ struct CostPoint {
 /// Indices of the points that no other beats in both, from the fastest to the one with the lowest
 /// error. Of equal points the first stays.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points);
-
-/// The q-quantile (0..1) of `values`, linear between the two nearest; nothing if there are none.
-[[nodiscard]] std::optional<double> quantile(std::vector<double> values, double q);
 
 /// Which method wins and which is cheapest, of those that are no brackets; null if none was scored
 /// (or, for `cheapest`, timed). They point into the summaries.

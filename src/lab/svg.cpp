@@ -18,6 +18,14 @@ std::string text_attributes(const TextStyle& style) {
     return text;
 }
 
+std::string point_list(const std::vector<double>& xy) {
+    std::string points;
+    for (std::size_t i = 0; i + 1 < xy.size(); i += 2) {
+        points += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", xy[i], xy[i + 1]);
+    }
+    return points;
+}
+
 }  // namespace
 
 void Svg::line(double x1, double y1, double x2, double y2, std::string_view style) {
@@ -39,11 +47,11 @@ void Svg::circle(double x, double y, double radius, std::string_view style) {
 }
 
 void Svg::polyline(const std::vector<double>& xy, std::string_view style) {
-    std::string points;
-    for (std::size_t i = 0; i + 1 < xy.size(); i += 2) {
-        points += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", xy[i], xy[i + 1]);
-    }
-    body_ += fmt::format(R"(<polyline points="{}" fill="none" {}/>)", points, style);
+    body_ += fmt::format(R"(<polyline points="{}" fill="none" {}/>)", point_list(xy), style);
+}
+
+void Svg::polygon(const std::vector<double>& xy, std::string_view style) {
+    body_ += fmt::format(R"(<polygon points="{}" {}/>)", point_list(xy), style);
 }
 
 void Svg::text(double x, double y, std::string_view text, const TextStyle& style) {

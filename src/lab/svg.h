@@ -38,6 +38,8 @@ class Svg {
     void circle(double x, double y, double radius, std::string_view style);
     /// A line through points x, y, x, y, ...
     void polyline(const std::vector<double>& xy, std::string_view style);
+    /// A closed outline through points x, y, x, y, ...
+    void polygon(const std::vector<double>& xy, std::string_view style);
     /// A text with its base line at `y`; escaped here.
     void text(double x, double y, std::string_view text, const TextStyle& style = {});
     /// A text turned a quarter to the left, centred on (x, y).

@@ -3,35 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
-#include <set>
+#include <sstream>
+#include <string_view>
 
+#include "lab/leads.h"
+#include "lab/statistics.h"
+#include "lab/text_table.h"
 #include "lab/witness_report.h"
 #include "truth/line_class.h"
 
 namespace ink::lab {
 namespace {
-
-/// A column of a table: its heading and the text it holds for a method.
-struct Column {
-    std::string heading;
-    std::function<std::string(const MethodSummary&)> text;
-};
-
-Column share_column(std::string heading, std::optional<double> MethodSummary::*field) {
-    return {std::move(heading), [field](const MethodSummary& s) { return format_share(s.*field); }};
-}
-
-/// Names come from the registry, but a table keeps its width whatever they are.
-std::string method_name(const MethodSummary& s) {
-    constexpr std::size_t kLongest = 18;
-    const std::string name = s.method + (s.is_bracket ? " *" : "");
-    return name.size() <= kLongest ? name : name.substr(0, kLongest - 2) + "..";
-}
-
-Column name_column() {
-    return {"method", method_name};
-}
 
 /// "36", or "35/36" where a cell failed.
 std::string views_of(const MethodSummary& s) {
@@ -39,14 +21,14 @@ std::string views_of(const MethodSummary& s) {
     return s.failed == 0 ? views : fmt::format("{}/{}", views, s.views + s.failed);
 }
 
-std::vector<Column> main_columns() {
+std::vector<TextColumn> main_columns() {
     return {
         name_column(),
         share_column("F 2px", &MethodSummary::f_2px),
+        {"95 %", [](const MethodSummary& s) { return format_range(s.f_2px_range); }},
         share_column("train", &MethodSummary::f_train),
         share_column("held-out", &MethodSummary::f_heldout),
-        share_column("mean", &MethodSummary::f_mean),
-        share_column("median", &MethodSummary::f_median),
+        share_column("macro", &MethodSummary::f_macro),
         share_column("F 1px", &MethodSummary::f_1px),
         share_column("prec.", &MethodSummary::precision),
         share_column("recall", &MethodSummary::recall),
@@ -64,8 +46,8 @@ std::vector<Column> main_columns() {
 }
 
 /// One column per class that some view has.
-std::vector<Column> class_columns(const std::vector<MethodSummary>& summaries) {
-    std::vector<Column> columns;
+std::vector<TextColumn> class_columns(const std::vector<MethodSummary>& summaries) {
+    std::vector<TextColumn> columns;
     for (const truth::LineClass c : truth::kLineClasses) {
         const std::string name(truth::name(c));
         const bool is_there =
@@ -81,50 +63,6 @@ std::vector<Column> class_columns(const std::vector<MethodSummary>& summaries) {
                            }});
     }
     return columns;
-}
-
-using Cells = std::vector<std::vector<std::string>>;
-
-/// Headings first, then a line per method.
-Cells cells_of(const std::vector<Column>& columns, const std::vector<MethodSummary>& summaries) {
-    Cells cells(1);
-    for (const Column& column : columns)
-        cells[0].push_back(column.heading);
-    for (const MethodSummary& s : summaries) {
-        std::vector<std::string>& line = cells.emplace_back();
-        for (const Column& column : columns)
-            line.push_back(column.text(s));
-    }
-    return cells;
-}
-
-std::string aligned(const Cells& cells) {
-    std::vector<std::size_t> widths(cells[0].size(), 0);
-    for (const auto& line : cells) {
-        for (std::size_t i = 0; i < line.size(); ++i)
-            widths[i] = std::max(widths[i], line[i].size());
-    }
-    std::string text;
-    for (const auto& line : cells) {
-        text += fmt::format("{:<{}}", line[0], widths[0]);
-        for (std::size_t i = 1; i < line.size(); ++i)
-            text += fmt::format("  {:>{}}", line[i], widths[i]);
-        text += '\n';
-    }
-    return text;
-}
-
-std::string markdown(const Cells& cells) {
-    std::string text;
-    for (const auto& line : cells) {
-        text += fmt::format("| {} |\n", fmt::join(line, " | "));
-        if (&line != &cells.front()) continue;
-        text += "|---|";
-        for (std::size_t i = 1; i < line.size(); ++i)
-            text += "--:|";
-        text += '\n';
-    }
-    return text;
 }
 
 constexpr const char* kBracketNote =
@@ -147,16 +85,20 @@ std::string cost_of(const Verdict& verdict) {
                        format_share(cheapest->f_2px));
 }
 
-/// A lead that chance could have made is said to be one.
+/// Whether the lead of the winner is more than chance; nothing where scenes are too few to tell.
 std::string doubt(const std::vector<Row>& rows, const Verdict& verdict) {
     if (verdict.runner_up == nullptr) return "";
-    const auto lead = f_lead(rows, verdict.best->method, verdict.runner_up->method);
-    if (!lead || lead->low > 0) return "";
+    const auto lead = lead_of(rows, verdict.best->method, verdict.runner_up->method);
+    if (!lead || !lead->range) return "";
+    const std::string other =
+        fmt::format("{} (F {})", verdict.runner_up->method, format_share(verdict.runner_up->f_2px));
+    if (lead->is_beyond_chance()) {
+        return fmt::format(" Its lead over {} is {}: beyond chance.", other, format_lead(*lead));
+    }
     return fmt::format(
-        " These views cannot tell it from {} (F {}): the 95 % interval of the "
-        "difference holds 0.",
-        verdict.runner_up->method,
-        format_share(verdict.runner_up->f_2px));
+        " These scenes cannot tell it from {}: the lead is {}, and the 95 % interval holds 0.",
+        other,
+        format_lead(*lead));
 }
 
 std::string failures(const std::vector<MethodSummary>& summaries) {
@@ -170,12 +112,25 @@ std::string failures(const std::vector<MethodSummary>& summaries) {
                        failed == 1 ? "s" : "");
 }
 
+/// As a Markdown list below a line of its own.
+std::string threshold_list(const std::vector<Row>& rows, const std::vector<CellCurve>& curves) {
+    std::string text;
+    std::istringstream lines(threshold_lines(rows, curves));
+    for (std::string line; std::getline(lines, line);)
+        text += fmt::format("{}- {}\n", text.empty() ? "\n" : "", line);
+    return text;
+}
+
 }  // namespace
 
 std::string format_share(const std::optional<double>& share) {
     if (!share) return "-";
     const std::string text = fmt::format("{:.3f}", *share);
     return text[0] == '0' ? text.substr(1) : text;
+}
+
+std::string format_range(const std::optional<Interval>& range) {
+    return range ? format_share(range->low) + "-" + format_share(range->high) : "-";
 }
 
 std::string format_ms(const std::optional<double>& ms) {
@@ -216,32 +171,55 @@ std::string verdict_sentence(const std::vector<Row>& rows,
     return fmt::format("{}: {}", verdict_headline(verdict), details);
 }
 
-std::string verdict_table(const std::vector<Row>& rows) {
-    const std::vector<MethodSummary> summaries = summarise(rows);
+std::string verdict_table(const std::vector<Row>& rows, const std::vector<CellCurve>& curves) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    add_curves(curves, summaries);
     const std::string sentence = verdict_sentence(rows, summaries);
     if (summaries.empty()) return sentence;
     std::string text = aligned(cells_of(main_columns(), summaries));
-    std::vector<Column> classes = class_columns(summaries);
-    if (!classes.empty()) {
-        classes.insert(classes.begin(), name_column());
-        text += "\nrecall of\n" + aligned(cells_of(classes, summaries));
-    }
+    const auto add = [&](std::string_view title, std::vector<TextColumn> columns) {
+        if (columns.empty()) return;
+        columns.insert(columns.begin(), name_column());
+        text += fmt::format("\n{}\n{}", title, aligned(cells_of(columns, summaries)));
+    };
+    add("recall of", class_columns(summaries));
+    add("F at other thresholds and tolerances", statistics_columns(summaries));
+    text += fmt::format("\n{}\n\n", kBracketNote);
+    for (const auto& [term, meaning] : definitions())
+        text += fmt::format("{:<14}{}\n", term, meaning);
     const std::string witness = witness_sentence(rows);
-    return fmt::format(
-        "{}\n{}\n\n{}{}{}", text, kBracketNote, sentence, witness.empty() ? "" : "\n", witness);
+    return fmt::format("{}\n{}{}{}", text, sentence, witness.empty() ? "" : "\n", witness);
 }
 
-std::string verdict_markdown(const std::vector<Row>& rows) {
-    const std::vector<MethodSummary> summaries = summarise(rows);
+std::string verdict_markdown(const std::vector<Row>& rows, const std::vector<CellCurve>& curves) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    add_curves(curves, summaries);
     const std::string sentence = verdict_sentence(rows, summaries);
     if (summaries.empty()) return sentence + "\n";
-    std::vector<Column> columns = main_columns();
-    for (Column& column : class_columns(summaries)) {
+    std::vector<TextColumn> columns = main_columns();
+    for (TextColumn& column : class_columns(summaries)) {
         columns.push_back({"recall " + column.heading, column.text});
     }
+    std::string text = markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
     const std::string witness = witness_sentence(rows);
-    return markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n" +
-           (witness.empty() ? "" : "\n" + witness + "\n");
+    if (!witness.empty()) text += "\n" + witness + "\n";
+    std::vector<TextColumn> statistics = statistics_columns(summaries);
+    if (!statistics.empty()) {
+        statistics.insert(statistics.begin(), name_column());
+        text +=
+            "\nAt other thresholds and tolerances:\n\n" + markdown(cells_of(statistics, summaries));
+    }
+    const Cells leads = lead_cells(all_leads(rows));
+    if (!leads.empty()) {
+        text +=
+            "\nBy how much F of a line's method exceeds that of a column's, with 95 % intervals "
+            "(scenes drawn again, both methods on the same ones):\n\n" +
+            markdown(leads);
+    }
+    text += '\n';
+    for (const auto& [term, meaning] : definitions())
+        text += fmt::format("- {}: {}.\n", term, meaning);
+    return text + threshold_list(rows, curves);
 }
 
 }  // namespace ink::lab

@@ -14,15 +14,22 @@ namespace ink::lab {
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 
-/// The table of a comparison for a terminal, at most 110 columns wide: a line per method, the
-/// brackets `none`, `sampled` and `oracle` marked with a star, recalls per class below, and one
-/// sentence that names the method with the lowest error and what it costs against the cheapest.
-///
-/// Ends without a line break. No rows give the sentence alone.
-[[nodiscard]] std::string verdict_table(const std::vector<Row>& rows);
+/// ".881-.932"; "-" for nothing.
+[[nodiscard]] std::string format_range(const std::optional<Interval>& range);
 
-/// The same as a Markdown table, for a README.
-[[nodiscard]] std::string verdict_markdown(const std::vector<Row>& rows);
+/// The tables of a comparison for a terminal, at most 110 columns wide: a line per method, the
+/// brackets `none`, `sampled` and `oracle` marked with a star; recalls per class, thresholds and
+/// tolerances below; what the words mean; and one sentence that names the method with the lowest
+/// error, what it costs against the cheapest, and whether its lead is beyond chance.
+///
+/// `curves` give ODS, OIS and AP; without them those columns are left out. Ends without a line
+/// break. No rows give the sentence alone.
+[[nodiscard]] std::string verdict_table(const std::vector<Row>& rows,
+                                        const std::vector<CellCurve>& curves = {});
+
+/// The same in Markdown, for a README, with the matrix of leads.
+[[nodiscard]] std::string verdict_markdown(const std::vector<Row>& rows,
+                                           const std::vector<CellCurve>& curves = {});
 
 /// "mote4 makes the fewest errors", or what else there is to say in as few words.
 [[nodiscard]] std::string verdict_headline(const Verdict& verdict);

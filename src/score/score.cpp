@@ -68,6 +68,12 @@ TruthLists checked_lists(const edge::EdgeImage& prediction,
     return list_truth(truth, options);
 }
 
+CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
+    return {.k = match_pixels(drawn, lists.truth, lists.disk).k,
+            .n_pred = static_cast<std::int64_t>(drawn.size()),
+            .n_truth = static_cast<std::int64_t>(lists.truth.size())};
+}
+
 /// Each class against all that is drawn, with a matching of its own: which of the equally good
 /// global matchings was found must not decide a recall.
 std::vector<ClassCount> match_classes(const PixelList& drawn,
@@ -86,6 +92,17 @@ std::vector<ClassCount> match_classes(const PixelList& drawn,
 }  // namespace
 
 double Score::f() const {
+    return CurveCount{k, n_pred, n_truth}.f();
+}
+
+CurveCount& CurveCount::operator+=(const CurveCount& other) {
+    k += other.k;
+    n_pred += other.n_pred;
+    n_truth += other.n_truth;
+    return *this;
+}
+
+double CurveCount::f() const {
     const std::int64_t all = n_pred + n_truth;
     return all > 0 ? 2.0 * static_cast<double>(k) / static_cast<double>(all) : 1.0;
 }
@@ -180,12 +197,28 @@ std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
         }
         n_before = n_drawn;
         Strokes strokes = make_strokes(prediction, threshold, options);
-        const PixelList drawn = counted_pixels(std::move(strokes.thinned), lists, options);
-        curve[i] = {.k = match_pixels(drawn, lists.truth, lists.disk).k,
-                    .n_pred = static_cast<std::int64_t>(drawn.size()),
-                    .n_truth = static_cast<std::int64_t>(lists.truth.size())};
+        curve[i] = match_counts(counted_pixels(std::move(strokes.thinned), lists, options), lists);
     }
     return curve;
+}
+
+std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
+                                     const ScoringTruth& truth,
+                                     const ScoreOptions& options,
+                                     std::span<const double> tolerances_px) {
+    std::vector<CurveCount> ladder;
+    if (tolerances_px.empty()) return ladder;
+    ScoreOptions at = options;
+    at.tolerance_px = tolerances_px.front();
+    TruthLists lists = checked_lists(prediction, truth, at);
+    const Strokes strokes = make_strokes(prediction, options.threshold, options);
+    for (const double tolerance_px : tolerances_px) {
+        at.tolerance_px = tolerance_px;
+        check(at);
+        lists.disk = Disk(tolerance_px);
+        ladder.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
+    }
+    return ladder;
 }
 
 double average_precision(const std::array<CurveCount, 99>& curve) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/image.h"
@@ -55,11 +56,17 @@ struct Score {
     [[nodiscard]] std::optional<double> recall() const;
 };
 
-/// One point of a precision-recall curve: threshold k/100 of the full strength.
+/// Matches, drawn and true pixels of one picture at one threshold and tolerance, or their sums over
+/// pictures: counts add up where F does not.
 struct CurveCount {
     std::int64_t k = 0;
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
+
+    CurveCount& operator+=(const CurveCount& other);
+    /// 2k / (n_pred + n_truth); 1 if both are empty.
+    [[nodiscard]] double f() const;
+    [[nodiscard]] bool operator==(const CurveCount&) const = default;
 };
 
 /// A truth image made ready to be scored against: labels 0 where nothing counts.
@@ -100,6 +107,17 @@ struct ScoringTruth {
 [[nodiscard]] std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                                      const ScoringTruth& truth,
                                                      const ScoreOptions& options);
+
+/// (k, n_pred, n_truth) at each of `tolerances_px`, in their order: the prediction is thresholded
+/// and thinned once, so this costs less than as many scores. `options.tolerance_px` is not read.
+///
+/// Without ignored pixels n_pred is the same at every tolerance and k never falls as it grows; with
+/// them n_pred may differ, since drawn pixels in reach of an ignored one alone do not count.
+/// Throws core::Error as score() does.
+[[nodiscard]] std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
+                                                   const ScoringTruth& truth,
+                                                   const ScoreOptions& options,
+                                                   std::span<const double> tolerances_px);
 
 /// Area under the precision envelope from recall 0 (all points with n_pred > 0).
 /// Without any truth: 1 if no threshold fires anywhere, else 0.

@@ -26,9 +26,10 @@ Row row_of(const std::string& method, std::int64_t missing, std::int64_t off_lin
     row.off_line = off_line;
     row.lost = 10;
     row.surplus = 20;
-    row.causes[Cause::cancelled] = missing - 1;
-    row.causes[Cause::thinned] = 1;
-    row.causes[Cause::other] = off_line;
+    score::CauseCounts& causes = row.causes.emplace();
+    causes[Cause::cancelled] = missing - 1;
+    causes[Cause::thinned] = 1;
+    causes[Cause::other] = off_line;
     return row;
 }
 

@@ -93,7 +93,7 @@ inline Row made_up_row(const std::string& method, double f, double draw_ms) {
     row.k_1px = std::llround(f * 900);
     row.n_pred_1px = 1000;
     row.f_2px = static_cast<double>(row.k_2px) / 1000;
-    row.f_1px = static_cast<double>(row.k_1px) / 1000;
+    row.f_1px = static_cast<double>(*row.k_1px) / 1000;
     row.precision_2px = row.f_2px;
     row.recall_2px = row.f_2px;
     row.missing = row.lost = (1000 - row.k_2px) / 2;

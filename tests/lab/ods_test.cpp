@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace ink::lab {
 namespace {
 
@@ -32,6 +34,68 @@ TEST(Ods, PoolsCountsAndNotScores) {
     large.counts.fill({900, 1000, 1000});
     small.counts.fill({0, 10, 10});
     EXPECT_DOUBLE_EQ(ods_on_training({large, small})[0].f, 2 * 900.0 / 2020);
+}
+
+/// A cell with F .8 at its lower thresholds and F .6 at its upper ones, or the other way round.
+CellCurve two_level_curve(bool is_best_low) {
+    CellCurve curve{"a", true, {}};
+    for (std::size_t i = 0; i < 99; ++i) {
+        const bool is_low = i < 50;
+        curve.counts[i] = {is_low == is_best_low ? 80 : 60, 100, 100};
+    }
+    return curve;
+}
+
+TEST(Ois, LetsEveryPictureHaveItsBestThreshold) {
+    const auto one = summarise_curves({two_level_curve(true)});
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_DOUBLE_EQ(one[0].ods.f, 0.8);
+    EXPECT_DOUBLE_EQ(one[0].ois, 0.8) << "of one picture, ODS and OIS are the same";
+    const auto two = summarise_curves({two_level_curve(true), two_level_curve(false)});
+    EXPECT_DOUBLE_EQ(two[0].ods.f, 0.7) << "each threshold is good for one picture only";
+    EXPECT_DOUBLE_EQ(two[0].ois, 0.8);
+}
+
+TEST(Ois, IsAtLeastOdsWherePicturesDrawAlike) {
+    // As many pixels drawn at every threshold: the best K of each then adds most to the pool.
+    CellCurve rising{"a", true, {}};
+    CellCurve falling{"a", false, {}};
+    CellCurve humped{"a", true, {}};
+    for (int i = 0; i < 99; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        rising.counts[at] = {i, 100, 100};
+        falling.counts[at] = {98 - i, 100, 100};
+        humped.counts[at] = {i < 30 ? i : 58 - std::min(i, 58), 100, 100};
+    }
+    const auto s = summarise_curves({rising, falling, humped})[0];
+    EXPECT_DOUBLE_EQ(s.ods.f, (29 + 69 + 29) / 300.0);
+    EXPECT_DOUBLE_EQ(s.ois, (98 + 98 + 29) / 300.0);
+}
+
+TEST(Ois, MayFallBelowOdsBecauseItPoolsWhatIsBestOfEach) {
+    // Alone, the small drawing (F .667) beats the large one (F .65); in the pool it brings fewer
+    // matches beside a picture that is all wrong.
+    CellCurve choosy{"a", true, {}};
+    CellCurve hopeless{"a", true, {}};
+    for (std::size_t i = 0; i < 99; ++i) {
+        choosy.counts[i] =
+            i < 50 ? score::CurveCount{65, 100, 100} : score::CurveCount{50, 50, 100};
+        hopeless.counts[i] = {0, 500, 500};
+    }
+    const auto s = summarise_curves({choosy, hopeless})[0];
+    EXPECT_DOUBLE_EQ(s.ods.f, 2 * 65 / 1200.0);
+    EXPECT_DOUBLE_EQ(s.ois, 2 * 50 / 1150.0);
+}
+
+TEST(PooledAp, IsTheAreaUnderThePooledEnvelope) {
+    // Together: 8 of 8 found with 16 drawn, then 2 of 8 with 2 drawn. 1/4 * 1 + 3/4 * 1/2.
+    CellCurve one{"a", true, {}};
+    CellCurve two{"a", true, {}};
+    for (std::size_t i = 0; i < 99; ++i) {
+        one.counts[i] = i < 40 ? score::CurveCount{4, 4, 4} : score::CurveCount{2, 2, 4};
+        two.counts[i] = i < 40 ? score::CurveCount{4, 12, 4} : score::CurveCount{0, 0, 4};
+    }
+    EXPECT_DOUBLE_EQ(summarise_curves({one, two})[0].ap, 0.625);
 }
 
 TEST(Ods, HeldOutCellsDoNotVote) {

@@ -24,6 +24,13 @@ Row counted_row(const std::string& method,
     return row;
 }
 
+/// A scene of one view: `f` of `n` true pixels found, as many drawn.
+Row scene_row(const std::string& scene, std::int64_t k, std::int64_t n) {
+    Row row = counted_row("a", "front", k, n);
+    row.scene = scene;
+    return row;
+}
+
 std::vector<Row> two_views() {
     Row small = counted_row("a", "front", 50, 100);
     small.k_1px = 40;
@@ -51,7 +58,7 @@ TEST(Summarise, PoolsCountsAndTakesMeansApart) {
     EXPECT_EQ(s.views, 2);
     EXPECT_EQ(s.failed, 0);
     EXPECT_DOUBLE_EQ(*s.f_2px, 0.875);  // 2 * 350 / 800
-    EXPECT_DOUBLE_EQ(*s.f_mean, 0.75);
+    EXPECT_DOUBLE_EQ(*s.f_macro, 0.875) << "one scene";
     EXPECT_DOUBLE_EQ(*s.f_median, 0.75);
     EXPECT_DOUBLE_EQ(*s.f_1px, 0.6);  // 2 * 240 / 800
     EXPECT_DOUBLE_EQ(*s.f_train, 0.5);
@@ -94,7 +101,7 @@ TEST(Summarise, PutsBracketsLast) {
 TEST(Summarise, TheIntervalHoldsThePooledValueAndRepeats) {
     std::vector<Row> rows;
     for (int i = 0; i < 20; ++i)
-        rows.push_back(counted_row("a", std::to_string(i), 50 + i, 100));
+        rows.push_back(scene_row(std::to_string(i), 50 + i, 100));
     const MethodSummary s = summarise(rows)[0];
     ASSERT_TRUE(s.f_2px_range);
     EXPECT_LT(s.f_2px_range->low, *s.f_2px);
@@ -102,36 +109,44 @@ TEST(Summarise, TheIntervalHoldsThePooledValueAndRepeats) {
     EXPECT_DOUBLE_EQ(s.f_2px_range->low, summarise(rows)[0].f_2px_range->low);
 }
 
-TEST(FLead, IsSureWhereEveryViewAgreesAndOnlyThere) {
-    std::vector<Row> rows;
-    for (int i = 0; i < 12; ++i) {
-        const std::string view = std::to_string(i);
-        rows.push_back(counted_row("even", view, 50 + i, 100));
-        rows.push_back(counted_row("better", view, 52 + i, 100));
-        rows.push_back(counted_row("moody", view, i % 2 == 0 ? 40 + i : 62 + i, 100));
-    }
-    const auto sure = f_lead(rows, "better", "even");
-    ASSERT_TRUE(sure);
-    EXPECT_NEAR(sure->low, 0.02, 1e-12) << "paired: every view differs by the same";
-    EXPECT_NEAR(sure->high, 0.02, 1e-12);
-    const auto unsure = f_lead(rows, "moody", "even");
-    ASSERT_TRUE(unsure);
-    EXPECT_LT(unsure->low, 0);
-    EXPECT_GT(unsure->high, 0);
-    EXPECT_FALSE(f_lead(rows, "better", "absent"));
+TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
+    // A scene of 900 true pixels at F .9, in two views, and one of 100 at F .5.
+    const auto s = summarise({scene_row("large", 360, 400),
+                              scene_row("large", 450, 500),
+                              scene_row("small", 50, 100)})[0];
+    EXPECT_EQ(s.scenes, 2);
+    EXPECT_DOUBLE_EQ(*s.f_2px, 0.86);    // 2 * 860 / 2000
+    EXPECT_DOUBLE_EQ(*s.f_macro, 0.7);   // (.9 + .5) / 2
+    EXPECT_DOUBLE_EQ(*s.f_median, 0.9);  // of .9, .9, .5
+}
+
+TEST(Summarise, PoolsTheLadderAndChance) {
+    std::vector<Row> rows = two_views();
+    EXPECT_TRUE(summarise(rows)[0].f_ladder.empty());
+    EXPECT_FALSE(summarise(rows)[0].f_chance);
+    rows[0].ladder = {{40, 100, 100}, {50, 100, 100}};
+    rows[1].ladder = {{200, 300, 300}, {300, 300, 300}};
+    rows[0].chance = score::CurveCount{10, 100, 100};
+    rows[1].chance = score::CurveCount{30, 300, 300};
+    const MethodSummary s = summarise(rows)[0];
+    EXPECT_THAT(s.f_ladder, ElementsAre(0.6, 0.875));
+    EXPECT_DOUBLE_EQ(*s.f_chance, 0.1);
+}
+
+TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {
+    auto summaries = summarise({counted_row("b", "front", 1, 9), counted_row("a", "front", 1, 9)});
+    CellCurve curve{"a", false, {}};
+    curve.counts.fill({5, 10, 10});
+    add_curves({curve}, summaries);
+    EXPECT_FALSE(summaries[0].curve);
+    ASSERT_TRUE(summaries[1].curve);
+    EXPECT_DOUBLE_EQ(summaries[1].curve->ois, 0.5);
 }
 
 TEST(ParetoFront, KeepsWhatNothingBeatsInBoth) {
     EXPECT_THAT(pareto_front({{5, 0.1}, {1, 0.5}, {2, 0.6}, {3, 0.3}, {3, 0.2}, {9, 0.1}}),
                 ElementsAre(1U, 4U, 0U));
     EXPECT_TRUE(pareto_front({}).empty());
-}
-
-TEST(Quantile, IsLinearBetweenNeighbours) {
-    EXPECT_DOUBLE_EQ(*quantile({4, 1, 3, 2}, 0.5), 2.5);
-    EXPECT_DOUBLE_EQ(*quantile({10, 20}, 0.25), 12.5);
-    EXPECT_DOUBLE_EQ(*quantile({7}, 1), 7);
-    EXPECT_FALSE(quantile({}, 0.5));
 }
 
 TEST(FindVerdict, NamesWinnerRunnerUpAndCheapestOfMethodsOnly) {

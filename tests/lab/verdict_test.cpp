@@ -11,6 +11,7 @@
 namespace ink::lab {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -50,7 +51,7 @@ TEST(VerdictTable, HasTheNumbersOfEachMethod) {
     EXPECT_THAT(words_of(lines.at(1)),
                 testing::ElementsAre("rough",
                                      ".600",
-                                     ".600",
+                                     "-",  // one scene has no interval
                                      ".600",
                                      ".600",
                                      ".600",
@@ -64,7 +65,7 @@ TEST(VerdictTable, HasTheNumbersOfEachMethod) {
     EXPECT_THAT(words_of(lines.at(2)),
                 testing::ElementsAre("fine",
                                      ".900",
-                                     ".900",
+                                     "-",
                                      ".900",
                                      ".900",
                                      ".900",
@@ -111,11 +112,38 @@ TEST(VerdictTable, SaysSoIfALeadMayBeChance) {
     for (int i = 0; i < 8; ++i) {
         Row even = made_up_row("even", 0.7, 3);
         Row moody = made_up_row("moody", i % 2 == 0 ? 0.5 : 0.91, 3);
-        even.view = moody.view = std::to_string(i);
+        even.scene = moody.scene = std::to_string(i);
         rows.insert(rows.end(), {even, moody});
     }
-    EXPECT_THAT(verdict_table(rows), HasSubstr("These views cannot tell it from even (F .700)"));
+    EXPECT_THAT(verdict_table(rows), HasSubstr("These scenes cannot tell it from even (F .700)"));
     EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("cannot tell")));
+}
+
+TEST(VerdictTable, SaysSoIfALeadIsBeyondChance) {
+    std::vector<Row> rows;
+    for (int i = 0; i < 8; ++i) {
+        Row good = made_up_row("good", 0.7 + 0.01 * i, 3);
+        Row better = made_up_row("better", 0.72 + 0.01 * i, 3);
+        good.scene = better.scene = std::to_string(i);
+        rows.insert(rows.end(), {good, better});
+    }
+    EXPECT_THAT(verdict_table(rows),
+                HasSubstr("Its lead over good (F .735) is +.020 [+.020, +.020]: beyond chance."));
+}
+
+TEST(VerdictTable, ShowsThresholdsAndTolerancesIfThereAreAny) {
+    std::vector<Row> rows = small_comparison();
+    EXPECT_THAT(verdict_table(rows), Not(HasSubstr("ODS   OIS")));
+    CellCurve curve{"fine", true, {}};
+    curve.counts.fill({500, 1000, 1000});
+    const std::string table = verdict_table(rows, {curve});
+    EXPECT_THAT(table, HasSubstr("ODS   OIS"));
+    EXPECT_THAT(verdict_markdown(rows, {curve}), HasSubstr("| ODS | OIS | AP |"));
+}
+
+TEST(VerdictMarkdown, HasTheMatrixOfLeads) {
+    EXPECT_THAT(verdict_markdown(small_comparison()),
+                AllOf(HasSubstr("| leads by | fine | rough |"), HasSubstr("| fine |  | +.300 |")));
 }
 
 TEST(VerdictTable, FitsATerminalWhateverMethodsAreCalled) {
@@ -142,8 +170,8 @@ TEST(VerdictTable, AMethodAloneWinsNothing) {
 
 TEST(VerdictMarkdown, IsATableOfEqualLines) {
     const auto lines = lines_of(verdict_markdown(small_comparison()));
-    EXPECT_THAT(lines.at(0), HasSubstr("| method | F 2px | train | held-out |"));
-    EXPECT_THAT(lines.at(2), HasSubstr("| rough | .600 |"));
+    EXPECT_THAT(lines.at(0), HasSubstr("| method | F 2px | 95 % | train | held-out |"));
+    EXPECT_THAT(lines.at(2), HasSubstr("| rough | .600 | - |"));
     const auto bars = [](const std::string& line) {
         return std::count(line.begin(), line.end(), '|');
     };

@@ -140,6 +140,29 @@ TEST_P(Contract, ShipsAThresholdAndCountsItsBytes) {
     EXPECT_GT(info().make({})->bytes_per_px(), 0);
 }
 
+TEST_P(Contract, IsSweptOverEightSettingsThatDiffer) {
+    std::set<core::ParamValues> settings;
+    for (const core::ParamValues& setting : info().sweep)
+        settings.insert(info().complete(setting));  // throws for what no table knows
+    EXPECT_EQ(settings.size(), info().sweep.size()) << "two come out the same";
+    EXPECT_GE(settings.size(), 8U);
+    EXPECT_EQ(settings.count(info().complete({})), 1U) << "the method as it comes";
+}
+
+TEST_P(Contract, EverySettingOfTheSweepDrawsSomethingButNotEverything) {
+    for (const core::ParamValues& setting : info().sweep) {
+        const int threshold = std::stoi(info().complete(setting).at("threshold"));
+        const auto image = draw(setting);
+        const auto lines = std::count_if(image.data(),
+                                         image.data() + image.size(),
+                                         [&](std::uint8_t s) { return s >= threshold; });
+        SCOPED_TRACE(testing::PrintToString(setting));
+        EXPECT_GT(lines, 100);
+        EXPECT_LT(lines, 150 * 101 / 4);
+        EXPECT_EQ(image, draw(setting, 3));
+    }
+}
+
 std::vector<std::string> method_names() {
     std::vector<std::string> names;
     for (const MethodInfo& info : registry())

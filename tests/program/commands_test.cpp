@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -139,6 +140,43 @@ TEST(Compare, WritesRowsCurvesAndAReport) {
     const std::string curves = desk.read("out/curves.csv");
     EXPECT_EQ(static_cast<std::size_t>(std::count(curves.begin(), curves.end(), '\n')),
               99 * rows.size() + 1);
+}
+
+TEST(Compare, WritesLadderAndSweepUnlessToldNotTo) {
+    const Desk desk;
+    Words words = {
+        "compare", "--scenes", "torus,staircase", "--size", "320x180", "--repetitions", "1"};
+    words.insert(words.end(), {"--out", "out"});
+    const std::string out = expect_done(desk, words);
+    EXPECT_THAT(out, AllOf(HasSubstr("chance"), HasSubstr("ODS"), HasSubstr("OIS")));
+    const Table rows = rows_of(desk, "out");
+    const Table ladder = parse_csv(desk.read("out/ladder.csv"));
+    EXPECT_EQ(ladder.size(), 5 * rows.size());
+    for (const char* column :
+         {"method", "scene", "view", "params", "tolerance_px", "k", "n_pred", "n_truth"})
+        EXPECT_THAT(ladder.front(), Contains(Key(column)));
+    const Table sweep = parse_csv(desk.read("out/sweep.csv"));
+    std::map<std::string, std::set<std::string>> settings;
+    for (const auto& row : sweep) {
+        EXPECT_EQ(row.size(), rows.front().size()) << "the columns of rows.csv";
+        EXPECT_EQ(row.at("status"), "ok");
+        EXPECT_NE(row.at("f_2px"), "");
+        EXPECT_EQ(row.at("f_1px"), "");
+        settings[row.at("method")].insert(row.at("params"));
+    }
+    EXPECT_EQ(settings.size(), 4U) << "methods";
+    for (const auto& [method, params] : settings)
+        EXPECT_GE(params.size(), 8U) << method;
+    for (const auto& row : rows)
+        EXPECT_NE(row.at("f_chance_2px"), "");
+    EXPECT_THAT(desk.read("out/report.html"),
+                AllOf(HasSubstr("id=\"leads\""), HasSubstr("setting on its front")));
+    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| leads by |"));
+
+    words.push_back("--no-sweep");
+    expect_done(desk, words);
+    EXPECT_EQ(desk.read("out/sweep.csv"), "") << "an older one must not pass for this run's";
+    EXPECT_EQ(rows_of(desk, "out").size(), rows.size());
 }
 
 TEST(Compare, BracketsComeOutAsTheyMust) {
