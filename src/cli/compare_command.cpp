@@ -30,6 +30,7 @@ struct CompareArgs {
     bool no_sweep = false;
     int sweep_views = 1;
     std::string seed = "0";
+    bool no_witness = false;
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -56,6 +57,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     options.sweep.views = args.no_sweep ? 0 : args.sweep_views;
     apply(args.truth, options.trace.truth);
     options.trace.truth.threads = core::hardware_threads();
+    options.trace.witness = !args.no_witness;
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
     options.seed = parse_seed(args.seed);
@@ -114,6 +116,8 @@ void add_compare_command(CLI::App& app) {
         ->add_option(
             "--seed", args->seed, "Of chance pictures and of intervals; recorded in the rows")
         ->capture_default_str();
+    command->add_flag(
+        "--no-witness", args->no_witness, "Do not hold the truth against its witness");
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

@@ -12,6 +12,7 @@
 #include "lab/outline_svg.h"
 #include "lab/picture.h"
 #include "lab/tracing.h"
+#include "lab/witness_report.h"
 
 namespace ink::cli {
 namespace {
@@ -24,6 +25,8 @@ struct TruthArgs {
     std::optional<std::string> svg;
     std::optional<std::string> picture;
     std::optional<std::string> sampled;
+    std::optional<std::string> disagreement;
+    bool witness = false;
     CacheOptions cache;
     TruthSettings truth;
     int threads = core::hardware_threads();
@@ -44,6 +47,26 @@ void write_truth(const lab::Subject& subject,
     }
 }
 
+/// Holds the truth against its witness and the rasterizer against Embree; false if either fails.
+bool check_truth(const TruthArgs& args,
+                 truth::SceneModel& model,
+                 const scene::View& view,
+                 const truth::Truth& truth) {
+    const truth::WitnessCheck check =
+        truth::cached_witness(model, view, truth, cache_folder(args.cache));
+    const lab::IdAgreement ids = lab::compare_ids(model.scene(), view, raster::DepthFormat::q32);
+    if (args.disagreement) {
+        lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
+    }
+    fmt::print("{}{}", lab::witness_summary(check), lab::id_summary(ids));
+    const bool is_agreed = check.agreement.is_agreed();
+    if (!is_agreed) {
+        fmt::print(stderr, "inkbench: truth and witness agree on less than 99.9 % of a class\n");
+    }
+    if (ids.other > 0) fmt::print(stderr, "inkbench: the rasterizer shows other triangles\n");
+    return is_agreed && ids.other == 0;
+}
+
 /// A view that is too large to trace is told in one line, exit code 1.
 lab::ViewTruth traced_or_refused(truth::SceneModel& model,
                                  const scene::View& view,
@@ -57,13 +80,16 @@ lab::ViewTruth traced_or_refused(truth::SceneModel& model,
 }
 
 void run_truth(const TruthArgs& args) {
+    if (args.disagreement && !args.witness) {
+        throw core::Error("--disagreement", "there is no witness to disagree", "--witness");
+    }
     lab::TraceOptions options;
     apply(args.truth, options.truth);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
     if (args.svg) check_output_path(*args.svg, {".svg"});
-    for (const auto& file : {args.picture, args.sampled}) {
+    for (const auto& file : {args.picture, args.sampled, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
     const lab::Subject subject =
@@ -79,6 +105,9 @@ void run_truth(const TruthArgs& args) {
                subject.scene.name,
                subject.views.front().camera.name,
                lab::truth_summary(truth.traced));
+    if (args.witness && !check_truth(args, model, subject.views.front(), truth.traced)) {
+        throw CLI::RuntimeError(1);
+    }
 }
 
 }  // namespace
@@ -94,6 +123,12 @@ void add_truth_command(CLI::App& app) {
     command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes");
     command->add_option("--picture", args->picture, "PNG with a colour per class");
     command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres");
+    command->add_flag("--witness",
+                      args->witness,
+                      "Hold the curves against dense sampling, and the rasterizer against Embree");
+    command->add_option("--disagreement",
+                        args->disagreement,
+                        "PNG of what only one of the two has (with --witness)");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
     add_truth_settings(*command, args->truth);
@@ -101,7 +136,8 @@ void add_truth_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench truth staircase -o truth.png --picture lines.png\n"
-        "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6");
+        "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6\n"
+        "Exit codes: 0 done, 1 with --witness: agreement below 99.9 % of a class, 2 bad input.");
     command->callback([args] { run_truth(*args); });
 }
 

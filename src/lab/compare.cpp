@@ -18,6 +18,7 @@
 #include "lab/verdict.h"
 #include "score/chance.h"
 #include "truth/curve_facts.h"
+#include "truth/witness_cache.h"
 
 namespace ink::lab {
 namespace {
@@ -131,6 +132,21 @@ void score_shots(const ViewTruth& truth, std::vector<Shot>& shots) {
         fill_truth_facts(truth, shot.row);
 }
 
+/// What the witness says of the truth stands in every row of the view; a truth that it disputes
+/// scores nobody.
+void note_witness(const truth::WitnessCheck& check, std::vector<Shot>& shots) {
+    const double rate = check.agreement.disagreement_rate();
+    const truth::ClassAgreement total = check.agreement.total();
+    for (Shot& shot : shots) {
+        shot.row.witness_disagreement = rate;
+        shot.row.witness_px = total.truth_px + total.witness_px;
+        if (shot.row.is_ok() && rate > truth::kAllowedShare) {
+            shot.row.status = fmt::format(
+                "truth_disputed: the witness disagrees on {:.3f} % of the lines", 100 * rate);
+        }
+    }
+}
+
 /// A run whose brackets do not come out as they must says nothing about methods either.
 void check_brackets(const std::vector<Shot>& shots, std::vector<std::string>& reasons) {
     for (const Shot& shot : shots) {
@@ -228,8 +244,13 @@ class Comparison {
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
         ViewTruth truth;
+        std::optional<truth::WitnessCheck> check;
         try {
             truth = trace_view(known.model, view, options_.trace.cache);
+            if (options_.trace.witness) {
+                check =
+                    truth::cached_witness(known.model, view, truth.traced, options_.trace.cache);
+            }
             std::vector<Shot> brackets = bracket_shots(truth);
             std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
         } catch (const truth::TooLarge& reason) {
@@ -241,6 +262,7 @@ class Comparison {
         }
         for (Shot& shot : shots)
             fill_place(subject, view, options_, shot.row);
+        if (check) note_witness(*check, shots);
         if (!truth.traced.labels.is_empty()) {
             score_shots(truth, shots);
             attribute_shots(truth, view, known.predictor, shots);
@@ -253,18 +275,24 @@ class Comparison {
             shown_.push_back(shown_view(truth, shots));
         }
         const auto nth = &view - subject.views.data();
-        if (nth < options_.sweep.views && !truth.traced.labels.is_empty()) {
-            run_sweeps(subject, view, truth);
+        const Row& of_view = shots.back().row;  // the oracle's: ok unless the truth itself is not
+        if (nth < options_.sweep.views && !truth.traced.labels.is_empty() && of_view.is_ok()) {
+            run_sweeps(subject, view, truth, of_view);
         }
     }
 
-    void run_sweeps(const Subject& subject, const scene::View& view, const ViewTruth& truth) {
+    void run_sweeps(const Subject& subject,
+                    const scene::View& view,
+                    const ViewTruth& truth,
+                    const Row& of_view) {
         for (const Entrant& entrant : options_.entrants) {
             if (is_interrupted()) return;
             for (Row& row :
                  sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
                 fill_place(subject, view, options_, row);
                 fill_truth_facts(truth, row);
+                row.witness_disagreement = of_view.witness_disagreement;
+                row.witness_px = of_view.witness_px;
                 sweep_->write(to_csv(row));
                 sweep_rows_.push_back(std::move(row));
             }

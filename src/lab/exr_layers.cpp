@@ -10,6 +10,7 @@
 #include "core/provenance.h"
 #include "image_io/exr_file.h"
 #include "lab/cell.h"
+#include "truth/cracks.h"
 
 namespace ink::lab {
 namespace {
@@ -99,6 +100,10 @@ void write_truth_exr(const Subject& subject,
         file.channels.push_back({"sampled.Y", shares(truth.sampled)});
     }
     file.channels.push_back({"class.label", whole_numbers(truth.labels)});
+    const truth::Cracks cracks =
+        truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
+    file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
+    file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
     file.attributes = origin(subject);
     file.attributes.push_back({"ink:crease_deg", options.crease_rad * kDegPerRad});
     file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});

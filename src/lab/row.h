@@ -71,6 +71,9 @@ struct Row {
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,
     std::optional<double> contour_self_px;   ///< and before their own
+    /// Truth and witness: share of their lines that only one of them has.
+    std::optional<double> witness_disagreement = std::nullopt;
+    double witness_px = 0;  ///< the length of line, both ways, of which that is a share
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };

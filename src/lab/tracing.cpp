@@ -67,7 +67,7 @@ std::string truth_summary(const truth::Truth& truth) {
     text += fmt::format(
         "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
         "{}\n"
-        "pairs of triangles tested {}, crossings {}, contacts {}{}\n"
+        "pairs of triangles tested {}, crossings {}, contacts {}\n"
         "samples {}, rays {}, merged by thinning {} px, crowded {:.2f} % of truth pixels\n"
         "traced in {:.3f} s\n",
         n.triangles,
@@ -78,7 +78,6 @@ std::string truth_summary(const truth::Truth& truth) {
         n.pairs_tested,
         n.crossings,
         n.contacts,
-        n.too_many_crossings != 0 ? " (too many: given up, none are drawn)" : "",
         n.samples,
         n.rays,
         n.merged_px,

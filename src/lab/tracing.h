@@ -20,6 +20,7 @@ inline constexpr double kStrictTolerance_px = 1;
 struct TraceOptions {
     truth::TruthOptions truth;
     std::filesystem::path cache;
+    bool witness = true;  ///< compare: hold every truth against the witness
 };
 
 /// A view's truth, as traced and as scored against: without band and ignored pixels, thinned again,

@@ -9,6 +9,7 @@
 #include "lab/leads.h"
 #include "lab/statistics.h"
 #include "lab/text_table.h"
+#include "lab/witness_report.h"
 #include "truth/line_class.h"
 
 namespace ink::lab {
@@ -186,7 +187,8 @@ std::string verdict_table(const std::vector<Row>& rows, const std::vector<CellCu
     text += fmt::format("\n{}\n\n", kBracketNote);
     for (const auto& [term, meaning] : definitions())
         text += fmt::format("{:<14}{}\n", term, meaning);
-    return fmt::format("{}\n{}", text, sentence);
+    const std::string witness = witness_sentence(rows);
+    return fmt::format("{}\n{}{}{}", text, sentence, witness.empty() ? "" : "\n", witness);
 }
 
 std::string verdict_markdown(const std::vector<Row>& rows, const std::vector<CellCurve>& curves) {
@@ -199,6 +201,8 @@ std::string verdict_markdown(const std::vector<Row>& rows, const std::vector<Cel
         columns.push_back({"recall " + column.heading, column.text});
     }
     std::string text = markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
+    const std::string witness = witness_sentence(rows);
+    if (!witness.empty()) text += "\n" + witness + "\n";
     std::vector<TextColumn> statistics = statistics_columns(summaries);
     if (!statistics.empty()) {
         statistics.insert(statistics.begin(), name_column());

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
+#include "truth/slit_crossings.h"
 #include "truth/truth.h"
 
 namespace ink::truth {
@@ -119,6 +120,9 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
+    drop_slit_crossings(model.topology,
+                        {model.tolerance, model.crease_rad, options.threads},
+                        model.crossings.segments);
     model.is_touched.assign(model.topology.edges.size(), 0);
     for (const Contact& contact : model.crossings.contacts)
         model.is_touched[contact.edge] = 1;

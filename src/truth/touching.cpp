@@ -136,6 +136,12 @@ SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t) {
     return {seen(bundle.left()), seen(bundle.right())};
 }
 
+double seen_bend_rad(const EyeView& eye, std::uint32_t edge, double t) {
+    const Bundle bundle(eye, edge, t);
+    const bool has_both = bundle.left().is_there() && bundle.right().is_there();
+    return has_both ? bundle.bend_rad(bundle.left(), bundle.right()) : 0;
+}
+
 LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineClass own_class) {
     const Bundle bundle(eye, edge, t);
     const Sheet& left = bundle.left();

@@ -39,6 +39,9 @@ struct SeenSheets {
 /// What is seen to either side of the point a + t (b - a).
 [[nodiscard]] SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t);
 
+/// How far the two seen sheets deviate from flat there, 0..pi; 0 where one side is empty.
+[[nodiscard]] double seen_bend_rad(const EyeView& eye, std::uint32_t edge, double t);
+
 /// The class of that point by the rule above, if `own_class` is what it is without the touching
 /// faces.
 [[nodiscard]] LineClass touched_class(const EyeView& eye,

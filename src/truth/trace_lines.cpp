@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "scene/topology.h"
+#include "truth/touching.h"
 #include "truth/visibility.h"
 
 namespace ink::truth {
@@ -44,10 +45,13 @@ struct ScreenLine {
     glm::dvec2 begin_px{0}, end_px{0};
     double length_px = 0;
 
-    /// The point s of the way along on the screen: 1/w is linear in s.
-    [[nodiscard]] LinePoint line_point(double s) const {
+    /// The parameter on the segment s of the way along on the screen: 1/w is linear in s.
+    [[nodiscard]] double segment_parameter(double s) const {
         const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
-        const double t = t_begin + along * (t_end - t_begin);
+        return t_begin + along * (t_end - t_begin);
+    }
+    [[nodiscard]] LinePoint line_point(double s) const {
+        const double t = segment_parameter(s);
         return {segment.edge,
                 segment.a_world + t * (segment.b_world - segment.a_world),
                 w_at(s),
@@ -181,14 +185,21 @@ class LineTracer {
                                                      : ContourKind::none;
         curve.begin = line_->point_at(begin);
         curve.end = line_->point_at(end);
-        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing() : bend();
+        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing()
+                                                            : bend(begin + (end - begin) / 2);
         out_.curves.push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.
-    [[nodiscard]] float bend() const {
+    [[nodiscard]] float bend(double s) const {
         const scene::Topology& topology = eye_.model.topology;
-        const scene::Edge& edge = topology.edges[line_->segment.edge];
+        const std::uint32_t e = line_->segment.edge;
+        const scene::Edge& edge = topology.edges[e];
+        const bool is_outline =
+            line_->line_class == LineClass::contour || line_->line_class == LineClass::boundary;
+        if (eye_.model.is_touched[e] != 0 && !is_outline) {
+            return static_cast<float>(seen_bend_rad(eye_, e, line_->segment_parameter(s)));
+        }
         if (edge.face_count < 2) return 0;
         const SeenFaces seen = eye_.seen_faces(edge);
         if (seen.left == kNoFace || seen.right == kNoFace) {

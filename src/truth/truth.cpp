@@ -32,7 +32,6 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.pairs_tested = model.crossings.pairs_tested;
     counts.crossings = model.crossings.segments.size();
     counts.contacts = model.crossings.contacts.size();
-    counts.too_many_crossings = model.crossings.is_too_many ? 1 : 0;
     counts.merged_px = image.merged_px;
     counts.crowded_share = image.crowded_share;
     return counts;

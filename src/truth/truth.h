@@ -51,9 +51,7 @@ struct TruthCounts {
     std::size_t pairs_tested = 0;  ///< pairs of triangles whose boxes touch
     std::size_t crossings = 0;     ///< segments in which two triangles cross
     std::size_t contacts = 0;      ///< stretches of edges that lie in a triangle of others
-    std::size_t too_many_crossings =
-        0;  ///< 1: more pairs or segments than the budget (crossings.h); the truth has none
-    double crowded_share = 0;  ///< share of drawn truth pixels that fell under the ignore map
+    double crowded_share = 0;      ///< share of drawn truth pixels that fell under the ignore map
 };
 
 /// The exact outline of a scene from a view.

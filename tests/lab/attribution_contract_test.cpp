@@ -82,7 +82,7 @@ std::vector<std::string> catalogue_names() {
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          AttributionOfCatalogue,
                          testing::ValuesIn(catalogue_names()),
-                         [](const auto& method) { return method.param; });
+                         [](const auto& scene) { return scene.param; });
 
 /// Settings under which a declared code has to be read differently.
 const std::vector<core::ParamValues> kSettings = {

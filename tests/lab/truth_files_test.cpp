@@ -99,7 +99,13 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     write_truth_exr(subject, {}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
-    EXPECT_EQ(file.channels.size(), 4U) << "R, G, B and class.label";
+    EXPECT_EQ(file.channels.size(), 6U) << "R, G, B, class.label, crack.right and crack.below";
+    using Ids = core::Image<std::uint32_t>;
+    const auto* right = channel<Ids>(file, "crack.right");
+    ASSERT_NE(right, nullptr);
+    // The left side of the square: 60 px / 5 left of the middle, at 20. Centres 19.5 and 20.5.
+    EXPECT_EQ(right->at(19, 24), static_cast<std::uint32_t>(truth::LineClass::contour));
+    EXPECT_EQ(right->at(20, 24), 0U);
 }
 
 TEST(DrawingExr, HoldsPictureAndStrength) {

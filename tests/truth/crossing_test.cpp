@@ -146,6 +146,10 @@ TEST(Crossing, LineAlongAMeshEdgeIsDrawnOnce) {
     const double expected = std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
     EXPECT_NEAR(lengths(truth)[LineClass::intersection], expected, kPx);
     EXPECT_NEAR(seen_length(scene, truth, {-2, -2, 0}, {2, 2, 0}), expected, kPx);
+    for (const Curve& curve : truth.curves) {
+        if (curve.line_class != LineClass::intersection) continue;
+        EXPECT_NEAR(curve.bend_rad, std::numbers::pi / 2, 1e-6) << "of the two squares";
+    }
 }
 
 TEST(Crossing, LineAlongMeshEdgesOfBothIsDrawnOnce) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lab/id_agreement.h"
+#include "lab/row.h"
+#include "truth/curve.h"
+#include "truth/witness_cache.h"
+
+namespace ink::lab {
+
+/// What the witness says of a view's truth, for a terminal: lengths and both coverages per class,
+/// the rate of disagreement, what it cost.
+[[nodiscard]] std::string witness_summary(const truth::WitnessCheck& check);
+
+/// The same of the rasterizer's ids against Embree's.
+[[nodiscard]] std::string id_summary(const IdAgreement& ids);
+
+/// Writes a PNG of twice the view's size: lines that both have grey, what only the curves or only
+/// the witness have as dots in two colours. Throws core::Error if the file cannot be written.
+void write_disagreement(const scene::View& view,
+                        std::span<const truth::Curve> curves,
+                        const truth::Agreement& agreement,
+                        const std::filesystem::path& path);
+
+/// One sentence over all rows: the pooled rate of disagreement, and the worst view's. "" if no row
+/// was held against the witness.
+[[nodiscard]] std::string witness_sentence(const std::vector<Row>& rows);
+
+}  // namespace ink::lab

@@ -1,0 +1,374 @@
+#include "truth/witness_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace ink::truth {
+namespace {
+
+constexpr int kMostSteps = 512;
+constexpr std::size_t kMostSpread = 128;  ///< faces that one search round a point may touch
+constexpr double kTouching = 1e-6;        ///< weld tolerances
+constexpr double kSameDepth = 1e-11;      ///< relative: what double leaves of equal depths
+
+/// An edge of a face, met on a way across the picture.
+struct MetEdge {
+    LineClass line_class = LineClass::none;
+    std::uint32_t face = kNothing;  ///< it was left through `side`
+    std::size_t side = 0;
+    double w = 0;
+    glm::dvec3 p_world{0};
+    glm::dvec2 outward{0};  ///< unit, on the picture, away from the face
+    [[nodiscard]] double slant() const { return std::abs(outward.x) + std::abs(outward.y); }
+};
+
+/// Where a walk came to.
+struct Walk {
+    bool has_arrived = false;  ///< else it ended at `met`, behind which nothing goes on
+    std::uint32_t face = kNothing;
+    MetEdge met;  ///< the end, or the first feature that was passed
+};
+
+double slant_of(const glm::dvec2& normal) {
+    const double length = std::abs(normal.x) + std::abs(normal.y);
+    return length > 0 ? length / glm::length(normal) : 1;
+}
+
+/// The place where a way in direction `d` from the local origin meets edge `side`.
+MetEdge meet(const WitnessMesh& mesh,
+             const LocalFace& local,
+             std::uint32_t face,
+             std::size_t side,
+             const glm::dvec2& d) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const glm::dvec3 &a = local.p[side], &b = local.p[(side + 1) % 3];
+    const double at_a = a.y * d.x - a.x * d.y, at_b = b.y * d.x - b.x * d.y;
+    const double t = at_a == at_b ? 0.5 : std::clamp(at_a / (at_a - at_b), 0.0, 1.0);
+    MetEdge met;
+    met.face = face;
+    met.side = side;
+    met.w = a.z + t * (b.z - a.z);
+    const auto& p = mesh.topology().p_world;
+    met.p_world = glm::mix(p[v[side]], p[v[(side + 1) % 3]], t);
+    const glm::dvec2 inward(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
+    const double length = glm::length(inward) * -local.orientation;
+    met.outward = length != 0 ? inward / length : glm::dvec2(1, 0);
+    return met;
+}
+
+/// Through which edge a straight way from the local origin to `d` leaves the face, other than the
+/// one it came by; 3 if it ends inside.
+std::size_t exit_of(const LocalFace& local, std::size_t entry, const glm::dvec2& d) {
+    std::size_t exit = 3;
+    double first = 2;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == entry) continue;
+        const glm::dvec3 &a = local.p[i], &b = local.p[(i + 1) % 3];
+        const double slope = (a.y * b.z - a.z * b.y) * d.x + (a.z * b.x - a.x * b.z) * d.y;
+        const double begin = local.orientation * local.area[i];
+        const double end = begin + local.orientation * slope;
+        if (end >= 0) continue;
+        const double s = begin <= 0 ? 0 : begin / (begin - end);
+        if (s >= first) continue;
+        first = s;
+        exit = i;
+    }
+    return exit;
+}
+
+std::size_t side_with(const scene::Face& face, std::uint32_t edge) {
+    return std::find(face.edges.begin(), face.edges.end(), edge) - face.edges.begin();
+}
+
+enum class Stop { at_feature, at_end };
+
+/// Follows the surface from the face that is seen at `from` towards `to`: to the first feature edge
+/// of any kind, or only to where nothing goes on.
+Walk walk(const WitnessMesh& mesh, const Sample& from, const glm::dvec2& to_px, Stop stop) {
+    const glm::dvec2 d = to_px - from.p_px;
+    Walk result;
+    result.face = from.sight.face;
+    std::size_t entry = 3;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const LocalFace local = mesh.local_face(result.face, from.p_px);
+        const std::size_t exit = exit_of(local, entry, d);
+        if (exit == 3) {
+            result.has_arrived = true;
+            return result;
+        }
+        const Across next = mesh.across(result.face, exit);
+        const bool is_end = next.face == kNothing;
+        if (next.line_class != LineClass::none &&
+            (is_end || result.met.line_class == LineClass::none)) {
+            result.met = meet(mesh, local, result.face, exit, d);
+            result.met.line_class = next.line_class;
+        }
+        if (is_end || (stop == Stop::at_feature && next.line_class != LineClass::none))
+            return result;
+        entry = side_with(mesh.topology().faces[next.face],
+                          mesh.topology().faces[result.face].edges[exit]);
+        result.face = next.face;
+    }
+    return result;
+}
+
+/// The faces within reach of a point that can be come by from one of them, each once; those across
+/// a crease or a seam too if `over_features`.
+class Surroundings {
+  public:
+    Surroundings(const WitnessMesh& mesh,
+                 std::uint32_t face,
+                 const glm::dvec2& p_px,
+                 bool over_features)
+        : mesh_(mesh), p_px_(p_px), over_features_(over_features), found_{face} {}
+
+    /// The next face; kNothing after the last.
+    std::uint32_t next() {
+        if (next_ == count_) return kNothing;
+        const std::uint32_t face = found_[next_++];
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Across across = mesh_.across(face, side);
+            const bool is_open = over_features_ || across.line_class == LineClass::none;
+            if (across.face != kNothing && is_open) add(across.face);
+        }
+        return face;
+    }
+
+  private:
+    void add(std::uint32_t face) {
+        const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count_);
+        if (count_ == kMostSpread || std::find(found_.begin(), end, face) != end) return;
+        if (WitnessMesh::holds(mesh_.local_face(face, p_px_), kReach_px)) found_[count_++] = face;
+    }
+
+    const WitnessMesh& mesh_;
+    glm::dvec2 p_px_;
+    bool over_features_;
+    std::array<std::uint32_t, kMostSpread> found_;
+    std::size_t count_ = 1;
+    std::size_t next_ = 0;
+};
+
+/// Whether `goal` can be come by from `face` without leaving the reach of a point: walks end in a
+/// neighbour where the point lies on an edge or a corner.
+bool is_reached_round(const WitnessMesh& mesh,
+                      std::uint32_t face,
+                      std::uint32_t goal,
+                      const glm::dvec2& p_px) {
+    Surroundings faces(mesh, face, p_px, false);
+    for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
+        if (f == goal) return true;
+    }
+    return false;
+}
+
+/// A walk that arrived where another surface is seen, though its own holds the point by a hair:
+/// where it ends within reach, that hair is Embree's rounding, and the walk ended there.
+Walk ended_round(const WitnessMesh& mesh, const Walk& walk, const Sample& to, const glm::dvec2& d) {
+    Surroundings faces(mesh, walk.face, to.p_px, true);
+    for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
+        const LocalFace local = mesh.local_face(f, to.p_px);
+        for (std::size_t side = 0; side < 3; ++side) {
+            const Across across = mesh.across(f, side);
+            if (across.face != kNothing || !WitnessMesh::is_edge_near(local, side, kReach_px))
+                continue;
+            Walk ended{false, f, meet(mesh, local, f, side, d)};
+            ended.met.line_class = across.line_class;
+            return ended;
+        }
+    }
+    return walk;
+}
+
+bool arrives_at(const WitnessMesh& mesh, const Walk& walk, const Sample& to) {
+    return walk.has_arrived && (walk.face == to.sight.face ||
+                                is_reached_round(mesh, walk.face, to.sight.face, to.p_px));
+}
+
+/// Whether two walks towards each other end at borders that lie on each other, where the surface
+/// goes on from one to the other without a line.
+bool is_defect(const WitnessMesh& mesh, const Walk& there, const Walk& back) {
+    const MetEdge &a = there.met, &b = back.met;
+    return a.line_class == LineClass::boundary && b.line_class == LineClass::boundary &&
+           glm::length(a.p_world - b.p_world) <= 4 * mesh.tolerance() &&
+           !mesh.is_seam(a.face, b.face) &&
+           mesh.goes_on(a.face, b.face, a.p_world, {mesh.tolerance(), 0});
+}
+
+double depth_at(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
+    return WitnessMesh::depth(mesh.local_face(face, p_px));
+}
+
+/// The direction of the line in which two planes meet, as its slant.
+double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32_t face1) {
+    const auto plane = [&](std::uint32_t face) {  // 1/w = plane . (x, y, 1)
+        const auto& v = mesh.topology().faces[face].vertices;
+        const glm::dvec3 &a = mesh.p_clip()[v[0]], &b = mesh.p_clip()[v[1]],
+                         &c = mesh.p_clip()[v[2]];
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        return n / glm::dot(n, a);
+    };
+    const glm::dvec3 difference = plane(face0) - plane(face1);
+    return slant_of({difference.x, difference.y});
+}
+
+/// Whether the surface goes on where one ends: in what is seen beyond, or, if that is a slit of the
+/// weld tolerance behind a border, in what is seen behind the slit. An edge of two faces has no
+/// such slit: there the other must touch it, to within what double leaves.
+bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
+    const WitnessMesh& mesh = rays.mesh();
+    const double px_per_unit = mesh.projection().focal_px() / end.w;
+    const bool is_border = end.line_class == LineClass::boundary;
+    const Closeness close{is_border ? mesh.tolerance() : kTouching * mesh.tolerance(),
+                          4.0 / 512 / px_per_unit};
+    const auto continues = [&](const Sample& sample) {
+        return sample.sight.face != kNothing &&
+               mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
+    };
+    next = beyond;
+    if (continues(beyond)) return true;
+    if (!is_border) return false;
+    next.p_px =
+        mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
+    next.sight = rays.look(next.p_px);
+    return continues(next);
+}
+
+/// One surface's end, told: a line, a defect, or nothing where only the near plane cuts.
+void add_end(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Between& between) {
+    const WitnessMesh& mesh = rays.mesh();
+    if (end.w < mesh.view().camera.near) {
+        between.is_near_cut = true;
+        return;
+    }
+    LineClass line_class = end.line_class;
+    Sample next;
+    if (goes_on(rays, end, beyond, next)) {
+        between.is_defect = true;
+        if (!mesh.is_seam(end.face, next.sight.face)) return;
+        line_class = LineClass::seam;
+    }
+    const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
+    if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
+}
+
+/// By how much a point lies on the far side of a face's plane as the eye sees it, world units; 0
+/// where double cannot tell it from a point of the plane.
+double depth_under(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const glm::dvec3 n = glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
+    const double height = glm::dot(n, p_world - p[v[0]]);
+    const double towards_eye = glm::dot(n, mesh.projection().eye_world() - p[v[0]]);
+    const double noise = 16 * std::numeric_limits<double>::epsilon() *
+                         (glm::length(p_world) + glm::length(p[v[0]]));
+    if (!(std::abs(height) > noise)) return 0;
+    return towards_eye > 0 ? -height : height;
+}
+
+/// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
+/// just before it, and it is not seen. By the height over the plane, not by depths: an edge that a
+/// modeller put into a wall lies in it to within the rounding of its floats, on either side.
+bool is_under(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing || end.w < mesh.view().camera.near) return false;
+    const glm::dvec2 end_px = mesh.px(end.p_world);
+    const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
+    if (!cover.has_arrived) return false;
+    const double w = WitnessMesh::plane_depth(mesh.local_face(cover.face, end_px));
+    return w >= mesh.view().camera.near && depth_under(mesh, cover.face, end.p_world) > 0;
+}
+
+/// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
+/// lie on each other.
+void add_ends(const WitnessRays& rays,
+              const std::array<Sample, 2>& samples,
+              const std::array<Walk, 2>& walks,
+              Between& between) {
+    const WitnessMesh& mesh = rays.mesh();
+    const auto has_ended = [&](std::size_t i) {
+        return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
+               walks[i].met.line_class != LineClass::none;
+    };
+    const double reach = 4 * mesh.tolerance();
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!has_ended(i)) continue;
+        const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
+        if (is_behind) continue;
+        if (is_under(mesh, walks[i].met, samples[1 - i])) {
+            // Pieces of a cracked surface overlap as well as gape.
+            Sample next;
+            const bool is_border = walks[i].met.line_class == LineClass::boundary;
+            if (is_border && goes_on(rays, walks[i].met, samples[1 - i], next))
+                between.is_defect = !mesh.is_seam(walks[i].met.face, next.sight.face);
+            continue;
+        }
+        add_end(rays, walks[i].met, samples[1 - i], between);
+    }
+}
+
+/// Two surfaces that both go on at both samples: one passes through the other, or the near plane
+/// takes one away, or they coincide.
+void add_meeting(const WitnessMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<std::uint32_t, 2>& faces_beyond,
+                 Between& between) {
+    const double near = mesh.view().camera.near;
+    std::array<double, 2> w_beyond{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        w_beyond[i] = depth_at(mesh, faces_beyond[i], samples[1 - i].p_px);
+        between.is_near_cut = between.is_near_cut || w_beyond[i] < near;
+    }
+    if (between.is_near_cut) return;
+    if (samples[0].sight.face == kNothing || samples[1].sight.face == kNothing) {
+        between.is_explained = false;
+        return;
+    }
+    const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
+    if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
+        return;
+    between.lines[between.count++] = {
+        LineClass::intersection,
+        slant_of_planes(mesh, samples[0].sight.face, samples[1].sight.face)};
+}
+
+}  // namespace
+
+bool is_joined(const WitnessMesh& mesh, const Sample& from, const Sample& to) {
+    if (from.sight.face == to.sight.face) return true;
+    if (from.sight.face == kNothing || to.sight.face == kNothing) return false;
+    const Walk there = walk(mesh, from, to.p_px, Stop::at_feature);
+    if (arrives_at(mesh, there, to)) return true;
+    const Walk back = walk(mesh, to, from.p_px, Stop::at_feature);
+    return arrives_at(mesh, back, from) || is_defect(mesh, there, back);
+}
+
+Between name_between(const WitnessRays& rays, const Sample& from, const Sample& to) {
+    const WitnessMesh& mesh = rays.mesh();
+    const std::array<Sample, 2> samples{from, to};
+    std::array<Walk, 2> walks;
+    Between between;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        walks[i] = walk(mesh, samples[i], samples[1 - i].p_px, Stop::at_end);
+        if (samples[1 - i].sight.face == kNothing || !arrives_at(mesh, walks[i], samples[1 - i]))
+            continue;
+        if (walks[i].met.line_class == LineClass::none) return between;
+        if (walks[i].met.w < mesh.view().camera.near) continue;
+        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant()};
+        return between;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
+        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
+    }
+    add_ends(rays, samples, walks, between);
+    const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
+    if (!is_told) add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
+    return between;
+}
+
+}  // namespace ink::truth

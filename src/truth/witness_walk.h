@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+
+#include "truth/witness_mesh.h"
+#include "truth/witness_rays.h"
+
+namespace ink::truth {
+
+/// A point of the picture and what is seen there.
+struct Sample {
+    glm::dvec2 p_px{0};
+    Sight sight;
+};
+
+/// A line between two samples.
+struct Crossing {
+    LineClass line_class = LineClass::none;
+    double slant = 1;  ///< |cos| + |sin| of the line's direction on the picture
+};
+
+/// What lies between two samples: at most two lines, of two surfaces that end at one
+/// place.
+struct Between {
+    std::array<Crossing, 2> lines;
+    int count = 0;
+    bool is_defect = false;    ///< a border was met across which the surface goes on
+    bool is_near_cut = false;  ///< what is seen ends at the near plane
+    bool is_explained = true;  ///< false: the samples differ, and nothing says why
+};
+
+/// Whether a walk over the mesh from one sample to the other meets no feature edge.
+[[nodiscard]] bool is_joined(const WitnessMesh& mesh, const Sample& from, const Sample& to);
+
+/// Names what separates two samples that are not joined and lie very close: the nearer surface that
+/// ends there (contour, boundary), a bend or another object on the surface that goes on (crease,
+/// seam), or two surfaces that go on through each other (intersection). A border's end is a defect
+/// if the surface goes on right behind it, for which one more sample is taken.
+[[nodiscard]] Between name_between(const WitnessRays& rays, const Sample& from, const Sample& to);
+
+}  // namespace ink::truth

@@ -1,0 +1,133 @@
+#include "truth/witness.h"
+
+#include "tests/truth/shapes.h"
+
+namespace ink::truth {
+namespace {
+
+// A line's crossings are counted, not measured: over n of them the length is good to a few.
+constexpr double kPx = 0.5;  ///< every expected length holds to this, and
+constexpr double kShare = 0.003;
+
+Witness look(const scene::Scene& scene, const scene::View& view, int threads = 1) {
+    WitnessOptions options;
+    options.threads = threads;
+    return find_witness(scene::weld(scene), view, options);
+}
+
+std::map<LineClass, double> lengths(const Witness& witness) {
+    std::map<LineClass, double> sum;
+    for (const WitnessPoint& p : witness.points)
+        sum[p.line_class] += p.length_px;
+    return sum;
+}
+
+void expect_length(const Witness& witness, LineClass line_class, double expected_px) {
+    EXPECT_NEAR(lengths(witness)[line_class], expected_px, kPx + kShare * expected_px)
+        << name(line_class);
+}
+
+TEST(Witness, SeesNineEdgesOfATurnedCube) {
+    const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), 0.6, glm::dvec3(1, 0, 0));
+    const glm::dmat4 turn = glm::rotate(tilt, -0.7, glm::dvec3(0, 1, 0));
+    scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
+    scene.instances[0].world_from_object = turn;
+    const auto length = [&](glm::dvec3 a, glm::dvec3 b) {
+        const glm::dvec3 a_world(turn * glm::dvec4(a, 1)), b_world(turn * glm::dvec4(b, 1));
+        return glm::length(project(a_world, 6) - project(b_world, 6));
+    };
+    const Witness witness = look(scene, view_from(6));
+    expect_length(witness,
+                  LineClass::crease,
+                  length({1, 1, 1}, {-1, 1, 1}) + length({1, 1, 1}, {1, -1, 1}) +
+                      length({1, 1, 1}, {1, 1, -1}));
+    expect_length(witness,
+                  LineClass::contour,
+                  length({-1, 1, 1}, {-1, -1, 1}) + length({-1, -1, 1}, {1, -1, 1}) +
+                      length({1, -1, 1}, {1, -1, -1}) + length({1, -1, -1}, {1, 1, -1}) +
+                      length({1, 1, -1}, {-1, 1, -1}) + length({-1, 1, -1}, {-1, 1, 1}));
+    EXPECT_EQ(lengths(witness).size(), 2U);
+    EXPECT_EQ(witness.counts.unexplained, 0U);
+}
+
+TEST(Witness, SeesTheSeamOfTwoTilesAndTheirSixBorders) {
+    scene::Mesh left, right;
+    add_quad(left, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    add_quad(right, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+    const Witness witness = look(scene_of({left, right}), view_from(6));
+    // 100 px a unit at distance 6: the seam is two units long, the outline eight.
+    expect_length(witness, LineClass::seam, 200);
+    expect_length(witness, LineClass::boundary, 800);
+    EXPECT_EQ(lengths(witness).size(), 2U);
+}
+
+TEST(Witness, SeesTwoPlanesCross) {
+    // Two squares of side 2 that cross in the line x = 0, z = 0, each turned by 30 degrees to one
+    // side; nothing of either is hidden but beyond that line.
+    const auto c = static_cast<float>(std::cos(std::numbers::pi / 6));
+    const auto s = static_cast<float>(std::sin(std::numbers::pi / 6));
+    scene::Mesh first, second;
+    add_quad(first, {-c, -1, -s}, {c, -1, s}, {c, 1, s}, {-c, 1, -s});
+    add_quad(second, {-c, -1, s}, {c, -1, -s}, {c, 1, -s}, {-c, 1, s});
+    const Witness witness = look(scene_of({first, second}), view_from(6));
+    expect_length(witness, LineClass::intersection, 200);
+}
+
+TEST(Witness, SeesAContourAsFarAsABoxHidesIt) {
+    // The front face of a box of side 2, face-on, 100 px a unit, and one twice as far behind it and
+    // to the right, whose front spans x = 0.5..3.5 at 60 px a unit: 350..530 px, of which the first
+    // box hides what lies left of 420 px.
+    const Witness witness =
+        look(scene_of({box({-1, -1, -0.5}, {1, 1, 0}), box({0.5, -1, -4.5}, {3.5, 1, -4})}),
+             view_from(6));
+    expect_length(witness, LineClass::contour, 4 * 200 + 120 + 2 * (530 - 420));
+}
+
+TEST(Witness, SeesNothingAcrossASlitOfTheWeldTolerance) {
+    // The tiles lie a third of the tolerance (1e-6 of a diagonal of 2.8) apart, in one object.
+    scene::Mesh mesh;
+    add_quad(mesh, {-1, -1, 0}, {-1e-6F, -1, 0}, {-1e-6F, 1, 0}, {-1, 1, 0});
+    add_quad(mesh, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+    const Witness witness = look(scene_of({mesh}), view_from(6));
+    expect_length(witness, LineClass::boundary, 800);
+    EXPECT_EQ(lengths(witness).size(), 1U);
+}
+
+TEST(Witness, SeesASpikeThinnerThanItsSamples) {
+    // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Samples lie
+    // 1/8 px apart, and 1/32 px where they stepped over something.
+    scene::Mesh mesh;
+    add_triangle(mesh, {-0.0005F, -0.5F, 0}, {0.0005F, -0.5F, 0}, {0, 0.5F, 0});
+    const Witness witness = look(scene_of({mesh}), view_from(6));
+    EXPECT_GT(lengths(witness)[LineClass::boundary], 50);
+    EXPECT_GT(witness.counts.thin_px, 50U);
+}
+
+TEST(Witness, TheNearPlaneDrawsNoLine) {
+    // A floor that the near plane cuts, filling the frame's lower half: its far border alone shows.
+    scene::Mesh mesh;
+    add_quad(mesh, {-50, -1, 5}, {50, -1, 5}, {50, -1, -44}, {-50, -1, -44});
+    const Witness witness = look(scene_of({mesh}), view_from(6, 4));
+    // At distance 50 the picture is 640 px wide, all of which the border crosses.
+    expect_length(witness, LineClass::boundary, 640);
+}
+
+TEST(Witness, IsTheSameOnEveryThreadCount) {
+    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), box({0, 0, 0}, {2, 2, 2})});
+    const scene::View view = view_from({3, 4, 7}, {0, 0, 0});
+    const Witness one = look(scene, view, 1), three = look(scene, view, 3);
+    ASSERT_EQ(one.points.size(), three.points.size());
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+        EXPECT_EQ(one.points[i].x_px, three.points[i].x_px);
+        EXPECT_EQ(one.points[i].y_px, three.points[i].y_px);
+        EXPECT_EQ(one.points[i].line_class, three.points[i].line_class);
+    }
+    EXPECT_EQ(one.counts.rays, three.counts.rays);
+}
+
+TEST(Witness, FindsNothingInAnEmptyScene) {
+    EXPECT_TRUE(find_witness({}, view_from(6), {}).points.empty());
+}
+
+}  // namespace
+}  // namespace ink::truth
