@@ -274,8 +274,8 @@ double depth_under(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec3
     const glm::dvec3 n = glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
     const double height = glm::dot(n, p_world - p[v[0]]);
     const double towards_eye = glm::dot(n, mesh.projection().eye_world() - p[v[0]]);
-    const double noise = 16 * std::numeric_limits<double>::epsilon() *
-                         (glm::length(p_world) + glm::length(p[v[0]]));
+    const double noise =
+        16 * std::numeric_limits<double>::epsilon() * (glm::length(p_world) + glm::length(p[v[0]]));
     if (!(std::abs(height) > noise)) return 0;
     return towards_eye > 0 ? -height : height;
 }
@@ -333,7 +333,7 @@ bool is_out(const WitnessMesh& mesh, const MetEdge& met, const Sample& other) {
     if (met.w < mesh.view().camera.near) return false;
     const glm::dvec2 met_px = mesh.px(met.p_world);
     const Walk cover = walk(mesh, other, met_px, Stop::at_end);
-    if (cover.has_arrived) return depth_at(mesh, cover.face, met_px) > met.w * (1 + kSameDepth);
+    if (cover.has_arrived) return depth_under(mesh, cover.face, met.p_world) < 0;
     return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
 }
 
