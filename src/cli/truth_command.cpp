@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "core/whole_file.h"
 #include "lab/exr_layers.h"
+#include "lab/figures.h"
 #include "lab/outline_svg.h"
 #include "lab/picture.h"
 #include "lab/tracing.h"
@@ -47,6 +48,23 @@ void write_truth(const lab::Subject& subject,
     }
 }
 
+/// Where the picture of what truth and witness disagree on goes unless it is said; makes the
+/// folder.
+std::string default_disagreement(const scene::Scene& scene, const scene::View& view) {
+    const auto folder = std::filesystem::path("inkbench-out") / "witness";
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        throw core::Error(folder.string(),
+                          "this folder cannot be made",
+                          "a writable working folder, or --disagreement FILE");
+    }
+    const std::string name = lab::file_stem(scene.name + "_" + view.camera.name) + ".png";
+    const auto path = folder / name;
+    check_output_path(path, {".png"});
+    return path.string();
+}
+
 /// Holds the truth against its witness and the rasterizer against Embree; false if either fails.
 bool check_truth(const TruthArgs& args,
                  truth::SceneModel& model,
@@ -55,10 +73,11 @@ bool check_truth(const TruthArgs& args,
     const truth::WitnessCheck check =
         truth::cached_witness(model, view, truth, cache_folder(args.cache));
     const lab::IdAgreement ids = lab::compare_ids(model.scene(), view, raster::DepthFormat::q32);
-    if (args.disagreement) {
-        lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
-    }
-    fmt::print("{}{}", lab::witness_summary(check), lab::id_summary(ids));
+    lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
+    fmt::print("{}{}disagreements: {}\n",
+               lab::witness_summary(check, truth.curves),
+               lab::id_summary(ids),
+               *args.disagreement);
     const bool is_agreed = check.agreement.is_agreed();
     if (!is_agreed) {
         fmt::print(stderr, "inkbench: truth and witness agree on less than 99.9 % of a class\n");
@@ -79,7 +98,7 @@ lab::ViewTruth traced_or_refused(truth::SceneModel& model,
     }
 }
 
-void run_truth(const TruthArgs& args) {
+void run_truth(TruthArgs args) {
     if (args.disagreement && !args.witness) {
         throw core::Error("--disagreement", "there is no witness to disagree", "--witness");
     }
@@ -97,6 +116,9 @@ void run_truth(const TruthArgs& args) {
     lab::report_progress(options.truth);
     truth::SceneModel model(subject.scene, options.truth);
     const lab::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
+    if (args.witness && !args.disagreement) {
+        args.disagreement = default_disagreement(subject.scene, subject.views.front());
+    }
     if (args.file) write_truth(subject, options.truth, truth.traced, *args.file);
     if (args.svg) write_truth(subject, options.truth, truth.traced, *args.svg);
     if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);
@@ -128,7 +150,8 @@ void add_truth_command(CLI::App& app) {
                       "Hold the curves against dense sampling, and the rasterizer against Embree");
     command->add_option("--disagreement",
                         args->disagreement,
-                        "PNG of what only one of the two has (with --witness)");
+                        "PNG of what only one of the two has (with --witness; "
+                        "inkbench-out/witness/SCENE_VIEW.png unless given)");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
     add_truth_settings(*command, args->truth);
@@ -137,7 +160,8 @@ void add_truth_command(CLI::App& app) {
     command->footer(
         "Example: inkbench truth staircase -o truth.png --picture lines.png\n"
         "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6\n"
-        "Exit codes: 0 done, 1 with --witness: agreement below 99.9 % of a class, 2 bad input.");
+        "Exit codes: 0 done, 1 the view is too large, or with --witness: agreement below 99.9 % of "
+        "a class; 2 bad input.");
     command->callback([args] { run_truth(*args); });
 }
 

@@ -17,6 +17,7 @@
 #include "lab/page_scenes.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
+#include "lab/page_witness.h"
 #include "lab/summary.h"
 #include "lab/verdict.h"
 
@@ -33,6 +34,7 @@ struct Material {
     Verdict verdict;
     PageScenes scenes;
     std::string failures;
+    std::string witness = {};  ///< HTML, "" if no truth was held against it
     Fronts fronts;
     std::string leads;       ///< HTML, "" with fewer than two methods
     std::string statistics;  ///< HTML, "" if there are none
@@ -153,6 +155,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");
     link("rows", "All rows");
     link("about", "How to read this");
@@ -316,6 +319,14 @@ std::string main_html(const Material& m) {
         "One view per scene. Drag across a picture, or move the divider below it with "
         "the arrow keys: truth to the left, the method to the right.",
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
+    if (!m.witness.empty()) {
+        html += section("witness",
+                        "Truth against its witness",
+                        "The witness finds the lines by dense sampling of what is seen and shares "
+                        "only mesh and camera with the truth. Disagreement: the share of both "
+                        "lengths, class by class, that the other lacks within 0.25 px.",
+                        m.witness);
+    }
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
@@ -336,7 +347,8 @@ std::string main_html(const Material& m) {
 }  // namespace
 
 std::string report_page(const ReportData& data) {
-    Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}};
+    Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
+    material.witness = witness_html(data.rows);
     add_curves(data.curves, material.summaries);
     material.fronts = summarise_fronts(data.rows, data.sweep);
     material.leads = leads_html(data.rows);

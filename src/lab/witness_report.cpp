@@ -61,7 +61,8 @@ void add_legend(cv::Mat& picture) {
 
 }  // namespace
 
-std::string witness_summary(const truth::WitnessCheck& check) {
+std::string witness_summary(const truth::WitnessCheck& check,
+                            std::span<const truth::Curve> curves) {
     std::string text = fmt::format("{:<14} {:>12} {:>12} {:>12} {:>12}\n",
                                    "witness",
                                    "truth px",
@@ -82,6 +83,13 @@ std::string witness_summary(const truth::WitnessCheck& check) {
         check.counts.refined_px,
         check.counts.thin_px,
         check.counts.unexplained);
+    const double strip_px = truth::strip_length_px(curves, check.agreement);
+    if (strip_px > 0) {
+        text += fmt::format(
+            "of the truth that the witness lacks {:.1f} px run within 1/32 px of another line: "
+            "strips thinner than its samples lie apart\n",
+            strip_px);
+    }
     return text;
 }
 

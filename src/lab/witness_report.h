@@ -13,8 +13,10 @@
 namespace ink::lab {
 
 /// What the witness says of a view's truth, for a terminal: lengths and both coverages per class,
-/// the rate of disagreement, what it cost.
-[[nodiscard]] std::string witness_summary(const truth::WitnessCheck& check);
+/// the rate of disagreement, what it cost, and how much of what the witness lacks lies on strips too
+/// thin to be seen. `curves` are the truth's.
+[[nodiscard]] std::string witness_summary(const truth::WitnessCheck& check,
+                                          std::span<const truth::Curve> curves);
 
 /// The same of the rasterizer's ids against Embree's.
 [[nodiscard]] std::string id_summary(const IdAgreement& ids);

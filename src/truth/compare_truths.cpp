@@ -75,6 +75,14 @@ double distance_to(const Curve& curve, const glm::dvec2& p) {
     return glm::length(p - (a + t * ab));
 }
 
+/// Whether the curve passes the point within `reach_px`, and not just ends or begins there.
+bool passes(const Curve& curve, const glm::dvec2& p, double reach_px) {
+    const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a;
+    const double along = glm::dot(p - a, ab), length2 = glm::dot(ab, ab);
+    if (along <= 0 || along >= length2) return false;
+    return std::abs(ab.x * (p - a).y - ab.y * (p - a).x) <= reach_px * std::sqrt(length2);
+}
+
 /// A curve's pixels: those of its samples, which lie closer than the reach, and what is in reach.
 void add_curve(const Curve& curve, std::uint32_t item, PixelLists& lists) {
     const glm::dvec2 a = begin_of(curve), b = end_of(curve);
@@ -195,6 +203,19 @@ Agreement compare_truths(std::span<const Curve> curves,
     hold_curves(curves, witness, view, result);
     hold_points(curves, witness, view, result);
     return result;
+}
+
+double strip_length_px(std::span<const Curve> curves, const Agreement& agreement) {
+    double sum = 0;
+    for (const Disagreement& d : agreement.disagreements) {
+        if (!d.is_truth) continue;
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+            if (c == d.curve || !passes(curves[c], {d.x_px, d.y_px}, kThinnest_px)) continue;
+            sum += d.length_px;
+            break;
+        }
+    }
+    return sum;
 }
 
 }  // namespace ink::truth

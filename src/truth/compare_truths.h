@@ -64,4 +64,13 @@ struct Agreement {
                                        const Witness& witness,
                                        const scene::View& view);
 
+/// The densest samples of a witness with K = 8 lie this far apart.
+inline constexpr double kThinnest_px = 1.0 / 32;
+
+/// Of the curves' length that the witness lacks, px: what runs alongside another curve within
+/// kThinnest_px. Between the two lies a strip of surface that its samples step over: surfaces that
+/// coincide but for rounding, folded slivers, faces seen nearly edge-on. A reason for disagreement,
+/// not an excuse from it: it is told beside the rate and is part of it.
+[[nodiscard]] double strip_length_px(std::span<const Curve> curves, const Agreement& agreement);
+
 }  // namespace ink::truth

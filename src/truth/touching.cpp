@@ -46,6 +46,19 @@ class Bundle {
         return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
     }
 
+    /// Whether two sheets, one on either side, lie in one plane exactly.
+    [[nodiscard]] bool is_level(const Sheet& s0, const Sheet& s1) const {
+        return scene::orient3d(p_[edge_.a], p_[edge_.b], p_[s0.vertex], p_[s1.vertex]) == 0;
+    }
+
+    /// Whether own faces go on to the side of a touching sheet, which is nearer the eye than they.
+    [[nodiscard]] bool hides_own(const Sheet& sheet) const {
+        const auto own = eye_.model.topology.faces_of(edge_);
+        return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
+            return side_of(opposite(eye_.model.topology.faces[f])) == side_of(sheet.vertex);
+        });
+    }
+
     /// Whether an own face lies exactly under this sheet.
     [[nodiscard]] bool covers_own(const Sheet& sheet) const {
         const auto& faces = eye_.model.topology.faces;
@@ -116,6 +129,10 @@ LineClass class_against(const EyeView& eye,
                         const Sheet& own,
                         const Sheet& touching,
                         LineClass own_class) {
+    // A face that holds the edge inside is pierced by own faces that go on beyond it.
+    const bool is_pierced = !touching.is_border && bundle.hides_own(touching) &&
+                            !bundle.is_level(own, touching) && !bundle.covers_own(touching);
+    if (is_pierced) return LineClass::intersection;
     if (bundle.bend_rad(own, touching) < eye.model.crease_rad) {
         return eye.model.is_seam(own.face, touching.face) ? LineClass::seam : LineClass::none;
     }

@@ -15,10 +15,12 @@ namespace ink::truth {
 /// everywhere. The edge is a line where
 /// - its own faces are seen on both sides, or on one with nothing on the other: as without the
 ///   touching faces;
-/// - an own face is seen on one side and a touching one on the other. If they bend by less than a
-///   crease, the surface goes on: a seam between two objects, and within one nothing. Else the edge
-///   keeps its own class if that is a contour or a boundary (a box on a floor), or a crease whose
-///   other face coincides with the touching one; what is left is an intersection.
+/// - an own face is seen on one side and a touching one on the other. If the touching face holds the
+///   edge inside and own faces go on behind it, they pierce it there: an intersection at any angle,
+///   as between any two faces, unless it lies in the plane of an own one. Else, if the two bend by
+///   less than a crease, the surface goes on: a seam between two objects, and within one nothing.
+///   Else the edge keeps its own class if that is a contour or a boundary (a box on a floor), or a
+///   crease whose other face coincides with the touching one; what is left is an intersection.
 /// Where no own face is seen the edge is hidden, though no face stands before it: the foot of a
 /// wall seen through the floor it stands on, or the outline of a tile under a coincident one.
 ///

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
-#include <optional>
 #include <string>
 
 #include "core/parallel.h"
 #include "scene/topology.h"
+#include "truth/screen_line.h"
 #include "truth/touching.h"
 #include "truth/visibility.h"
 
@@ -27,85 +27,6 @@ constexpr std::size_t kChunk = 64;  ///< edges or crossings a task
 
 /// What can change along a line. `plain`: visible, and not a contour.
 enum class State : std::uint8_t { hidden, plain, against_sky, against_other, against_self };
-
-/// A segment in the world: a mesh edge, or a crossing of two faces.
-struct Segment {
-    std::uint32_t edge = kNoEdge;        ///< kNoEdge for a crossing
-    const Crossing* crossing = nullptr;  ///< null for an edge
-    glm::dvec3 a_world{0}, b_world{0};
-    glm::dvec3 a_clip{0}, b_clip{0};
-};
-
-/// A stretch of a segment inside the picture, parameterised by s in 0..1, uniform on the screen.
-struct ScreenLine {
-    Segment segment;
-    LineClass line_class = LineClass::none;
-    double t_begin = 0, t_end = 1;  ///< parameters on the segment
-    double w_begin = 0, w_end = 0;
-    glm::dvec2 begin_px{0}, end_px{0};
-    double length_px = 0;
-
-    /// The parameter on the segment s of the way along on the screen: 1/w is linear in s.
-    [[nodiscard]] double segment_parameter(double s) const {
-        const double along = s * w_begin / ((1 - s) * w_end + s * w_begin);
-        return t_begin + along * (t_end - t_begin);
-    }
-    [[nodiscard]] LinePoint line_point(double s) const {
-        const double t = segment_parameter(s);
-        return {segment.edge,
-                segment.a_world + t * (segment.b_world - segment.a_world),
-                w_at(s),
-                segment.crossing};
-    }
-    [[nodiscard]] double w_at(double s) const {
-        return w_begin * w_end / ((1 - s) * w_end + s * w_begin);
-    }
-    [[nodiscard]] CurvePoint point_at(double s) const {
-        return {begin_px.x + s * (end_px.x - begin_px.x),
-                begin_px.y + s * (end_px.y - begin_px.y),
-                w_at(s)};
-    }
-};
-
-/// Keeps of [t0, t1] the part where the linear function with these end values is not negative.
-/// False if nothing is left (Liang and Barsky 1984).
-bool clip_to_positive(double at_0, double at_1, double& t0, double& t1) {
-    if (at_0 >= 0 && at_1 >= 0) return true;
-    if (at_0 < 0 && at_1 < 0) return false;
-    const double root = at_0 / (at_0 - at_1);
-    if (at_0 < 0) {
-        t0 = std::max(t0, root);
-    } else {
-        t1 = std::min(t1, root);
-    }
-    return t0 < t1;
-}
-
-std::optional<ScreenLine> clip(const EyeView& eye,
-                               const Segment& segment,
-                               const ClassStretch& stretch) {
-    const glm::dvec3& a = segment.a_clip;
-    const glm::dvec3& b = segment.b_clip;
-    double t0 = stretch.t_begin, t1 = stretch.t_end;
-    const double width = eye.width_px, height = eye.height_px;
-    if (!clip_to_positive(a.z - eye.near, b.z - eye.near, t0, t1) ||
-        !clip_to_positive(a.x, b.x, t0, t1) ||
-        !clip_to_positive(width * a.z - a.x, width * b.z - b.x, t0, t1) ||
-        !clip_to_positive(a.y, b.y, t0, t1) ||
-        !clip_to_positive(height * a.z - a.y, height * b.z - b.y, t0, t1)) {
-        return std::nullopt;
-    }
-    const glm::dvec3 begin = t0 == 0 ? a : a + t0 * (b - a);
-    const glm::dvec3 end = t1 == 1 ? b : a + t1 * (b - a);
-    ScreenLine line{
-        .segment = segment, .line_class = stretch.line_class, .t_begin = t0, .t_end = t1};
-    line.w_begin = begin.z;
-    line.w_end = end.z;
-    line.begin_px = glm::dvec2(begin) / begin.z;
-    line.end_px = glm::dvec2(end) / end.z;
-    line.length_px = std::hypot(line.end_px.x - line.begin_px.x, line.end_px.y - line.begin_px.y);
-    return line;
-}
 
 /// Follows one line and notes its visible pieces.
 class LineTracer {
@@ -252,17 +173,6 @@ std::vector<const Crossing*> seen_crossings(const EyeView& eye) {
     return crossings;
 }
 
-Segment segment_of(const EyeView& eye, std::uint32_t e) {
-    const scene::Edge& edge = eye.model.topology.edges[e];
-    const auto& p = eye.model.topology.p_world;
-    return {e, nullptr, p[edge.a], p[edge.b], eye.p_clip[edge.a], eye.p_clip[edge.b]};
-}
-
-Segment segment_of(const EyeView& eye, const Crossing& crossing) {
-    const glm::dvec3 &a = crossing.begin_world, &b = crossing.end_world;
-    return {kNoEdge, &crossing, a, b, eye.projection.to_clip(a), eye.projection.to_clip(b)};
-}
-
 /// What the tasks share.
 struct Tracing {
     const EyeView& eye;
@@ -278,7 +188,7 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
     for (std::size_t i = begin; i < end; ++i) {
         if (i >= tracing.edges.size()) {
             const Crossing& crossing = *tracing.crossings[i - tracing.edges.size()];
-            const auto line = clip(
+            const auto line = clip_to_picture(
                 tracing.eye, segment_of(tracing.eye, crossing), {LineClass::intersection, 0, 1});
             if (line) tracer.trace(*line);
             continue;
@@ -286,7 +196,7 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
         const std::uint32_t e = tracing.edges[i];
         bool is_inside = false;
         for (const ClassStretch& stretch : line_stretches(tracing.eye, e)) {
-            const auto line = clip(tracing.eye, segment_of(tracing.eye, e), stretch);
+            const auto line = clip_to_picture(tracing.eye, segment_of(tracing.eye, e), stretch);
             if (!line) continue;
             is_inside = true;
             tracer.trace(*line);

@@ -253,6 +253,19 @@ double WitnessMesh::bend_between(std::uint32_t face0, std::uint32_t face1) const
     return angle_between(to_eye(face0), to_eye(face1));
 }
 
+bool WitnessMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
+    const auto& v = topology_.faces[face0].vertices;
+    const auto& w = topology_.faces[face1].vertices;
+    const glm::dvec3 a = topology_.p_world[v[0]];
+    const glm::dvec3 u0 = topology_.p_world[v[1]] - a, u1 = topology_.p_world[v[2]] - a;
+    const glm::dvec3 n = glm::cross(u0, u1);
+    return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
+        const glm::dvec3 d = topology_.p_world[i] - a;
+        const double rounding = kEdgeOn * glm::length(u0) * glm::length(u1) * glm::length(d);
+        return std::abs(glm::dot(n, d)) <= rounding;
+    });
+}
+
 bool WitnessMesh::goes_on(std::uint32_t from,
                           std::uint32_t face,
                           const glm::dvec3& p_world,

@@ -215,22 +215,33 @@ double slant_of_planes(const WitnessMesh& mesh, std::uint32_t face0, std::uint32
     return slant_of({difference.x, difference.y});
 }
 
+/// Whether the surface that is seen beyond the end of an edge of two faces touches it there, to
+/// within what double leaves.
+bool is_touched(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing) return false;
+    const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_end);
+    const bool has_met = back.met.line_class != LineClass::none;
+    const std::array<std::uint32_t, 3> faces{
+        beyond.sight.face, back.face, has_met ? back.met.face : back.face};
+    return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
+        return mesh.goes_on(end.face, face, end.p_world, {kTouching * mesh.tolerance(), 0});
+    });
+}
+
 /// Whether the surface goes on where one ends: in what is seen beyond, or, if that is a slit of the
 /// weld tolerance behind a border, in what is seen behind the slit. An edge of two faces has no
-/// such slit: there the other must touch it, to within what double leaves.
+/// such slit.
 bool goes_on(const WitnessRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
     const WitnessMesh& mesh = rays.mesh();
+    next = beyond;
+    if (end.line_class != LineClass::boundary) return is_touched(mesh, end, beyond);
     const double px_per_unit = mesh.projection().focal_px() / end.w;
-    const bool is_border = end.line_class == LineClass::boundary;
-    const Closeness close{is_border ? mesh.tolerance() : kTouching * mesh.tolerance(),
-                          4.0 / 512 / px_per_unit};
+    const Closeness close{mesh.tolerance(), 4.0 / 512 / px_per_unit};
     const auto continues = [&](const Sample& sample) {
         return sample.sight.face != kNothing &&
                mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
     };
-    next = beyond;
     if (continues(beyond)) return true;
-    if (!is_border) return false;
     next.p_px =
         mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
     next.sight = rays.look(next.p_px);
@@ -278,7 +289,14 @@ bool is_under(const WitnessMesh& mesh, const MetEdge& end, const Sample& beyond)
     const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
     if (!cover.has_arrived) return false;
     const double w = WitnessMesh::plane_depth(mesh.local_face(cover.face, end_px));
-    return w >= mesh.view().camera.near && depth_under(mesh, cover.face, end.p_world) > 0;
+    if (w < mesh.view().camera.near) return false;
+    const auto& v = mesh.topology().faces[end.face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double under_a = depth_under(mesh, cover.face, p[v[end.side]]);
+    const double under_b = depth_under(mesh, cover.face, p[v[(end.side + 1) % 3]]);
+    // An edge that begins in the plane and goes under it is under it at once.
+    if (under_a * under_b >= 0) return under_a + under_b > 0;
+    return depth_under(mesh, cover.face, end.p_world) > 0;
 }
 
 /// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
@@ -309,17 +327,63 @@ void add_ends(const WitnessRays& rays,
     }
 }
 
+/// Whether a feature that the way from `sample` passed comes out beyond the surface seen at
+/// `other`, which neither covers nor touches it.
+bool is_out(const WitnessMesh& mesh, const MetEdge& met, const Sample& other) {
+    if (met.w < mesh.view().camera.near) return false;
+    const glm::dvec2 met_px = mesh.px(met.p_world);
+    const Walk cover = walk(mesh, other, met_px, Stop::at_end);
+    if (cover.has_arrived) return depth_at(mesh, cover.face, met_px) > met.w * (1 + kSameDepth);
+    return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
+}
+
+/// Tells a feature that the surface seen at sample `i` passes before the other hides it: seen,
+/// though by less than the distance of two samples. False if there is none.
+bool add_passed(const WitnessMesh& mesh,
+                std::size_t i,
+                const std::array<Sample, 2>& samples,
+                const std::array<Walk, 2>& walks,
+                Between& between) {
+    const MetEdge& met = walks[i].met;
+    const bool has_passed = walks[i].has_arrived && met.line_class != LineClass::none;
+    const Sample& other = samples[1 - i];
+    if (!has_passed || other.sight.face == kNothing || !is_out(mesh, met, other)) return false;
+    between.lines[between.count++] = {met.line_class, met.slant()};
+    return true;
+}
+
+/// Whether one surface, followed to the other sample, lies in what is seen there: then nothing is
+/// crossed, and the line is what the way passed, or a seam of two objects in one plane.
+bool add_overlap(const WitnessMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<Walk, 2>& walks,
+                 Between& between) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::uint32_t seen = samples[1 - i].sight.face;
+        if (!walks[i].has_arrived || !mesh.is_level(walks[i].face, seen)) continue;
+        const MetEdge& met = walks[i].met;
+        if (met.line_class != LineClass::none) {
+            between.lines[between.count++] = {met.line_class, met.slant()};
+        } else if (mesh.is_seam(samples[i].sight.face, seen)) {
+            // The other surface is what bends here.
+            between.lines[between.count++] = {LineClass::seam, walks[1 - i].met.slant()};
+        }
+        return true;
+    }
+    return false;
+}
+
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
 /// takes one away, or they coincide.
 void add_meeting(const WitnessMesh& mesh,
                  const std::array<Sample, 2>& samples,
-                 const std::array<std::uint32_t, 2>& faces_beyond,
+                 const std::array<Walk, 2>& walks,
                  Between& between) {
     const double near = mesh.view().camera.near;
     std::array<double, 2> w_beyond{};
     for (std::size_t i = 0; i < 2; ++i) {
         if (samples[i].sight.face == kNothing) continue;
-        w_beyond[i] = depth_at(mesh, faces_beyond[i], samples[1 - i].p_px);
+        w_beyond[i] = depth_at(mesh, walks[i].face, samples[1 - i].p_px);
         between.is_near_cut = between.is_near_cut || w_beyond[i] < near;
     }
     if (between.is_near_cut) return;
@@ -330,9 +394,14 @@ void add_meeting(const WitnessMesh& mesh,
     const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
     if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
         return;
-    between.lines[between.count++] = {
-        LineClass::intersection,
-        slant_of_planes(mesh, samples[0].sight.face, samples[1].sight.face)};
+    if (add_overlap(mesh, samples, walks, between)) return;
+    std::array<std::uint32_t, 2> faces{};  // where they cross
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool has_passed = add_passed(mesh, i, samples, walks, between);
+        faces[i] = has_passed ? walks[i].face : samples[i].sight.face;
+    }
+    between.lines[between.count++] = {LineClass::intersection,
+                                      slant_of_planes(mesh, faces[0], faces[1])};
 }
 
 }  // namespace
@@ -366,8 +435,10 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
         if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
     }
     add_ends(rays, samples, walks, between);
+    for (std::size_t i = 0; i < 2 && between.count == 1; ++i)
+        add_passed(mesh, i, samples, walks, between);
     const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
-    if (!is_told) add_meeting(mesh, samples, {walks[0].face, walks[1].face}, between);
+    if (!is_told) add_meeting(mesh, samples, walks, between);
     return between;
 }
 
