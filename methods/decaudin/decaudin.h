@@ -23,7 +23,7 @@ class Decaudin : public Method {
         Join join = Join::max;
         double sky = -1;
         // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
-        int threshold = 245;
+        int threshold = 146;
     };
     [[nodiscard]] static core::ParamTable<Params> table();
 
