@@ -12,8 +12,9 @@ namespace ink::lab {
 /// How the settings of a method's sweep are drawn and timed beside the methods themselves.
 struct SweepOptions {
     int views = 1;  ///< of every scene, its first ones; 0 leaves the sweep out
-    /// A front needs times to a few percent, not to a fraction of one: few repetitions do.
-    MeasureOptions measure{.min_repetitions = 3, .max_repetitions = 3};
+    /// A front needs times to a few percent, and takes medians over views: few repetitions do, and
+    /// one where a frame is long.
+    MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 3, .budget_s = 0.02};
 };
 
 /// The settings over which `entrant` is swept, each as an entrant: what the user set, with a line
