@@ -106,8 +106,6 @@ void add_compare_command(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
-    command->add_flag(
-        "--no-witness", args->no_witness, "Do not hold the truth against its witness");
     command
         ->add_option(
             "--sweep-views", args->sweep_views, "Views of each scene on which sweeps are drawn")
@@ -118,6 +116,8 @@ void add_compare_command(CLI::App& app) {
         ->add_option(
             "--seed", args->seed, "Of chance pictures and of intervals; recorded in the rows")
         ->capture_default_str();
+    command->add_flag(
+        "--no-witness", args->no_witness, "Do not hold the truth against its witness");
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

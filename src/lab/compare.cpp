@@ -136,18 +136,24 @@ class Comparison {
             shown_.push_back(shown_view(truth, shots));
         }
         const auto nth = &view - subject.views.data();
-        if (nth < options_.sweep.views && !truth.traced.labels.is_empty()) {
-            run_sweeps(subject, view, truth);
+        const Row& of_view = shots.back().row;  // the oracle's: ok unless the truth itself is not
+        if (nth < options_.sweep.views && !truth.traced.labels.is_empty() && of_view.is_ok()) {
+            run_sweeps(subject, view, truth, of_view);
         }
     }
 
-    void run_sweeps(const Subject& subject, const scene::View& view, const ViewTruth& truth) {
+    void run_sweeps(const Subject& subject,
+                    const scene::View& view,
+                    const ViewTruth& truth,
+                    const Row& of_view) {
         for (const Entrant& entrant : options_.entrants) {
             if (is_interrupted()) return;
             for (Row& row :
                  sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
                 fill_place(subject, view, options_, row);
                 fill_truth_facts(truth, row);
+                row.witness_disagreement = of_view.witness_disagreement;
+                row.witness_px = of_view.witness_px;
                 sweep_->write(to_csv(row));
                 sweep_rows_.push_back(std::move(row));
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace ink::truth {
 namespace {
@@ -14,25 +15,44 @@ double distance_to_edge(const scene::Topology& topology, std::uint32_t e, const 
     return glm::length(p - (a + t * ab));
 }
 
-bool is_at_border(const scene::Topology& topology,
-                  std::uint32_t face,
-                  const glm::dvec3& p,
-                  double reach) {
-    const auto& edges = topology.faces[face].edges;
-    return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t e) {
-        return topology.edges[e].face_count == 1 && distance_to_edge(topology, e, p) <= reach;
-    });
+/// Whether an edge is a border that a crossing runs along: both its ends, so all of it.
+bool runs_along(const scene::Topology& topology,
+                std::uint32_t e,
+                const Crossing& crossing,
+                double reach) {
+    return topology.edges[e].face_count == 1 &&
+           distance_to_edge(topology, e, crossing.begin_world) <= reach &&
+           distance_to_edge(topology, e, crossing.end_world) <= reach;
 }
 
-/// The angle between two planes, 0..pi/2.
-double angle_between_planes(const scene::Topology& topology, const Crossing& crossing) {
-    const auto normal = [&](std::uint32_t face) {
-        const auto& v = topology.faces[face].vertices;
-        const auto& p = topology.p_world;
-        return glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
-    };
-    const glm::dvec3 n0 = normal(crossing.face0), n1 = normal(crossing.face1);
-    return std::atan2(glm::length(glm::cross(n0, n1)), std::abs(glm::dot(n0, n1)));
+/// Into a face from its side i, orthogonal to it.
+glm::dvec3 inward(const scene::Topology& topology, const scene::Face& face, std::size_t i) {
+    const glm::dvec3 a = topology.p_world[face.vertices[i]];
+    const glm::dvec3 along = topology.p_world[face.vertices[(i + 1) % 3]] - a;
+    const glm::dvec3 to_opposite = topology.p_world[face.vertices[(i + 2) % 3]] - a;
+    return to_opposite - along * (glm::dot(along, to_opposite) / glm::dot(along, along));
+}
+
+/// Whether the crossing runs along a border of either face, from which the faces lie to different
+/// sides, flatter than a crease.
+bool is_slit(const scene::Topology& topology,
+             const ContinuationOptions& options,
+             const Crossing& crossing) {
+    const double reach = 2 * options.tolerance;
+    const scene::Face& f0 = topology.faces[crossing.face0];
+    const scene::Face& f1 = topology.faces[crossing.face1];
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!runs_along(topology, f0.edges[i], crossing, reach)) continue;
+        const glm::dvec3 into0 = inward(topology, f0, i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (!runs_along(topology, f1.edges[k], crossing, reach)) continue;
+            const glm::dvec3 into1 = inward(topology, f1, k);
+            const double angle =
+                std::atan2(glm::length(glm::cross(into0, into1)), glm::dot(into0, into1));
+            if (std::numbers::pi - angle < options.crease_rad) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -40,16 +60,9 @@ double angle_between_planes(const scene::Topology& topology, const Crossing& cro
 void drop_slit_crossings(const scene::Topology& topology,
                          const ContinuationOptions& options,
                          std::vector<Crossing>& crossings) {
-    const double reach = 2 * options.tolerance;
     std::erase_if(crossings, [&](const Crossing& crossing) {
-        if (topology.faces[crossing.face0].object != topology.faces[crossing.face1].object)
-            return false;
-        for (const std::uint32_t face : {crossing.face0, crossing.face1}) {
-            if (!is_at_border(topology, face, crossing.begin_world, reach) ||
-                !is_at_border(topology, face, crossing.end_world, reach))
-                return false;
-        }
-        return angle_between_planes(topology, crossing) < options.crease_rad;
+        return topology.faces[crossing.face0].object == topology.faces[crossing.face1].object &&
+               is_slit(topology, options, crossing);
     });
 }
 

@@ -71,7 +71,7 @@ void FineGrid::add_leaf(const Sample& a, const Sample& b, std::vector<CellPoint>
     const scene::View& view = mesh_.view();
     if (p.x < 0 || p.y < 0 || p.x >= view.width_px || p.y >= view.height_px) return;
     for (int i = 0; i < between.count; ++i) {
-        const Crossing& line = between.lines[i];
+        const NamedLine& line = between.lines[i];
         points.push_back({cell_, {p.x, p.y, line.line_class, 1.0 / (k_ * line.slant)}});
     }
 }

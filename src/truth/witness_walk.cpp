@@ -337,19 +337,19 @@ bool is_out(const WitnessMesh& mesh, const MetEdge& met, const Sample& other) {
     return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
 }
 
-/// Features that a surface passes before the other hides it: seen, though by less than the distance
-/// of two samples.
-void add_passed(const WitnessMesh& mesh,
+/// Tells a feature that the surface seen at sample `i` passes before the other hides it: seen,
+/// though by less than the distance of two samples. False if there is none.
+bool add_passed(const WitnessMesh& mesh,
+                std::size_t i,
                 const std::array<Sample, 2>& samples,
                 const std::array<Walk, 2>& walks,
                 Between& between) {
-    for (std::size_t i = 0; i < 2; ++i) {
-        const MetEdge& met = walks[i].met;
-        const bool has_passed = walks[i].has_arrived && met.line_class != LineClass::none;
-        if (has_passed && samples[1 - i].sight.face != kNothing &&
-            is_out(mesh, met, samples[1 - i]))
-            between.lines[between.count++] = {met.line_class, met.slant()};
-    }
+    const MetEdge& met = walks[i].met;
+    const bool has_passed = walks[i].has_arrived && met.line_class != LineClass::none;
+    const Sample& other = samples[1 - i];
+    if (!has_passed || other.sight.face == kNothing || !is_out(mesh, met, other)) return false;
+    between.lines[between.count++] = {met.line_class, met.slant()};
+    return true;
 }
 
 /// Whether one surface, followed to the other sample, lies in what is seen there: then nothing is
@@ -395,10 +395,13 @@ void add_meeting(const WitnessMesh& mesh,
     if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
         return;
     if (add_overlap(mesh, samples, walks, between)) return;
-    between.lines[between.count++] = {
-        LineClass::intersection,
-        slant_of_planes(mesh, samples[0].sight.face, samples[1].sight.face)};
-    add_passed(mesh, samples, walks, between);
+    std::array<std::uint32_t, 2> faces{};  // where they cross
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool has_passed = add_passed(mesh, i, samples, walks, between);
+        faces[i] = has_passed ? walks[i].face : samples[i].sight.face;
+    }
+    between.lines[between.count++] = {LineClass::intersection,
+                                      slant_of_planes(mesh, faces[0], faces[1])};
 }
 
 }  // namespace
@@ -432,7 +435,8 @@ Between name_between(const WitnessRays& rays, const Sample& from, const Sample& 
         if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
     }
     add_ends(rays, samples, walks, between);
-    if (between.count == 1) add_passed(mesh, samples, walks, between);
+    for (std::size_t i = 0; i < 2 && between.count == 1; ++i)
+        add_passed(mesh, i, samples, walks, between);
     const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
     if (!is_told) add_meeting(mesh, samples, walks, between);
     return between;

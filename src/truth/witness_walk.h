@@ -14,7 +14,7 @@ struct Sample {
 };
 
 /// A line between two samples.
-struct Crossing {
+struct NamedLine {
     LineClass line_class = LineClass::none;
     double slant = 1;  ///< |cos| + |sin| of the line's direction on the picture
 };
@@ -22,7 +22,7 @@ struct Crossing {
 /// What lies between two samples: up to two lines of surfaces that end at one place, or an
 /// intersection and a feature of either surface just before it.
 struct Between {
-    std::array<Crossing, 3> lines;
+    std::array<NamedLine, 3> lines;
     int count = 0;
     bool is_defect = false;    ///< a border was met across which the surface goes on
     bool is_near_cut = false;  ///< what is seen ends at the near plane

@@ -44,6 +44,41 @@ TEST(Crossing, BoxesSunkIntoEachOther) {
     EXPECT_GT(truth.counts.pairs_tested, found.segments.size());
 }
 
+/// A wall in z = 0 and a strip of height 1 through it, whose halves meet in its line x = 0: the
+/// left one lies before the wall and rises from it with slope `left`, the right one behind it.
+scene::Scene strip_through_wall(float left, float right, bool is_one_object) {
+    scene::Mesh wall, strip;
+    add_quad(wall, {-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
+    add_quad(strip, {-1, -0.5F, left}, {0, -0.5F, 0}, {0, 0.5F, 0}, {-1, 0.5F, left});
+    add_quad(strip, {0, -0.5F, 0}, {1, -0.5F, -right}, {1, 0.5F, -right}, {0, 0.5F, 0});
+    if (!is_one_object) return scene_of({wall, strip});
+    for (const scene::Triangle& t : strip.triangles)
+        add_triangle(wall, strip.positions[t[0]], strip.positions[t[1]], strip.positions[t[2]]);
+    return scene_of({wall});
+}
+
+TEST(Crossing, AtAnEdgeOfTheStripItIsOneAtAnyAngle) {
+    // From 6 away the joint is 100 px long. The strip leaves the wall by 27 degrees, less than a
+    // crease, and goes on behind it flat, or bent by another 27 (no crease) or 50 degrees (one).
+    for (const float right : {0.5F, 1.5F, 5.0F}) {
+        for (const bool is_one_object : {true, false}) {
+            const Truth truth = trace(strip_through_wall(0.5F, right, is_one_object), view_from(6));
+            EXPECT_NEAR(lengths(truth)[LineClass::intersection], 100, kPx) << right;
+            EXPECT_EQ(lengths(truth)[LineClass::seam], 0) << right;
+            EXPECT_EQ(lengths(truth)[LineClass::crease], 0) << right;
+        }
+    }
+}
+
+TEST(Crossing, AStripThatEndsInAWallGoesOnInIt) {
+    scene::Mesh wall, strip;
+    add_quad(wall, {-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
+    add_quad(strip, {-1, -0.5F, 0.5F}, {0, -0.5F, 0}, {0, 0.5F, 0}, {-1, 0.5F, 0.5F});
+    const Truth truth = trace(scene_of({wall, strip}), view_from(6));
+    EXPECT_NEAR(lengths(truth)[LineClass::seam], 100, kPx);
+    EXPECT_EQ(lengths(truth)[LineClass::intersection], 0);
+}
+
 TEST(Crossing, BoxSunkInAFloorHasAFootAllRound) {
     scene::Mesh floor;
     add_quad(floor, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});

@@ -93,6 +93,56 @@ TEST(Witness, SeesNothingAcrossASlitOfTheWeldTolerance) {
     EXPECT_EQ(lengths(witness).size(), 1U);
 }
 
+double seen_px(const scene::View& view, const glm::dvec3& a, const glm::dvec3& b) {
+    const scene::Projection projection(view);
+    const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
+    return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+}
+
+/// A box sunk into a floor whose top lies `step` above it, or in its plane, in one object.
+scene::Scene sunk_box(float step) {
+    scene::Mesh mesh = box({-1, -1, -1}, {1, 0, 1});
+    add_quad(mesh, {-2, -step, 2}, {2, -step, 2}, {2, -step, -2}, {-2, -step, -2});
+    return scene_of({mesh});
+}
+
+TEST(Witness, SeesNothingWhereABoxIsLevelWithItsFloor) {
+    // The eye stands beyond the wall x = 1: its rim is an edge whose both faces turn to the eye,
+    // though the floor covers the wall.
+    const Witness witness = look(sunk_box(0), view_from({4, 6, 0.5}, {0, 0, 0}));
+    EXPECT_GT(lengths(witness)[LineClass::boundary], 500) << "the floor's";
+    EXPECT_EQ(lengths(witness).size(), 1U);
+}
+
+TEST(Witness, SeesARimAndItsFootBetweenTwoSamples) {
+    // A step of 1e-5 is a thousandth of a px: the rim of the wall x = 1 is a crease, its foot an
+    // intersection; the other walls are turned away.
+    const scene::View view = view_from({4, 6, 0.5}, {0, 0, 0});
+    const Witness witness = look(sunk_box(1e-5F), view);
+    const glm::dvec3 a(1, 0, 1), b(1, 0, -1), c(-1, 0, -1), d(-1, 0, 1);
+    expect_length(witness, LineClass::crease, seen_px(view, a, b));
+    expect_length(witness, LineClass::intersection, seen_px(view, a, b));
+    expect_length(witness,
+                  LineClass::contour,
+                  seen_px(view, b, c) + seen_px(view, c, d) + seen_px(view, d, a));
+}
+
+TEST(Witness, SeesBothSidesOfAGapBetweenTwoSamples) {
+    // Two boxes with level fronts, 1e-5 or a thousandth of a px apart, above the weld tolerance.
+    // The eye stands to the left: the right side of the left box is turned away.
+    constexpr float kGap = 1e-5F;
+    const scene::View view = view_from({-3, 0, 6}, {0, 0, 0});
+    const Witness witness =
+        look(scene_of({box({-1, -1, -1}, {0, 1, 0}), box({kGap, -1, -1}, {1, 1, 0})}), view);
+    const auto across = [&](double x, double z) { return seen_px(view, {x, -1, z}, {x, 1, z}); };
+    const double along = seen_px(view, {-1, 1, 0}, {0, 1, 0}) + seen_px(view, {0, 1, 0}, {1, 1, 0});
+    const double side = seen_px(view, {-1, 1, -1}, {-1, 1, 0});
+    expect_length(witness, LineClass::crease, across(-1, 0) + across(kGap, 0));
+    expect_length(witness,
+                  LineClass::contour,
+                  across(0, 0) + across(-1, -1) + across(1, 0) + 2 * along + 2 * side);
+}
+
 TEST(Witness, SeesASpikeThinnerThanItsSamples) {
     // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Samples lie
     // 1/8 px apart, and 1/32 px where they stepped over something.

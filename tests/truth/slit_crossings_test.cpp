@@ -1,0 +1,79 @@
+#include "truth/slit_crossings.h"
+
+#include <numbers>
+
+#include "tests/truth/shapes.h"
+#include "truth/crossings.h"
+#include "truth/model.h"
+
+namespace ink::truth {
+namespace {
+
+constexpr double kPx = 0.01;
+
+/// What is left of the crossings of two meshes in one object or in two, at this weld tolerance.
+std::size_t kept(const std::vector<scene::Mesh>& meshes, double tolerance, bool one_object = true) {
+    scene::Scene scene = scene_of(meshes);
+    if (one_object) {
+        scene::Mesh all;
+        for (const scene::Mesh& mesh : meshes) {
+            for (const scene::Triangle& t : mesh.triangles)
+                add_triangle(all, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+        }
+        scene = scene_of({all});
+    }
+    const scene::Topology topology = scene::weld(scene);
+    auto crossings = find_crossings(topology, {}).segments;
+    EXPECT_GT(crossings.size(), 0U);
+    drop_slit_crossings(topology, {tolerance, 40 * std::numbers::pi / 180, 1}, crossings);
+    return crossings.size();
+}
+
+scene::Mesh triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+    scene::Mesh mesh;
+    add_triangle(mesh, a, b, c);
+    return mesh;
+}
+
+/// A triangle with a side on x = `border` that runs to x = `tip` there, at height `slope` times the
+/// distance from x = 0.
+scene::Mesh leaf(float border, float tip, float slope) {
+    return triangle(
+        {border, -1, slope * border}, {tip, 0, slope * tip}, {border, 1, slope * border});
+}
+
+TEST(SlitCrossings, PiecesThatOverlapByLessThanTheToleranceAreOneSurface) {
+    // Both leaves cross in x = z = 0, which each passes by 1e-3.
+    const scene::Mesh left = leaf(0.001F, -2, 0.1F), right = leaf(-0.001F, 2, -0.1F);
+    EXPECT_EQ(kept({left, right}, 2e-3), 0U);
+    EXPECT_EQ(kept({left, right}, 2e-4), 1U) << "wider than the tolerance";
+    EXPECT_EQ(kept({left, right}, 2e-3, false), 1U) << "two objects";
+}
+
+TEST(SlitCrossings, ACreaseIsKept) {
+    // 2 atan 0.5 = 53 degrees.
+    EXPECT_EQ(kept({leaf(0.001F, -2, 0.5F), leaf(-0.001F, 2, -0.5F)}, 2e-3), 1U);
+}
+
+TEST(SlitCrossings, LeavesOfABookAreKept) {
+    // Both lie to the right of their borders, 11 degrees apart: nothing goes on beyond those.
+    EXPECT_EQ(kept({leaf(-0.001F, 2, 0.1F), leaf(-0.001F, 2, -0.1F)}, 2e-3), 1U);
+}
+
+TEST(SlitCrossings, ACrossingFromBorderToBorderIsKept) {
+    // Turned by 10 degrees to either side round the line x = 0, z = 0, in which they cross from
+    // (0, -1, 0) to (0, 1, 0): both its ends lie on borders of both.
+    const auto c = static_cast<float>(std::cos(std::numbers::pi / 18));
+    const auto s = static_cast<float>(std::sin(std::numbers::pi / 18));
+    const scene::Mesh first = triangle({-c, -1, -s}, {c, -1, s}, {0, 1, 0});
+    const scene::Mesh second = triangle({-c, -1, s}, {c, -1, -s}, {0, 1, 0});
+    EXPECT_EQ(kept({first, second}, 1e-5), 1U);
+
+    scene::Mesh both = first;
+    add_triangle(both, {-c, -1, s}, {c, -1, -s}, {0, 1, 0});
+    const Truth truth = trace(scene_of({both}), view_from(6));
+    EXPECT_NEAR(lengths(truth)[LineClass::intersection], 200, kPx);
+}
+
+}  // namespace
+}  // namespace ink::truth
