@@ -28,7 +28,7 @@ std::string_view label_of(score::Cause cause) {
         case Cause::one_patch:
             return "one patch";
         case Cause::crack:
-            return "beside a line";
+            return "crack";
         case Cause::frame:
             return "frame";
         case Cause::other:
@@ -36,15 +36,15 @@ std::string_view label_of(score::Cause cause) {
         case Cause::cancelled:
             return "cancelled";
         case Cause::below_threshold:
-            return "too faint";
+            return "below threshold";
         case Cause::sub_pixel:
             return "sub-pixel";
         case Cause::thinned:
-            return "run together";
+            return "thinned";
         case Cause::unexplained:
             return "unexplained";
         case Cause::undeclared:
-            return "no code";
+            return "undeclared";
     }
     return "?";
 }

@@ -27,7 +27,7 @@ ceiling of every method that does so.</p>
 <p><strong>Causes</strong> come from the exact truth at pixel centres. A false pixel is judged by the
 3 × 3 pixels round it. For a missing one of a method that declares its code, that code is worked out from
 the scene's depth and normals at the stencils that see the line: if it stays silent there, the line is
-<em>cancelled</em> where one channel alone would have spoken, else <em>too faint</em>. The method's picture
+<em>cancelled</em> where one channel alone would have spoken, else <em>below threshold</em>. The method's picture
 is not looked at for either.</p>
 <p><strong>Not here yet:</strong> skip statistics.</p>)html";
 }

@@ -93,7 +93,7 @@ TEST(CauseTable, ShowsCountsWithTheirShares) {
 TEST(CauseChart, NamesEachPieceAndItsShare) {
     const std::string svg = cause_chart(cause_totals({row_of("a", 101, 50)})).file("t");
     EXPECT_THAT(svg, HasSubstr("<title>cancelled: 100 px, 10.00 %</title>"));
-    EXPECT_THAT(svg, HasSubstr("<title>run together: 1 px, 0.10 %</title>"));
+    EXPECT_THAT(svg, HasSubstr("<title>thinned: 1 px, 0.10 %</title>"));
     EXPECT_THAT(svg, HasSubstr("<title>other: 50 px, 10.00 %</title>"));
     EXPECT_THAT(svg, HasSubstr("<title>lost beside a drawn line: 10 px, 1.00 %</title>"));
     EXPECT_THAT(svg, HasSubstr("11.1 %")) << "missing and lost";
