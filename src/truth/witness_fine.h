@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "truth/witness_walk.h"
+#include "truth/witness_names.h"
 
 namespace ink::truth {
 

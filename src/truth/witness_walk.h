@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <cmath>
+#include <glm/vec2.hpp>
 
 #include "truth/witness_mesh.h"
 #include "truth/witness_rays.h"
@@ -13,31 +14,53 @@ struct Sample {
     Sight sight;
 };
 
-/// A line between two samples.
-struct NamedLine {
+/// Ways over the mesh, as the witness goes them.
+namespace walking {
+
+/// An edge of a face, met on a way across the picture.
+struct MetEdge {
     LineClass line_class = LineClass::none;
-    double slant = 1;  ///< |cos| + |sin| of the line's direction on the picture
+    std::uint32_t face = kNothing;  ///< it was left through `side`
+    std::size_t side = 0;
+    double w = 0;
+    glm::dvec3 p_world{0};
+    glm::dvec2 outward{0};  ///< unit, on the picture, away from the face
+    [[nodiscard]] double slant() const { return std::abs(outward.x) + std::abs(outward.y); }
 };
 
-/// What lies between two samples: up to two lines of surfaces that end at one place, or an
-/// intersection and a feature of either surface just before it.
-struct Between {
-    std::array<NamedLine, 3> lines;
-    int count = 0;
-    bool is_defect = false;    ///< a border was met across which the surface goes on
-    bool is_near_cut = false;  ///< what is seen ends at the near plane
-    bool is_explained = true;  ///< false: the samples differ, and nothing says why
+/// Where a walk came to.
+struct Walk {
+    bool has_arrived = false;  ///< else it ended at `met`, behind which nothing goes on
+    std::uint32_t face = kNothing;
+    MetEdge met;  ///< the end, or the first feature that was passed
 };
+
+/// Whether a walk ends at the first feature edge, or only where nothing goes on.
+enum class Stop { at_feature, at_end };
+
+/// Follows the surface from the face that is seen at `from` towards `to`: to the first feature edge
+/// of any kind, or only to where nothing goes on.
+[[nodiscard]] Walk walk(const WitnessMesh& mesh,
+                        const Sample& from,
+                        const glm::dvec2& to_px,
+                        Stop stop);
+
+/// A walk that arrived where another surface is seen, though its own holds the point by a hair:
+/// where it ends within reach, that hair is Embree's rounding, and the walk ended there.
+[[nodiscard]] Walk ended_round(const WitnessMesh& mesh,
+                               const Walk& walk,
+                               const Sample& to,
+                               const glm::dvec2& d);
+
+/// Whether a walk came to the surface that is seen at `to`, or to within its reach.
+[[nodiscard]] bool arrives_at(const WitnessMesh& mesh, const Walk& walk, const Sample& to);
+
+/// |cos| + |sin| of the direction of a line with this normal; 1 without one.
+[[nodiscard]] double slant_of(const glm::dvec2& normal);
+
+}  // namespace walking
 
 /// Whether a walk over the mesh from one sample to the other meets no feature edge.
 [[nodiscard]] bool is_joined(const WitnessMesh& mesh, const Sample& from, const Sample& to);
-
-/// Names what separates two samples that are not joined and lie very close: the nearer surface that
-/// ends there (contour, boundary), a bend or another object on the surface that goes on (crease,
-/// seam), or two surfaces that go on through each other (intersection; and what bends on either
-/// before that). Two in one plane are one surface: only what bends on it, or a seam, is a line. A
-/// border's end is a defect if the surface goes on right behind it, for which one more sample is
-/// taken.
-[[nodiscard]] Between name_between(const WitnessRays& rays, const Sample& from, const Sample& to);
 
 }  // namespace ink::truth
