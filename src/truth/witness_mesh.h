@@ -91,6 +91,7 @@ class WitnessMesh {
     /// Whether two faces lie in one plane, as far as double can tell.
     [[nodiscard]] bool is_level(std::uint32_t face0, std::uint32_t face1) const;
     [[nodiscard]] bool is_seam(std::uint32_t face0, std::uint32_t face1) const;
+    [[nodiscard]] double crease_rad() const { return crease_rad_; }
     /// 1e-6 of the diagonal of the box round the scene, world units.
     [[nodiscard]] double tolerance() const { return tolerance_; }
 

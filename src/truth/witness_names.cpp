@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 namespace ink::truth {
 namespace {
@@ -189,6 +190,41 @@ bool add_overlap(const WitnessMesh& mesh,
     return false;
 }
 
+/// Whether a border of the face passes the point within two weld tolerances.
+bool has_border_at(const WitnessMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+    const scene::Face& f = mesh.topology().faces[face];
+    const auto& p = mesh.topology().p_world;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh.topology().edges[f.edges[i]].face_count != 1) continue;
+        const glm::dvec3 a = p[f.vertices[i]], along = p[f.vertices[(i + 1) % 3]] - a;
+        const double t =
+            std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
+        if (glm::length(p_world - (a + t * along)) <= 2 * mesh.tolerance()) return true;
+    }
+    return false;
+}
+
+/// Whether two pieces of a cracked surface cross where they overlap by no more than the tolerance:
+/// the border of either lies there, and their planes are flatter to each other than a crease.
+bool is_slit(const WitnessMesh& mesh,
+             const std::array<Sample, 2>& samples,
+             const std::array<std::uint32_t, 2>& faces) {
+    // Where the depths of both are the same.
+    const double w_beyond = depth_at(mesh, faces[0], samples[1].p_px);
+    const double before = depth_at(mesh, faces[1], samples[0].p_px) - samples[0].sight.w;
+    const double behind = w_beyond - samples[1].sight.w;
+    const double s = before + behind != 0 ? before / (before + behind) : 0.5;
+    const glm::dvec2 p_px = glm::mix(samples[0].p_px, samples[1].p_px, s);
+    const double w = glm::mix(samples[0].sight.w, w_beyond, s);
+    const glm::dvec3 p_world =
+        mesh.projection().eye_world() + w * mesh.projection().ray_world(p_px.x, p_px.y);
+    // Either may show its back: where the surface folds before the eye its borders are drawn.
+    const double bend = mesh.bend_between(faces[0], faces[1]);
+    return std::min(bend, std::numbers::pi - bend) < mesh.crease_rad() &&
+           !mesh.is_seam(faces[0], faces[1]) && has_border_at(mesh, faces[0], p_world) &&
+           has_border_at(mesh, faces[1], p_world);
+}
+
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
 /// takes one away, or they coincide.
 void add_meeting(const WitnessMesh& mesh,
@@ -215,6 +251,10 @@ void add_meeting(const WitnessMesh& mesh,
     for (std::size_t i = 0; i < 2; ++i) {
         const bool has_passed = add_passed(mesh, i, samples, walks, between);
         faces[i] = has_passed ? walks[i].face : samples[i].sight.face;
+    }
+    if (is_slit(mesh, samples, faces)) {
+        between.is_defect = true;
+        return;
     }
     between.lines[between.count++] = {LineClass::intersection,
                                       slant_of_planes(mesh, faces[0], faces[1])};
