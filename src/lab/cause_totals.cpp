@@ -20,33 +20,10 @@ void add(const Row& row, CauseTotals& totals) {
 
 }  // namespace
 
-std::string_view label_of(score::Cause cause) {
-    using score::Cause;
-    switch (cause) {
-        case Cause::one_triangle:
-            return "one triangle";
-        case Cause::one_patch:
-            return "one patch";
-        case Cause::crack:
-            return "crack";
-        case Cause::frame:
-            return "frame";
-        case Cause::other:
-            return "other";
-        case Cause::cancelled:
-            return "cancelled";
-        case Cause::below_threshold:
-            return "below threshold";
-        case Cause::sub_pixel:
-            return "sub-pixel";
-        case Cause::thinned:
-            return "thinned";
-        case Cause::unexplained:
-            return "unexplained";
-        case Cause::undeclared:
-            return "undeclared";
-    }
-    return "?";
+std::string label_of(score::Cause cause) {
+    std::string label(name(cause));
+    std::replace(label.begin(), label.end(), '_', ' ');
+    return label;
 }
 
 std::string_view meaning_of(score::Cause cause) {

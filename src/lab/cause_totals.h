@@ -27,8 +27,8 @@ struct CauseTotals {
 [[nodiscard]] std::vector<CauseTotals> cause_totals(const std::vector<const Row*>& rows);
 [[nodiscard]] std::vector<CauseTotals> cause_totals(const std::vector<Row>& rows);
 
-/// A cause in a word or two, for legends and headings.
-[[nodiscard]] std::string_view label_of(score::Cause cause);
+/// A cause's name as words, for legends and headings.
+[[nodiscard]] std::string label_of(score::Cause cause);
 
 /// What a cause means, in a phrase.
 [[nodiscard]] std::string_view meaning_of(score::Cause cause);
