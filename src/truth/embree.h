@@ -2,10 +2,10 @@
 
 /// The one door to Embree: what versions 3 and 4 call differently has one name here.
 ///
-/// Only `eye_scene.cpp`, `witness_rays.cpp` (the two constructions of the truth, which share nothing
-/// else of it) and the benchmarks include this header. Filters travel with the query in both
-/// versions; in 3 they sit in the context, in 4 in the arguments, and the scene must be told so when
-/// it is made.
+/// Only `eye_scene.cpp`, `witness_rays.cpp` (the two constructions of the truth, which share
+/// nothing else of it) and the benchmarks include this header. Filters travel with the query in
+/// both versions; in 3 they sit in the context, in 4 in the arguments, and the scene must be told
+/// so when it is made.
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -14,6 +14,20 @@
 #endif
 
 namespace ink::truth::embree {
+
+/// A device and a scene on it, released together.
+struct Handles {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    Handles() = default;
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+    ~Handles() {
+        if (scene != nullptr) rtcReleaseScene(scene);
+        if (device != nullptr) rtcReleaseDevice(device);
+    }
+};
 
 alignas(16) inline constexpr int kAllFour[4] = {-1, -1, -1, -1};  ///< every ray of a packet counts
 

@@ -13,18 +13,7 @@
 
 namespace ink::truth {
 
-struct EyeScene::Handles {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-
-    Handles() = default;
-    Handles(const Handles&) = delete;
-    Handles& operator=(const Handles&) = delete;
-    ~Handles() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-        if (device != nullptr) rtcReleaseDevice(device);
-    }
-};
+struct EyeScene::Handles : embree::Handles {};
 
 /// What a filter knows of the query that called it; Embree hands the context back by its address.
 struct EyeSceneQuery {

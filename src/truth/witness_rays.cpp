@@ -10,18 +10,7 @@
 
 namespace ink::truth {
 
-struct WitnessRays::Handles {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-
-    Handles() = default;
-    Handles(const Handles&) = delete;
-    Handles& operator=(const Handles&) = delete;
-    ~Handles() {
-        if (scene != nullptr) rtcReleaseScene(scene);
-        if (device != nullptr) rtcReleaseDevice(device);
-    }
-};
+struct WitnessRays::Handles : embree::Handles {};
 
 namespace {
 
