@@ -7,6 +7,7 @@ find_package(glm REQUIRED)
 find_package(embree REQUIRED CONFIG)
 find_package(assimp REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(hwy REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenImageIO REQUIRED)
 
@@ -17,6 +18,13 @@ find_library(INK_OPENCV_IMGPROC opencv_imgproc REQUIRED)
 add_library(ink_opencv INTERFACE)
 target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
 target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
+
+# Kernels are compiled for the scalar target, which every other must equal bit for bit, and for what runs
+# on today's x86: AVX2 and AVX-512. The targets below (SSE2 to SSE4) would only lengthen the build.
+add_library(ink_highway INTERFACE)
+target_link_libraries(ink_highway INTERFACE hwy::hwy)
+target_compile_definitions(ink_highway INTERFACE
+    HWY_COMPILE_ALL_ATTAINABLE "HWY_DISABLED_TARGETS=((1LL<<11)|(1LL<<12)|(1LL<<13)|(1LL<<14))")
 
 if(NOT TARGET glm::glm)
     add_library(glm::glm INTERFACE IMPORTED)

@@ -12,6 +12,7 @@
 #include "methods/depth_code.h"
 #include "raster/depth.h"
 #include "raster/pass.h"
+#include "raster/skips.h"
 #include "scene/scene.h"
 #include "scene/surface.h"
 
@@ -21,6 +22,7 @@ namespace ink::methods {
 struct Frame {
     scene::View view;
     int threads = 1;  ///< 1 is plain serial; the picture must not depend on it
+    raster::SkipSet skips = {};  ///< what may be left undone; the picture must not depend on it
 };
 
 /// What a linear code reads of the surface, and how it comes to the pixels.
@@ -74,6 +76,9 @@ class Method {
 
     /// Bytes a pixel of its buffers takes, depth included.
     [[nodiscard]] virtual int bytes_per_px() const = 0;
+
+    /// What the last draw left undone; all 0 before the first, and where a method skips nothing.
+    [[nodiscard]] virtual raster::SkipCounts skip_counts() const { return {}; }
 
     /// Its code, if that is one linear sum.
     [[nodiscard]] virtual std::optional<LinearCode> code() const { return std::nullopt; }

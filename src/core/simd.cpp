@@ -1,0 +1,35 @@
+#include "core/simd.h"
+
+#include <hwy/highway.h>
+
+namespace ink::core {
+namespace {
+
+SimdTarget with_name(std::int64_t bit) {
+    return {bit, hwy::TargetName(bit)};
+}
+
+}  // namespace
+
+std::vector<SimdTarget> simd_targets() {
+    std::vector<SimdTarget> targets;
+    for (const std::int64_t bit : hwy::SupportedAndGeneratedTargets())
+        targets.push_back(with_name(bit));
+    return targets;
+}
+
+SimdTarget current_simd_target() {
+    return simd_targets().front();
+}
+
+ForcedSimdTarget::ForcedSimdTarget(const SimdTarget& target) {
+    hwy::SetSupportedTargetsForTest(target.bit);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+ForcedSimdTarget::~ForcedSimdTarget() {
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+}  // namespace ink::core
