@@ -129,7 +129,7 @@ bool ProjectCluster(const LaneMesh& mesh,
     if (!(reach.least_w >= near) || !(reach.least_w > 1 / kExtreme)) return false;
     if (!(reach.farthest_px <= kLaneReach_px)) return false;
     PackSnapped(count, lanes);
-    constexpr std::int32_t kExtent = kLaneExtent_px * kSubpixels;
+    constexpr std::int32_t kExtent = kLaneCluster_px * kSubpixels;
     if (lanes.x1 - lanes.x0 > kExtent || lanes.y1 - lanes.y0 > kExtent) return false;
     return lanes.q[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
 }
@@ -212,6 +212,7 @@ void TriageCluster(const LaneMesh& mesh,
     const auto top = hn::Set(d, lanes.y0);
     const auto to_centre = hn::Set(d, kSubpixels / 2 - 1);
     const auto zero = hn::Zero(d);
+    auto largest = zero;
     result.count = 0;
     result.no_sample = 0;
     result.outside = 0;
@@ -222,10 +223,15 @@ void TriageCluster(const LaneMesh& mesh,
         const auto first = [&](VI low, VI origin) {
             return hn::ShiftRight<kSubpixelBits>(hn::Add(hn::Add(low, origin), to_centre));
         };
-        const auto left_px = first(hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]), left);
-        const auto top_px = first(hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]), top);
-        const auto right_px = first(hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]), left);
-        const auto bottom_px = first(hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]), top);
+        const auto least_x = hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]);
+        const auto least_y = hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]);
+        const auto most_x = hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]);
+        const auto most_y = hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]);
+        largest = hn::Max(largest, hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y)));
+        const auto left_px = first(least_x, left);
+        const auto top_px = first(least_y, top);
+        const auto right_px = first(most_x, left);
+        const auto bottom_px = first(most_y, top);
         const auto x0 = hn::Max(left_px, hn::Set(d, job.picture.x0));
         const auto y0 = hn::Max(top_px, hn::Set(d, job.picture.y0));
         const auto x1 = hn::Min(right_px, hn::Set(d, job.picture.x1));
@@ -272,6 +278,8 @@ void TriageCluster(const LaneMesh& mesh,
         Append(hn::IfThenElseZero(is_sure, area), keep, result.area + result.count);
         result.count += kept;
     }
+    const std::int32_t extent = hn::GetLane(hn::MaxOfLanes(d, largest));
+    result.has_large = extent > kLaneExtent_px * kSubpixels;
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE

@@ -10,9 +10,12 @@
 
 namespace ink::raster {
 
-/// Clusters whose screen box is at most this wide and high go through lanes: every product of two
-/// extents in 1/256 px, and their difference, then fits 32 bits.
+/// Triangles at most this wide and high go through lanes: every product of two extents in 1/256 px,
+/// and their difference, then fits 32 bits.
 inline constexpr int kLaneExtent_px = 90;
+
+/// And so do the clusters they lie in: a vertex fits 16 bits each way from their box's corner.
+inline constexpr int kLaneCluster_px = 255;
 
 /// A cluster's vertices on the screen, and what a method made of them; scratch of one thread.
 struct ClusterLanes {
@@ -62,6 +65,7 @@ struct TriageResult {
     /// Twice the snapped area where its sign is sure to be that of the true one, else 0.
     alignas(64) std::int32_t area[kCapacity];
     std::size_t count = 0;
+    bool has_large = false;     ///< some triangle exceeds kLaneExtent_px: nothing here is of use
     std::size_t no_sample = 0;  ///< dropped or not, triangles found to cover no centre
     std::size_t outside = 0;    ///< without a centre in the picture
 };

@@ -221,18 +221,33 @@ CodeScale ScaleOf(const PassFormat& format) {
 }
 
 /// Copies the corners' records together.
+template <bool kHasMore>
 void Collect(const LaneSource& source,
              std::span<const std::uint32_t> entries,
              LaneTriangles& out) {
+    const hn::CappedTag<std::int32_t, kRecordWords> d4;
+    std::uint32_t last = ~0U;
+    const std::uint8_t* corners[3] = {};
+    std::size_t first[2] = {};
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const LaneSlot& slot = source.slots[entries[i] >> 8];
-        const std::size_t first = (entries[i] & 0x80U) != 0 ? slot.back : slot.front;
-        const std::size_t triangle = entries[i] & 0x7fU;
+        const std::uint32_t entry = entries[i];
+        if (entry >> 8 != last) {  // neighbours in a list mostly come from one cluster
+            last = entry >> 8;
+            const LaneSlot& slot = source.slots[last];
+            for (int k = 0; k < 3; ++k)
+                corners[k] = source.mesh->corners(slot.cluster, k);
+            first[0] = slot.front;
+            first[1] = slot.back;
+        }
+        const std::size_t base = first[(entry >> 7) & 1];
+        const std::size_t triangle = entry & 0x7fU;
         for (int k = 0; k < 3; ++k) {
-            const std::size_t record = first + source.mesh->corners(slot.cluster, k)[triangle];
-            std::memcpy(out.corners[k][i], source.records + kRecordWords * record, 16);
-            if (source.more != nullptr)
-                std::memcpy(out.more[k][i], source.more + kRecordWords * record, 16);
+            const std::size_t record = kRecordWords * (base + corners[k][triangle]);
+            for (std::size_t w = 0; w < kRecordWords; w += hn::Lanes(d4)) {
+                hn::StoreU(hn::LoadU(d4, source.records + record + w), d4, out.corners[k][i] + w);
+                if (kHasMore)
+                    hn::StoreU(hn::LoadU(d4, source.more + record + w), d4, out.more[k][i] + w);
+            }
         }
     }
 }
@@ -244,7 +259,8 @@ void SetUpLanes(const PassFormat& format,
                 LaneTriangles& out) {
     const DI d;
     const DF df;
-    Collect(source, entries, out);
+    source.more != nullptr ? Collect<true>(source, entries, out)
+                           : Collect<false>(source, entries, out);
     out.count = entries.size();
     const CodeScale scale = ScaleOf(format);
     for (std::size_t at = 0; at < out.count; at += hn::Lanes(d)) {

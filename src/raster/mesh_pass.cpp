@@ -61,6 +61,7 @@ class MeshTileWorker {
         buffer_.touch();
         for (const MeshRun& run : runs_)
             draw_list(run, run.of(tile));
+        buffer_.finish();
         buffer_.extend_frame();
         sink.finish(buffer_.view(false));
     }

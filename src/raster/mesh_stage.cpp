@@ -180,6 +180,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    lanes_,
                    {picture_of(job.grid), drops_backs, skips.has(Skip::no_sample)},
                    triage_);
+    if (triage_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
     no_sample.of += cluster.triangle_count;
     if (skips.has(Skip::no_sample)) no_sample.skipped += triage_.no_sample;
