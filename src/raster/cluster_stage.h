@@ -27,7 +27,9 @@ struct ClusterLanes {
     alignas(64) std::int32_t y[kCount];
     alignas(64) float values[2][kMaxPlanes][kCount];  ///< front, back
     alignas(64) std::int32_t packed[kCount];  ///< snapped, from the box's corner: x << 16 | y
-    std::int32_t x0 = 0;                      ///< snapped box, 1/256 px
+    float q_least = 0;
+    float q_most = 0;
+    std::int32_t x0 = 0;  ///< snapped box, 1/256 px
     std::int32_t y0 = 0;
     std::int32_t x1 = 0;
     std::int32_t y1 = 0;
@@ -78,5 +80,20 @@ void triage_cluster(const LaneMesh& mesh,
                     const ClusterLanes& lanes,
                     const TriageJob& job,
                     TriageResult& result);
+
+/// The least and the greatest of `count` values; memory is read up to kLanePad.
+struct ValueRange {
+    float least;
+    float greatest;
+};
+[[nodiscard]] ValueRange range_of(const float* values, std::size_t count);
+
+/// Writes `count` vertices as records (see lane_triangles.h), a vector's worth more than they are.
+/// `values` null: none. What is silent lies at infinity, behind everything.
+void write_records(const ClusterLanes& lanes,
+                   std::size_t count,
+                   const float* values,
+                   bool is_silent,
+                   std::int32_t* records);
 
 }  // namespace ink::raster

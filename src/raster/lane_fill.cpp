@@ -32,6 +32,7 @@ class NoLanes {
   public:
     NoLanes(const LaneTriangles&, std::size_t, TileBuffer&) {}
     HWY_INLINE void StartColumn(VI, VF, int) {}
+    template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
 };
 
@@ -54,10 +55,12 @@ class CodeLanes {
             high_[k] = hn::Set(d, c.high[i_]);
         }
     }
+    template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t offset, VF, MI mask) {
         const DI d;
         for (int k = 0; k < kCount; ++k) {
-            const auto limited = hn::Min(hn::Max(at_[k], low_[k]), high_[k]);
+            const auto limited =
+                kLimits ? hn::Min(hn::Max(at_[k], low_[k]), high_[k]) : at_[k];
             const auto code = hn::ShiftRight<kFraction>(limited);
             std::int32_t* to = plane_[k] + offset;
             hn::StoreU(hn::IfThenElse(mask, code, hn::LoadU(d, to)), d, to);
@@ -91,12 +94,14 @@ class NumberLanes {
         for (int k = 0; k < kMaxPlanes; ++k)
             ramp_[k] = hn::Mul(dx_[k], from_ref);
     }
+    template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t offset, VF rows_from_ref, MI mask) {
         const DF df;
         const auto kept = hn::RebindMask(df, mask);
         for (int k = 0; k < kMaxPlanes; ++k) {
             const auto row = hn::Add(at_ref_[k], hn::Mul(dy_[k], rows_from_ref));
-            const auto v = hn::Min(hn::Max(hn::Add(row, ramp_[k]), low_[k]), high_[k]);
+            auto v = hn::Add(row, ramp_[k]);
+            if (kLimits) v = hn::Min(hn::Max(v, low_[k]), high_[k]);
             float* to = plane_[k] + offset;
             hn::StoreU(hn::IfThenElse(kept, v, hn::LoadU(df, to)), df, to);
         }
@@ -108,7 +113,7 @@ class NumberLanes {
     VF low_[kMaxPlanes], high_[kMaxPlanes], ramp_[kMaxPlanes];
 };
 
-template <class Values>
+template <class Values, bool kLimits>
 HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
     const DI d;
     const DF df;
@@ -143,12 +148,13 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
         std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y0) * kTileStride + x;
         for (int row = 0; row < rows; ++row, offset += kTileStride) {
             const auto q_row = hn::Add(q_ref, hn::Mul(q_dy, row_from_ref));
-            const auto q = hn::Min(hn::Max(hn::Add(q_row, q_ramp), q_low), q_high);
-            const auto is_inside = hn::Gt(hn::Or(hn::Or(e0, e1), e2), minus_one);
+            auto q = hn::Add(q_row, q_ramp);
+            if (kLimits) q = hn::Min(hn::Max(q, q_low), q_high);
+            const auto is_inside = hn::Gt(hn::Or3(e0, e1, e2), minus_one);
             const auto seen = hn::IfThenElseZero(hn::RebindMask(df, is_inside), q);
             const auto old = hn::LoadU(df, depth + offset);
             hn::StoreU(hn::Max(seen, old), df, depth + offset);
-            values.Write(offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
+            values.template Write<kLimits>(offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
             e0 = hn::Add(e0, step0);
             e1 = hn::Add(e1, step1);
             e2 = hn::Add(e2, step2);
@@ -160,7 +166,8 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
 template <class Values>
 void Fill(const LaneTriangles& triangles, TileBuffer& to) {
     for (std::size_t i = 0; i < triangles.count; ++i)
-        FillTriangle<Values>(triangles, i, to);
+        triangles.needs_limits[i] != 0 ? FillTriangle<Values, true>(triangles, i, to)
+                                       : FillTriangle<Values, false>(triangles, i, to);
 }
 
 void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {

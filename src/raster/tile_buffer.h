@@ -33,7 +33,8 @@ class TileBuffer {
     /// How a sink sees it.
     [[nodiscard]] Tile view(bool is_empty) const;
 
-    /// The pixels to rasterize, in the picture's coordinates.
+    /// The tile's own pixels, and those to rasterize, in the picture's coordinates.
+    [[nodiscard]] const PixelRect& own() const { return own_; }
     [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
 
     /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is float
