@@ -48,6 +48,11 @@ class QuantisedDepth {
         return z >= steps_ ? static_cast<std::uint32_t>(steps_) : static_cast<std::uint32_t>(z);
     }
 
+    /// The parts of that sum, for who does many at once.
+    [[nodiscard]] double scale() const { return scale_; }
+    [[nodiscard]] double offset() const { return offset_; }
+    [[nodiscard]] double steps() const { return steps_; }
+
   private:
     double steps_;
     double scale_ = 0;

@@ -11,6 +11,7 @@
 #include "raster/mesh_stage.h"
 #include "raster/tile_buffer.h"
 #include "raster/tile_fill.h"
+#include "raster/whole_fill.h"
 
 namespace ink::raster {
 namespace {
@@ -140,7 +141,8 @@ class MeshTileWorker {
         }
         if (tests_hidden_) coarse_.announce(CoarseDepth::kSquare_px);
         const BinEntry entry{0, index};
-        fill_({job_.format, near_far_, batches}, {&entry, 1}, buffer_);
+        const FillJob fill{job_.format, near_far_, batches};
+        if (!fill_whole(fill, entry, buffer_.drawn(), buffer_)) fill_(fill, {&entry, 1}, buffer_);
     }
 
     const MeshJob& job_;

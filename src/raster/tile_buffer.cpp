@@ -9,8 +9,8 @@
 namespace ink::raster {
 namespace {
 
-/// A multiple of 4, so that buffers of any element are whole words.
-constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows;
+/// Rows, and a vector more: one that starts at a row's last pixel ends in the next row's margin.
+constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows + 16;
 
 /// The bits of one sky element while it is drawn.
 std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
