@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "raster/coarse_depth.h"
+#include "raster/flat_squares.h"
 #include "raster/mesh_stage.h"
 #include "raster/tile_buffer.h"
 #include "raster/tile_fill.h"
@@ -46,6 +47,7 @@ class MeshTileWorker {
           fill_(fill_function(job.format)),
           near_far_(make_input(job)),
           buffer_(job.format, near_far_, job.grid),
+          proof_(job.format),
           tests_hidden_(job.input.skips.has(Skip::hidden) &&
                         job.format.depth == DepthFormat::q32) {}
 
@@ -62,13 +64,21 @@ class MeshTileWorker {
             sink.finish(buffer_.view(true));
             return;
         }
+        std::uint16_t flat = 0;
+        if (job_.input.flat_gives_zero && prove_flat(tile, flat)) {
+            sink.finish(buffer_.view(true));
+            return;
+        }
+        rects_ = needed_rects(buffer_, flat, job_.grid.halo_px);
         buffer_.touch();
         coarse_.start(buffer_);
         for (const MeshRun& run : runs_)
             draw_list(run, run.of(tile));
         buffer_.finish();
         buffer_.extend_frame();
-        sink.finish(buffer_.view(false));
+        Tile finished = buffer_.view(false);
+        finished.flat_squares = flat;
+        sink.finish(finished);
     }
 
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
@@ -81,6 +91,44 @@ class MeshTileWorker {
         input.sky_f32 = job.input.sky_f32;
         input.sky_code = job.input.sky_code;
         return input;
+    }
+
+    /// Whether the whole tile lies inside one plane; else which of its squares do.
+    bool prove_flat(int tile, std::uint16_t& flat) {
+        const SkipSet& skips = job_.input.skips;
+        const bool looks_at_tile = skips.has(Skip::flat_tiles);
+        const bool looks_at_squares = skips.has(Skip::flat_stencils);
+        SkipCount& tiles = count_of(skips_, Skip::flat_tiles);
+        SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
+        const PixelRect& own = buffer_.own();
+        ++tiles.of;
+        pixels.of += static_cast<std::uint64_t>(own.x1 - own.x0) *
+                     static_cast<std::uint64_t>(own.y1 - own.y0);
+        if (!looks_at_tile && !looks_at_squares) return false;
+        std::size_t count = 0;
+        for (const MeshRun& run : runs_)
+            count += run.of(tile).size();
+        if (count == 0 || count > FlatProof::kMostTriangles) return false;
+        proof_.start();
+        for (const MeshRun& run : runs_) {
+            for (const std::uint32_t entry : run.of(tile)) {
+                if ((entry & kWholeTriangle) == 0) return false;
+                proof_.add(run.whole_batches()->front(), entry & ~kWholeTriangle);
+            }
+        }
+        const int halo = job_.grid.halo_px;
+        const PixelRect wide{own.x0 - halo, own.y0 - halo, own.x1 + halo, own.y1 + halo};
+        const PixelRect& drawn = buffer_.drawn();
+        const bool is_inner = wide.x0 == drawn.x0 && wide.y0 == drawn.y0 && wide.x1 == drawn.x1 &&
+                              wide.y1 == drawn.y1;
+        if (looks_at_tile && is_inner && proof_.is_flat(wide)) {
+            ++tiles.skipped;
+            return true;
+        }
+        if (looks_at_squares) flat = proof_.flat_squares(buffer_, halo);
+        constexpr std::uint64_t kArea = std::uint64_t{kFlatSquare_px} * kFlatSquare_px;
+        pixels.skipped += kArea * static_cast<std::uint64_t>(std::popcount(flat));
+        return false;
     }
 
     /// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
@@ -142,7 +190,12 @@ class MeshTileWorker {
         if (tests_hidden_) coarse_.announce(CoarseDepth::kSquare_px);
         const BinEntry entry{0, index};
         const FillJob fill{job_.format, near_far_, batches};
-        if (!fill_whole(fill, entry, buffer_.drawn(), buffer_)) fill_(fill, {&entry, 1}, buffer_);
+        for (const PixelRect& rect : rects_) {
+            if (!fill_whole(fill, entry, rect, buffer_)) {
+                fill_(fill, {&entry, 1}, buffer_);
+                break;
+            }
+        }
     }
 
     const MeshJob& job_;
@@ -153,6 +206,8 @@ class MeshTileWorker {
     LaneTriangles triangles_;
     std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
     std::size_t lane_count_ = 0;
+    FlatProof proof_;
+    std::vector<PixelRect> rects_;
     bool tests_hidden_;
     CoarseDepth coarse_;
     SkipCounts skips_{};

@@ -88,6 +88,10 @@ struct Tile {
     int height_px = 0;
     int halo_px = 0;
     bool is_empty = false;      ///< nothing was drawn, halo included: every plane holds sky
+    /// Squares of 16 x 16 own pixels, bit row * 4 + column, in which every stencil touches one
+    /// triangle only and a filter is known to give 0: their pixels need not hold anything. 0 unless
+    /// the input of a MeshPass allows it.
+    std::uint16_t flat_squares = 0;
     std::ptrdiff_t stride = 0;  ///< elements from one row to the next, the same in every plane
     /// Local (0,0) of each plane; the type is the format's store.
     std::array<const void*, kMaxPlanes> planes{};
