@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
+#include <tuple>
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
@@ -88,23 +89,51 @@ class HashSink : public raster::TileSink {
     std::map<std::pair<int, int>, std::uint64_t> tiles_;
 };
 
-void time_pass(benchmark::State& state, const raster::PassFormat& format, const std::string& mesh) {
-    const scene::Scene& scene = bench_scene(mesh);
-    const scene::Surface surface =
-        scene::flatten(scene, scene::NormalSource::patch, 0.6981317007977318);
-    const auto views = bench_views(scene);
-    std::array<Load, 2> loads;
-    for (std::size_t i = 0; i < 2; ++i)
-        fill_load(surface, views[i], format.interpolants, loads[i]);
+/// A mesh and a picture, and what a vertex carries.
+struct LoadKey {
+    std::string mesh;
+    PictureSize size;
+    int interpolants = 0;
+};
+
+const scene::Surface& surface_of(const std::string& mesh) {
+    static std::map<std::string, scene::Surface> kept;
+    const auto found = kept.find(mesh);
+    if (found != kept.end()) return found->second;
+    constexpr double kCrease_rad = 0.6981317007977318;
+    return kept
+        .emplace(mesh, scene::flatten(bench_scene(mesh), scene::NormalSource::patch, kCrease_rad))
+        .first->second;
+}
+
+/// Both views; made once, for every repetition asks for them again.
+const std::array<Load, 2>& loads_of(const LoadKey& key) {
+    static std::map<std::tuple<std::string, std::string, int>, std::array<Load, 2>> kept;
+    const auto [entry, is_new] = kept.try_emplace({key.mesh, key.size.name, key.interpolants});
+    if (is_new) {
+        const auto views = bench_views(bench_scene(key.mesh), key.size);
+        for (std::size_t i = 0; i < 2; ++i)
+            fill_load(surface_of(key.mesh), views[i], key.interpolants, entry->second[i]);
+    }
+    return entry->second;
+}
+
+void time_pass(benchmark::State& state,
+               const raster::PassFormat& format,
+               const LoadKey& key,
+               int threads) {
+    const std::array<Load, 2>& loads = loads_of(key);
+    const int width_px = key.size.width_px;
+    const int height_px = key.size.height_px;
     NoSink sink;
     std::size_t frame = 0;
     for (auto _ : state) {
-        raster::draw_pass(format, loads[frame % 2].input, kWidth_px, kHeight_px, 1, sink);
+        raster::draw_pass(format, loads[frame % 2].input, width_px, height_px, threads, sink);
         ++frame;
     }
     HashSink hashes(format);
     const raster::PassStats stats =
-        raster::draw_pass(format, loads[0].input, kWidth_px, kHeight_px, 1, hashes);
+        raster::draw_pass(format, loads[0].input, width_px, height_px, 1, hashes);
     state.SetLabel(hashes.hex());
     state.counters["triangles"] = static_cast<double>(stats.triangles);
     state.counters["bytes_per_px"] = format.bytes_per_px();
@@ -120,7 +149,7 @@ raster::PassFormat format_of(int interpolants, raster::Store store) {
 
 }  // namespace
 
-void add_raster_benchmarks() {
+void add_raster_benchmarks(int draws) {
     using raster::Store;
     const std::vector<std::pair<std::string, raster::PassFormat>> formats = {
         {"depth", format_of(0, Store::none)},
@@ -129,14 +158,24 @@ void add_raster_benchmarks() {
         {"u16", format_of(1, Store::u16)},
         {"f32x4", format_of(4, Store::f32)},
     };
+    const auto add = [draws](const std::string& name, const auto& format, const LoadKey& key) {
+        for (const int threads : {1, 2}) {
+            auto* added =
+                benchmark::RegisterBenchmark((name + "/threads:" + std::to_string(threads)).c_str(),
+                                             [format, key, threads](benchmark::State& state) {
+                                                 time_pass(state, format, key, threads);
+                                             });
+            added->Unit(benchmark::kMillisecond);
+            if (draws > 0) added->Iterations(draws);
+        }
+    };
     for (const std::string& mesh : mesh_names()) {
         for (const auto& [name, format] : formats) {
-            const std::string full = "raster/" + name + "/" + mesh + "/1080p/threads:1";
-            benchmark::RegisterBenchmark(full.c_str(),
-                                         [format = format, mesh](benchmark::State& state) {
-                                             time_pass(state, format, mesh);
-                                         })
-                ->Unit(benchmark::kMillisecond);
+            for (const PictureSize& size : picture_sizes()) {
+                add("raster/" + name + "/" + mesh + "/" + size.name,
+                    format,
+                    {mesh, size, format.interpolants});
+            }
         }
     }
 }
