@@ -98,15 +98,12 @@ class Counter:
              "--benchmark_repetitions=1", "--benchmark_min_time=1e-9",
              f"--benchmark_out={result}", *flags],
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+        if "Failed to match any benchmarks" in ran.stderr:
+            return None
         if ran.returncode != 0:
             told = [line for line in ran.stderr.splitlines() if not line.startswith("==")]
             raise ValueError(" ".join(told) or f"valgrind: exit code {ran.returncode}")
-        try:
-            report = json.loads(result.read_text(encoding="utf-8"))
-        except ValueError:
-            return None
-        if not report["benchmarks"]:
-            return None
+        report = json.loads(result.read_text(encoding="utf-8"))
         return Profile(out), report["benchmarks"][0]
 
 

@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -69,8 +70,10 @@ int run(int argc, char** argv) {
     benchmark::BenchmarkReporter* display = nullptr;  // the library's own
     if (options.format == "console") display = &table;
     if (options.format == "json") display = &json;
-    benchmark::RunSpecifiedBenchmarks(display, options.has_json_file ? &file : nullptr);
+    const std::size_t matched =
+        benchmark::RunSpecifiedBenchmarks(display, options.has_json_file ? &file : nullptr);
     benchmark::Shutdown();
+    if (matched == 0) return 2;  // the library has said so
     const bench::Results& results = display == &json ? json.results() : table.results();
     const auto complaints = results.complaints();
     for (const std::string& line : complaints)

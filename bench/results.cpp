@@ -16,6 +16,14 @@ bool is_repetition(const Run& run) {
     return run.run_type == Run::RT_Iteration && !run.error_occurred && run.iterations > 0;
 }
 
+/// The name without its number of threads, on which no result may depend.
+std::string work_of(const std::string& name) {
+    const auto found = name.find("/threads:");
+    if (found == std::string::npos) return name;
+    const auto end = name.find('/', found + 1);
+    return name.substr(0, found) + (end == std::string::npos ? "" : name.substr(end));
+}
+
 /// The repetition that took least, as an aggregate.
 Run least_of(const std::vector<Run>& runs) {
     Run least;
@@ -65,11 +73,16 @@ double Results::yardstick_s() const {
 
 std::vector<std::string> Results::complaints() const {
     std::vector<std::string> lines;
+    std::map<std::string, std::string> hash_of;
     for (const auto& [family, row] : rows_) {
         if (!row.error.empty()) lines.push_back(row.name + ": " + row.error);
         if (!row.is_stable) lines.push_back(row.name + ": the result changed between repetitions");
         if (row.error.empty() && row.hash.empty())
             lines.push_back(row.name + ": no hash of the result");
+        if (row.times_s.empty()) continue;
+        const auto [first, is_new] = hash_of.try_emplace(work_of(row.name), row.hash);
+        if (first->second != row.hash)
+            lines.push_back(row.name + ": the result depends on the number of threads");
     }
     return lines;
 }

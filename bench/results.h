@@ -30,7 +30,8 @@ class Results {
     /// The least time of `memcpy/u8/1080p`, the yardstick M; 0 if it was not run.
     [[nodiscard]] double yardstick_s() const;
 
-    /// One line each for a hash that changed between repetitions, a missing one, or an error.
+    /// One line each for a hash that changed between repetitions or with the number of threads, a
+    /// missing one, or an error.
     [[nodiscard]] std::vector<std::string> complaints() const;
 
   private:

@@ -101,6 +101,7 @@ TEST(InkBench, RefusesWhatItDoesNotKnow) {
         EXPECT_THAT(outcome.text, HasSubstr("a whole number from 1 on"));
     }
     EXPECT_EQ(run(kBench + "--nonsense").exit_code, 2);
+    EXPECT_EQ(run(kBench + "--benchmark_filter=nonsense").exit_code, 2);
 }
 
 TEST(InkBench, TellsOfASingleCore) {

@@ -55,6 +55,16 @@ TEST(Results, ComplainOfAHashThatChanged) {
     EXPECT_THAT(results.complaints(), ElementsAre("shaky: the result changed between repetitions"));
 }
 
+TEST(Results, ComplainOfAHashThatDependsOnThreads) {
+    Results results;
+    results.add({repetition(0, "frame/a/threads:1", 1, "h"),
+                 repetition(1, "frame/a/threads:2", 1, "i"),
+                 repetition(2, "frame/b/threads:2/iterations:3", 1, "j"),
+                 repetition(3, "frame/b/threads:1/iterations:3", 1, "j")});
+    EXPECT_THAT(results.complaints(),
+                ElementsAre("frame/a/threads:2: the result depends on the number of threads"));
+}
+
 TEST(Results, ComplainOfNoHashAndOfAnError) {
     Results results;
     Repetition failed = repetition(1, "failed", 1, "");
