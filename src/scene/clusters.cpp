@@ -199,21 +199,22 @@ class Grower {
     /// the oldest, so that the border stays short and no islands remain; the nearest, so that
     /// neighbours follow each other. kNone if the solid is done.
     std::uint32_t next_seed() {
-        constexpr int kOldest = 32;  // tuned on bunny: 8 jump farther, 200 leave more islands
+        constexpr std::size_t kOldest =
+            32;  // tuned on bunny: 8 jump farther, 200 leave more islands
         border_.insert(border_.end(), candidates_.begin(), candidates_.end());
+        std::erase_if(oldest_, [&](std::uint32_t t) { return is_done_[t]; });
+        for (; next_oldest_ < border_.size() && oldest_.size() < kOldest; ++next_oldest_) {
+            const std::uint32_t t = border_[next_oldest_];
+            if (!is_done_[t]) oldest_.push_back(t);
+        }
         const glm::dvec3 center = center_sum_ / double(triangle_count_);
         std::uint32_t best = kNone;
         double best_square = 0;
-        int seen = 0;
-        while (oldest_ < border_.size() && is_done_[border_[oldest_]])
-            ++oldest_;
-        for (std::size_t i = oldest_; i < border_.size() && seen < kOldest; ++i) {
-            if (is_done_[border_[i]]) continue;
-            ++seen;
-            const glm::dvec3 arm = shapes_[border_[i]].center_world - center;
+        for (const std::uint32_t t : oldest_) {
+            const glm::dvec3 arm = shapes_[t].center_world - center;
             const double square = glm::dot(arm, arm);
             if (best != kNone && square >= best_square) continue;
-            best = border_[i];
+            best = t;
             best_square = square;
         }
         return best;
@@ -230,7 +231,8 @@ class Grower {
     std::vector<std::uint8_t> local_;         ///< its number there
     std::vector<std::uint32_t> candidates_;   ///< at the border of the cluster that grows
     std::vector<std::uint32_t> border_;       ///< what clusters left there, the oldest first
-    std::size_t oldest_ = 0;                  ///< in border_: all before are done
+    std::size_t next_oldest_ = 0;             ///< in border_: all before are done or in oldest_
+    std::vector<std::uint32_t> oldest_;
     std::vector<std::uint32_t> walk_;
     std::uint32_t number_ = 0;  ///< of the cluster that grows; so the rest
     std::size_t vertex_count_ = 0;
