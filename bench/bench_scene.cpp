@@ -110,6 +110,16 @@ const scene::Scene& bench_scene(const std::string& name) {
     return scenes.emplace(name, make_scene(name)).first->second;
 }
 
+const scene::Surface& bench_surface(const std::string& name) {
+    static std::map<std::string, scene::Surface> surfaces;
+    const auto found = surfaces.find(name);
+    if (found != surfaces.end()) return found->second;
+    return surfaces
+        .emplace(name,
+                 scene::flatten(bench_scene(name), scene::NormalSource::patch, 40 * kRadPerDeg))
+        .first->second;
+}
+
 std::array<scene::View, 2> bench_views(const scene::Scene& scene, const PictureSize& size) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double fov_rad = 40 * kRadPerDeg;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/surface.h"
 
 namespace ink::bench {
 
@@ -28,6 +29,10 @@ struct PictureSize {
 
 /// The mesh called `name` as a scene of one instance; made at its first use and kept.
 [[nodiscard]] const scene::Scene& bench_scene(const std::string& name);
+
+/// The same as methods lay it out by default: shared corners, normals over patches at 40 degrees.
+/// Made at its first use and kept.
+[[nodiscard]] const scene::Surface& bench_surface(const std::string& name);
 
 /// Two views a degree apart that the mesh fills from top to bottom. Benchmarks draw them in turns,
 /// so that nothing is free because the last frame was the same.

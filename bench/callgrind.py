@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Instructions of the hot kernels, counted by valgrind's callgrind, as a Markdown table.
 
-    bench/callgrind.py [--simd AVX2] [--mesh bunny] [--method mote4] [--functions] [--program PATH]
+    bench/callgrind.py [--simd AVX2] [--mesh bunny] [--method mote4] [--functions] [--readme]
 
 Filters: what one call of a row kernel costs, all it calls included, over its pixels. Stages of a
 frame: what three draws cost more than one, halved, so that nothing of the start is in it, summed
 over the functions of each stage (the table STAGES; --functions prints which function went where).
 valgrind knows AVX2 but not AVX-512, so the instruction set is forced. Counts do not depend on the
-machine's load; they do on compiler and flags. Needs valgrind and Python.
+machine's load; they do on compiler and flags. With --readme the table also replaces the block
+between <!-- instructions --> and <!-- /instructions --> in bench/README.md. Needs valgrind and
+Python.
 """
 
 import argparse
@@ -18,7 +20,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from table import ROOT, put_in_block
+
 WIDTH_PX, HEIGHT_PX = 1920, 1080
 
 # kernel, benchmark that calls it, function: one call is one row of the picture
@@ -32,13 +35,19 @@ FILTERS = [
 
 # stage, functions whose own instructions it sums (the first that matches takes them), unit
 STAGES = [
-    ("vertex stage", r"SurfaceInputs::|PackedBuffer::pack_vertices|Packer::|raster::to_screen\(|"
-                     r"put_on_screen|::encode_|raster::outcode", "vertex"),
-    ("setup, clipping, binning", r"raster::set_up|TriangleStage::|raster::Bins::|raster::clip|"
-                                 r"PlaneMaker::|make_\w+_plane|scene::facings|orient3d|Cluster",
+    ("vertices: place and values",
+     r"::(ProjectCluster|project_cluster|PackSnapped|ComputePlane|ComputeLinear|compute_linear)\(|"
+     r"compute_whole_values|Values::compute|SurfaceInputs::|raster::(to_screen|outcode)\(|"
+     r"put_on_screen|::encode_", "vertex"),
+    ("facing, samples, clipping",
+     r"::(TriageCluster|triage_cluster)\(|settle_sides|scene::(facings|orient3d)|raster::clip",
      "triangle"),
-    ("fill", r"fill_tile|covered_span|TileBuffer::|TileWorker::|memset", "pixel"),
-    ("filter", r"edge::laplacian|edge::decaudin|edge::respond|Sink::", "pixel"),
+    ("setup", r"::(SetUpLanes|set_up\w*|Collect)\(|TriangleStage::|PlaneMaker::|make_\w+_plane|"
+              r"MeshRun::(add|process|store)\w*\(", "triangle"),
+    ("binning", r"MeshRun::bin_\w+\(|raster::Bins::", "triangle"),
+    ("fill", r"raster::N_\w+::Fill<|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
+             r"memset", "pixel"),
+    ("filter", r"edge::(N_\w+::)?\w*([Ll]aplacian|[Dd]ecaudin|[Rr]espond)|Sink::", "pixel"),
 ]
 
 # Threads that wait for each other at the start, as long as it takes: no part of a frame.
@@ -158,21 +167,24 @@ def main():
     parser.add_argument("--method", default="mote4")
     parser.add_argument("--functions", action="store_true",
                         help="which function went to which stage, on stderr")
+    parser.add_argument("--readme", nargs="?", const=ROOT / "bench/README.md", type=Path,
+                        help="replace the block in this file (bench/README.md)")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/ink_bench")
     options = parser.parse_args()
     frame = f"frame/{options.method}/{options.mesh}/1080p/threads:1"
+    lines = [f"| kernel ({options.simd}) | benchmark | per | instructions |", "|---|---|---|--:|"]
     try:
         with tempfile.TemporaryDirectory() as folder:
             counter = Counter(options.program, options.simd, folder)
-            print(f"| kernel ({options.simd}) | benchmark | per | instructions |")
-            print("|---|---|---|--:|")
-            for line in filter_lines(counter):
-                print(line, flush=True)
-            for line in frame_lines(counter, frame, options.functions):
-                print(line, flush=True)
+            lines += filter_lines(counter)
+            lines += frame_lines(counter, frame, options.functions)
+        text = "\n".join(lines)
+        if options.readme:
+            put_in_block("instructions", text, options.readme)
     except (OSError, ValueError) as error:
         print(f"callgrind.py: {error}", file=sys.stderr)
         return 2
+    print(text)
     return 0
 
 

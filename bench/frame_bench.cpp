@@ -30,13 +30,6 @@ methods::Method& prepared(const FrameKey& key) {
     return *method;
 }
 
-std::size_t vertex_count(const scene::Scene& scene) {
-    std::size_t count = 0;
-    for (const scene::Instance& instance : scene.instances)
-        count += scene.meshes[instance.mesh].positions.size();
-    return count;
-}
-
 /// One whole frame: everything the method does in `draw`. The two views come in turns.
 void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
     const scene::Scene& scene = bench_scene(key.mesh);
@@ -58,7 +51,7 @@ void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
     if (hash_of_both() != hash) state.SkipWithError("the frame changed when drawn again");
     state.SetLabel(hash);
     state.counters["triangles"] = static_cast<double>(scene::triangle_count(scene));
-    state.counters["vertices"] = static_cast<double>(vertex_count(scene));
+    state.counters["vertices"] = static_cast<double>(bench_surface(key.mesh).p_world.size());
     state.counters["bytes_per_px"] = method.bytes_per_px();
 }
 

@@ -19,7 +19,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 YARDSTICK = "memcpy/u8/1080p"
 NS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
-BEGIN, END = "<!-- speed -->", "<!-- /speed -->"
 
 
 class NotRun(Exception):
@@ -241,12 +240,14 @@ def footing(run):
             "missed; \\* was measured on another machine. " + ", ".join(facts) + ".")
 
 
-def put_in_readme(text, path):
+def put_in_block(name, text, path):
+    """Replaces what stands between <!-- name --> and <!-- /name --> in a file."""
+    begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
     old = path.read_text(encoding="utf-8")
-    begin, end = old.find(BEGIN), old.find(END)
-    if begin < 0 or end < begin:
-        raise ValueError(f"{path}: no block between {BEGIN} and {END}")
-    path.write_text(old[:begin] + f"{BEGIN}\n{text}\n" + old[end:], encoding="utf-8")
+    first, last = old.find(begin), old.find(end)
+    if first < 0 or last < first:
+        raise ValueError(f"{path}: no block between {begin} and {end}")
+    path.write_text(f"{old[:first]}{begin}\n{text}\n{old[last:]}", encoding="utf-8")
 
 
 def measure(program):
@@ -277,7 +278,7 @@ def main():
         run = read(options.json or measure(options.program))
         text = table(run)
         if options.readme:
-            put_in_readme(text, options.readme)
+            put_in_block("speed", text, options.readme)
     except (OSError, ValueError, KeyError, subprocess.CalledProcessError) as error:
         print(f"table.py: {error}", file=sys.stderr)
         return 2
