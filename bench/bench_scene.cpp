@@ -91,15 +91,14 @@ scene::Scene make_scene(const std::string& name) {
 
 }  // namespace
 
+std::vector<PictureSize> picture_sizes() {
+    return {{"1080p", kWidth_px, kHeight_px}, {"2160p", 2 * kWidth_px, 2 * kHeight_px}};
+}
+
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names = {"sphere"};
     if (std::filesystem::exists(model_path("bunny.obj")))
         names.insert(names.end(), {"bunny", "bunny_x16"});
-    return names;
-}
-
-std::vector<std::string> truth_mesh_names() {
-    std::vector<std::string> names = mesh_names();
     if (std::filesystem::exists(model_path("dragon.ply"))) names.push_back("dragon");
     return names;
 }
@@ -111,7 +110,17 @@ const scene::Scene& bench_scene(const std::string& name) {
     return scenes.emplace(name, make_scene(name)).first->second;
 }
 
-std::array<scene::View, 2> bench_views(const scene::Scene& scene) {
+const scene::Surface& bench_surface(const std::string& name) {
+    static std::map<std::string, scene::Surface> surfaces;
+    const auto found = surfaces.find(name);
+    if (found != surfaces.end()) return found->second;
+    return surfaces
+        .emplace(name,
+                 scene::flatten(bench_scene(name), scene::NormalSource::patch, 40 * kRadPerDeg))
+        .first->second;
+}
+
+std::array<scene::View, 2> bench_views(const scene::Scene& scene, const PictureSize& size) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double fov_rad = 40 * kRadPerDeg;
     const double distance = bounds.radius / std::sin(fov_rad / 2);
@@ -123,8 +132,8 @@ std::array<scene::View, 2> bench_views(const scene::Scene& scene) {
         view.camera = scene::look_at(
             bounds.center_world + distance * away, bounds.center_world, {0, 1, 0}, fov_rad);
         scene::fit_clip_range(view.camera, bounds);
-        view.width_px = kWidth_px;
-        view.height_px = kHeight_px;
+        view.width_px = size.width_px;
+        view.height_px = size.height_px;
     }
     return views;
 }

@@ -5,25 +5,39 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/surface.h"
 
 namespace ink::bench {
 
 inline constexpr int kWidth_px = 1920;
 inline constexpr int kHeight_px = 1080;
 
-/// The meshes that rasterizer, frames and truth are timed on: `sphere` (made here, 69 thousand
-/// triangles), and where the shared models are beside the project `bunny` (69 thousand) and
-/// `bunny_x16` (the same, subdivided twice: 1.1 million).
-[[nodiscard]] std::vector<std::string> mesh_names();
+/// A size of picture as names have it.
+struct PictureSize {
+    std::string name;
+    int width_px = 0;
+    int height_px = 0;
+};
 
-/// Those that truth is timed on: the same, and `dragon` (871 thousand) where the shared models are.
-[[nodiscard]] std::vector<std::string> truth_mesh_names();
+/// `1080p` (1920 x 1080) and `2160p` (3840 x 2160).
+[[nodiscard]] std::vector<PictureSize> picture_sizes();
+
+/// The meshes that everything is timed on: `sphere` (made here, 69 thousand triangles), and where
+/// the shared models are beside the project `bunny` (69 thousand), `bunny_x16` (the same,
+/// subdivided twice: 1.1 million) and `dragon` (871 thousand).
+[[nodiscard]] std::vector<std::string> mesh_names();
 
 /// The mesh called `name` as a scene of one instance; made at its first use and kept.
 [[nodiscard]] const scene::Scene& bench_scene(const std::string& name);
 
+/// The same as methods lay it out by default: shared corners, normals over patches at 40 degrees.
+/// Made at its first use and kept.
+[[nodiscard]] const scene::Surface& bench_surface(const std::string& name);
+
 /// Two views a degree apart that the mesh fills from top to bottom. Benchmarks draw them in turns,
 /// so that nothing is free because the last frame was the same.
-[[nodiscard]] std::array<scene::View, 2> bench_views(const scene::Scene& scene);
+[[nodiscard]] std::array<scene::View, 2> bench_views(const scene::Scene& scene,
+                                                     const PictureSize& size = {
+                                                         "1080p", kWidth_px, kHeight_px});
 
 }  // namespace ink::bench

@@ -4,12 +4,14 @@
 ///
 /// Explicit, like the registry of methods; main.cpp calls them in the order in which tables show
 /// them. Every benchmark checks its result before it is timed where there is something to check it
-/// against, and carries a hash of it as its label.
+/// against, and carries a hash of it as its label: a run whose repetitions differ there fails.
 namespace ink::bench {
 
 void add_filter_benchmarks();
-void add_raster_benchmarks();
-void add_frame_benchmarks();
+/// Passes and frames are run exactly `draws` times a repetition; 0 lets the library choose.
+void add_raster_benchmarks(int draws);
+void add_frame_benchmarks(int draws);
+void add_embree_benchmarks();
 void add_truth_benchmarks();
 void add_score_benchmarks();
 

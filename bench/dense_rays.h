@@ -1,25 +1,22 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
+#include <string>
 
-#include "scene/scene.h"
+#include "bench/ray_tree.h"
 
 namespace ink::bench {
 
 struct DenseCounts {
     std::size_t rays = 0;
     std::size_t mixed_px = 0;  ///< pixels in which more than one triangle, or the sky, is seen
+    std::string hash;          ///< of which these are
 };
 
-/// A truth by brute force, as a renderer would make it: triangle ids of 16 x 16 rays a pixel, cast
-/// in coherent packets of 16 against Embree's robust tree, nothing filtered. One thread.
+/// A truth by brute force, as a renderer would make it: triangle ids of 16 x 16 rays a pixel.
 class DenseRays {
   public:
     DenseRays(const scene::Scene& scene, const scene::View& view);
-    ~DenseRays();
-    DenseRays(const DenseRays&) = delete;
-    DenseRays& operator=(const DenseRays&) = delete;
 
     /// 256 rays in every pixel.
     [[nodiscard]] DenseCounts cast_everywhere() const;
@@ -29,8 +26,11 @@ class DenseRays {
     [[nodiscard]] DenseCounts cast_adaptive() const;
 
   private:
-    struct Tree;
-    std::unique_ptr<Tree> tree_;
+    [[nodiscard]] bool is_mixed(int x, int y) const;
+
+    RayTree tree_;
+    int width_px_;
+    int height_px_;
 };
 
 }  // namespace ink::bench

@@ -1,5 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include <map>
+#include <utility>
+
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
@@ -8,46 +11,67 @@
 namespace ink::bench {
 namespace {
 
-/// One whole frame: everything the method does in `draw`, at its default settings.
-void time_frame(benchmark::State& state,
-                const methods::MethodInfo& info,
-                const std::string& mesh,
-                int threads) {
-    const scene::Scene& scene = bench_scene(mesh);
-    const auto views = bench_views(scene);
-    const auto method = info.make({});
-    method->prepare(scene);
-    method->pose(scene);
+/// One method at its default settings on one mesh.
+struct FrameKey {
+    const methods::MethodInfo& info;
+    std::string mesh;
+    PictureSize size;
+};
+
+/// Prepared and posed once for all sizes, threads and repetitions: `draw` is what is timed.
+methods::Method& prepared(const FrameKey& key) {
+    static std::map<std::pair<std::string, std::string>, std::unique_ptr<methods::Method>> kept;
+    auto& method = kept[{key.info.name, key.mesh}];
+    if (method == nullptr) {
+        method = key.info.make({});
+        method->prepare(bench_scene(key.mesh));
+        method->pose(bench_scene(key.mesh));
+    }
+    return *method;
+}
+
+/// One whole frame: everything the method does in `draw`. The two views come in turns.
+void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
+    const scene::Scene& scene = bench_scene(key.mesh);
+    const auto views = bench_views(scene, key.size);
+    methods::Method& method = prepared(key);
     std::array<edge::EdgeImage, 2> out;
-    out.fill(edge::EdgeImage(kWidth_px, kHeight_px));
+    out.fill(edge::EdgeImage(key.size.width_px, key.size.height_px));
+    const auto hash_of_both = [&] {
+        return core::Hasher().text(core::image_hash(out[0])).text(core::image_hash(out[1])).hex();
+    };
     for (std::size_t i = 0; i < 2; ++i)
-        method->draw({views[i], threads}, out[i]);
-    const std::string hash = core::image_hash(out[0]);
+        method.draw({views[i], threads}, out[i]);
+    const std::string hash = hash_of_both();
     std::size_t frame = 0;
     for (auto _ : state) {
-        method->draw({views[frame % 2], threads}, out[frame % 2]);
+        method.draw({views[frame % 2], threads}, out[frame % 2]);
         ++frame;
     }
-    if (core::image_hash(out[0]) != hash) state.SkipWithError("the frame changed when drawn again");
+    if (hash_of_both() != hash) state.SkipWithError("the frame changed when drawn again");
     state.SetLabel(hash);
     state.counters["triangles"] = static_cast<double>(scene::triangle_count(scene));
-    state.counters["bytes_per_px"] = method->bytes_per_px();
+    state.counters["vertices"] = static_cast<double>(bench_surface(key.mesh).p_world.size());
+    state.counters["bytes_per_px"] = method.bytes_per_px();
 }
 
 }  // namespace
 
-void add_frame_benchmarks() {
+void add_frame_benchmarks(int draws) {
+    const auto add = [draws](const FrameKey& key) {
+        const std::string name = "frame/" + key.info.name + "/" + key.mesh + "/" + key.size.name;
+        for (const int threads : {1, 2}) {
+            auto* added = benchmark::RegisterBenchmark(
+                (name + "/threads:" + std::to_string(threads)).c_str(),
+                [key, threads](benchmark::State& state) { time_frame(state, key, threads); });
+            added->Unit(benchmark::kMillisecond);
+            if (draws > 0) added->Iterations(draws);
+        }
+    };
     for (const std::string& mesh : mesh_names()) {
-        for (const methods::MethodInfo& info : methods::registry()) {
-            for (const int threads : {1, 2}) {
-                const std::string name =
-                    "frame/" + info.name + "/" + mesh + "/1080p/threads:" + std::to_string(threads);
-                benchmark::RegisterBenchmark(name.c_str(),
-                                             [&info, mesh, threads](benchmark::State& state) {
-                                                 time_frame(state, info, mesh, threads);
-                                             })
-                    ->Unit(benchmark::kMillisecond);
-            }
+        for (const PictureSize& size : picture_sizes()) {
+            for (const methods::MethodInfo& info : methods::registry())
+                add({info, mesh, size});
         }
     }
 }

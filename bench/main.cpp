@@ -1,51 +1,84 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/benchmarks.h"
-#include "bench/ratios.h"
+#include "bench/cores.h"
+#include "bench/options.h"
+#include "bench/results.h"
+#include "core/error.h"
 #include "core/provenance.h"
+#include "core/simd.h"
 
 namespace {
 
+using namespace ink;
+
 void add_provenance() {
-    const auto& p = ink::core::provenance();
+    const auto& p = core::provenance();
     benchmark::AddCustomContext("inkbench_version", p.version);
     benchmark::AddCustomContext("commit", p.commit + (p.dirty ? " (changed)" : ""));
     benchmark::AddCustomContext("compiler", p.compiler);
     benchmark::AddCustomContext("flags", p.flags);
     benchmark::AddCustomContext("cpu", p.cpu);
-    benchmark::AddCustomContext("simd", p.simd);
+    benchmark::AddCustomContext("simd", core::current_simd_target().name);
     for (const auto& [name, version] : p.libraries)
         benchmark::AddCustomContext(name, version);
 }
 
-/// Whether the table goes to the terminal; JSON and CSV must stay as the library writes them.
-bool is_table(int argc, char** argv) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    return std::none_of(words.begin(), words.end(), [](const std::string& word) {
-        return word == "--benchmark_format=json" || word == "--benchmark_format=csv";
-    });
+core::SimdTarget find_target(const std::string& name) {
+    std::string known;
+    for (const core::SimdTarget& target : core::simd_targets()) {
+        if (target.name == name) return target;
+        known += (known.empty() ? "" : ", ") + target.name;
+    }
+    throw core::Error("--simd", "'" + name + "' does not run here", known);
+}
+
+/// Google Benchmark keeps pointers into the words for as long as it runs.
+bool start_library(std::vector<std::string>& words) {
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    int count = static_cast<int>(pointers.size());
+    pointers.push_back(nullptr);
+    benchmark::Initialize(&count, pointers.data());
+    return !benchmark::ReportUnrecognizedArguments(count, pointers.data());
 }
 
 int run(int argc, char** argv) {
-    const bool with_ratios = is_table(argc, argv);
-    ink::bench::add_filter_benchmarks();
-    ink::bench::add_raster_benchmarks();
-    ink::bench::add_frame_benchmarks();
-    ink::bench::add_truth_benchmarks();
-    ink::bench::add_score_benchmarks();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    bench::Options options = bench::parse_options(argc, argv);
+    bench::pin_to_cores();
+    std::optional<core::ForcedSimdTarget> forced;
+    if (!options.simd.empty()) forced.emplace(find_target(options.simd));
+    bench::add_filter_benchmarks();
+    bench::add_raster_benchmarks(options.draws);
+    bench::add_frame_benchmarks(options.draws);
+    bench::add_embree_benchmarks();
+    bench::add_truth_benchmarks();
+    bench::add_score_benchmarks();
+    if (!start_library(options.library_words)) return 2;
     add_provenance();
-    ink::bench::RatioReporter ratios;
-    benchmark::RunSpecifiedBenchmarks(with_ratios ? &ratios : nullptr);
+    bench::TableReporter table;
+    bench::JsonReporter json;
+    bench::JsonReporter file;
+    benchmark::BenchmarkReporter* display = nullptr;  // the library's own
+    if (options.format == "console") display = &table;
+    if (options.format == "json") display = &json;
+    const std::size_t matched =
+        benchmark::RunSpecifiedBenchmarks(display, options.has_json_file ? &file : nullptr);
     benchmark::Shutdown();
-    return 0;
+    if (matched == 0) return 2;  // the library has said so
+    const bench::Results& results = display == &json ? json.results() : table.results();
+    const auto complaints = results.complaints();
+    for (const std::string& line : complaints)
+        std::fprintf(stderr, "ink_bench: %s\n", line.c_str());
+    return complaints.empty() ? 0 : 1;
 }
 
 }  // namespace

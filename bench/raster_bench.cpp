@@ -1,49 +1,62 @@
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <map>
+#include <mutex>
+#include <vector>
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
-#include "raster/pass.h"
-#include "scene/surface.h"
+#include "raster/mesh_pass.h"
 
 namespace ink::bench {
 namespace {
 
-/// A mesh as a pass takes it, seen from one view.
-struct Load {
-    std::vector<glm::dvec3> p_clip;
-    std::vector<scene::Triangle> triangles;
-    std::vector<float> values;  ///< interpolants of them per vertex
-    raster::PassInput input;
+/// Values as methods give them: the view-space normal's components and 1/w, each spread over a
+/// byte; a single value is the sum of quarters of all four, as `mote4` has it.
+class Values : public raster::CornerValues {
+  public:
+    Values(const scene::View& view, int count) {
+        const scene::Camera& camera = view.camera;
+        std::array<raster::LinearValue, 4> channels;
+        for (int i = 0; i < 3; ++i) {
+            channels[static_cast<std::size_t>(i)].base = 127.5;
+            for (int axis = 0; axis < 3; ++axis) {
+                channels[static_cast<std::size_t>(i)].per_normal[axis] =
+                    static_cast<float>(camera.view_from_world[axis][i] * 127.5);
+            }
+        }
+        const double span = camera.far - camera.near;
+        channels[3].base = -255 * camera.near / span;
+        channels[3].per_q = 255 * camera.near * camera.far / span;
+        values_.assign(channels.begin(), channels.begin() + count);
+        if (count == 1) values_[0] = mean_of(channels);
+    }
+
+    void compute(const raster::CornerBatch& in, const raster::CornerPlanes& out) const override {
+        raster::compute_linear(values_.data(), static_cast<int>(values_.size()), false, in, out);
+    }
+
+  private:
+    static raster::LinearValue mean_of(const std::array<raster::LinearValue, 4>& channels) {
+        raster::LinearValue mean;
+        for (const raster::LinearValue& channel : channels) {
+            mean.base += channel.base / 4;
+            mean.per_q += channel.per_q / 4;
+            for (int axis = 0; axis < 3; ++axis)
+                mean.per_normal[axis] += channel.per_normal[axis] / 4;
+        }
+        return mean;
+    }
+
+    std::vector<raster::LinearValue> values_;
 };
 
-/// Values as methods give them: view-space normal and depth, scaled to a byte.
-float value_at(int i, const glm::vec3& normal, double w, const scene::Camera& camera) {
-    const double depth = (camera.far - w) / (camera.far - camera.near);
-    const double channel = i < 3 ? (normal[i] + 1) / 2 : depth;
-    return static_cast<float>(channel * 255);
-}
-
-void fill_load(const scene::Surface& surface,
-               const scene::View& view,
-               int interpolants,
-               Load& load) {
-    const scene::Projection projection(view);
-    for (std::size_t v = 0; v < surface.p_world.size(); ++v) {
-        load.p_clip.push_back(projection.to_clip(surface.p_world[v]));
-        for (int i = 0; i < interpolants; ++i) {
-            load.values.push_back(
-                value_at(i, surface.n_world[v], load.p_clip.back().z, view.camera));
-        }
-    }
-    load.triangles = surface.triangles;
-    load.input.p_clip = load.p_clip;
-    load.input.triangles = load.triangles;
-    load.input.values = load.values;
-    load.input.near = view.camera.near;
-    load.input.far = view.camera.far;
+/// A mesh laid out as the rasterizer takes it; made once.
+const raster::LaneMesh& lane_mesh(const std::string& name) {
+    static std::map<std::string, raster::LaneMesh> kept;
+    return kept.try_emplace(name, bench_surface(name)).first->second;
 }
 
 /// Takes tiles and does nothing with them: what is timed is the rasterizer.
@@ -65,6 +78,7 @@ class HashSink : public raster::TileSink {
             for (int i = 0; i < format_.planes(); ++i)
                 hasher.bytes(plane_row(tile, i, y), width * plane_bytes());
         }
+        const std::lock_guard lock(mutex_);
         tiles_[{tile.y0_px, tile.x0_px}] = hasher.result();
     }
 
@@ -85,29 +99,47 @@ class HashSink : public raster::TileSink {
     }
 
     raster::PassFormat format_;
+    std::mutex mutex_;
     std::map<std::pair<int, int>, std::uint64_t> tiles_;
 };
 
-void time_pass(benchmark::State& state, const raster::PassFormat& format, const std::string& mesh) {
-    const scene::Scene& scene = bench_scene(mesh);
-    const scene::Surface surface =
-        scene::flatten(scene, scene::NormalSource::patch, 0.6981317007977318);
-    const auto views = bench_views(scene);
-    std::array<Load, 2> loads;
-    for (std::size_t i = 0; i < 2; ++i)
-        fill_load(surface, views[i], format.interpolants, loads[i]);
+struct PassKey {
+    raster::PassFormat format;
+    std::string mesh;
+    PictureSize size;
+};
+
+/// One pass: from world positions to finished tiles. The two views come in turns.
+void time_pass(benchmark::State& state, const PassKey& key, int threads) {
+    const auto views = bench_views(bench_scene(key.mesh), key.size);
+    std::vector<Values> values;
+    std::array<raster::MeshInput, 2> inputs;
+    for (const scene::View& view : views)
+        values.emplace_back(view, key.format.interpolants);
+    for (std::size_t i = 0; i < 2; ++i) {
+        inputs[i].mesh = &lane_mesh(key.mesh);
+        if (key.format.interpolants > 0) inputs[i].values = &values[i];
+        inputs[i].view = views[i];
+        inputs[i].threads = threads;
+    }
+    raster::MeshPass pass;
+    const auto draw = [&](std::size_t view, raster::TileSink& sink) {
+        benchmark::DoNotOptimize(pass.draw(key.format, inputs[view], sink));
+    };
+    HashSink hashes(key.format);
+    draw(0, hashes);
     NoSink sink;
-    std::size_t frame = 0;
+    std::size_t frame = 1;
     for (auto _ : state) {
-        raster::draw_pass(format, loads[frame % 2].input, kWidth_px, kHeight_px, 1, sink);
+        draw(frame % 2, sink);
         ++frame;
     }
-    HashSink hashes(format);
-    const raster::PassStats stats =
-        raster::draw_pass(format, loads[0].input, kWidth_px, kHeight_px, 1, hashes);
+    HashSink again(key.format);
+    draw(0, again);
+    if (again.hex() != hashes.hex()) state.SkipWithError("the pass changed when drawn again");
     state.SetLabel(hashes.hex());
-    state.counters["triangles"] = static_cast<double>(stats.triangles);
-    state.counters["bytes_per_px"] = format.bytes_per_px();
+    state.counters["triangles"] = static_cast<double>(scene::triangle_count(bench_scene(key.mesh)));
+    state.counters["bytes_per_px"] = key.format.bytes_per_px();
 }
 
 raster::PassFormat format_of(int interpolants, raster::Store store) {
@@ -120,7 +152,7 @@ raster::PassFormat format_of(int interpolants, raster::Store store) {
 
 }  // namespace
 
-void add_raster_benchmarks() {
+void add_raster_benchmarks(int draws) {
     using raster::Store;
     const std::vector<std::pair<std::string, raster::PassFormat>> formats = {
         {"depth", format_of(0, Store::none)},
@@ -129,14 +161,19 @@ void add_raster_benchmarks() {
         {"u16", format_of(1, Store::u16)},
         {"f32x4", format_of(4, Store::f32)},
     };
+    const auto add = [draws](const std::string& name, const PassKey& key) {
+        for (const int threads : {1, 2}) {
+            auto* added = benchmark::RegisterBenchmark(
+                (name + "/threads:" + std::to_string(threads)).c_str(),
+                [key, threads](benchmark::State& state) { time_pass(state, key, threads); });
+            added->Unit(benchmark::kMillisecond);
+            if (draws > 0) added->Iterations(draws);
+        }
+    };
     for (const std::string& mesh : mesh_names()) {
         for (const auto& [name, format] : formats) {
-            const std::string full = "raster/" + name + "/" + mesh + "/1080p/threads:1";
-            benchmark::RegisterBenchmark(full.c_str(),
-                                         [format = format, mesh](benchmark::State& state) {
-                                             time_pass(state, format, mesh);
-                                         })
-                ->Unit(benchmark::kMillisecond);
+            for (const PictureSize& size : picture_sizes())
+                add("raster/" + name + "/" + mesh + "/" + size.name, {format, mesh, size});
         }
     }
 }

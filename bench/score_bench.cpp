@@ -162,6 +162,17 @@ struct Stage {
     score::PixelList drawn = score::counted_pixels(strokes.thinned, lists, options);
 };
 
+/// Of every pixel's place.
+std::string hash_of(const score::PixelList& list) {
+    core::Hasher hasher;
+    hasher.value(list.size());
+    for (int y = 0; y <= list.height_px(); ++y)
+        hasher.value(list.row_begin(y));
+    for (std::size_t i = 0; i < list.size(); ++i)
+        hasher.value(list.x(i));
+    return hasher.hex();
+}
+
 void time_thin(benchmark::State& state) {
     Stage stage;
     for (auto _ : state) {
@@ -176,14 +187,14 @@ void time_band(benchmark::State& state) {
     Stage stage;
     for (auto _ : state)
         stage.drawn = score::counted_pixels(stage.strokes.thinned, stage.lists, stage.options);
-    state.SetLabel(core::Hasher().value(stage.drawn.size()).hex());
+    state.SetLabel(hash_of(stage.drawn));
 }
 
 void time_lists(benchmark::State& state) {
     Stage stage;
     for (auto _ : state)
         stage.lists = score::list_truth(stage.truth, stage.options);
-    state.SetLabel(core::Hasher().value(stage.lists.truth.size()).hex());
+    state.SetLabel(hash_of(stage.lists.truth));
 }
 
 void time_matching(benchmark::State& state) {

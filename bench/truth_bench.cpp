@@ -1,5 +1,7 @@
 #include <benchmark/benchmark.h>
 
+#include <span>
+
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "bench/dense_rays.h"
@@ -34,8 +36,13 @@ void time_truth(benchmark::State& state, const std::string& mesh) {
 /// What no eye changes: weld, edges, crossings.
 void time_model(benchmark::State& state, const std::string& mesh) {
     const scene::Scene& scene = bench_scene(mesh);
+    truth::Model model;
     for (auto _ : state)
-        benchmark::DoNotOptimize(truth::build_model(scene, {}));
+        model = truth::build_model(scene, {});
+    state.SetLabel(core::Hasher()
+                       .items(std::span<const std::uint32_t>(model.topology.edge_faces))
+                       .items(std::span<const std::uint32_t>(model.patch))
+                       .hex());
 }
 
 /// A model with what one eye makes of it, for the stages after.
@@ -56,6 +63,11 @@ void time_eye(benchmark::State& state, const std::string& mesh) {
     const Stage stage(mesh);
     for (auto _ : state)
         benchmark::DoNotOptimize(truth::EyeView(stage.model, stage.view, 1));
+    const truth::EyeView eye(stage.model, stage.view, 1);
+    state.SetLabel(core::Hasher()
+                       .items(std::span<const std::int8_t>(eye.facing))
+                       .items(std::span<const truth::LineClass>(eye.edge_class))
+                       .hex());
 }
 
 void time_bvh(benchmark::State& state, const std::string& mesh) {
@@ -64,6 +76,9 @@ void time_bvh(benchmark::State& state, const std::string& mesh) {
         const truth::EyeScene tree(stage.model.topology, stage.view.camera.eye_world, 1);
         benchmark::DoNotOptimize(&tree);
     }
+    // A tree shows no bits of its own: what it says of every pixel stands for it.
+    const truth::EyeScene tree(stage.model.topology, stage.view.camera.eye_world, 1);
+    state.SetLabel(core::image_hash(truth::trace_layers(stage.eye, tree, 1).layers.triangle));
 }
 
 /// The lines alone, visibility and what lies behind them included.
@@ -74,6 +89,13 @@ void time_lines(benchmark::State& state, const std::string& mesh) {
         lines = truth::trace_lines(stage.eye, stage.scene, {});
         lines.rays += truth::fill_curve_facts(stage.eye, stage.scene, lines.curves, 1);
     }
+    core::Hasher hasher;
+    for (const truth::Curve& curve : lines.curves) {
+        hasher.value(curve.line_class).value(curve.edge).value(curve.gap);
+        hasher.value(curve.begin.x_px).value(curve.begin.y_px);
+        hasher.value(curve.end.x_px).value(curve.end.y_px);
+    }
+    state.SetLabel(hasher.hex());
     count_lines(state, lines.samples, lines.rays);
 }
 
@@ -94,6 +116,7 @@ void time_dense(benchmark::State& state, const std::string& mesh, bool is_adapti
     DenseCounts counts;
     for (auto _ : state)
         counts = is_adaptive ? rays.cast_adaptive() : rays.cast_everywhere();
+    state.SetLabel(counts.hash);
     state.counters["rays"] = static_cast<double>(counts.rays);
     state.counters["mixed_px"] = static_cast<double>(counts.mixed_px);
 }
@@ -106,7 +129,7 @@ void add(const std::string& name, Time time) {
 }  // namespace
 
 void add_truth_benchmarks() {
-    for (const std::string& mesh : truth_mesh_names()) {
+    for (const std::string& mesh : mesh_names()) {
         const std::string name = "truth/" + mesh + "/1080p";
         add(name, [mesh](benchmark::State& state) { time_truth(state, mesh); });
         add(name + "/model", [mesh](benchmark::State& state) { time_model(state, mesh); });

@@ -1,0 +1,290 @@
+#!/usr/bin/python3
+"""The table of speeds: what others reach, our goals, and ours as ink_bench measured it.
+
+    bench/table.py [FILE.json] [--readme] [--program PATH]
+
+Reads what ink_bench wrote with --benchmark_out; without a file it runs ink_bench on what the table
+needs (some minutes) and leaves the JSON beside the program. Prints Markdown. With --readme the
+table also replaces the block between <!-- speed --> and <!-- /speed --> in README.md. What was not
+run is said so. Needs nothing but Python.
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+YARDSTICK = "memcpy/u8/1080p"
+NS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
+
+
+class NotRun(Exception):
+    """A benchmark that the file does not hold."""
+
+
+class Run:
+    """Least times of one run of ink_bench."""
+
+    def __init__(self, data):
+        self.context = data.get("context", {})
+        self.least_ns = {}
+        self.repetitions = {}
+        for entry in data["benchmarks"]:
+            is_repetition = entry.get("run_type") == "iteration"
+            if not is_repetition and entry.get("aggregate_name") != "min":
+                continue
+            if entry.get("error_occurred"):
+                continue
+            name = entry["run_name"]
+            time_ns = entry["real_time"] * NS[entry["time_unit"]]
+            self.least_ns[name] = min(time_ns, self.least_ns.get(name, time_ns))
+            if is_repetition:
+                self.repetitions[name] = self.repetitions.get(name, 0) + 1
+
+    def ns(self, name):
+        if name not in self.least_ns:
+            raise NotRun(name)
+        return self.least_ns[name]
+
+    def m(self, name):
+        return self.ns(name) / self.ns(YARDSTICK)
+
+    def ms(self, *names):
+        return sum(self.ns(name) for name in names) / 1e6
+
+    def times(self, slow, quick):
+        """How many times `quick` goes into `slow`."""
+        return self.ns(slow) / self.ns(quick)
+
+
+def number(value):
+    digits = 0 if value >= 100 else 1 if value >= 10 else 2
+    return f"{value:.{digits}f}"
+
+
+class Check:
+    """A value of ours beside its goal; `goal` None: shown only."""
+
+    def __init__(self, value, unit, at_most=None, at_least=None):
+        self.value, self.unit = value, unit
+        self.at_most, self.at_least = at_most, at_least
+
+    def judge(self, run):
+        """(text, True, False or None)"""
+        value = self.value(run)
+        text = f"{number(value)} {self.unit}"
+        if self.at_most is None and self.at_least is None:
+            return text, None
+        is_met = self.at_most is None or value <= self.at_most
+        is_met = is_met and (self.at_least is None or value >= self.at_least)
+        return text if is_met else f"**{text}**", is_met
+
+
+class Row:
+    def __init__(self, work, others, goal, checks):
+        self.work, self.others, self.goal, self.checks = work, others, goal, checks
+
+    def cells(self, run):
+        texts, verdicts, missing = [], [], []
+        for check in self.checks:
+            try:
+                text, is_met = check.judge(run)
+                texts.append(text)
+                verdicts.append(is_met)
+            except NotRun as name:
+                missing.append(str(name))
+        if missing:
+            texts.append("not run: " + ", ".join(f"`{n}`" for n in dict.fromkeys(missing)))
+        return [self.work, self.fill(run), self.goal, "; ".join(texts), verdict(verdicts, missing)]
+
+    def fill(self, run):
+        """The others' text; what stands there in braces is measured in the same run."""
+
+        def measured(match):
+            try:
+                return number(run.m(match.group(1))) + " M"
+            except NotRun:
+                return "(not run)"
+
+        return re.sub(r"\{([^}]+)\}", measured, self.others)
+
+
+def verdict(verdicts, missing):
+    if False in verdicts:
+        return "missed"
+    if missing:
+        return "not run"
+    return "met" if True in verdicts else "-"
+
+
+def in_m(name, **goal):
+    return Check(lambda run: run.m(name), "M", **goal)
+
+
+def gain(slow, quick, what, **goal):
+    return Check(lambda run: run.times(slow, quick), what, **goal)
+
+
+def filter_row(work, store, others, goal, own, over_opencv):
+    ours = f"filter/laplacian/{store}/1080p"
+    return Row(work, others, goal, [
+        in_m(ours, at_most=own) if store == "u8" else in_m(ours),
+        *([] if store == "u8" else
+          [gain(f"memcpy/{store}/1080p", ours, "of copy", at_least=own)]),
+        gain(f"opencv/laplacian/{store}/1080p", ours, "x OpenCV", at_least=over_opencv),
+    ])
+
+
+def frame(mesh, threads=1, method="mote4"):
+    return f"frame/{method}/{mesh}/1080p/threads:{threads}"
+
+
+def two_threads(work, one, two):
+    return Row(work, "", ">= 1.85 x one", [gain(one, two, "x", at_least=1.85)])
+
+
+LINES = ["truth/bunny/1080p/eye", "truth/bunny/1080p/bvh", "truth/bunny/1080p/lines"]
+
+
+def rows():
+    u8 = "filter/laplacian/u8/1080p"
+    dense = "truth_dense/bunny/1080p"
+    million = "<= 32 M at least, 29 M aimed at, then 21 M"
+    return [
+        filter_row("u8 four-neighbour Laplacian, scale, clip", "u8",
+                   "OpenCV {opencv/laplacian/u8/1080p}, Halide 1.15 M\\*, plain C 1.3 M\\*",
+                   "<= 0.85 M, 9 x OpenCV", 0.85, 9),
+        filter_row("u16 the same", "u16", "OpenCV {opencv/laplacian/u16/1080p}",
+                   "0.97 of copy, 14 x OpenCV", 0.97, 14),
+        filter_row("4 x f32 Laplacian, sum, threshold", "f32x4",
+                   "OpenCV {opencv/laplacian/f32x4/1080p}",
+                   "0.9 of copy, 5.3 x OpenCV", 0.9, 5.3),
+        Row("whole frame, `mote4`: byte pack, depth and filter, bunny (69 k triangles)",
+            "llvmpipe 350 M\\*; MaskedOcclusionCulling, depth only, 7.9 M\\*; "
+            "Embree's primary rays {embree/primary/bunny/1080p/threads:1}",
+            "<= 8 M at least, 7 M aimed at, then 5 M", [in_m(frame("bunny"), at_most=8)]),
+        Row("the same, bunny subdivided twice (1.1 M triangles)",
+            "llvmpipe 870 M\\*; MaskedOcclusionCulling 85-105 M\\*; "
+            "Embree's primary rays {embree/primary/bunny_x16/1080p/threads:1}",
+            million, [in_m(frame("bunny_x16"), at_most=32)]),
+        Row("the same, dragon (871 k triangles)",
+            "Embree's primary rays {embree/primary/dragon/1080p/threads:1}",
+            million, [in_m(frame("dragon"), at_most=32)]),
+        two_threads("two threads, whole frame, bunny", frame("bunny"), frame("bunny", 2)),
+        two_threads("two threads, whole frame, 1.1 M triangles",
+                    frame("bunny_x16"), frame("bunny_x16", 2)),
+        two_threads("two threads, u8 filter", u8, u8 + "/threads:2"),
+        Row("truth of bunny's lines (facing, tree, lines)",
+            "16 x 16 rays in every pixel {%s}" % dense,
+            "under 100 ms, >= 20 x less than dense rays",
+            [Check(lambda run: run.ms(*LINES), "ms", at_most=100),
+             Check(lambda run: run.ns(dense) / (run.ms(*LINES) * 1e6), "x less", at_least=20)]),
+        Row("dense rays only where corners differ, bunny", "17-23 x less\\*", ">= 20 x less",
+            [gain(dense, "truth_adaptive/bunny/1080p", "x less", at_least=20)]),
+        Row("scorer, 36 k truth pixels", "BSDS 29 s\\*", "< 25 ms",
+            [Check(lambda run: run.ms("score/36k"), "ms", at_most=25)]),
+        Row("1998's claim, whole frame, bunny: `mote4` before `decaudin`",
+            "`decaudin` {%s}" % frame("bunny", method="decaudin"), "the quicker",
+            [in_m(frame("bunny")),
+             gain(frame("bunny", method="decaudin"), frame("bunny"), "x", at_least=1)]),
+        Row("the same, filter alone", "`decaudin` {filter/decaudin/1080p}", "the quicker",
+            [in_m(u8), gain("filter/decaudin/1080p", u8, "x", at_least=1)]),
+        Row("the same, raster alone, bunny: one interpolant before four",
+            "four floats {raster/f32x4/bunny/1080p/threads:1}", "the quicker",
+            [in_m("raster/u8/bunny/1080p/threads:1"),
+             gain("raster/f32x4/bunny/1080p/threads:1", "raster/u8/bunny/1080p/threads:1", "x",
+                  at_least=1)]),
+    ]
+
+
+def needed():
+    """The names that the table asks for, found by asking an empty run."""
+    names = {YARDSTICK: None}
+
+    class Asked(Run):
+        def ns(self, name):
+            names[name] = None
+            return 1.0
+
+    asked = Asked({"benchmarks": []})
+    for row in rows():
+        row.cells(asked)
+    return list(names)
+
+
+def table(run):
+    lines = ["| work | what others reach | our goal | ours | |", "|---|---|---|---|---|"]
+    lines += ["| " + " | ".join(row.cells(run)) + " |" for row in rows()]
+    return "\n".join(lines + ["", footing(run)])
+
+
+def footing(run):
+    """Where and how it was measured."""
+    context = run.context
+    try:
+        m_us = f"M = {run.ns(YARDSTICK) / 1e3:.1f} us"
+    except NotRun:
+        m_us = "the yardstick M was not run"
+    facts = [m_us]
+    if run.repetitions:
+        facts.append(f"least of {min(run.repetitions.values())} or more interleaved repetitions")
+    for key, before in (("cpu", ""), ("simd", ""), ("commit", "commit ")):
+        if key in context:
+            facts.append(before + context[key])
+    if "date" in context:
+        facts.append(context["date"][:10])
+    return ("M is one memcpy of the 8-bit frame, 1920x1080, one pinned thread unless said; bold is "
+            "missed; \\* was measured on another machine. " + ", ".join(facts) + ".")
+
+
+def put_in_block(name, text, path):
+    """Replaces what stands between <!-- name --> and <!-- /name --> in a file."""
+    begin, end = f"<!-- {name} -->", f"<!-- /{name} -->"
+    old = path.read_text(encoding="utf-8")
+    first, last = old.find(begin), old.find(end)
+    if first < 0 or last < first:
+        raise ValueError(f"{path}: no block between {begin} and {end}")
+    path.write_text(f"{old[:first]}{begin}\n{text}\n{old[last:]}", encoding="utf-8")
+
+
+def measure(program):
+    """Runs what the table needs; the file it wrote."""
+    out = program.resolve().parent / "speed.json"
+    pattern = "^(" + "|".join(needed()) + ")$"
+    subprocess.run([program, f"--benchmark_filter={pattern}", f"--benchmark_out={out}"],
+                   check=True, stdout=subprocess.DEVNULL)
+    return out
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        data = json.load(file)
+    if not isinstance(data, dict) or "benchmarks" not in data:
+        raise ValueError(f"{path}: no benchmarks in it (accepted: ink_bench's JSON)")
+    return Run(data)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("json", nargs="?", help="what ink_bench wrote; without it, it is run")
+    parser.add_argument("--readme", nargs="?", const=ROOT / "README.md", type=Path,
+                        help="replace the block in this file (README.md)")
+    parser.add_argument("--program", type=Path, default=ROOT / "build/release/ink_bench")
+    options = parser.parse_args()
+    try:
+        run = read(options.json or measure(options.program))
+        text = table(run)
+        if options.readme:
+            put_in_block("speed", text, options.readme)
+    except (OSError, ValueError, KeyError, subprocess.CalledProcessError) as error:
+        print(f"table.py: {error}", file=sys.stderr)
+        return 2
+    print(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
