@@ -1,0 +1,237 @@
+#include "raster/mesh_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/simd.h"
+#include "gather_sink.h"
+#include "raster/view_transform.h"
+#include "scene/catalogue.h"
+#include "scene/predicates.h"
+
+namespace ink::raster {
+namespace {
+
+constexpr int kWidth_px = 200;  // not a multiple of a tile
+constexpr int kHeight_px = 150;
+
+/// Distance and normal as four numbers, or one code of all.
+class TestValues : public CornerValues {
+  public:
+    explicit TestValues(int planes, double scale) {
+        values_.resize(static_cast<std::size_t>(planes));
+        for (int k = 0; k < planes; ++k) {
+            values_[static_cast<std::size_t>(k)].base = scale * 0.4 + k;
+            values_[static_cast<std::size_t>(k)].per_q = scale * 0.3;
+            values_[static_cast<std::size_t>(k)].per_normal[k % 3] = static_cast<float>(scale * 0.2);
+        }
+    }
+    void compute(const CornerBatch& in, const CornerPlanes& out) const override {
+        compute_linear(values_.data(), static_cast<int>(values_.size()), false, in, out);
+    }
+
+  private:
+    std::vector<LinearValue> values_;
+};
+
+struct Shot {
+    PassFormat format;
+    double scale;
+};
+
+/// Every pair that lanes draw, and some that they do not.
+std::vector<Shot> shots() {
+    const auto make = [](Store store, int interpolants, double scale) {
+        Shot shot{{}, scale};
+        shot.format.store = store;
+        shot.format.interpolants = interpolants;
+        shot.format.halo_px = 1;
+        return shot;
+    };
+    std::vector<Shot> result = {make(Store::none, 0, 0),
+                                make(Store::u8, 1, 250),
+                                make(Store::u8, 2, 250),
+                                make(Store::u16, 1, 60000),
+                                make(Store::f32, 4, 1)};
+    result.push_back(make(Store::u8, 1, 500));
+    result.back().format.overflow = Overflow::wrap;
+    result.push_back(make(Store::u8, 1, 250));
+    result.back().format.depth = DepthFormat::z16;
+    result.push_back(make(Store::f32, 4, 1));
+    result.back().format.interpolation = Interpolation::perspective;
+    return result;
+}
+
+/// All that a pass leaves, as bytes in pictures.
+struct Drawn {
+    std::vector<core::Image<float>> numbers;
+    std::vector<core::Image<std::uint16_t>> codes;
+    core::Image<float> depth;
+    core::Image<std::uint32_t> steps;
+    MeshResult result;
+    friend bool operator==(const Drawn& a, const Drawn& b) {
+        return a.numbers == b.numbers && a.codes == b.codes && a.depth == b.depth &&
+               a.steps == b.steps;
+    }
+};
+
+/// Keeps everything.
+class KeepSink : public TileSink {
+  public:
+    KeepSink(const PassFormat& format, Drawn& to) : format_(format), to_(to) {
+        const auto planes = static_cast<std::size_t>(format.planes());
+        if (format.store == Store::f32) {
+            to_.numbers.assign(planes, core::Image<float>(kWidth_px, kHeight_px));
+        } else {
+            to_.codes.assign(planes, core::Image<std::uint16_t>(kWidth_px, kHeight_px));
+        }
+        if (format.depth == DepthFormat::q32) {
+            to_.depth = core::Image<float>(kWidth_px, kHeight_px);
+        } else {
+            to_.steps = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
+        }
+    }
+    void finish(const Tile& tile) override {
+        for (int y = 0; y < tile.height_px; ++y) {
+            for (int x = 0; x < tile.width_px; ++x)
+                keep(tile, x, y);
+        }
+    }
+
+  private:
+    void keep(const Tile& tile, int x, int y) {
+        const int u = tile.x0_px + x;
+        const int v = tile.y0_px + y;
+        if (format_.depth == DepthFormat::q32) {
+            to_.depth.at(u, v) = tile.depth_row<float>(y)[x];
+        } else {
+            to_.steps.at(u, v) = tile.depth_row<std::uint32_t>(y)[x];
+        }
+        for (int k = 0; k < format_.planes(); ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            if (format_.store == Store::f32) to_.numbers[at].at(u, v) = tile.row<float>(k, y)[x];
+            if (format_.store == Store::u8)
+                to_.codes[at].at(u, v) = tile.row<std::uint8_t>(k, y)[x];
+            if (format_.store == Store::u16)
+                to_.codes[at].at(u, v) = tile.row<std::uint16_t>(k, y)[x];
+        }
+    }
+
+    const PassFormat& format_;
+    Drawn& to_;
+};
+
+/// A scene of the catalogue, laid out, and its first view at the test's size.
+struct Stage {
+    scene::Surface surface;
+    LaneMesh mesh;
+    scene::View view;
+
+    explicit Stage(const std::string& name, double nearer = 1) {
+        const scene::CatalogueScene made = scene::make_catalogue_scene(name);
+        surface = scene::flatten(made.scene, scene::NormalSource::patch, 0.7);
+        mesh = LaneMesh(surface);
+        view.camera = made.scene.cameras.front();
+        const scene::Sphere bounds = scene::bounding_sphere(made.scene);
+        view.camera.eye_world =
+            bounds.center_world + (view.camera.eye_world - bounds.center_world) * nearer;
+        scene::fit_clip_range(view.camera, bounds);
+        view.width_px = kWidth_px;
+        view.height_px = kHeight_px;
+    }
+
+    [[nodiscard]] Drawn draw(const Shot& shot, int threads, const SkipSet& skips) const {
+        const TestValues values(shot.format.interpolants, shot.scale);
+        MeshInput input;
+        input.mesh = &mesh;
+        input.values = &values;
+        input.view = view;
+        input.threads = threads;
+        input.skips = skips;
+        Drawn drawn;
+        KeepSink sink(shot.format, drawn);
+        MeshPass pass;
+        drawn.result = pass.draw(shot.format, input, sink);
+        return drawn;
+    }
+};
+
+const std::vector<std::string> kScenes = {"sphere", "tree", "staircase", "soup", "room"};
+
+TEST(MeshPass, EverySimdTargetAndThreadCountGivesTheSameBits) {
+    for (const std::string& name : kScenes) {
+        for (const double nearer : {1.0, 0.05}) {
+            const Stage stage(name, nearer);
+            for (const Shot& shot : shots()) {
+                const Drawn best = stage.draw(shot, 1, {});
+                for (const core::SimdTarget& target : core::simd_targets()) {
+                    const core::ForcedSimdTarget forced(target);
+                    for (const int threads : {1, 2, 5}) {
+                        EXPECT_TRUE(stage.draw(shot, threads, {}) == best)
+                            << name << " on " << target.name << ", threads " << threads;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(MeshPass, SkipsNeverChangeABit) {
+    for (const std::string& name : kScenes) {
+        for (const double nearer : {1.0, 0.05}) {
+            const Stage stage(name, nearer);
+            for (const Shot& shot : shots()) {
+                const Drawn all = stage.draw(shot, 1, {});
+                EXPECT_TRUE(stage.draw(shot, 1, SkipSet::none()) == all) << name;
+                for (const SkipInfo& info : skip_infos()) {
+                    SkipSet skips;
+                    skips.set(info.skip, false);
+                    EXPECT_TRUE(stage.draw(shot, 1, skips) == all) << name << ' ' << info.name;
+                }
+            }
+        }
+    }
+}
+
+/// What draw_pass, the plain pass, makes of a stage's front and back faces.
+Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
+    const ViewTransform transform(stage.view);
+    std::vector<glm::dvec3> p_clip;
+    for (const glm::dvec3& p : stage.surface.p_world)
+        p_clip.push_back(transform.to_clip(p));
+    PassInput input;
+    input.p_clip = p_clip;
+    input.triangles = stage.surface.triangles;
+    input.near = stage.view.camera.near;
+    input.far = stage.view.camera.far;
+    Drawn drawn;
+    KeepSink sink(format, drawn);
+    draw_pass(format, input, kWidth_px, kHeight_px, 1, sink);
+    return drawn;
+}
+
+TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
+    for (const std::string& name : kScenes) {
+        const Stage stage(name);
+        const Drawn lanes = stage.draw(shots().front(), 1, {});
+        const Drawn plain = draw_plainly(stage, shots().front().format);
+        int covered_px = 0;
+        int unlike_px = 0;
+        for (int y = 0; y < kHeight_px; ++y) {
+            for (int x = 0; x < kWidth_px; ++x) {
+                const float q = lanes.depth.at(x, y);
+                const float expected = plain.depth.at(x, y);
+                EXPECT_EQ(q > 0, expected > 0) << name << ' ' << x << ' ' << y;
+                covered_px += expected > 0 ? 1 : 0;
+                // At a contour of a solid the plain pass may show a face turned away.
+                if (std::abs(q - expected) > 2e-6F * expected) ++unlike_px;
+            }
+        }
+        EXPECT_GT(covered_px, 1000) << name;
+        EXPECT_LE(unlike_px, covered_px / 500) << name;
+    }
+}
+
+}  // namespace
+}  // namespace ink::raster
