@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lab/explain.h"
+#include "scene/ledger.h"
+
+namespace ink::lab {
+
+/// Which channels of `code` are of no use on a scene with this ledger; empty without a code.
+[[nodiscard]] std::vector<Omission> channel_omissions(
+    const std::optional<methods::LinearCode>& code, const scene::Ledger& ledger);
+
+/// Every skip of raster::skip_infos(), in their order: whether the method may use it here.
+[[nodiscard]] std::vector<Omission> skip_omissions(const std::optional<methods::LinearCode>& code,
+                                                   const scene::Ledger& ledger,
+                                                   const std::vector<scene::ViewLedger>& views);
+
+}  // namespace ink::lab
