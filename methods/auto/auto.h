@@ -18,7 +18,7 @@ class Auto : public Method {
         raster::DepthFormat depth_format = raster::DepthFormat::q32;
         edge::Response response = edge::Response::absolute;
         // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
-        int threshold = 54;
+        int threshold = kPlannedStrength;
     };
     [[nodiscard]] static core::ParamTable<Params> table();
 

@@ -18,11 +18,12 @@ constexpr double kByteRange = 240;
 constexpr double kWordRange = 60000;
 
 // A line's step, as shares of the code's range.
-constexpr double kLeastStep = 1.0 / 1000;      // flat faces: only rounding is in the way
+constexpr double kLeastStep = 4.0 / 60000;     // flat faces: what clip_bits = 2 leaves
 constexpr double kDepthCurvedStep = 1.0 / 30;  // depth alone on a curved surface
 constexpr double kStepPerDegree = 1.0 / 1540;  // sums, by the bend between facets
 constexpr double kMostStep = 1.0 / 62;         // sums, whatever the bend
-constexpr double kClippedCodes = 4;            // clip_bits = 2 leaves no smaller response
+constexpr double kLogStep = 1.0 / 300;         // below it, log w's kinks within planes would show
+constexpr double kClippedCodes = 4;            // the least response that clip_bits = 2 leaves
 
 constexpr double kSoupShare = 0.1;  // of triangles without a neighbour
 
@@ -91,7 +92,9 @@ class Planner {
         std::string why;
         if (!is_rough) {
             step_ = kLeastStep;
-            why = "all faces are flat, where a code rounded once answers 0: the least step is safe";
+            why =
+                "all faces are flat: a plane's code, rounded once, answers 2 at most, and 3 is "
+                "clipped";
         } else if (is_depth_only_) {
             step_ = kDepthCurvedStep;
             why = "depth bends from facet to facet, most where a curved surface turns away";
@@ -124,14 +127,17 @@ class Planner {
 
     void choose_encoding() {
         using Encoding = PlanWishes::Encoding;
-        const bool is_inverse = wishes_.encoding == Encoding::inverse;
-        plan_.encoding = is_inverse ? raster::DepthEncoding::inverse : raster::DepthEncoding::log;
-        if (wishes_.encoding != Encoding::planned) {
-            return say(is_inverse ? "depth as 1/w" : "depth as log w", "it was asked for");
-        }
-        say("depth as log w",
-            "1/w spends most codes on what is nearest; of log w each is the same share of the "
-            "distance, and packed at vertices it is linear within every triangle all the same");
+        const bool is_log = wishes_.encoding == Encoding::log ||
+                            (wishes_.encoding == Encoding::planned && step_ >= kLogStep);
+        plan_.encoding = is_log ? raster::DepthEncoding::log : raster::DepthEncoding::inverse;
+        const std::string what = is_log ? "depth as log w" : "depth as 1/w";
+        if (wishes_.encoding != Encoding::planned) return say(what, "it was asked for");
+        say(what,
+            is_log
+                ? "each code is the same share of the distance, where 1/w spends most on what is "
+                  "nearest; its kinks where triangles of a plane meet are less than the step"
+                : "on a plane it is linear over all its triangles, and steps as small as planned "
+                  "bear no kink within one");
     }
 
     void say_what_no_code_sees() {

@@ -56,6 +56,16 @@ TEST(AutoPlan, FlatSheetsNeedDepthAloneInSmallSteps) {
     EXPECT_EQ(plan.store, raster::Store::u16);
 }
 
+TEST(AutoPlan, SmallStepsNeedAnEncodingThatIsFlatOnPlanes) {
+    for (const scene::Mesh& mesh : {cube_mesh(), floor_mesh(1)})
+        EXPECT_EQ(plan_for(scene_of({mesh})).encoding, raster::DepthEncoding::inverse);
+    for (const scene::Mesh& mesh : {scene::make_icosphere(1, 3), scene::make_cylinder(1, 2, 36)})
+        EXPECT_EQ(plan_for(scene_of({mesh})).encoding, raster::DepthEncoding::log);
+    // 0.72 degrees from facet to facet.
+    EXPECT_EQ(plan_for(scene_of({scene::make_cylinder(1, 2, 500)})).encoding,
+              raster::DepthEncoding::inverse);
+}
+
 TEST(AutoPlan, CreasesNeedNormalsWithUnlikeWeights) {
     const CodePlan plan = plan_for(scene_of({cube_mesh()}));
     EXPECT_EQ(plan.store, raster::Store::u16);
@@ -126,8 +136,8 @@ TEST(AutoPlan, WishesGoBeforeThePlan) {
     const scene::Scene cube = scene_of({cube_mesh()});
     EXPECT_FALSE(reads_normals(plan_for(cube, {.channels = PlanWishes::Channels::depth})));
     EXPECT_EQ(plan_for(cube, {.bytes = PlanWishes::Bytes::one}).store, raster::Store::u8);
-    EXPECT_EQ(plan_for(cube, {.encoding = PlanWishes::Encoding::inverse}).encoding,
-              raster::DepthEncoding::inverse);
+    EXPECT_EQ(plan_for(cube, {.encoding = PlanWishes::Encoding::log}).encoding,
+              raster::DepthEncoding::log);
 }
 
 TEST(Auto, TellsThePlanOfTheSceneThatWasPrepared) {
