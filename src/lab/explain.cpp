@@ -7,6 +7,8 @@
 #include "core/error.h"
 #include "lab/cell.h"
 #include "lab/omissions.h"
+#include "scene/clusters.h"
+#include "scene/surface.h"
 
 namespace ink::lab {
 namespace {
@@ -117,10 +119,16 @@ std::string text_of(const std::vector<Omission>& omissions) {
     return text;
 }
 
+void count_solids(const scene::Scene& scene, SceneFacts& facts) {
+    const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
+    facts.solids = solids.size();
+    for (const scene::Solid& solid : solids)
+        facts.sealed_solids += solid.is_sealed;
+}
+
 MethodExplanation explain_method(const Entrant& entrant,
                                  const Subject& subject,
-                                 const scene::Ledger& ledger,
-                                 const std::vector<scene::ViewLedger>& views) {
+                                 const SceneFacts& facts) {
     PreparedMethod prepared(entrant, subject.scene);
     MethodExplanation explained;
     explained.method = entrant.info->name;
@@ -128,8 +136,8 @@ MethodExplanation explain_method(const Entrant& entrant,
         throw core::Error(entrant.info->name, prepared.failure(), "a scene that it can prepare");
     }
     const auto code = prepared.method().code();
-    explained.channels = channel_omissions(code, ledger);
-    explained.skips = skip_omissions(code, ledger, views);
+    explained.channels = channel_omissions(code, facts.ledger);
+    explained.skips = skip_omissions(code, facts);
     explained.plan = prepared.method().plan();
     return explained;
 }
@@ -139,17 +147,18 @@ MethodExplanation explain_method(const Entrant& entrant,
 Explanation explain(const Subject& subject,
                     const std::vector<Entrant>& entrants,
                     double crease_deg) {
-    const scene::Ledger ledger = scene::make_ledger(subject.scene, glm::radians(crease_deg));
+    SceneFacts facts;
+    facts.ledger = scene::make_ledger(subject.scene, glm::radians(crease_deg));
+    count_solids(subject.scene, facts);
     Explanation explanation;
     explanation.scene = subject.scene.name;
-    explanation.facts = facts_of(ledger);
-    std::vector<scene::ViewLedger> views;
+    explanation.facts = facts_of(facts.ledger);
     for (const scene::View& view : subject.views) {
-        views.push_back(scene::make_view_ledger(ledger, view));
-        explanation.views.push_back({view.camera.name, facts_of(views.back())});
+        facts.views.push_back(scene::make_view_ledger(facts.ledger, view));
+        explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
     }
     for (const Entrant& entrant : entrants)
-        explanation.methods.push_back(explain_method(entrant, subject, ledger, views));
+        explanation.methods.push_back(explain_method(entrant, subject, facts));
     return explanation;
 }
 

@@ -80,17 +80,17 @@ Omission omit_flat(std::string name, const std::optional<LinearCode>& code) {
                         code->response.clip_bits)};
 }
 
-Omission omit_backs(const scene::Ledger& ledger) {
+Omission omit_backs(const SceneFacts& facts) {
     const std::string name = "backs";
-    if (ledger.sealed_pieces == 0) {
-        return {name, false, "no piece is closed and turned outwards: backs may be seen"};
+    if (facts.sealed_solids == 0) {
+        return {name, false, "no solid is closed and turned outwards: backs may be seen"};
     }
-    return {
-        name,
-        true,
-        fmt::format("{} of {} pieces are sealed: seen from outside, their fronts hide their backs",
-                    ledger.sealed_pieces,
-                    ledger.pieces)};
+    return {name,
+            true,
+            fmt::format("{} of {} solids are sealed: seen from outside, their fronts hide their "
+                        "backs",
+                        facts.sealed_solids,
+                        facts.solids)};
 }
 
 Omission omit_hidden(const scene::Ledger& ledger) {
@@ -133,22 +133,21 @@ Omission omit_empty_tiles(const std::vector<scene::ViewLedger>& views) {
 
 Omission omit(const raster::SkipInfo& info,
               const std::optional<LinearCode>& code,
-              const scene::Ledger& ledger,
-              const std::vector<scene::ViewLedger>& views) {
+              const SceneFacts& facts) {
     using raster::Skip;
     switch (info.skip) {
         case Skip::attributes:
             return omit_attributes(code);
         case Skip::frustum:
-            return omit_frustum(views);
+            return omit_frustum(facts.views);
         case Skip::backs:
-            return omit_backs(ledger);
+            return omit_backs(facts);
         case Skip::no_sample:
-            return omit_no_sample(views);
+            return omit_no_sample(facts.views);
         case Skip::hidden:
-            return omit_hidden(ledger);
+            return omit_hidden(facts.ledger);
         case Skip::empty_tiles:
-            return omit_empty_tiles(views);
+            return omit_empty_tiles(facts.views);
         case Skip::flat_tiles:
         case Skip::flat_stencils:
             return omit_flat(std::string(info.name), code);
@@ -169,11 +168,10 @@ std::vector<Omission> channel_omissions(const std::optional<LinearCode>& code,
 }
 
 std::vector<Omission> skip_omissions(const std::optional<LinearCode>& code,
-                                     const scene::Ledger& ledger,
-                                     const std::vector<scene::ViewLedger>& views) {
+                                     const SceneFacts& facts) {
     std::vector<Omission> skips;
     for (const raster::SkipInfo& info : raster::skip_infos())
-        skips.push_back(omit(info, code, ledger, views));
+        skips.push_back(omit(info, code, facts));
     return skips;
 }
 

@@ -20,8 +20,8 @@ std::set<std::string> methods_in(const SourceTree& tree) {
     return methods;
 }
 
-/// Whether the registry's list has an entry that calls the function `name`.
-/// A method whose name is a word of the language is listed as <name>_method().
+/// Whether the registry's list has an entry that calls the function `name`, or `name`_method where
+/// the name is a word of the language.
 bool is_listed(const SourceFile& registry, const std::string& name) {
     return std::regex_search(registry.text, std::regex("\\b" + name + "(_method)?\\(\\),"));
 }
