@@ -21,7 +21,7 @@ namespace ink::methods {
 /// What a method is told of one frame.
 struct Frame {
     scene::View view;
-    int threads = 1;  ///< 1 is plain serial; the picture must not depend on it
+    int threads = 1;             ///< 1 is plain serial; the picture must not depend on it
     raster::SkipSet skips = {};  ///< what may be left undone; the picture must not depend on it
 };
 
@@ -50,6 +50,12 @@ struct LinearCode {
     bool wraps = false;  ///< else it saturates
     CodeInputs inputs;
     edge::LaplacianResponse response;
+};
+
+/// One decision of a method that plans by the scene: what it chose, and the reason in a sentence.
+struct PlanLine {
+    std::string what;
+    std::string why;
 };
 
 /// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth,
@@ -82,6 +88,9 @@ class Method {
 
     /// Its code, if that is one linear sum.
     [[nodiscard]] virtual std::optional<LinearCode> code() const { return std::nullopt; }
+
+    /// What it chose for the scene that was prepared, and why; empty for methods that plan nothing.
+    [[nodiscard]] virtual std::vector<PlanLine> plan() const { return {}; }
 };
 
 /// A row of the registry: all that is known of a method before it is made.

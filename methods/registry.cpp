@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "methods/auto/auto.h"
 #include "methods/decaudin/decaudin.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
@@ -18,6 +19,7 @@ const std::vector<MethodInfo>& registry() {
         mote2(),
         mote4(),
         mote16(),
+        auto_method(),
     };
     return methods;
 }

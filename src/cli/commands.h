@@ -12,6 +12,7 @@ void add_compare_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_truth_command(CLI::App& app);
 void add_score_command(CLI::App& app);
+void add_explain_command(CLI::App& app);
 void add_list_command(CLI::App& app);
 
 }  // namespace ink::cli

@@ -20,9 +20,10 @@ std::set<std::string> methods_in(const SourceTree& tree) {
     return methods;
 }
 
-/// Whether the registry's list has an entry that calls the function `name`.
+/// Whether the registry's list has an entry that calls the function `name`, or `name`_method where
+/// the name is a word of the language.
 bool is_listed(const SourceFile& registry, const std::string& name) {
-    return std::regex_search(registry.text, std::regex("\\b" + name + "\\(\\),"));
+    return std::regex_search(registry.text, std::regex("\\b" + name + "(_method)?\\(\\),"));
 }
 
 /// Paths of one machine and hosts of packages, in two halves each so that this file holds none.

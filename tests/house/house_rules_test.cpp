@@ -153,6 +153,12 @@ SourceTree one_method() {
     return tree;
 }
 
+TEST(Methods, AWordOfTheLanguageMayBeListedByALongerName) {
+    SourceTree tree = one_method();
+    tree.files[0].text = "#include \"methods/dots/dots.h\"\n    dots_method(),\n";
+    EXPECT_THAT(check_methods(tree), IsEmpty());
+}
+
 TEST(Methods, EachHasItsFilesAndItsLines) {
     EXPECT_THAT(check_methods(one_method()), IsEmpty());
     for (const std::size_t file : {2, 3, 4}) {

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "core/error.h"
+#include "lab/explain.h"
+
+namespace ink::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ExplainArgs {
+    std::string scene;
+    std::string view;
+    std::string methods;
+    std::vector<std::string> settings;
+    ViewOptions views;
+    double crease_deg = 40;
+    bool json = false;
+};
+
+Json json_of(const std::vector<lab::Fact>& facts) {
+    Json json = Json::object();
+    for (const lab::Fact& fact : facts) {
+        if (fact.is_flag) {
+            json[fact.name] = fact.value != 0;
+        } else if (fact.value == std::floor(fact.value) && fact.value < 1e15) {
+            json[fact.name] = static_cast<std::int64_t>(fact.value);
+        } else {
+            json[fact.name] = fact.value;
+        }
+    }
+    return json;
+}
+
+Json json_of(const std::vector<lab::Omission>& omissions) {
+    Json json = Json::object();
+    for (const lab::Omission& omission : omissions)
+        json[omission.what] = {{"may", omission.may}, {"why", omission.why}};
+    return json;
+}
+
+Json json_of(const lab::Explanation& explanation) {
+    Json json = {{"scene", explanation.scene}, {"ledger", json_of(explanation.facts)}};
+    json["views"] = Json::object();
+    for (const lab::ViewFacts& view : explanation.views)
+        json["views"][view.view] = json_of(view.facts);
+    json["methods"] = Json::object();
+    for (const lab::MethodExplanation& method : explanation.methods) {
+        Json plan = Json::array();
+        for (const auto& line : method.plan)
+            plan.push_back({{"what", line.what}, {"why", line.why}});
+        json["methods"][method.method] = {{"skips", json_of(method.skips)},
+                                          {"channels", json_of(method.channels)},
+                                          {"plan", std::move(plan)}};
+    }
+    return json;
+}
+
+void run_explain(const ExplainArgs& args) {
+    const auto entrants = lab::make_entrants(args.methods, args.settings);
+    if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
+        throw core::Error("--crease",
+                          fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
+                          "0..180");
+    }
+    const lab::ViewRequest request = view_request(args.views);
+    const lab::Subject subject = args.view.empty()
+                                     ? lab::make_subject(lab::load_scene(args.scene), request)
+                                     : lab::load_one_view(args.scene, args.view, request);
+    const lab::Explanation explanation = lab::explain(subject, entrants, args.crease_deg);
+    if (args.json) {
+        fmt::print("{}\n", json_of(explanation).dump(2));
+    } else {
+        fmt::print("{}", lab::as_text(explanation));
+    }
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app) {
+    auto args = std::make_shared<ExplainArgs>();
+    auto* command = app.add_subcommand(
+        "explain", "Say what a scene has, what each method may leave out there, and why");
+    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
+    command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
+    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--view", args->view, "Name of a view (all unless given)");
+    add_view_options(*command, args->views);
+    command->add_option("--crease", args->crease_deg, "Crease angle of the ledger, degrees")
+        ->capture_default_str();
+    command->add_flag("--json", args->json, "Print JSON");
+    command->footer("Example: inkbench explain torus --methods mote4,auto");
+    command->callback([args] { run_explain(*args); });
+}
+
+}  // namespace ink::cli
