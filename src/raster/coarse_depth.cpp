@@ -51,17 +51,10 @@ void CoarseDepth::start(TileBuffer& buffer) {
     is_known_ = false;
 }
 
-void CoarseDepth::announce(std::size_t triangles) {
-    if (drawn_ >= pause_) {
-        refresh();
-        // Each look costs as much as ten triangles: seldom, the more there are.
-        pause_ = std::max(kFirstPause, pause_ + pause_ / 4);
-        drawn_ = 0;
-    }
-    drawn_ += triangles;
-}
-
 void CoarseDepth::refresh() {
+    // Each look costs as much as ten triangles: the seldomer, the more there are.
+    pause_ += pause_ / 4;
+    drawn_ = 0;
     is_known_ = true;
     const PixelRect& own = buffer_->own();
     const PixelRect& drawn = buffer_->drawn();

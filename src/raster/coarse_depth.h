@@ -19,16 +19,17 @@ class CoarseDepth {
 
     /// Knows nothing of a new tile.
     void start(TileBuffer& buffer);
-    /// Says that so many triangles are about to be drawn; reads the tile's depth again if enough
-    /// were drawn since the last time.
-    void announce(std::size_t triangles);
+    /// Says that so many triangles are drawn next.
+    void announce(std::size_t triangles) { drawn_ += triangles; }
+    /// Whether enough were drawn since the last time to read the tile's depth again.
+    [[nodiscard]] bool wants_refresh() const { return drawn_ >= pause_; }
+    /// Reads it: all that was announced is drawn.
+    void refresh();
     /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
     /// coordinates; only what lies in the tile counts.
     [[nodiscard]] bool hides(const PixelRect& bounds, float q_most) const;
 
   private:
-    void refresh();
-
     TileBuffer* buffer_ = nullptr;
     std::size_t drawn_ = 0;    ///< since the last refresh
     std::size_t pause_ = 0;    ///< triangles until the next

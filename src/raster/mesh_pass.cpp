@@ -141,19 +141,30 @@ class MeshTileWorker {
             std::size_t count = 1;
             if ((list[0] & kWholeTriangle) != 0) {
                 draw_lanes(source);
+                look_again(source);
                 draw_whole(*run.whole_batches(), list[0] & ~kWholeTriangle);
             } else {
                 while (count < list.size() && list[count] >> 8 == slot)
                     ++count;
+                look_again(source);
                 if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
                     hidden.skipped += count;
                 } else {
+                    coarse_.announce(count);
                     add_lanes(source, list.first(count));
                 }
             }
             list = list.subspan(count);
         }
         draw_lanes(source);
+    }
+
+    /// Reads the coarse depth again if it is time: between clusters only, and with all before them
+    /// drawn, so that what is found hidden does not hang on how clusters were shared out.
+    void look_again(const LaneSource& source) {
+        if (!tests_hidden_ || !coarse_.wants_refresh()) return;
+        draw_lanes(source);
+        coarse_.refresh();
     }
 
     [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
@@ -174,7 +185,6 @@ class MeshTileWorker {
 
     void draw_lanes(const LaneSource& source) {
         if (lane_count_ == 0) return;
-        if (tests_hidden_) coarse_.announce(lane_count_);
         const std::span<const std::uint32_t> entries(lane_entries_.data(), lane_count_);
         set_up_lanes(job_.format, source, entries, buffer_.drawn(), triangles_);
         fill_lanes(job_.format, triangles_, buffer_);
@@ -187,7 +197,7 @@ class MeshTileWorker {
             ++count_of(skips_, Skip::hidden).skipped;
             return;
         }
-        if (tests_hidden_) coarse_.announce(CoarseDepth::kSquare_px);
+        coarse_.announce(kWholeWeight);
         const BinEntry entry{0, index};
         const FillJob fill{job_.format, near_far_, batches};
         for (const PixelRect& rect : rects_) {
@@ -206,6 +216,9 @@ class MeshTileWorker {
     LaneTriangles triangles_;
     std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
     std::size_t lane_count_ = 0;
+    /// Whole triangles are large: one is worth this many small ones.
+    static constexpr std::size_t kWholeWeight = 24;
+
     FlatProof proof_;
     std::vector<PixelRect> rects_;
     bool tests_hidden_;

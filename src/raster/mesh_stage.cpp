@@ -57,8 +57,11 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
         const glm::dvec3 way = ball.center_world - camera.eye_world;
         const double radius = ball.radius * (1 + 1e-6);
         const double depth = -(camera.view_from_world * way).z;
-        views[i].hides_backs = solids[i].is_sealed && glm::length(way) > radius &&
-                               (depth - radius > camera.near || depth + radius < camera.near);
+        // A near plane fitted to the ball touches it and cuts nothing: the ball's own rounding is all
+        // that may reach through.
+        const bool is_uncut = depth - ball.radius >= camera.near * (1 - 1e-9) ||
+                              depth + radius < camera.near;
+        views[i].hides_backs = solids[i].is_sealed && glm::length(way) > radius && is_uncut;
     }
     return views;
 }
@@ -332,7 +335,8 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     set_up_more(job.format, input, picture_of(job.grid), whole());
     SkipCount& count = count_of(skips_, Skip::no_sample);
     count.of += corners_.size();
-    count.skipped += whole().stats.triangles_no_sample - no_sample;
+    if (job.input.skips.has(Skip::no_sample))
+        count.skipped += whole().stats.triangles_no_sample - no_sample;
     if (hides_backs && !drops) silence_backs(input, from);
     bin_whole(job, from, object_bit(job, cluster));
 }

@@ -129,11 +129,11 @@ struct Stage {
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
-        const scene::CatalogueScene made = scene::make_catalogue_scene(name);
-        surface = scene::flatten(made.scene, scene::NormalSource::patch, 0.7);
+        const scene::Scene made = scene::make_catalogue_scene(name);
+        surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
         mesh = LaneMesh(surface);
-        view.camera = made.scene.cameras.front();
-        const scene::Sphere bounds = scene::bounding_sphere(made.scene);
+        view.camera = made.cameras.front();
+        const scene::Sphere bounds = scene::bounding_sphere(made);
         view.camera.eye_world =
             bounds.center_world + (view.camera.eye_world - bounds.center_world) * nearer;
         scene::fit_clip_range(view.camera, bounds);
