@@ -33,6 +33,7 @@ class Decaudin : public Method {
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override;
 
   private:
     Params params_;
