@@ -214,8 +214,9 @@ std::string scaling_html(const ReportData& data) {
     const std::vector<ScalingStep> steps = scaling_steps(data.scaling);
     std::string html = fmt::format(
         "<p><strong>{}</strong></p><p class=\"note\">An exponent of 1 is linear. Least times are "
-        "taken to repeat within {:g} %, so a step counts as worse than linear (bold) if its "
-        "exponent exceeds 1 by more than twice that could do.</p>\n",
+        "taken to repeat within {:g} %, or as well as those of three rounds did where that is "
+        "worse; a step is worse than linear (bold) if its exponent exceeds 1 by more than that "
+        "alone could do.</p>\n",
         escape(scaling_sentence(steps)),
         100 * kTimeNoise);
     for (const ScalingAxisInfo& axis : scaling_axes()) {
@@ -224,7 +225,7 @@ std::string scaling_html(const ReportData& data) {
                                         [&](const ScalingPoint& p) { return p.axis == axis.axis; });
         if (first == data.scaling.end()) continue;
         html += fmt::format(
-            "<h3>Against {}</h3><p class=\"soft\">{}</p>"
+            "<h3 style=\"margin-top:28px\">Against {}</h3><p class=\"soft\">{}</p>"
             "<div class=\"scroll chart\">{}</div>\n",
             escape(axis.title),
             escape(what_is_kept(*first)),

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
 
@@ -89,17 +91,27 @@ double x_of(const ScalingPoint& point) {
     return 0;
 }
 
-/// Times of the methods at one station, taken together over rounds.
-using Times = std::vector<DrawTimes>;
+/// Times of one method at one station, over all rounds.
+struct RoundTimes {
+    DrawTimes all;
+    std::vector<std::int64_t> least_ns;  ///< of each round
 
-void append(Times&& more, Times& times) {
-    if (times.empty()) times.resize(more.size());
-    for (std::size_t i = 0; i < more.size(); ++i) {
-        auto& all = times[i].draw_ns;
-        all.insert(all.end(), more[i].draw_ns.begin(), more[i].draw_ns.end());
-        if (times[i].failure.empty()) times[i].failure = std::move(more[i].failure);
+    void append(DrawTimes&& round) {
+        if (all.failure.empty()) all.failure = std::move(round.failure);
+        if (round.draw_ns.empty()) return;
+        least_ns.push_back(*std::min_element(round.draw_ns.begin(), round.draw_ns.end()));
+        all.draw_ns.insert(all.draw_ns.end(), round.draw_ns.begin(), round.draw_ns.end());
     }
-}
+
+    [[nodiscard]] double noise() const {
+        if (least_ns.size() < 2) return kTimeNoise;
+        std::vector<std::int64_t> sorted = least_ns;
+        std::sort(sorted.begin(), sorted.end());
+        const auto second = static_cast<double>(sorted[1]);
+        return std::max(kTimeNoise, second / static_cast<double>(sorted[0]) - 1);
+    }
+};
+using Times = std::vector<RoundTimes>;
 
 /// A sphere with every method ready for it.
 class PreparedSphere {
@@ -110,9 +122,13 @@ class PreparedSphere {
             methods_.push_back(std::make_unique<PreparedMethod>(entrant, scene_));
     }
 
-    [[nodiscard]] Times draw(const Station& station, const MeasureOptions& measure) {
+    void draw(const Station& station, const MeasureOptions& measure, Times& times) {
         std::vector<edge::EdgeImage> pictures;
-        return draw_in_turns(methods_, view_of(station, scene_), measure, pictures);
+        std::vector<DrawTimes> round =
+            draw_in_turns(methods_, view_of(station, scene_), measure, pictures);
+        times.resize(round.size());
+        for (std::size_t i = 0; i < round.size(); ++i)
+            times[i].append(std::move(round[i]));
     }
 
     [[nodiscard]] std::vector<ScalingPoint> points(const Station& station,
@@ -120,9 +136,9 @@ class PreparedSphere {
                                                    int threads) const {
         std::vector<ScalingPoint> points;
         for (std::size_t i = 0; i < methods_.size(); ++i) {
-            if (times[i].draw_ns.empty() || !times[i].failure.empty()) continue;
+            if (times[i].all.draw_ns.empty() || !times[i].all.failure.empty()) continue;
             Row row = methods_[i]->row();
-            fill_times(times[i].draw_ns, row);
+            fill_times(times[i].all.draw_ns, row);
             ScalingPoint point{.method = row.method,
                                .params = row.params,
                                .width_px = station.width_px,
@@ -130,7 +146,8 @@ class PreparedSphere {
                                .covered_share = station.covered_share,
                                .threads = threads,
                                .draw_ns_min = row.draw_ns_min.value(),
-                               .draw_n = row.draw_n};
+                               .draw_n = row.draw_n,
+                               .noise = times[i].noise()};
             point.triangles = static_cast<std::int64_t>(scene::triangle_count(scene_));
             for (const ScalingAxis axis : station.axes) {
                 point.axis = axis;
@@ -159,7 +176,7 @@ std::vector<ScalingPoint> measure(const std::vector<Entrant>& entrants,
     std::vector<Times> times(stations.size());
     for (int round = 0; round < kRounds && !is_interrupted(); ++round) {
         for (std::size_t i = 0; i < stations.size(); ++i)
-            append(sphere.draw(stations[i], once), times[i]);
+            sphere.draw(stations[i], once, times[i]);
     }
     std::vector<ScalingPoint> points;
     for (std::size_t i = 0; i < stations.size() && !is_interrupted(); ++i) {
@@ -210,12 +227,13 @@ const std::vector<std::string>& scaling_columns() {
                                                       "covered_share",
                                                       "threads",
                                                       "draw_ns_min",
-                                                      "draw_n"};
+                                                      "draw_n",
+                                                      "noise"};
     return kColumns;
 }
 
 std::string scaling_csv(const ScalingPoint& point) {
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{}",
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.3g}",
                        scaling_axes()[static_cast<std::size_t>(point.axis)].name,
                        csv_field(point.method),
                        csv_field(point.params),
@@ -226,7 +244,8 @@ std::string scaling_csv(const ScalingPoint& point) {
                        point.covered_share,
                        point.threads,
                        point.draw_ns_min,
-                       point.draw_n);
+                       point.draw_n,
+                       point.noise);
 }
 
 }  // namespace ink::lab

@@ -26,6 +26,9 @@ struct ScalingAxisInfo {
 };
 [[nodiscard]] const std::array<ScalingAxisInfo, 3>& scaling_axes();
 
+/// Two least times of one frame differ by this share at least, whatever the machine.
+inline constexpr double kTimeNoise = 0.1;
+
 /// The least time of one method at one place on one axis.
 struct ScalingPoint {
     ScalingAxis axis = ScalingAxis::triangles;
@@ -38,7 +41,8 @@ struct ScalingPoint {
     double covered_share = 0;  ///< of the picture, 0..1
     int threads = 1;
     std::int64_t draw_ns_min = 0;
-    int draw_n = 0;  ///< timed frames
+    int draw_n = 0;             ///< timed frames
+    double noise = kTimeNoise;  ///< what draw_ns_min may be off by, as a share of it
 };
 
 /// How large the study is.
@@ -49,9 +53,11 @@ struct ScalingOptions {
 };
 
 /// Draws spheres made by code with every entrant, in turns, and takes the least times: 10^2 to 10^6
-/// triangles, 0.3 to 33 million pixels, a thousandth to all of the picture covered. Points are in
-/// scaling.csv as soon as their sphere is done. A method that fails at a point has none there.
-/// Ctrl-C ends it after a round.
+/// triangles, 0.3 to 33 million pixels, a thousandth to all of the picture covered.
+///
+/// A point's noise is what its three rounds say: how far the second of their least times lies above
+/// the first, kTimeNoise at least. Points are in scaling.csv as soon as their sphere is done. A
+/// method that fails at a point has none there. Ctrl-C ends it after a round.
 [[nodiscard]] std::vector<ScalingPoint> study_scaling(const std::vector<Entrant>& entrants,
                                                       const ScalingOptions& options);
 

@@ -153,8 +153,12 @@ void draw_guide(Svg& svg, const Scale& scale) {
     const auto [x1, y1] = at(-reach);
     const auto [x2, y2] = at(reach);
     svg.line(x1, y1, x2, y2, R"(stroke="#8a919c" stroke-width="1.4" stroke-dasharray="6 5")");
-    // On the side of the guide where a steeper line would not run.
-    svg.text(std::min(x2 - 6, kPlot.x + kPlot.width - 90), y2 + 13, "linear", {"end", kFaint, 12});
+    // Below its upper end, clear of it whether it leaves at the top or on the right.
+    const bool is_flat = x2 > kPlot.x + kPlot.width - 60;
+    svg.text(is_flat ? x2 - 4 : x2 + 10,
+             is_flat ? y2 + 28 : y2 + 14,
+             "linear",
+             {is_flat ? "end" : "start", kFaint, 12});
 }
 
 void draw_marker(Svg& svg, double x, double y, const Line& line) {

@@ -34,7 +34,7 @@ std::vector<ScalingPoint> line_of(const std::vector<ScalingPoint>& points,
 ScalingStep step_between(const ScalingPoint& a, const ScalingPoint& b) {
     const double growth = std::log(b.x / a.x);
     const double times = static_cast<double>(b.draw_ns_min) / static_cast<double>(a.draw_ns_min);
-    const double noise = (1 + kTimeNoise) / (1 - kTimeNoise);
+    const double noise = (1 + a.noise) * (1 + b.noise);
     return {a.axis, a.method, a.x, b.x, std::log(times) / growth, std::log(noise) / growth};
 }
 
@@ -67,16 +67,24 @@ std::vector<ScalingStep> scaling_steps(const std::vector<ScalingPoint>& points) 
 
 std::string scaling_sentence(const std::vector<ScalingStep>& steps) {
     if (steps.empty()) return "";
-    const auto largest = std::max_element(
-        steps.begin(), steps.end(), [](const ScalingStep& a, const ScalingStep& b) {
-            return a.exponent < b.exponent;
+    std::vector<ScalingStep> steepest = steps;
+    std::stable_sort(
+        steepest.begin(), steepest.end(), [](const ScalingStep& a, const ScalingStep& b) {
+            return a.exponent - a.tolerance > b.exponent - b.tolerance;
         });
-    std::string worse;
-    for (const ScalingStep& step : steps) {
-        if (step.is_worse_than_linear()) worse += (worse.empty() ? "" : "; ") + words(step);
+    const auto worse = std::count_if(steps.begin(), steps.end(), [](const ScalingStep& step) {
+        return step.is_worse_than_linear();
+    });
+    if (worse == 0) {
+        return fmt::format("No step is worse than linear. The steepest: {}.",
+                           words(steepest.front()));
     }
-    if (!worse.empty()) return fmt::format("Worse than linear: {}.", worse);
-    return fmt::format("No step is worse than linear. The steepest: {}.", words(*largest));
+    steepest.resize(static_cast<std::size_t>(std::min<std::ptrdiff_t>(worse, 3)));
+    std::string named;
+    for (const ScalingStep& step : steepest)
+        named += (named.empty() ? "" : "; ") + words(step);
+    return fmt::format(
+        "Worse than linear in {} of {} steps. The steepest: {}.", worse, steps.size(), named);
 }
 
 std::string format_scaling_x(ScalingAxis axis, double x) {

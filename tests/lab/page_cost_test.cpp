@@ -78,7 +78,9 @@ TEST(CostPage, ShowsHowTimesGrowInWordsChartAndTable) {
                     scaling_point(10000, 60'000'000)};
     const std::string html = scaling_html(data);
     EXPECT_EQ(nesting_error(html), "");
-    EXPECT_THAT(html, HasSubstr("Worse than linear: a&lt;b from 1000 to 10 k triangles"));
+    EXPECT_THAT(
+        html,
+        HasSubstr("Worse than linear in 1 of 2 steps. The steepest: a&lt;b from 1000 to 10 k"));
     EXPECT_THAT(html, HasSubstr("A sphere that covers 25 % of 1280 x 720 px."));
     EXPECT_THAT(html, HasSubstr("<svg "));
     EXPECT_THAT(html, HasSubstr("<td>0.30</td><td><b>1.48</b></td>"));

@@ -31,10 +31,19 @@ TEST(ScalingSteps, AreTheSlopesBetweenNeighbours) {
     EXPECT_EQ(steps[0].to, 1000);
     EXPECT_NEAR(steps[0].exponent, 1, 1e-12);
     EXPECT_NEAR(steps[1].exponent, 3, 1e-12);
-    // Ten per cent either way, over a decade.
-    EXPECT_NEAR(steps[0].tolerance, std::log10(1.1 / 0.9), 1e-12);
+    // Ten per cent at either end, over a decade.
+    EXPECT_NEAR(steps[0].tolerance, std::log10(1.1 * 1.1), 1e-12);
     EXPECT_FALSE(steps[0].is_worse_than_linear());
     EXPECT_TRUE(steps[1].is_worse_than_linear());
+}
+
+TEST(ScalingSteps, TolerateWhatRoundsOfOnePointDifferBy) {
+    std::vector<ScalingPoint> points = {point("a", 1, 100), point("a", 10, 1500)};
+    EXPECT_TRUE(scaling_steps(points).front().is_worse_than_linear());
+    points[0].noise = 0.5;
+    const ScalingStep step = scaling_steps(points).front();
+    EXPECT_NEAR(step.tolerance, std::log10(1.5 * 1.1), 1e-12);
+    EXPECT_FALSE(step.is_worse_than_linear());
 }
 
 TEST(ScalingSteps, KeepMethodsAndAxesApart) {
@@ -58,10 +67,10 @@ TEST(ScalingSentence, NamesTheSteepestStepAndTheTolerance) {
     };
     EXPECT_EQ(sentence(5'000'000),
               "No step is worse than linear. The steepest: a from 100 to 1000 triangles, exponent "
-              "0.70 (noise alone may make 1.09).");
+              "0.70 (noise alone may make 1.08).");
     EXPECT_EQ(sentence(20'000'000),
-              "Worse than linear: a from 100 to 1000 triangles, exponent 1.30 (noise alone may "
-              "make 1.09).");
+              "Worse than linear in 1 of 1 steps. The steepest: a from 100 to 1000 triangles, "
+              "exponent 1.30 (noise alone may make 1.08).");
     EXPECT_EQ(scaling_sentence({}), "");
 }
 
@@ -81,7 +90,7 @@ TEST(ScalingCsv, HasAFieldPerColumn) {
     p.triangles = 10200;
     p.covered_share = 0.25;
     p.draw_n = 7;
-    EXPECT_EQ(scaling_csv(p), "pixels,mote4,a=1;b=2,921600,1280,720,10200,0.25,1,1234,7");
+    EXPECT_EQ(scaling_csv(p), "pixels,mote4,a=1;b=2,921600,1280,720,10200,0.25,1,1234,7,0.1");
     const std::string line = scaling_csv(p);
     EXPECT_EQ(static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1,
               scaling_columns().size());
