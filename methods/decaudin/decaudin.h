@@ -34,13 +34,14 @@ class Decaudin : public Method {
     void draw(const Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
     [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
     raster::PassFormat format_;
     SurfaceInputs inputs_;
-    std::vector<float> values_;
-    std::vector<float> values_back_;
+    raster::MeshPass pass_;
+    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] MethodInfo decaudin();
