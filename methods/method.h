@@ -9,6 +9,7 @@
 #include "core/param.h"
 #include "edge/edge_image.h"
 #include "edge/laplacian.h"
+#include "methods/cost.h"
 #include "methods/depth_code.h"
 #include "raster/depth.h"
 #include "raster/pass.h"
@@ -85,6 +86,10 @@ class Method {
 
     /// What the last draw left undone; all 0 before the first, and where a method skips nothing.
     [[nodiscard]] virtual raster::SkipCounts skip_counts() const { return {}; }
+
+    /// What a frame of it does: a function of its settings alone. One that declares nothing
+    /// (passes = 0) gets no predicted time.
+    [[nodiscard]] virtual Cost cost() const { return {}; }
 
     /// Its code, if that is one linear sum.
     [[nodiscard]] virtual std::optional<LinearCode> code() const { return std::nullopt; }

@@ -67,6 +67,7 @@ class PackedBuffer : public Method {
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override;
     /// Declared where the code is one sum, rounded once, and filtered as it stands.
     [[nodiscard]] std::optional<LinearCode> code() const override;
 

@@ -33,6 +33,7 @@ class Decaudin : public Method {
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:

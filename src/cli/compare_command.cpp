@@ -31,6 +31,7 @@ struct CompareArgs {
     int sweep_views = 1;
     std::string seed = "0";
     bool no_witness = false;
+    bool scaling = false;
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -58,6 +59,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     apply(args.truth, options.trace.truth);
     options.trace.truth.threads = core::hardware_threads();
     options.trace.witness = !args.no_witness;
+    options.study_scaling = args.scaling;
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
     options.seed = parse_seed(args.seed);
@@ -98,8 +100,8 @@ void add_compare_command(CLI::App& app) {
     command
         ->add_option("--out",
                      args->out,
-                     "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, report.html, "
-                     "verdict.md, figures")
+                     "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
+                     "report.html, verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
@@ -118,6 +120,10 @@ void add_compare_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-witness", args->no_witness, "Do not hold the truth against its witness");
+    command->add_flag("--scaling",
+                      args->scaling,
+                      "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: "
+                      "scaling.csv and plots, about a minute");
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

@@ -141,6 +141,7 @@ Row PreparedMethod::row() const {
     row.prepare_ns = prepare_ns_;
     row.pose_ns = pose_ns_;
     row.bytes_per_px = method_->bytes_per_px();
+    row.cost = CostFacts{method_->cost(), {}};
     return row;
 }
 

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
+#include "lab/cost_model.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
 #include "lab/interrupt.h"
@@ -40,6 +41,14 @@ struct Known {
     MissPredictor& predictor;
 };
 
+/// A whole table of rows at once: with columns that only the whole run could fill.
+void write_rows(const std::vector<Row>& rows, const std::filesystem::path& path) {
+    std::string text = fmt::format("{}\n", fmt::join(row_columns(), ","));
+    for (const Row& row : rows)
+        text += to_csv(row) + "\n";
+    core::write_whole_file(path, text);
+}
+
 /// One comparison under way: what is written as it goes, and what the report will need.
 class Comparison {
   public:
@@ -49,13 +58,14 @@ class Comparison {
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
           ladder_(options.out / "ladder.csv", ladder_columns()) {
-        const auto sweep = options.out / "sweep.csv";
+        // An older run's would pass for this one's.
+        std::error_code ignored;
         if (options.sweep.views > 0) {
-            sweep_.emplace(sweep, row_columns());
+            sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
-            std::error_code ignored;
-            std::filesystem::remove(sweep, ignored);  // an older run's would pass for this one's
+            std::filesystem::remove(options.out / "sweep.csv", ignored);
         }
+        if (!options.study_scaling) std::filesystem::remove(options.out / "scaling.csv", ignored);
     }
 
     void run_subject(const Subject& subject,
@@ -73,18 +83,31 @@ class Comparison {
         }
     }
 
+    void study_scaling() {
+        const MeasureOptions& measure = options_.measure;
+        scaling_ = lab::study_scaling(options_.entrants,
+                                      {.threads = measure.threads, .out = options_.out});
+    }
+
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
         bins_.finish();
         ladder_.finish();
         if (sweep_) sweep_->finish();
+        const CostFit cost_fit = predict_costs(result_rows_, sweep_rows_);
+        if (cost_fit.cells > 0) {
+            write_rows(result_rows_, options_.out / "rows.csv");
+            if (sweep_) write_rows(sweep_rows_, options_.out / "sweep.csv");
+        }
         ReportData data{options_.command,
                         result_rows_,
                         std::move(shown_),
                         elapsed_s,
                         std::move(cell_curves_),
-                        std::move(sweep_rows_)};
+                        std::move(sweep_rows_),
+                        cost_fit,
+                        std::move(scaling_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
@@ -121,8 +144,11 @@ class Comparison {
             for (Shot& shot : shots)
                 shot.row.status = "too_large: no memory to trace the truth";
         }
-        for (Shot& shot : shots)
+        const FrameCounts counts = count_frame(subject.scene, view);
+        for (Shot& shot : shots) {
             fill_place(subject, view, options_, shot.row);
+            if (shot.row.cost) shot.row.cost->frame = counts;
+        }
         if (check) note_witness(*check, shots);
         if (!truth.traced.labels.is_empty()) {
             score_shots(truth, shots);
@@ -146,11 +172,13 @@ class Comparison {
                     const scene::View& view,
                     const ViewTruth& truth,
                     const Row& of_view) {
+        const FrameCounts counts = count_frame(subject.scene, view);
         for (const Entrant& entrant : options_.entrants) {
             if (is_interrupted()) return;
             for (Row& row :
                  sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
                 fill_place(subject, view, options_, row);
+                if (row.cost) row.cost->frame = counts;
                 fill_truth_facts(truth, row);
                 row.witness_disagreement = of_view.witness_disagreement;
                 row.witness_px = of_view.witness_px;
@@ -183,6 +211,7 @@ class Comparison {
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
     std::vector<Row> sweep_rows_;
+    std::vector<ScalingPoint> scaling_;
     std::vector<ShownView> shown_;
     std::vector<std::string> void_reasons_;
 };
@@ -216,6 +245,7 @@ CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions
             progress.report(done++, fmt::format("{} {}", subject.scene.name, view.camera.name));
         });
     }
+    if (options.study_scaling && !is_interrupted()) comparison.study_scaling();
     return comparison.finish(std::chrono::duration<double>(Clock::now() - start).count());
 }
 

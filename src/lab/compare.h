@@ -19,8 +19,9 @@ struct CompareOptions {
     MeasureOptions measure;
     SweepOptions sweep;
     TraceOptions trace;
-    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, verdict.md, report.html,
-    /// figures.
+    bool study_scaling = false;  ///< also lab/scaling.h, on scenes of its own
+    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, scaling.csv, verdict.md,
+    /// report.html, figures.
     std::filesystem::path out;
     std::uint64_t seed = 0;  ///< of chance pictures and of drawing scenes again
     std::string command;     ///< as the user typed it, for the report
@@ -41,9 +42,10 @@ struct CompareResult {
 /// For each view the bracket rows come first: `none` (F = 0 where there is truth), `oracle` (the
 /// stored truth itself, F = 1) and `sampled`. The sweeps of the methods follow on the first views
 /// of each scene; their rows have the columns of rows.csv and a file of their own, so that rows.csv
-/// stays one row per method and view. A cell that fails is a row with its status. Rows are
-/// on disk as soon as their view is finished. Throws core::Error if `out` cannot be written, before
-/// any work.
+/// stays one row per method and view. When all are there, both files are written again with the
+/// times that the cost model predicts (lab/cost_model.h). A cell that fails is a row with its
+/// status. Rows are on disk as soon as their view is finished. Throws core::Error if `out` cannot
+/// be written, before any work.
 [[nodiscard]] CompareResult compare(const std::vector<Subject>& subjects,
                                     const CompareOptions& options);
 

@@ -16,8 +16,6 @@ namespace {
 constexpr double kMarker = 6;
 constexpr double kLabelSize = 14;
 
-constexpr std::array kMethodColours = {kBlue, kVermilion, kGreen, kPurple, kOrange, kSky};
-
 /// A method on the chart: how it is told from the others.
 struct Series {
     const MethodSweep* sweep = nullptr;

@@ -19,6 +19,8 @@ std::string list_methods() {
     for (const methods::MethodInfo& info : methods::registry()) {
         text += fmt::format(
             "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text +=
+            fmt::format("  {:<10} cost: {}\n", "", methods::cost_sentence(info.make({})->cost()));
     }
     return text;
 }

@@ -12,6 +12,7 @@
 #include "lab/page_about.h"
 #include "lab/page_assets.h"
 #include "lab/page_causes.h"
+#include "lab/page_cost.h"
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
 #include "lab/page_statistics.h"
@@ -37,6 +38,7 @@ struct Material {
     Fronts fronts;
     std::string leads;       ///< HTML, "" with fewer than two methods
     std::string statistics;  ///< HTML, "" if there are none
+    std::string cost = {};   ///< HTML, "" if no method declares any
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -142,6 +144,7 @@ std::string nav_html(const Material& m) {
     link("verdict", "Verdict");
     if (!m.leads.empty()) link("leads", "Leads");
     link("time", "Error against time");
+    if (!m.cost.empty()) link("cost", "Cost");
     if (!m.statistics.empty()) link("statistics", "Thresholds");
     link("classes", "Line classes");
     link("causes", "Where the error goes");
@@ -223,6 +226,7 @@ std::string main_html(const Material& m) {
                     time_intro(m.fronts),
                     chart_html(front_chart(m.fronts), "Error 1 - F at 2 px against draw time") +
                         fronts_html(m.fronts));
+    if (!m.cost.empty()) html += section("cost", "Cost", cost_intro(), m.cost);
     if (!m.statistics.empty()) {
         html +=
             section("statistics",
@@ -304,6 +308,7 @@ std::string report_page(const ReportData& data) {
     add_curves(data.curves, material.summaries);
     material.fronts = summarise_fronts(data.rows, data.sweep);
     material.leads = leads_html(data.rows);
+    material.cost = cost_html(data);
     material.statistics = statistics_html(material.summaries);
     material.verdict = find_verdict(material.summaries);
     material.scenes = encode_scenes(data.views, kPictureBudget_bytes);

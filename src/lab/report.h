@@ -6,8 +6,10 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
+#include "lab/cost_model.h"
 #include "lab/ods.h"
 #include "lab/row.h"
+#include "lab/scaling.h"
 #include "score/attribution.h"
 
 namespace ink::lab {
@@ -36,6 +38,8 @@ struct ReportData {
     double elapsed_s = 0;
     std::vector<CellCurve> curves = {};  ///< of the methods' cells: what ODS, OIS and AP come from
     std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
+    CostFit cost_fit = {};               ///< what the rows' predicted times were made from
+    std::vector<ScalingPoint> scaling = {};  ///< how times grow, if that was asked for
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/frame_counts.h"
 #include "lab/line_scores.h"
 #include "score/attribution.h"
 #include "score/score.h"
@@ -61,6 +62,9 @@ struct Row {
     std::optional<std::int64_t> draw_ns_min;
     int draw_n = 0;  ///< repetitions
     std::optional<int> bytes_per_px;
+    std::optional<CostFacts> cost = {};             ///< what predicted_ns is made from
+    std::optional<std::int64_t> predicted_ns = {};  ///< of draw_ns_min; see lab/cost_model.h
+    std::optional<double> cost_residual = {};       ///< draw_ns_min / predicted_ns - 1
     std::string image_hash;
     std::int64_t truth_px = 0;
     std::int64_t truth_merged_px = 0;

@@ -1,0 +1,56 @@
+// The declared cost of Decaudin's two operators, counted as edge/decaudin_filter.h writes them.
+
+#include "methods/decaudin/decaudin.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr double kChannels = 4;  // depth, nx, ny, nz
+constexpr double kFloat_bytes = sizeof(float);
+
+/// g of one channel: eight differences and their sizes, corners and sides summed, sides doubled,
+/// both added, over 8. p looks at g's neighbours, so g is a picture of its own.
+constexpr PixelWork kG{kFloat_bytes, kFloat_bytes, 8 + 8 + 3 + 3 + 1 + 1 + 1};
+
+/// p of one channel: the extremes of a column serve three pixels (two comparisons each), those of
+/// three columns are two more each; difference, over k, squared, at most 1.
+constexpr PixelWork kP{kFloat_bytes, 0, 2 * (2 + 2) + 1 + 1 + 1 + 1};
+
+double join_operations(Decaudin::Join join) {
+    switch (join) {
+        case Decaudin::Join::max:
+            return 1;
+        case Decaudin::Join::either:
+            return 3;
+        case Decaudin::Join::length:
+            return 2;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Cost Decaudin::cost() const {
+    Cost cost;
+    cost.passes = 1;
+    cost.interpolants = format_.interpolants;
+    cost.values_per_vertex = format_.interpolants;
+    cost.shares_vertices = params_.normals != scene::NormalSource::facet;
+    cost.buffer_bytes_per_px = format_.bytes_per_px();
+    cost.fill = fill_work(format_);
+
+    PixelWork depth = encode_work(params_.depth_encoding, params_.interpolation);
+    if (params_.depth_sign == DepthSign::far_high) depth.operations += 1;
+    if (depth.operations > 0) depth = depth + PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    PixelWork normals;
+    if (params_.renormalise) {
+        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    }
+    const PixelWork join{0, 0, join_operations(params_.join)};
+    PixelWork write{0, 1, 4};  // at most 1, times 255, plus a half, to a byte
+    if (params_.join == Join::length) write.operations += kSlowOperations;
+    cost.filter = depth + normals + kChannels * (kG + kP + join) + write;
+    return cost;
+}
+
+}  // namespace ink::methods
