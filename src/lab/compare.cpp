@@ -13,6 +13,7 @@
 #include "lab/interrupt.h"
 #include "lab/miss_prediction.h"
 #include "lab/shots.h"
+#include "lab/skip_study.h"
 #include "lab/verdict.h"
 #include "truth/witness_cache.h"
 
@@ -49,13 +50,12 @@ class Comparison {
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
           ladder_(options.out / "ladder.csv", ladder_columns()) {
-        const auto sweep = options.out / "sweep.csv";
         if (options.sweep.views > 0) {
-            sweep_.emplace(sweep, row_columns());
+            sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
-            std::error_code ignored;
-            std::filesystem::remove(sweep, ignored);  // an older run's would pass for this one's
+            forget("sweep.csv");
         }
+        forget("skips.csv");
     }
 
     void run_subject(const Subject& subject,
@@ -73,6 +73,18 @@ class Comparison {
         }
     }
 
+    /// What skips are worth, on pictures of the size of `view`.
+    void run_skip_study(const scene::View& view) {
+        SkipStudyOptions study;
+        study.width_px = view.width_px;
+        study.height_px = view.height_px;
+        study.threads = options_.measure.threads;
+        skip_study_ = study_skips(options_.entrants, study);
+        core::write_whole_file(options_.out / "skips.csv", skip_study_csv(skip_study_, study));
+        for (std::string& difference : skip_differences(skip_study_))
+            void_reasons_.push_back(std::move(difference));
+    }
+
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
@@ -84,7 +96,8 @@ class Comparison {
                         std::move(shown_),
                         elapsed_s,
                         std::move(cell_curves_),
-                        std::move(sweep_rows_)};
+                        std::move(sweep_rows_),
+                        std::move(skip_study_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
@@ -99,6 +112,12 @@ class Comparison {
     }
 
   private:
+    /// An older run's file would pass for this one's.
+    void forget(const char* file) const {
+        std::error_code ignored;
+        std::filesystem::remove(options_.out / file, ignored);
+    }
+
     void run_view(const Subject& subject,
                   const scene::View& view,
                   const Known& known,
@@ -184,6 +203,7 @@ class Comparison {
     std::vector<CellCurve> cell_curves_;
     std::vector<Row> sweep_rows_;
     std::vector<ShownView> shown_;
+    std::vector<SkipTime> skip_study_;
     std::vector<std::string> void_reasons_;
 };
 
@@ -215,6 +235,9 @@ CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions
         comparison.run_subject(subject, [&](const scene::View& view) {
             progress.report(done++, fmt::format("{} {}", subject.scene.name, view.camera.name));
         });
+    }
+    if (options.skip_study && total > 0 && !is_interrupted()) {
+        comparison.run_skip_study(subjects.front().views.front());
     }
     return comparison.finish(std::chrono::duration<double>(Clock::now() - start).count());
 }

@@ -14,6 +14,7 @@
 #include "lab/page_causes.h"
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
+#include "lab/page_skips.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
 #include "lab/page_witness.h"
@@ -37,6 +38,7 @@ struct Material {
     Fronts fronts;
     std::string leads;       ///< HTML, "" with fewer than two methods
     std::string statistics;  ///< HTML, "" if there are none
+    std::string skips = {};  ///< HTML, "" if no row says what was skipped
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -154,6 +156,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.skips.empty()) link("skips", "Skips");
     if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");
     link("rows", "All rows");
@@ -271,6 +274,7 @@ std::string main_html(const Material& m) {
         "One view per scene. Drag across a picture, or move the divider below it with "
         "the arrow keys: truth to the left, the method to the right.",
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
+    if (!m.skips.empty()) html += section("skips", "Skips", skips_intro(), m.skips);
     if (!m.witness.empty()) {
         html += section("witness",
                         "Truth against its witness",
@@ -301,6 +305,7 @@ std::string main_html(const Material& m) {
 std::string report_page(const ReportData& data) {
     Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
     material.witness = witness_html(data.rows);
+    material.skips = skips_html(data.rows, data.skip_study);
     add_curves(data.curves, material.summaries);
     material.fronts = summarise_fronts(data.rows, data.sweep);
     material.leads = leads_html(data.rows);

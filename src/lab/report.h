@@ -8,6 +8,7 @@
 #include "edge/edge_image.h"
 #include "lab/ods.h"
 #include "lab/row.h"
+#include "lab/skip_study.h"
 #include "score/attribution.h"
 
 namespace ink::lab {
@@ -36,6 +37,7 @@ struct ReportData {
     double elapsed_s = 0;
     std::vector<CellCurve> curves = {};  ///< of the methods' cells: what ODS, OIS and AP come from
     std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
+    std::vector<SkipTime> skip_study = {};  ///< what skips are worth, if that was asked
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lab/line_scores.h"
+#include "raster/skips.h"
 #include "score/attribution.h"
 #include "score/score.h"
 
@@ -61,6 +62,9 @@ struct Row {
     std::optional<std::int64_t> draw_ns_min;
     int draw_n = 0;  ///< repetitions
     std::optional<int> bytes_per_px;
+    /// What the last timed drawing left undone; nothing for brackets and cells that failed.
+    std::optional<raster::SkipCounts> skips = {};
+    std::string skips_off = {};  ///< skips that were not allowed, "a;b"
     std::string image_hash;
     std::int64_t truth_px = 0;
     std::int64_t truth_merged_px = 0;
