@@ -8,7 +8,7 @@ namespace ink::raster {
 namespace {
 
 /// A multiple of 4, so that buffers of any element are whole words.
-constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileStride;
+constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows;
 
 /// The bits of one sky element, repeated until they fill four bytes.
 std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
@@ -27,7 +27,7 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
     return 0;
 }
 
-void fill_words(std::vector<std::byte>& memory, std::uint32_t word) {
+void fill_words(AlignedArray<std::byte>& memory, std::uint32_t word) {
     for (std::size_t at = 0; at < memory.size(); at += sizeof word)
         std::memcpy(memory.data() + at, &word, sizeof word);
 }
@@ -35,7 +35,8 @@ void fill_words(std::vector<std::byte>& memory, std::uint32_t word) {
 }  // namespace
 
 TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid)
-    : format_(format), grid_(grid), depth_(kElements * sizeof(std::uint32_t)) {
+    : format_(format), grid_(grid) {
+    depth_.resize(kElements * sizeof(std::uint32_t));
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format.planes()); ++plane) {
         sky_[plane] = sky_bits(format, input, plane);
         planes_[plane].resize(kElements * element_bytes());
@@ -56,6 +57,8 @@ std::size_t TileBuffer::element_bytes() const {
 void TileBuffer::start(int tile) {
     own_ = grid_.own(tile);
     drawn_ = grid_.drawn(tile);
+    if (is_clean_) return;
+    is_clean_ = true;
     // 0 is infinity in every depth format, float included.
     fill_words(depth_, 0);
     for (std::size_t plane = 0; plane < kMaxPlanes; ++plane)
@@ -98,7 +101,7 @@ Tile TileBuffer::view(bool is_empty) const {
     tile.is_empty = is_empty;
     tile.stride = kTileStride;
     constexpr std::size_t kOrigin =
-        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kMaxHalo_px;
+        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kTileMargin_px;
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
         tile.planes[plane] = planes_[plane].data() + kOrigin * element_bytes();
     }

@@ -3,23 +3,31 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "raster/aligned_array.h"
 #include "raster/bin.h"
 #include "raster/pass.h"
 
 namespace ink::raster {
 
+/// Columns on either side of a tile's own: its halo, rounded up to a vector of pixels, so that
+/// vectors that start at multiples of 8 px start at aligned addresses and never leave the row.
+inline constexpr int kTileMargin_px = 8;
+
 /// Elements from one row of a tile buffer to the next, the same in every plane.
-inline constexpr int kTileStride = kTileSize_px + 2 * kMaxHalo_px;
+inline constexpr int kTileStride = kTileSize_px + 2 * kTileMargin_px;
+inline constexpr int kTileRows = kTileSize_px + 2 * kMaxHalo_px;
 
 /// The pixels of one tile and its halo while it is drawn. One per thread, used for tile after tile.
 class TileBuffer {
   public:
     TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid);
 
-    /// Makes it the buffer of `tile`, holding nothing but sky.
+    /// Makes it the buffer of `tile`, holding nothing but sky. What nobody wrote to since it was
+    /// last cleared is not cleared again.
     void start(int tile);
+    /// Says that something is about to be written.
+    void touch() { is_clean_ = false; }
     /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
     void extend_frame();
     /// How a sink sees it.
@@ -40,13 +48,12 @@ class TileBuffer {
     }
 
   private:
-    /// Plain bytes, aligned for any store by the allocator; whoever writes elements gives them a
-    /// type.
-    using Memory = std::vector<std::byte>;
+    /// Plain bytes, aligned for any vector; whoever writes elements gives them a type.
+    using Memory = AlignedArray<std::byte>;
 
     [[nodiscard]] std::ptrdiff_t offset(int y) const {
-        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride + kMaxHalo_px -
-               own_.x0;
+        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride +
+               kTileMargin_px - own_.x0;
     }
     [[nodiscard]] std::size_t element_bytes() const;
     void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
@@ -56,6 +63,7 @@ class TileBuffer {
     PixelRect own_;
     PixelRect drawn_;
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
+    bool is_clean_ = false;
     Memory depth_;
     std::array<Memory, kMaxPlanes> planes_;
 };
