@@ -3,28 +3,38 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "lab/skip_scenes.h"
 #include "lab/skip_study.h"
-#include "lab/skip_switches.h"
 
 namespace ink::methods {
 namespace {
 
-class SkipCounts : public testing::TestWithParam<raster::SkipInfo> {
+/// Takes the name of a skip.
+class SkipCounts : public testing::TestWithParam<std::string> {
   protected:
-    static constexpr int kLevels = 7;  // a 4th of the triangles, on a 4th of the pixels
-
-    /// mote4 on the scene of the skip: with every skip, without that one, without any.
-    std::vector<lab::SkipTime> times() const {
+    raster::Skip skip() const {
+        const auto& infos = raster::skip_infos();
+        return std::find_if(infos.begin(),
+                            infos.end(),
+                            [](const auto& info) { return info.name == GetParam(); })
+            ->skip;
+    }
+    /// mote4 on the scene of the skip, with a quarter of its triangles on a quarter of the pixels:
+    /// with every skip, without that one, without any.
+    std::vector<lab::SkipTime> times(int threads = 1) const {
+        const lab::SkipStudyOptions quick{.width_px = 640,
+                                          .height_px = 360,
+                                          .threads = threads,
+                                          .levels = lab::kSkipSceneLevels - 1,
+                                          .min_rounds = 1,
+                                          .max_rounds = 1};
         const auto entrants = lab::make_entrants("mote4", {});
-        const auto scene = lab::skip_scene(GetParam().skip, kLevels);
-        return lab::time_skips(
-            entrants.front(),
-            scene,
-            {.width_px = 640, .height_px = 360, .min_rounds = 1, .max_rounds = 1});
+        return lab::time_skips(entrants.front(), lab::skip_scene(skip(), quick.levels), quick);
     }
     raster::SkipCount count(const lab::SkipTime& time) const {
-        return time.counts[static_cast<std::size_t>(GetParam().skip)];
+        return time.counts[static_cast<std::size_t>(skip())];
     }
 };
 
@@ -39,37 +49,30 @@ TEST_P(SkipCounts, AreZeroWhereTheSkipIsNotAllowed) {
     const auto timed = times();
     ASSERT_EQ(timed.size(), 3U);
     EXPECT_EQ(count(timed[1]).skipped, 0U);
-    for (const raster::SkipCount& any : timed[2].counts)
-        EXPECT_EQ(any.skipped, 0U);
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        EXPECT_EQ(timed[2].counts[static_cast<std::size_t>(info.skip)].skipped, 0U)
+            << info.name << " with everything off";
+    }
 }
 
 TEST_P(SkipCounts, DoNotDependOnTheNumberOfThreads) {
-    const auto scene = lab::skip_scene(GetParam().skip, kLevels);
-    const auto info = lab::make_entrants("mote4", {}).front().info;
-    std::vector<raster::SkipCount> counts;
-    for (const int threads : {1, 2}) {
-        const auto method = info->make(scene.settings);
-        const scene::View view{scene.scene.cameras.front(), 640, 360};
-        edge::EdgeImage out(view.width_px, view.height_px);
-        method->prepare(scene.scene);
-        scene::Scene posed = scene.scene;
-        for (const glm::dmat4& pose : scene.poses.empty()
-                                          ? std::vector{posed.instances[0].world_from_object}
-                                          : scene.poses) {
-            posed.instances[0].world_from_object = pose;
-            method->pose(posed);
-            method->draw({view, threads}, out);
-        }
-        counts.push_back(method->skip_counts()[static_cast<std::size_t>(GetParam().skip)]);
-    }
-    EXPECT_EQ(counts[0].skipped, counts[1].skipped);
-    EXPECT_EQ(counts[0].of, counts[1].of);
+    const auto one = times(1);
+    const auto two = times(2);
+    EXPECT_EQ(count(one.front()).skipped, count(two.front()).skipped);
+    EXPECT_EQ(count(one.front()).of, count(two.front()).of);
+    EXPECT_EQ(one.front().image_hash, two.front().image_hash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every,
-                         SkipCounts,
-                         testing::ValuesIn(raster::skip_infos()),
-                         [](const auto& info) { return std::string(info.param.name); });
+std::vector<std::string> skip_names() {
+    std::vector<std::string> names;
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        names.emplace_back(info.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, SkipCounts, testing::ValuesIn(skip_names()), [](const auto& name) {
+    return name.param;
+});
 
 }  // namespace
 }  // namespace ink::methods
