@@ -117,9 +117,10 @@ std::string gain(const SkipTime& with, const SkipTime& without) {
     const double ratio =
         static_cast<double>(*without.draw_ns_min) / static_cast<double>(*with.draw_ns_min);
     const bool is_worth_it = ratio >= kWorthwhile;
-    return fmt::format("{}× {:.2f}{}<small>{} → {} ms</small>",
+    return fmt::format("{}× {:.{}f}{}<small>{} → {} ms</small>",
                        is_worth_it ? "<b>" : "",
                        ratio,
+                       ratio < 10 ? 2 : 0,
                        is_worth_it ? "</b>" : "",
                        ms(*without.draw_ns_min),
                        ms(*with.draw_ns_min));
@@ -141,8 +142,12 @@ std::string worth_cell(const Arms& arms) {
     if (!is_timed(arms.one_off)) return failed_cell(arms);
     const raster::SkipCount& count = arms.on->counts[static_cast<std::size_t>(*arms.on->skip)];
     if (count.of == 0) return "<td title=\"this method has nothing of the kind to skip\">–</td>";
-    return fmt::format("<td>{}<small>{} skipped<br>none at all: {} ms</small></td>",
-                       gain(*arms.on, *arms.one_off),
+    // Times of work that is the same in both arms differ by chance alone: no factor then.
+    const std::string worth = count.skipped == 0
+                                  ? fmt::format("0<small>{} ms</small>", ms(*arms.on->draw_ns_min))
+                                  : gain(*arms.on, *arms.one_off);
+    return fmt::format("<td>{}<small>{} skipped<br>no skips: {} ms</small></td>",
+                       worth,
                        percent(share_of(count)),
                        ms(*arms.all_off->draw_ns_min));
 }
@@ -150,7 +155,8 @@ std::string worth_cell(const Arms& arms) {
 /// A line of the study's tables: what stands at its left.
 struct StudyLine {
     std::string scene;
-    std::string heading;  ///< HTML
+    std::string heading;  ///< HTML, as the next
+    std::string content;  ///< what there is to see
 };
 
 std::string study_table(const std::vector<SkipTime>& study,
@@ -167,14 +173,15 @@ std::string study_table(const std::vector<SkipTime>& study,
         head += fmt::format("<th scope=\"col\">{}</th>", escape(method));
     std::string body;
     for (const StudyLine& line : lines) {
-        body += fmt::format("<tr><th scope=\"row\">{}</th>", line.heading);
+        body += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>", line.heading, line.content);
         for (const std::string& method : methods)
             body += worth_cell(find_arms(study, line.scene, method));
         body += "</tr>\n";
     }
     return fmt::format(
-        "<div class=\"scroll\"><table class=\"cause-table\"><thead><tr><th scope=\"col\">{}</th>{}"
-        "</tr></thead><tbody>{}</tbody></table></div>",
+        "<div class=\"scroll\"><table class=\"cause-table\"><thead><tr><th scope=\"col\">{}</th>"
+        "<td class=\"text\">on</td>{}</tr></thead><tbody>{}</tbody></table></div>",
         corner,
         head,
         body);
@@ -186,12 +193,15 @@ std::vector<StudyLine> study_lines(const std::vector<SkipTime>& study, bool of_o
     for (const SkipTime& t : study) {
         if (t.skip.has_value() != of_one_skip) continue;
         if (!lines.empty() && lines.back().scene == t.scene) continue;
-        std::string first =
-            of_one_skip ? std::string(raster::skip_infos()[static_cast<std::size_t>(*t.skip)].name)
-                        : escape(t.scene);
-        std::string second = of_one_skip ? escape(t.scene) + ", " : "";
-        lines.push_back(
-            {t.scene, fmt::format("{}<small>{}{} triangles</small>", first, second, t.triangles)});
+        const std::string triangles = fmt::format("{} triangles", t.triangles);
+        if (of_one_skip) {
+            const auto& info = raster::skip_infos()[static_cast<std::size_t>(*t.skip)];
+            lines.push_back({t.scene,
+                             std::string(info.name),
+                             fmt::format("{}<small>{}</small>", escape(t.scene), triangles)});
+        } else {
+            lines.push_back({t.scene, escape(t.scene), triangles});
+        }
     }
     return lines;
 }

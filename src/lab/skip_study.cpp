@@ -116,7 +116,9 @@ void draw_in_turns(Easel& easel, const SkipStudyOptions& options, std::vector<Sk
     double spent_s = 0;
     for (int round = 0; round <= options.max_rounds; ++round) {
         if (round > options.min_rounds && spent_s > options.budget_s) break;
-        for (std::size_t i = 0; i < times.size(); ++i) {
+        for (std::size_t turn = 0; turn < times.size(); ++turn) {
+            // Another begins each round, so that nobody always follows the same one.
+            const std::size_t i = (static_cast<std::size_t>(round) + turn) % times.size();
             const Round drawn = easel.draw(times[i].allowed);
             if (round == 0) {
                 times[i].image_hash = drawn.hash;

@@ -18,7 +18,7 @@ struct SkipStudyOptions {
     int threads = 1;                ///< of the methods
     int levels = kSkipSceneLevels;  ///< of the scenes, see lab/skip_scenes.h
     int min_rounds = 3;
-    int max_rounds = 15;
+    int max_rounds = 30;
     double budget_s = 0.3;  ///< a method on a scene stops after this much drawing
 };
 

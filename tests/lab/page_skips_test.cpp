@@ -93,10 +93,13 @@ TEST(SkipsHtml, SaysWhatShareWasSkippedAndWhereMost) {
 TEST(SkipsHtml, SaysWhatEachIsWorthByTheLeastTimes) {
     const std::string html = skips_html(some_rows(), some_study());
     EXPECT_EQ(nesting_error(html), "");
-    EXPECT_THAT(html, HasSubstr("hidden<small>behind_a_wall, 81922 triangles</small>"));
+    EXPECT_THAT(
+        html,
+        HasSubstr(
+            "hidden</th><td class=\"text\">behind_a_wall<small>81922 triangles</small></td>"));
     EXPECT_THAT(html,
-                HasSubstr("<b>× 2.50</b><small>5.00 → 2.00 ms</small><small>75.0 % skipped<br>none "
-                          "at all: 9.00 ms</small>"));
+                HasSubstr("<b>× 2.50</b><small>5.00 → 2.00 ms</small><small>75.0 % skipped<br>no "
+                          "skips: 9.00 ms</small>"));
     EXPECT_THAT(html, HasSubstr("<b>× 8.00</b><small>8.00 → 1.00 ms</small></td>"));
     EXPECT_THAT(html, Not(HasSubstr("--skip-study")));
 }
@@ -105,6 +108,8 @@ TEST(SkipsHtml, NeitherBoastsNorHidesWhatFailed) {
     auto study = some_study();
     study[1].draw_ns_min = 2'020'000;
     EXPECT_THAT(skips_html(some_rows(), study), HasSubstr("<td>× 1.01<small>"));
+    study[0].counts[kHidden].skipped = 0;
+    EXPECT_THAT(skips_html(some_rows(), study), HasSubstr("<td>0<small>2.00 ms</small>"));
     study[1].status = "differs: \"so\"";
     const std::string html = skips_html(some_rows(), study);
     EXPECT_THAT(html, HasSubstr("title=\"differs: &quot;so&quot;\"><strong>failed</strong>"));
