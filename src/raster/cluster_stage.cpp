@@ -24,6 +24,7 @@ using DU = hn::RebindToUnsigned<DI>;
 /// What may not be exceeded for lanes, over all vertices.
 struct Reach {
     double least_w;
+    double most_w;
     double farthest_px;
 };
 
@@ -42,6 +43,7 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
     const hn::Rebind<std::int32_t, DD> di;
     const std::size_t n = hn::Lanes(d);
     auto least_w = hn::Set(d, std::numeric_limits<double>::max());
+    auto most_w = hn::Zero(d);
     auto farthest = hn::Zero(d);
     const auto limit = hn::Set(d, kLaneReach_px);
     const auto scale = hn::Set(d, 1 << kLaneBits);
@@ -54,6 +56,7 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
         const auto x_px = hn::Mul(Row(t.rows[0], x, y, z), inv);
         const auto y_px = hn::Mul(Row(t.rows[1], x, y, z), inv);
         least_w = hn::Min(least_w, w);
+        most_w = hn::Max(most_w, w);
         farthest = hn::Max(farthest, hn::Max(hn::Abs(x_px), hn::Abs(y_px)));
         const auto x_safe = hn::Min(hn::Max(x_px, hn::Neg(limit)), limit);
         const auto y_safe = hn::Min(hn::Max(y_px, hn::Neg(limit)), limit);
@@ -63,7 +66,9 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
         hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(x_safe, scale))), di, lanes.x + i);
         hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(y_safe, scale))), di, lanes.y + i);
     }
-    return {hn::GetLane(hn::MinOfLanes(d, least_w)), hn::GetLane(hn::MaxOfLanes(d, farthest))};
+    return {hn::GetLane(hn::MinOfLanes(d, least_w)),
+            hn::GetLane(hn::MaxOfLanes(d, most_w)),
+            hn::GetLane(hn::MaxOfLanes(d, farthest))};
 }
 
 /// The box of the snapped vertices, and each packed from its corner.
@@ -128,8 +133,10 @@ bool ProjectCluster(const LaneMesh& mesh,
     constexpr double kExtreme = 1e18;
     if (!(reach.least_w >= near) || !(reach.least_w > 1 / kExtreme)) return false;
     if (!(reach.farthest_px <= kLaneReach_px)) return false;
+    lanes.q_least = static_cast<float>(1 / reach.most_w);
+    lanes.q_most = static_cast<float>(1 / reach.least_w);  // as the nearest vertex's q was rounded
     PackSnapped(count, lanes);
-    constexpr std::int32_t kExtent = kLaneExtent_px * kSubpixels;
+    constexpr std::int32_t kExtent = kLaneCluster_px * kSubpixels;
     if (lanes.x1 - lanes.x0 > kExtent || lanes.y1 - lanes.y0 > kExtent) return false;
     return lanes.q[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
 }
@@ -212,6 +219,7 @@ void TriageCluster(const LaneMesh& mesh,
     const auto top = hn::Set(d, lanes.y0);
     const auto to_centre = hn::Set(d, kSubpixels / 2 - 1);
     const auto zero = hn::Zero(d);
+    auto largest = zero;
     result.count = 0;
     result.no_sample = 0;
     result.outside = 0;
@@ -222,10 +230,15 @@ void TriageCluster(const LaneMesh& mesh,
         const auto first = [&](VI low, VI origin) {
             return hn::ShiftRight<kSubpixelBits>(hn::Add(hn::Add(low, origin), to_centre));
         };
-        const auto left_px = first(hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]), left);
-        const auto top_px = first(hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]), top);
-        const auto right_px = first(hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]), left);
-        const auto bottom_px = first(hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]), top);
+        const auto least_x = hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]);
+        const auto least_y = hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]);
+        const auto most_x = hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]);
+        const auto most_y = hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]);
+        largest = hn::Max(largest, hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y)));
+        const auto left_px = first(least_x, left);
+        const auto top_px = first(least_y, top);
+        const auto right_px = first(most_x, left);
+        const auto bottom_px = first(most_y, top);
         const auto x0 = hn::Max(left_px, hn::Set(d, job.picture.x0));
         const auto y0 = hn::Max(top_px, hn::Set(d, job.picture.y0));
         const auto x1 = hn::Min(right_px, hn::Set(d, job.picture.x1));
@@ -272,6 +285,37 @@ void TriageCluster(const LaneMesh& mesh,
         Append(hn::IfThenElseZero(is_sure, area), keep, result.area + result.count);
         result.count += kept;
     }
+    const std::int32_t extent = hn::GetLane(hn::MaxOfLanes(d, largest));
+    result.has_large = extent > kLaneExtent_px * kSubpixels;
+}
+
+ValueRange RangeOf(const float* values, std::size_t count) {
+    const hn::Rebind<float, DI> d;
+    const auto first = hn::Set(d, values[0]);
+    auto least = first;
+    auto greatest = first;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const auto v = hn::IfThenElse(hn::FirstN(d, count - i), hn::LoadU(d, values + i), first);
+        least = hn::Min(least, v);
+        greatest = hn::Max(greatest, v);
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
+}
+
+void WriteRecords(const ClusterLanes& lanes,
+                  std::size_t count,
+                  const float* values,
+                  bool is_silent,
+                  std::int32_t* records) {
+    const DI d;
+    const hn::Rebind<float, DI> df;
+    const auto zero = hn::Zero(d);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const auto q = is_silent ? zero : hn::BitCast(d, hn::Load(df, lanes.q + i));
+        const auto v = values == nullptr ? zero : hn::BitCast(d, hn::LoadU(df, values + i));
+        hn::StoreInterleaved4(
+            hn::Load(d, lanes.x + i), hn::Load(d, lanes.y + i), q, v, d, records + 4 * i);
+    }
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE
@@ -282,6 +326,20 @@ namespace ink::raster {
 
 HWY_EXPORT(ProjectCluster);
 HWY_EXPORT(TriageCluster);
+HWY_EXPORT(RangeOf);
+HWY_EXPORT(WriteRecords);
+
+ValueRange range_of(const float* values, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(RangeOf)(values, count);
+}
+
+void write_records(const ClusterLanes& lanes,
+                   std::size_t count,
+                   const float* values,
+                   bool is_silent,
+                   std::int32_t* records) {
+    HWY_DYNAMIC_DISPATCH(WriteRecords)(lanes, count, values, is_silent, records);
+}
 
 CornerBatch ClusterLanes::batch(const LaneMesh& mesh, std::size_t cluster) const {
     CornerBatch result;

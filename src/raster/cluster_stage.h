@@ -10,9 +10,12 @@
 
 namespace ink::raster {
 
-/// Clusters whose screen box is at most this wide and high go through lanes: every product of two
-/// extents in 1/256 px, and their difference, then fits 32 bits.
+/// Triangles at most this wide and high go through lanes: every product of two extents in 1/256 px,
+/// and their difference, then fits 32 bits.
 inline constexpr int kLaneExtent_px = 90;
+
+/// And so do the clusters they lie in: a vertex fits 16 bits each way from their box's corner.
+inline constexpr int kLaneCluster_px = 255;
 
 /// A cluster's vertices on the screen, and what a method made of them; scratch of one thread.
 struct ClusterLanes {
@@ -24,7 +27,9 @@ struct ClusterLanes {
     alignas(64) std::int32_t y[kCount];
     alignas(64) float values[2][kMaxPlanes][kCount];  ///< front, back
     alignas(64) std::int32_t packed[kCount];  ///< snapped, from the box's corner: x << 16 | y
-    std::int32_t x0 = 0;                      ///< snapped box, 1/256 px
+    float q_least = 0;
+    float q_most = 0;
+    std::int32_t x0 = 0;  ///< snapped box, 1/256 px
     std::int32_t y0 = 0;
     std::int32_t x1 = 0;
     std::int32_t y1 = 0;
@@ -62,6 +67,7 @@ struct TriageResult {
     /// Twice the snapped area where its sign is sure to be that of the true one, else 0.
     alignas(64) std::int32_t area[kCapacity];
     std::size_t count = 0;
+    bool has_large = false;     ///< some triangle exceeds kLaneExtent_px: nothing here is of use
     std::size_t no_sample = 0;  ///< dropped or not, triangles found to cover no centre
     std::size_t outside = 0;    ///< without a centre in the picture
 };
@@ -74,5 +80,20 @@ void triage_cluster(const LaneMesh& mesh,
                     const ClusterLanes& lanes,
                     const TriageJob& job,
                     TriageResult& result);
+
+/// The least and the greatest of `count` values; memory is read up to kLanePad.
+struct ValueRange {
+    float least;
+    float greatest;
+};
+[[nodiscard]] ValueRange range_of(const float* values, std::size_t count);
+
+/// Writes `count` vertices as records (see lane_triangles.h), a vector's worth more than they are.
+/// `values` null: none. What is silent lies at infinity, behind everything.
+void write_records(const ClusterLanes& lanes,
+                   std::size_t count,
+                   const float* values,
+                   bool is_silent,
+                   std::int32_t* records);
 
 }  // namespace ink::raster

@@ -176,9 +176,12 @@ struct CodeScale {
     float scale;        ///< 2^fraction bits
     std::int32_t low;   ///< of a code anywhere: the store's range if it saturates
     std::int32_t high;
+    bool is_limited;  ///< it saturates
 };
 
-HWY_INLINE void StoreCodes(const PlaneLanes& planes,
+/// Returns where a code may leave the store's range: its corners come within one code of an end,
+/// and a centre of the snapped triangle may lie a little outside the true one.
+HWY_INLINE hn::Mask<DI> StoreCodes(const PlaneLanes& planes,
                            VF v0,
                            VF v1,
                            VF v2,
@@ -204,6 +207,12 @@ HWY_INLINE void StoreCodes(const PlaneLanes& planes,
     const auto within = [&](VI v) { return hn::Min(hn::Max(v, low), high); };
     hn::Store(hn::IfThenElse(is_thin, within(least), low), d, out.low + at);
     hn::Store(hn::IfThenElse(is_thin, within(greatest), high), d, out.high + at);
+    const auto unit = hn::Set(d, static_cast<std::int32_t>(scale.scale));
+    const auto span = hn::Add(hn::ShiftRight<6>(hn::Sub(greatest, least)), unit);
+    const auto near_low = hn::Lt(hn::Sub(least, span), low);
+    const auto near_high = hn::Gt(hn::Add(greatest, hn::Add(span, unit)), high);
+    const auto always = hn::VecFromMask(d, hn::Or(near_low, near_high));
+    return hn::MaskFromVec(scale.is_limited ? always : hn::Zero(d));
 }
 
 CodeScale ScaleOf(const PassFormat& format) {
@@ -212,7 +221,8 @@ CodeScale ScaleOf(const PassFormat& format) {
     scale.scale = static_cast<float>(1 << bits);
     scale.low = std::numeric_limits<std::int32_t>::min();
     scale.high = std::numeric_limits<std::int32_t>::max();
-    if (format.overflow == Overflow::saturate) {
+    scale.is_limited = format.overflow == Overflow::saturate;
+    if (scale.is_limited) {
         const std::int64_t codes = format.store == Store::u16 ? 1 << 16 : 1 << 8;
         scale.low = 0;
         scale.high = static_cast<std::int32_t>((codes << bits) - 1);
@@ -221,18 +231,33 @@ CodeScale ScaleOf(const PassFormat& format) {
 }
 
 /// Copies the corners' records together.
+template <bool kHasMore>
 void Collect(const LaneSource& source,
              std::span<const std::uint32_t> entries,
              LaneTriangles& out) {
+    const hn::CappedTag<std::int32_t, kRecordWords> d4;
+    std::uint32_t last = ~0U;
+    const std::uint8_t* corners[3] = {};
+    std::size_t first[2] = {};
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const LaneSlot& slot = source.slots[entries[i] >> 8];
-        const std::size_t first = (entries[i] & 0x80U) != 0 ? slot.back : slot.front;
-        const std::size_t triangle = entries[i] & 0x7fU;
+        const std::uint32_t entry = entries[i];
+        if (entry >> 8 != last) {  // neighbours in a list mostly come from one cluster
+            last = entry >> 8;
+            const LaneSlot& slot = source.slots[last];
+            for (int k = 0; k < 3; ++k)
+                corners[k] = source.mesh->corners(slot.cluster, k);
+            first[0] = slot.front;
+            first[1] = slot.back;
+        }
+        const std::size_t base = first[(entry >> 7) & 1];
+        const std::size_t triangle = entry & 0x7fU;
         for (int k = 0; k < 3; ++k) {
-            const std::size_t record = first + source.mesh->corners(slot.cluster, k)[triangle];
-            std::memcpy(out.corners[k][i], source.records + kRecordWords * record, 16);
-            if (source.more != nullptr)
-                std::memcpy(out.more[k][i], source.more + kRecordWords * record, 16);
+            const std::size_t record = kRecordWords * (base + corners[k][triangle]);
+            for (std::size_t w = 0; w < kRecordWords; w += hn::Lanes(d4)) {
+                hn::StoreU(hn::LoadU(d4, source.records + record + w), d4, out.corners[k][i] + w);
+                if (kHasMore)
+                    hn::StoreU(hn::LoadU(d4, source.more + record + w), d4, out.more[k][i] + w);
+            }
         }
     }
 }
@@ -244,7 +269,8 @@ void SetUpLanes(const PassFormat& format,
                 LaneTriangles& out) {
     const DI d;
     const DF df;
-    Collect(source, entries, out);
+    source.more != nullptr ? Collect<true>(source, entries, out)
+                           : Collect<false>(source, entries, out);
     out.count = entries.size();
     const CodeScale scale = ScaleOf(format);
     for (std::size_t at = 0; at < out.count; at += hn::Lanes(d)) {
@@ -260,6 +286,8 @@ void SetUpLanes(const PassFormat& format,
         const PlaneLanes planes = MakePlanes(c, ref_x, ref_y);
         const auto always = hn::Eq(hn::Zero(df), hn::Zero(df));
         StoreNumbers(planes, c[0].q, c[1].q, c[2].q, always, at, out.q);
+        auto needs_limits = is_thin;
+        hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
         if (format.interpolants == 0) continue;
         if (format.store == Store::f32) {
             StoreNumbers(planes,
@@ -270,8 +298,11 @@ void SetUpLanes(const PassFormat& format,
                          at,
                          out.numbers[0]);
         } else {
-            StoreCodes(
-                planes, c[0].value, c[1].value, c[2].value, is_thin, scale, at, out.codes[0]);
+            needs_limits = hn::Or(
+                needs_limits,
+                StoreCodes(
+                    planes, c[0].value, c[1].value, c[2].value, is_thin, scale, at, out.codes[0]));
+            hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
         }
         if (format.interpolants == 1) continue;
         VF more[3][4];
@@ -286,9 +317,12 @@ void SetUpLanes(const PassFormat& format,
             if (format.store == Store::f32) {
                 StoreNumbers(planes, v0, v1, v2, hn::RebindMask(df, is_thin), at, out.numbers[i]);
             } else {
-                StoreCodes(planes, v0, v1, v2, is_thin, scale, at, out.codes[i]);
+                needs_limits = hn::Or(
+                    needs_limits,
+                    StoreCodes(planes, v0, v1, v2, is_thin, scale, at, out.codes[i]));
             }
         }
+        hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
     }
 }
 

@@ -16,6 +16,8 @@ struct LaneSlot {
     std::uint32_t cluster = 0;
     std::uint32_t front = 0;  ///< first record
     std::uint32_t back = 0;   ///< the same vertices as triangles seen from their back have them
+    float q_most = 0;         ///< of its vertices
+    PixelRect bounds;         ///< of the centres its triangles may cover
 };
 
 /// A triangle in a tile's list, one number: either lanes' (slot, side, triangle of the cluster) or,
@@ -70,6 +72,9 @@ struct LaneTriangles {
     alignas(64) Ints x0, y0, x1, y1;  ///< what of its box is drawn in this tile
     alignas(64) Ints ref_x, ref_y;
     alignas(64) Ints edge_at_ref[3], edge_dx[3], edge_dy[3];
+    /// -1 where planes must be kept within `low` and `high` at every pixel: thin triangles, whose
+    /// gradients are noise, and codes that come near the ends of their store.
+    alignas(64) Ints needs_limits;
     Numbers q;
     Codes codes[2];                ///< integer stores
     Numbers numbers[kMaxPlanes];  ///< f32

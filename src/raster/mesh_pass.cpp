@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "raster/coarse_depth.h"
 #include "raster/mesh_stage.h"
 #include "raster/tile_buffer.h"
 #include "raster/tile_fill.h"
@@ -43,7 +44,9 @@ class MeshTileWorker {
           runs_(runs),
           fill_(fill_function(job.format)),
           near_far_(make_input(job)),
-          buffer_(job.format, near_far_, job.grid) {}
+          buffer_(job.format, near_far_, job.grid),
+          tests_hidden_(job.input.skips.has(Skip::hidden) &&
+                        job.format.depth == DepthFormat::q32) {}
 
     void draw(int tile, TileSink& sink) {
         const bool is_empty = std::all_of(
@@ -59,8 +62,10 @@ class MeshTileWorker {
             return;
         }
         buffer_.touch();
+        coarse_.start(buffer_);
         for (const MeshRun& run : runs_)
             draw_list(run, run.of(tile));
+        buffer_.finish();
         buffer_.extend_frame();
         sink.finish(buffer_.view(false));
     }
@@ -77,27 +82,65 @@ class MeshTileWorker {
         return input;
     }
 
-    /// Triangles in order: stretches for lanes, and whole ones by themselves.
+    /// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
         const LaneSource source = run.source(*job_.input.mesh);
-        const std::vector<Batch>* const whole = run.whole_batches();
+        SkipCount& hidden = count_of(skips_, Skip::hidden);
+        hidden.of += list.size();
         while (!list.empty()) {
-            std::size_t count = 0;
+            const std::uint32_t slot = list[0] >> 8;
+            std::size_t count = 1;
             if ((list[0] & kWholeTriangle) != 0) {
-                whole_entries_.clear();
-                while (count < list.size() && (list[count] & kWholeTriangle) != 0)
-                    whole_entries_.push_back({0, list[count++] & ~kWholeTriangle});
-                fill_({job_.format, near_far_, *whole}, whole_entries_, buffer_);
+                draw_lanes(source);
+                draw_whole(*run.whole_batches(), list[0] & ~kWholeTriangle);
             } else {
-                const std::size_t most = std::min(list.size(), LaneTriangles::kCount);
-                while (count < most && (list[count] & kWholeTriangle) == 0)
+                while (count < list.size() && list[count] >> 8 == slot)
                     ++count;
-                set_up_lanes(
-                    job_.format, source, list.first(count), buffer_.drawn(), triangles_);
-                fill_lanes(job_.format, triangles_, buffer_);
+                if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
+                    hidden.skipped += count;
+                } else {
+                    add_lanes(source, list.first(count));
+                }
             }
             list = list.subspan(count);
         }
+        draw_lanes(source);
+    }
+
+    [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
+        return tests_hidden_ && coarse_.hides(bounds, q_most);
+    }
+
+    /// Gathers triangles until there is a load for the lanes.
+    void add_lanes(const LaneSource& source, std::span<const std::uint32_t> entries) {
+        while (!entries.empty()) {
+            const std::size_t count =
+                std::min(entries.size(), LaneTriangles::kCount - lane_count_);
+            std::copy_n(entries.begin(), count, lane_entries_.begin() + lane_count_);
+            lane_count_ += count;
+            entries = entries.subspan(count);
+            if (lane_count_ == LaneTriangles::kCount) draw_lanes(source);
+        }
+    }
+
+    void draw_lanes(const LaneSource& source) {
+        if (lane_count_ == 0) return;
+        if (tests_hidden_) coarse_.announce(lane_count_);
+        const std::span<const std::uint32_t> entries(lane_entries_.data(), lane_count_);
+        set_up_lanes(job_.format, source, entries, buffer_.drawn(), triangles_);
+        fill_lanes(job_.format, triangles_, buffer_);
+        lane_count_ = 0;
+    }
+
+    void draw_whole(const std::vector<Batch>& batches, std::uint32_t index) {
+        const SetupTriangle& t = batches.front().triangles[index];
+        if (is_hidden(t.bounds, static_cast<float>(t.q_max))) {
+            ++count_of(skips_, Skip::hidden).skipped;
+            return;
+        }
+        if (tests_hidden_) coarse_.announce(CoarseDepth::kSquare_px);
+        const BinEntry entry{0, index};
+        fill_({job_.format, near_far_, batches}, {&entry, 1}, buffer_);
     }
 
     const MeshJob& job_;
@@ -106,7 +149,10 @@ class MeshTileWorker {
     PassInput near_far_;
     TileBuffer buffer_;
     LaneTriangles triangles_;
-    std::vector<BinEntry> whole_entries_;
+    std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
+    std::size_t lane_count_ = 0;
+    bool tests_hidden_;
+    CoarseDepth coarse_;
     SkipCounts skips_{};
 };
 
@@ -152,7 +198,13 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
 
     const TileGrid grid{view.width_px, view.height_px, format.halo_px};
     const MeshJob job{
-        format, input, grid, ViewTransform(view), view_solids(input), lanes_can_draw(format)};
+        format,
+        input,
+        grid,
+        ViewTransform(view),
+        view_solids(input),
+        front_to_back(input),
+        lanes_can_draw(format)};
     const std::size_t clusters = input.mesh->clusters().clusters.size();
     std::vector<MeshRun>& runs = scratch_->runs;
     runs.resize(run_count(clusters, input.threads));

@@ -1,6 +1,7 @@
 #include "raster/mesh_stage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -62,6 +63,33 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     return views;
 }
 
+std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
+    constexpr std::size_t kSteps = 32;
+    const auto& clusters = input.mesh->clusters().clusters;
+    const glm::dvec3 eye = input.view.camera.eye_world;
+    std::vector<double> distances(clusters.size());
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        const glm::dvec3 way = clusters[i].bounds.center_world - eye;
+        distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    }
+    std::vector<std::uint32_t> order(clusters.size());
+    if (order.empty()) return order;
+    const auto [nearest, farthest] = std::minmax_element(distances.begin(), distances.end());
+    const double origin = *nearest;
+    const double scale = *farthest > origin ? (kSteps - 1) / (*farthest - origin) : 0;
+    std::vector<std::uint8_t> steps(clusters.size());
+    std::array<std::uint32_t, kSteps + 1> first{};
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        steps[i] = static_cast<std::uint8_t>((distances[i] - origin) * scale);
+        ++first[steps[i] + 1U];
+    }
+    for (std::size_t step = 0; step < kSteps; ++step)
+        first[step + 1] += first[step];
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+        order[first[steps[i]]++] = static_cast<std::uint32_t>(i);
+    return order;
+}
+
 LaneSource MeshRun::source(const LaneMesh& mesh) const {
     return {&mesh, slots_.data(), records_.data(), more_.size() > 0 ? more_.data() : nullptr};
 }
@@ -86,7 +114,7 @@ void MeshRun::start(const MeshJob& job) {
 void MeshRun::process(const MeshJob& job, std::size_t first, std::size_t last) {
     start(job);
     for (std::size_t cluster = first; cluster < last; ++cluster)
-        add_cluster(job, cluster);
+        add_cluster(job, job.order[cluster]);
 }
 
 void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
@@ -142,24 +170,20 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
     return has_back;
 }
 
-/// Appends the cluster's vertices as one side has them. What is silent lies at infinity, behind
-/// everything: it is drawn, and never seen.
+/// Appends the cluster's vertices as one side has them.
 std::uint32_t MeshRun::store_records(std::size_t count, int side, int values, bool is_silent) {
     const std::size_t first = record_count_;
     record_count_ += count;
-    records_.resize(record_count_ * kRecordWords);
-    std::int32_t* to = records_.data() + first * kRecordWords;
+    records_.resize((record_count_ + kLanePad) * kRecordWords);
     const auto& planes = lanes_.values[side];
-    for (std::size_t i = 0; i < count; ++i, to += kRecordWords) {
-        to[0] = lanes_.x[i];
-        to[1] = lanes_.y[i];
-        const float q = is_silent ? 0 : lanes_.q[i];
-        std::memcpy(to + 2, &q, 4);
-        if (values > 0) std::memcpy(to + 3, &planes[0][i], 4);
-    }
+    write_records(lanes_,
+                  count,
+                  values > 0 ? planes[0] : nullptr,
+                  is_silent,
+                  records_.data() + first * kRecordWords);
     if (values > 1) {
         more_.resize(record_count_ * kRecordWords);
-        to = more_.data() + first * kRecordWords;
+        std::int32_t* to = more_.data() + first * kRecordWords;
         for (std::size_t i = 0; i < count; ++i, to += kRecordWords) {
             for (int k = 1; k < values; ++k)
                 std::memcpy(to + k - 1, &planes[k][i], 4);
@@ -180,6 +204,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    lanes_,
                    {picture_of(job.grid), drops_backs, skips.has(Skip::no_sample)},
                    triage_);
+    if (triage_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
     no_sample.of += cluster.triangle_count;
     if (skips.has(Skip::no_sample)) no_sample.skipped += triage_.no_sample;
@@ -193,13 +218,21 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
         job.input.values->compute(lanes_.batch(mesh, index), lanes_.planes(wants_back));
         for (int side = 0; side < (wants_back ? 2 : 1); ++side) {
             for (int k = 0; k < values; ++k) {
-                const float* v = lanes_.values[side][k];
-                const auto [least, greatest] = std::minmax_element(v, v + cluster.vertex_count);
-                if (!lanes_can_hold(job.format, *least, *greatest)) return false;
+                const ValueRange range = range_of(lanes_.values[side][k], cluster.vertex_count);
+                if (!lanes_can_hold(job.format, range.least, range.greatest)) return false;
             }
         }
     }
-    LaneSlot slot{static_cast<std::uint32_t>(index), 0, 0};
+    LaneSlot slot;
+    slot.cluster = static_cast<std::uint32_t>(index);
+    // A centre of a snapped triangle may lie 1/256 px outside the true one, which is at least 1.25 px
+    // high where q is not limited to its corners: q goes beyond them by less than this.
+    slot.q_most = lanes_.q_most + (lanes_.q_most - lanes_.q_least) * 0x1p-6F +
+                  lanes_.q_most * 0x1p-20F;
+    slot.bounds = {lanes_.x0 >> kSubpixelBits,
+                   lanes_.y0 >> kSubpixelBits,
+                   (lanes_.x1 >> kSubpixelBits) + 1,
+                   (lanes_.y1 >> kSubpixelBits) + 1};
     slot.front = store_records(cluster.vertex_count, 0, values, false);
     slot.back = slot.front;
     if (has_back)
@@ -210,21 +243,30 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
 }
 
 void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object) {
+    static_assert(kTileSize_px == 64);
+    constexpr int kShift = 6;
     const TileGrid& grid = job.grid;
     const int halo = grid.halo_px;
     const int columns = grid.columns();
+    const int rows = grid.rows();
     const auto base = static_cast<std::uint32_t>(slot << 8);
+    const auto add = [&](int column, int row, std::size_t i) {
+        const auto tile = static_cast<std::size_t>(row * columns + column);
+        lists_[tile].push(base | triage_.triangle[i]);
+        if (!objects_.empty()) objects_[tile] |= object;
+    };
     for (std::size_t i = 0; i < triage_.count; ++i) {
-        const int column0 = std::max(triage_.x0[i] - halo, 0) / kTileSize_px;
-        const int row0 = std::max(triage_.y0[i] - halo, 0) / kTileSize_px;
-        const int column1 = std::min((triage_.x1[i] - 1 + halo) / kTileSize_px, columns - 1);
-        const int row1 = std::min((triage_.y1[i] - 1 + halo) / kTileSize_px, grid.rows() - 1);
+        const int column0 = std::max(triage_.x0[i] - halo, 0) >> kShift;
+        const int row0 = std::max(triage_.y0[i] - halo, 0) >> kShift;
+        const int column1 = std::min((triage_.x1[i] - 1 + halo) >> kShift, columns - 1);
+        const int row1 = std::min((triage_.y1[i] - 1 + halo) >> kShift, rows - 1);
+        if (column0 == column1 && row0 == row1) {  // as most do
+            add(column0, row0, i);
+            continue;
+        }
         for (int row = row0; row <= row1; ++row) {
-            for (int column = column0; column <= column1; ++column) {
-                const auto tile = static_cast<std::size_t>(row * columns + column);
-                lists_[tile].push(base | triage_.triangle[i]);
-                if (!objects_.empty()) objects_[tile] |= object;
-            }
+            for (int column = column0; column <= column1; ++column)
+                add(column, row, i);
         }
     }
 }

@@ -27,18 +27,23 @@ struct MeshJob {
     const TileGrid& grid;
     ViewTransform transform;
     std::vector<SolidView> solids;
+    std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
     bool uses_lanes = false;
 };
 
 /// Looks at every solid once.
 [[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
 
+/// The order in which clusters are drawn: by the distance of their centres in coarse steps, as they
+/// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
+[[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
+
 /// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
 /// themselves, and per tile a list of both in the order of the clusters. Kept between frames, so
 /// that no frame allocates what an earlier one had.
 class MeshRun {
   public:
-    /// Does clusters [first, last).
+    /// Does clusters [first, last) of the order.
     void process(const MeshJob& job, std::size_t first, std::size_t last);
 
     [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {

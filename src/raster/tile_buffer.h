@@ -33,19 +33,29 @@ class TileBuffer {
     /// How a sink sees it.
     [[nodiscard]] Tile view(bool is_empty) const;
 
-    /// The pixels to rasterize, in the picture's coordinates.
+    /// The tile's own pixels, and those to rasterize, in the picture's coordinates.
+    [[nodiscard]] const PixelRect& own() const { return own_; }
     [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
 
-    /// Row `y` of a plane such that [x] is a pixel, x and y in the picture's coordinates and
-    /// drawn(). T is float or uint32 for depth, else the store's type.
+    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is float
+    /// or uint32 for depth.
     template <class T>
     [[nodiscard]] T* depth_row(int y) {
         return reinterpret_cast<T*>(depth_.data()) + offset(y);
     }
+    /// The same of an f32 plane, or of one of u32.
     template <class T>
     [[nodiscard]] T* plane_row(int plane, int y) {
-        return reinterpret_cast<T*>(planes_[static_cast<std::size_t>(plane)].data()) + offset(y);
+        static_assert(sizeof(T) == sizeof(std::uint32_t));
+        return reinterpret_cast<T*>(drawn_plane(plane).data()) + offset(y);
     }
+    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32 bits,
+    /// so that depth and code have the same lanes; finish() makes them as narrow as the store.
+    [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
+        return plane_row<std::uint32_t>(plane, y);
+    }
+    /// Makes the planes what a sink is shown: codes in the store's type.
+    void finish();
 
   private:
     /// Plain bytes, aligned for any vector; whoever writes elements gives them a type.
@@ -56,6 +66,11 @@ class TileBuffer {
                kTileMargin_px - own_.x0;
     }
     [[nodiscard]] std::size_t element_bytes() const;
+    [[nodiscard]] bool is_narrowed() const { return element_bytes() < sizeof(std::uint32_t); }
+    [[nodiscard]] Memory& drawn_plane(int plane) {
+        const auto at = static_cast<std::size_t>(plane);
+        return is_narrowed() ? wide_[at] : planes_[at];
+    }
     void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
 
     const PassFormat& format_;
@@ -65,7 +80,8 @@ class TileBuffer {
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
     bool is_clean_ = false;
     Memory depth_;
-    std::array<Memory, kMaxPlanes> planes_;
+    std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them
+    std::array<Memory, kMaxPlanes> wide_;    ///< codes of u8 and u16 while they are drawn
 };
 
 }  // namespace ink::raster

@@ -7,62 +7,43 @@
 namespace ink::methods {
 namespace {
 
-TEST(SurfaceInputs, NormalsAreInViewSpace) {
+TEST(SurfaceInputs, DepthAndNormalAreLinearInWhatTheVertexHas) {
     // Looking straight down at a floor: its normal points at the eye, along +z of view space.
     const scene::Scene scene = scene_of({floor_mesh(1)});
     SurfaceInputs inputs({});
     inputs.prepare(scene);
     inputs.pose(scene);
     inputs.see({view_from(scene, {0, 5, 0}, {0, 0, 0}, {32, 32}), 1});
-    ASSERT_EQ(inputs.n_view().size(), 4U);
-    for (const glm::vec3& n : inputs.n_view())
-        EXPECT_NEAR(n.z, 1, 1e-6);
-    EXPECT_NEAR(inputs.w(0), 5, 1e-12);
+    const LinearChannels channels = inputs.linear_channels();
+    const auto component = [&](std::size_t i) {  // of the floor's normal, (0, 1, 0)
+        return channels.normal[i].per_normal[1];
+    };
+    EXPECT_NEAR(component(0), 0, 1e-6);
+    EXPECT_NEAR(component(1), 0, 1e-6);
+    EXPECT_NEAR(component(2), 1, 1e-6);
+    const auto depth = [&](double w) { return channels.depth.base + channels.depth.per_q / w; };
+    EXPECT_NEAR(depth(inputs.range().near), 1, 1e-12);
+    EXPECT_NEAR(depth(inputs.range().far), 0, 1e-12);
 }
 
-TEST(SurfaceInputs, ChannelsOfTheBackAreNegatedNormals) {
-    const scene::Scene scene = scene_of({cube_mesh()});
-    SurfaceInputs inputs({});
-    inputs.prepare(scene);
-    inputs.see({view_from(scene, {3, 4, 5}, {0, 0, 0}, {32, 32}), 1});
-    const DepthCarrier carrier(
-        raster::DepthEncoding::inverse, raster::Interpolation::affine, inputs.range());
-    std::vector<float> front;
-    std::vector<float> back;
-    inputs.gather_channels(carrier, 1, front, back);
-    ASSERT_EQ(front.size(), 4 * inputs.corner_count());
-    for (std::size_t i = 0; i < front.size(); ++i) {
-        EXPECT_EQ(back[i], i % 4 == 0 ? front[i] : -front[i]);
-    }
-}
-
-TEST(SurfaceInputs, CutsWhatCrossesTheNearPlane) {
-    // The eye stands a unit above the middle of the floor and looks along it.
-    const scene::Scene scene = scene_of({floor_mesh(10)});
-    SurfaceInputs inputs({});
-    inputs.prepare(scene);
-    scene::View view = view_from(scene, {0, 1, 0}, {0, 1, -5}, {32, 32});
-    view.camera.near = 0.5;
-    inputs.see({view, 1});
-    const raster::PassInput input = inputs.pass_input();
-    EXPECT_EQ(input.triangles.size(), 3U);  // one keeps a corner in front, the other two
-    EXPECT_EQ(input.facing.size(), 3U);
-    for (const scene::Triangle& t : input.triangles) {
-        for (const std::uint32_t v : t)
-            EXPECT_GE(input.p_clip[v].z, 0.5);
-    }
-}
-
-TEST(SurfaceInputs, PosingTheSameSceneAgainChangesNothing) {
-    const scene::Scene scene = cube_on_floor();
+TEST(SurfaceInputs, WhatMovedIsKnownByItsObject) {
+    scene::Scene scene = cube_on_floor();
     SurfaceInputs inputs({});
     inputs.prepare(scene);
     const scene::View view = view_from(scene, {3, 4, 5}, {0, 0, 0}, {32, 32});
-    inputs.see({view, 1});
-    const std::size_t corners = inputs.corner_count();
-    inputs.pose(scene);
-    inputs.see({view, 2});
-    EXPECT_EQ(inputs.corner_count(), corners);
+    edge::EdgeImage out(32, 32);
+    const Frame frame{view, 1};
+    inputs.see(frame);
+    EXPECT_FALSE(inputs.mesh_input(frame).may_keep_still) << "a scene that never moved";
+    inputs.finish({}, out);
+    for (int step = 0; step < 2; ++step) {
+        scene.instances[0].world_from_object[3][1] += 1e-3;
+        inputs.pose(scene);
+        inputs.see(frame);
+        const raster::MeshInput input = inputs.mesh_input(frame);
+        EXPECT_TRUE(input.may_keep_still);
+        inputs.finish({}, out);
+    }
 }
 
 }  // namespace

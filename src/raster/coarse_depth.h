@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+
+#include "raster/setup.h"
+#include "raster/tile_buffer.h"
+
+namespace ink::raster {
+
+/// A lower bound of the depth in each 16 x 16 square of a tile: what lies behind it in all of its
+/// pixels is not seen. The squares at a tile's rim take its halo in.
+///
+/// It is looked up after every so many triangles, not kept up at every pixel, so it lags behind:
+/// what it calls hidden is, what it does not may be.
+class CoarseDepth {
+  public:
+    static constexpr int kSquare_px = 16;
+    static constexpr int kSquares = kTileSize_px / kSquare_px;
+
+    /// Knows nothing of a new tile.
+    void start(TileBuffer& buffer);
+    /// Says that so many triangles are about to be drawn; reads the tile's depth again if enough
+    /// were drawn since the last time.
+    void announce(std::size_t triangles);
+    /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
+    /// coordinates; only what lies in the tile counts.
+    [[nodiscard]] bool hides(const PixelRect& bounds, float q_most) const;
+
+  private:
+    void refresh();
+
+    TileBuffer* buffer_ = nullptr;
+    std::size_t drawn_ = 0;    ///< since the last refresh
+    std::size_t pause_ = 0;    ///< triangles until the next
+    bool is_known_ = false;
+    std::array<std::array<float, kSquares>, kSquares> least_{};
+};
+
+}  // namespace ink::raster
