@@ -146,9 +146,10 @@ std::string worth_cell(const Arms& arms) {
     const std::string worth = count.skipped == 0
                                   ? fmt::format("0<small>{} ms</small>", ms(*arms.on->draw_ns_min))
                                   : gain(*arms.on, *arms.one_off);
+    const std::string share = count.skipped == 0 ? "nothing" : percent(share_of(count));
     return fmt::format("<td>{}<small>{} skipped<br>no skips: {} ms</small></td>",
                        worth,
-                       percent(share_of(count)),
+                       share,
                        ms(*arms.all_off->draw_ns_min));
 }
 

@@ -109,7 +109,8 @@ TEST(SkipsHtml, NeitherBoastsNorHidesWhatFailed) {
     study[1].draw_ns_min = 2'020'000;
     EXPECT_THAT(skips_html(some_rows(), study), HasSubstr("<td>× 1.01<small>"));
     study[0].counts[kHidden].skipped = 0;
-    EXPECT_THAT(skips_html(some_rows(), study), HasSubstr("<td>0<small>2.00 ms</small>"));
+    EXPECT_THAT(skips_html(some_rows(), study),
+                HasSubstr("<td>0<small>2.00 ms</small><small>nothing skipped"));
     study[1].status = "differs: \"so\"";
     const std::string html = skips_html(some_rows(), study);
     EXPECT_THAT(html, HasSubstr("title=\"differs: &quot;so&quot;\"><strong>failed</strong>"));
