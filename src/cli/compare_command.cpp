@@ -32,6 +32,8 @@ struct CompareArgs {
     std::string seed = "0";
     bool no_witness = false;
     bool scaling = false;
+    std::string no_skip;
+    bool skip_study = false;
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -50,7 +52,14 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     }
     options.measure.max_repetitions = args.repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
+    options.measure.skips = lab::without_skips(options.measure.skips, args.no_skip);
+    if (args.skip_study && !args.no_skip.empty()) {
+        throw core::Error(
+            "--skip-study", "it switches every skip itself", "no --no-skip beside it");
+    }
+    options.skip_study = args.skip_study;
     options.sweep.measure.threads = options.measure.threads;
+    options.sweep.measure.skips = options.measure.skips;
     if (args.sweep_views < 1 || args.sweep_views > 10000) {
         throw core::Error(
             "--sweep-views", fmt::format("{} is not possible", args.sweep_views), "1..10000");
@@ -101,6 +110,7 @@ void add_compare_command(CLI::App& app) {
         ->add_option("--out",
                      args->out,
                      "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
+                     "skips.csv, "
                      "report.html, verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
@@ -124,6 +134,14 @@ void add_compare_command(CLI::App& app) {
                       args->scaling,
                       "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: "
                       "scaling.csv and plots, about a minute");
+    command->add_option("--no-skip",
+                        args->no_skip,
+                        "Skips a,b to do without, or all (see inkbench list skips): other times, "
+                        "the same pictures");
+    command->add_flag("--skip-study",
+                      args->skip_study,
+                      "Measure too what each skip is worth, on scenes made for it: skips.csv and "
+                      "the report's part on skips");
     add_cache_options(*command, args->cache);
     command->footer(
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "lab/exr_layers.h"
 #include "lab/picture.h"
+#include "lab/skip_switches.h"
 
 namespace ink::cli {
 namespace {
@@ -21,6 +22,7 @@ struct DrawArgs {
     std::string shading = "none";
     bool strength = false;
     int threads = 1;
+    std::string no_skip;
 };
 
 lab::Shading parse_shading(const std::string& text) {
@@ -39,11 +41,12 @@ void run_draw(const DrawArgs& args) {
                           "one name of inkbench list methods");
     }
     const lab::Entrant entrant = lab::make_entrants(args.method, args.settings).front();
+    const auto skips = lab::without_skips({}, args.no_skip);
     const int threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
-    const auto strengths = lab::draw_strengths(subject, entrant, threads);
+    const auto strengths = lab::draw_strengths(subject, entrant, threads, skips);
     const std::filesystem::path path = args.file;
     if (path.extension() == ".exr") {
         const auto picture = lab::compose_drawing(subject, entrant, strengths, shading);
@@ -77,6 +80,10 @@ void add_draw_command(CLI::App& app) {
         "Write the strengths (grey) instead of black lines, for inkbench score; an EXR "
         "has both anyway");
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
+    command->add_option("--no-skip",
+                        args->no_skip,
+                        "Skips a,b to do without, or all (see inkbench list skips); the picture "
+                        "is the same");
     command->footer(
         "Example: inkbench draw torus --method decaudin --shading gouraud -o torus.png");
     command->callback([args] { run_draw(*args); });

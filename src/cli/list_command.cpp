@@ -8,9 +8,10 @@
 namespace ink::cli {
 
 void add_list_command(CLI::App& app) {
-    auto* command = app.add_subcommand("list", "List methods, scenes, parameters and metrics");
+    auto* command =
+        app.add_subcommand("list", "List methods, scenes, parameters, metrics and skips");
     auto what = std::make_shared<std::string>("all");
-    command->add_option("what", *what, "all, methods, scenes, params or metrics")
+    command->add_option("what", *what, "all, methods, scenes, params, metrics or skips")
         ->capture_default_str();
     command->footer("Example: inkbench list params");
     command->callback([what] { fmt::print("{}", lab::listing(*what)); });

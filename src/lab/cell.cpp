@@ -119,6 +119,11 @@ void fill_times(std::vector<std::int64_t> draw_ns, Row& row) {
     row.draw_ns_min = draw_ns.front();
 }
 
+void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row) {
+    row.skips_off = forbidden_skips(allowed);
+    if (times.failure.empty()) row.skips = times.skips;
+}
+
 PreparedMethod::PreparedMethod(const Entrant& entrant, const scene::Scene& scene)
     : entrant_(entrant) {
     settings_ = entrant.info->complete(entrant.settings);
@@ -153,7 +158,7 @@ std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>
     std::vector<DrawTimes> times(count);
     std::vector<double> spent_s(count, 0);
     std::vector<bool> is_done(count, false);
-    const methods::Frame frame{view, options.threads};
+    const methods::Frame frame{view, options.threads, options.skips};
     pictures.assign(count, edge::EdgeImage());
     edge::EdgeImage again(view.width_px, view.height_px);
 
@@ -172,12 +177,13 @@ std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>
                 failure = "failed: two drawings of one view differ";
             }
             if (!failure.empty()) {
-                times[i] = {{}, failure};
+                times[i] = {{}, failure, {}};
                 is_done[i] = true;
                 continue;
             }
             if (round == 0) continue;
             times[i].draw_ns.push_back(ns);
+            times[i].skips = methods[i]->method().skip_counts();
             spent_s[i] += static_cast<double>(ns) * 1e-9;
             is_done[i] = round >= options.min_repetitions && spent_s[i] > options.budget_s;
         }

@@ -9,6 +9,7 @@
 #include "edge/edge_image.h"
 #include "lab/entrants.h"
 #include "lab/row.h"
+#include "lab/skip_switches.h"
 #include "lab/tracing.h"
 #include "score/attribution.h"
 #include "score/drawing.h"
@@ -22,12 +23,14 @@ struct MeasureOptions {
     int min_repetitions = 3;
     int max_repetitions = 15;
     double budget_s = 0.4;  ///< a method on a view stops repeating after this much drawing
+    raster::SkipSet skips = skips_of_repeated_drawings();
 };
 
 /// Times of one method on one view, as they were taken.
 struct DrawTimes {
     std::vector<std::int64_t> draw_ns;
-    std::string failure;  ///< why there are none, or ""
+    std::string failure;            ///< why there are none, or ""
+    raster::SkipCounts skips = {};  ///< of the last timed drawing
 };
 
 /// The tolerances at which every cell is scored, for the ladder: how near the lines lie.
@@ -59,6 +62,9 @@ void fill_score_2px(const score::Score& at_2px, Row& row);
 
 /// Writes median, quartiles, minimum and number of `draw_ns` into `row`; none leaves it empty.
 void fill_times(std::vector<std::int64_t> draw_ns, Row& row);
+
+/// Writes into `row` what a method that did not fail left undone, and what it was not allowed to.
+void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row);
 
 /// One method made ready for one scene: prepared, posed, both timed.
 class PreparedMethod {

@@ -14,6 +14,7 @@
 #include "lab/interrupt.h"
 #include "lab/miss_prediction.h"
 #include "lab/shots.h"
+#include "lab/skip_study.h"
 #include "lab/verdict.h"
 #include "truth/witness_cache.h"
 
@@ -58,14 +59,13 @@ class Comparison {
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
           ladder_(options.out / "ladder.csv", ladder_columns()) {
-        // An older run's would pass for this one's.
-        std::error_code ignored;
         if (options.sweep.views > 0) {
             sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
-            std::filesystem::remove(options.out / "sweep.csv", ignored);
+            forget("sweep.csv");
         }
-        if (!options.study_scaling) std::filesystem::remove(options.out / "scaling.csv", ignored);
+        forget("skips.csv");
+        if (!options.study_scaling) forget("scaling.csv");
     }
 
     void run_subject(const Subject& subject,
@@ -89,6 +89,18 @@ class Comparison {
                                       {.threads = measure.threads, .out = options_.out});
     }
 
+    /// What skips are worth, on pictures of the size of `view`.
+    void run_skip_study(const scene::View& view) {
+        SkipStudyOptions study;
+        study.width_px = view.width_px;
+        study.height_px = view.height_px;
+        study.threads = options_.measure.threads;
+        skip_study_ = study_skips(options_.entrants, study);
+        core::write_whole_file(options_.out / "skips.csv", skip_study_csv(skip_study_, study));
+        for (std::string& difference : skip_differences(skip_study_))
+            void_reasons_.push_back(std::move(difference));
+    }
+
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
@@ -107,7 +119,8 @@ class Comparison {
                         std::move(cell_curves_),
                         std::move(sweep_rows_),
                         cost_fit,
-                        std::move(scaling_)};
+                        std::move(scaling_),
+                        std::move(skip_study_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
@@ -122,6 +135,12 @@ class Comparison {
     }
 
   private:
+    /// An older run's file would pass for this one's.
+    void forget(const char* file) const {
+        std::error_code ignored;
+        std::filesystem::remove(options_.out / file, ignored);
+    }
+
     void run_view(const Subject& subject,
                   const scene::View& view,
                   const Known& known,
@@ -213,6 +232,7 @@ class Comparison {
     std::vector<Row> sweep_rows_;
     std::vector<ScalingPoint> scaling_;
     std::vector<ShownView> shown_;
+    std::vector<SkipTime> skip_study_;
     std::vector<std::string> void_reasons_;
 };
 
@@ -246,6 +266,9 @@ CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions
         });
     }
     if (options.study_scaling && !is_interrupted()) comparison.study_scaling();
+    if (options.skip_study && total > 0 && !is_interrupted()) {
+        comparison.run_skip_study(subjects.front().views.front());
+    }
     return comparison.finish(std::chrono::duration<double>(Clock::now() - start).count());
 }
 

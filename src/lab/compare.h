@@ -20,11 +20,12 @@ struct CompareOptions {
     SweepOptions sweep;
     TraceOptions trace;
     bool study_scaling = false;  ///< also lab/scaling.h, on scenes of its own
-    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, scaling.csv, verdict.md,
-    /// report.html, figures.
+    /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, scaling.csv, skips.csv,
+    /// verdict.md, report.html, figures.
     std::filesystem::path out;
-    std::uint64_t seed = 0;  ///< of chance pictures and of drawing scenes again
-    std::string command;     ///< as the user typed it, for the report
+    std::uint64_t seed = 0;   ///< of chance pictures and of drawing scenes again
+    bool skip_study = false;  ///< measure too what each skip is worth
+    std::string command;      ///< as the user typed it, for the report
 };
 
 /// What came of a comparison.
@@ -34,7 +35,7 @@ struct CompareResult {
     std::vector<Row> sweep;                 ///< a row per setting, method and swept view
     std::filesystem::path report;           ///< the page that was written
     bool is_interrupted = false;            ///< Ctrl-C: what was finished is there
-    std::vector<std::string> void_reasons;  ///< bracket rows that did not come out as they must
+    std::vector<std::string> void_reasons;  ///< brackets not as they must be, skips that show
 };
 
 /// Draws, traces, scores and times every cell, and writes the results to `options.out`.

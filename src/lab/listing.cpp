@@ -8,6 +8,7 @@
 #include "core/param.h"
 #include "lab/row.h"
 #include "methods/registry.h"
+#include "raster/skips.h"
 #include "scene/catalogue.h"
 
 namespace ink::lab {
@@ -66,10 +67,18 @@ std::string list_metrics() {
     return text;
 }
 
+std::string list_skips() {
+    std::string text = "skips (--no-skip a,b or all; the picture is the same)\n";
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        text += fmt::format("  {:<14} {:<10} {}\n", info.name, info.unit, info.summary);
+    return text;
+}
+
 }  // namespace
 
 std::string listing(const std::string& what) {
-    const std::vector<std::string> known = {"all", "methods", "scenes", "params", "metrics"};
+    const std::vector<std::string> known = {
+        "all", "methods", "scenes", "params", "metrics", "skips"};
     if (std::find(known.begin(), known.end(), what) == known.end()) {
         throw core::Error(
             "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
@@ -79,6 +88,7 @@ std::string listing(const std::string& what) {
     if (what == "all" || what == "scenes") text += list_scenes();
     if (what == "all" || what == "params") text += list_params();
     if (what == "all" || what == "metrics") text += list_metrics();
+    if (what == "all" || what == "skips") text += list_skips();
     return text;
 }
 

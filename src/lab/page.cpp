@@ -15,6 +15,7 @@
 #include "lab/page_cost.h"
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
+#include "lab/page_skips.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
 #include "lab/page_witness.h"
@@ -39,6 +40,7 @@ struct Material {
     std::string leads;       ///< HTML, "" with fewer than two methods
     std::string statistics;  ///< HTML, "" if there are none
     std::string cost = {};   ///< HTML, "" if no method declares any
+    std::string skips = {};  ///< HTML, "" if no row says what was skipped
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -157,6 +159,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.skips.empty()) link("skips", "Skips");
     if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");
     link("rows", "All rows");
@@ -275,6 +278,7 @@ std::string main_html(const Material& m) {
         "One view per scene. Drag across a picture, or move the divider below it with "
         "the arrow keys: truth to the left, the method to the right.",
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
+    if (!m.skips.empty()) html += section("skips", "Skips", skips_intro(), m.skips);
     if (!m.witness.empty()) {
         html += section("witness",
                         "Truth against its witness",
@@ -305,6 +309,7 @@ std::string main_html(const Material& m) {
 std::string report_page(const ReportData& data) {
     Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
     material.witness = witness_html(data.rows);
+    material.skips = skips_html(data.rows, data.skip_study);
     add_curves(data.curves, material.summaries);
     material.fronts = summarise_fronts(data.rows, data.sweep);
     material.leads = leads_html(data.rows);

@@ -28,8 +28,7 @@ ceiling of every method that does so.</p>
 3 × 3 pixels round it. For a missing one of a method that declares its code, that code is worked out from
 the scene's depth and normals at the stencils that see the line: if it stays silent there, the line is
 <em>cancelled</em> where one channel alone would have spoken, else <em>below threshold</em>. The method's picture
-is not looked at for either.</p>
-<p><strong>Not here yet:</strong> skip statistics.</p>)html";
+is not looked at for either.</p>)html";
 }
 
 std::string provenance_html(const ReportData& data) {

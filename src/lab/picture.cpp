@@ -16,13 +16,16 @@ int threshold_of(const Entrant& entrant) {
 
 }  // namespace
 
-edge::EdgeImage draw_strengths(const Subject& subject, const Entrant& entrant, int threads) {
+edge::EdgeImage draw_strengths(const Subject& subject,
+                               const Entrant& entrant,
+                               int threads,
+                               const raster::SkipSet& skips) {
     const scene::View& view = subject.views.front();
     const std::unique_ptr<methods::Method> method = entrant.info->make(entrant.settings);
     edge::EdgeImage strengths(view.width_px, view.height_px);
     method->prepare(subject.scene);
     method->pose(subject.scene);
-    method->draw({view, threads}, strengths);
+    method->draw({view, threads, skips}, strengths);
     return strengths;
 }
 

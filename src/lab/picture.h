@@ -17,9 +17,11 @@ enum class Shading {
 };
 
 /// The strengths that one method draws of the first view of `subject`; not timed, not scored.
+/// The picture depends neither on `threads` nor on `skips`.
 [[nodiscard]] edge::EdgeImage draw_strengths(const Subject& subject,
                                              const Entrant& entrant,
-                                             int threads);
+                                             int threads,
+                                             const raster::SkipSet& skips = {});
 
 /// A finished drawing: black lines where a strength reaches the entrant's threshold, over white
 /// paper or shading.

@@ -10,6 +10,7 @@
 #include "lab/ods.h"
 #include "lab/row.h"
 #include "lab/scaling.h"
+#include "lab/skip_study.h"
 #include "score/attribution.h"
 
 namespace ink::lab {
@@ -40,6 +41,7 @@ struct ReportData {
     std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
     CostFit cost_fit = {};               ///< what the rows' predicted times were made from
     std::vector<ScalingPoint> scaling = {};  ///< how times grow, if that was asked for
+    std::vector<SkipTime> skip_study = {};  ///< what skips are worth, if that was asked
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

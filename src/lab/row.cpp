@@ -164,6 +164,31 @@ Column wrong_px(score::Cause cause, std::string doc) {
             std::move(doc)};
 }
 
+void add_skips(std::vector<Column>& columns) {
+    // Not among `params`, and so not in a cell's key: like `threads` it says how the picture was
+    // made and not which one, so that two rows that differ in it alone must have one image_hash.
+    columns.push_back(column("skips_off",
+                             &Row::skips_off,
+                             "skips that were not allowed, a;b; still_tiles never is where one "
+                             "view is drawn again and again"));
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        const auto skip = static_cast<std::size_t>(info.skip);
+        const auto add = [&](std::string_view ending, auto count, std::string doc) {
+            columns.push_back({fmt::format("skip_{}{}", info.name, ending),
+                               [=](const Row& row) {
+                                   return row.skips ? text_of((*row.skips)[skip].*count) : "";
+                               },
+                               std::move(doc)});
+        };
+        add("",
+            &raster::SkipCount::skipped,
+            fmt::format("{} left undone in a frame. {}", info.unit, info.summary));
+        add("_of",
+            &raster::SkipCount::of,
+            fmt::format("{} there were; 0 where this does not apply", info.unit));
+    }
+}
+
 Column constant(std::string name, const std::string& value) {
     return {std::move(name), [value](const Row&) { return csv_field(value); }, "provenance"};
 }
@@ -268,6 +293,7 @@ std::vector<Column> make_columns() {
     };
     add_line_scores(columns);
     add_line_counts(columns);
+    add_skips(columns);
     add_provenance(columns);
     return columns;
 }

@@ -10,6 +10,7 @@
 
 #include "lab/frame_counts.h"
 #include "lab/line_scores.h"
+#include "raster/skips.h"
 #include "score/attribution.h"
 #include "score/score.h"
 
@@ -65,6 +66,9 @@ struct Row {
     std::optional<CostFacts> cost = {};             ///< what predicted_ns is made from
     std::optional<std::int64_t> predicted_ns = {};  ///< of draw_ns_min; see lab/cost_model.h
     std::optional<double> cost_residual = {};       ///< draw_ns_min / predicted_ns - 1
+    /// What the last timed drawing left undone; nothing for brackets and cells that failed.
+    std::optional<raster::SkipCounts> skips = {};
+    std::string skips_off = {};  ///< skips that were not allowed, "a;b"
     std::string image_hash;
     std::int64_t truth_px = 0;
     std::int64_t truth_merged_px = 0;

@@ -53,6 +53,7 @@ std::vector<Shot> method_shots(std::vector<std::unique_ptr<PreparedMethod>>& met
         shots[i].threshold = methods[i]->threshold();
         if (methods[i]->failure().empty()) shots[i].code = methods[i]->method().code();
         if (!times[i].failure.empty()) shots[i].row.status = times[i].failure;
+        fill_skips(times[i], measure.skips, shots[i].row);
         fill_times(std::move(times[i].draw_ns), shots[i].row);
     }
     return shots;

@@ -36,6 +36,7 @@ std::vector<Row> sweep_rows(const Entrant& entrant,
         Row& row = rows[i];
         row = methods[i]->row();
         if (!times[i].failure.empty()) row.status = times[i].failure;
+        fill_skips(times[i], measure.skips, row);
         if (!row.is_ok()) return;
         fill_times(std::move(times[i].draw_ns), row);
         const score::ScoreOptions options = score_options(methods[i]->threshold());

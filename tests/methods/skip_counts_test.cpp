@@ -1,0 +1,78 @@
+// Each skip has something to do on the scene that was made for it. Links ink::lab, whose scenes
+// these are.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lab/skip_scenes.h"
+#include "lab/skip_study.h"
+
+namespace ink::methods {
+namespace {
+
+/// Takes the name of a skip.
+class SkipCounts : public testing::TestWithParam<std::string> {
+  protected:
+    raster::Skip skip() const {
+        const auto& infos = raster::skip_infos();
+        return std::find_if(infos.begin(),
+                            infos.end(),
+                            [](const auto& info) { return info.name == GetParam(); })
+            ->skip;
+    }
+    /// mote4 on the scene of the skip, with a quarter of its triangles on a quarter of the pixels:
+    /// with every skip, without that one, without any.
+    std::vector<lab::SkipTime> times(int threads = 1) const {
+        const lab::SkipStudyOptions quick{.width_px = 640,
+                                          .height_px = 360,
+                                          .threads = threads,
+                                          .levels = lab::kSkipSceneLevels - 1,
+                                          .min_rounds = 1,
+                                          .max_rounds = 1};
+        const auto entrants = lab::make_entrants("mote4", {});
+        return lab::time_skips(entrants.front(), lab::skip_scene(skip(), quick.levels), quick);
+    }
+    raster::SkipCount count(const lab::SkipTime& time) const {
+        return time.counts[static_cast<std::size_t>(skip())];
+    }
+};
+
+TEST_P(SkipCounts, AreAboveZeroOnTheSceneMadeForThem) {
+    const auto timed = times();
+    ASSERT_EQ(timed.front().status, "ok");
+    EXPECT_GT(count(timed.front()).skipped, 0U);
+    EXPECT_LE(count(timed.front()).skipped, count(timed.front()).of);
+}
+
+TEST_P(SkipCounts, AreZeroWhereTheSkipIsNotAllowed) {
+    const auto timed = times();
+    ASSERT_EQ(timed.size(), 3U);
+    EXPECT_EQ(count(timed[1]).skipped, 0U);
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        EXPECT_EQ(timed[2].counts[static_cast<std::size_t>(info.skip)].skipped, 0U)
+            << info.name << " with everything off";
+    }
+}
+
+TEST_P(SkipCounts, DoNotDependOnTheNumberOfThreads) {
+    const auto one = times(1);
+    const auto two = times(2);
+    EXPECT_EQ(count(one.front()).skipped, count(two.front()).skipped);
+    EXPECT_EQ(count(one.front()).of, count(two.front()).of);
+    EXPECT_EQ(one.front().image_hash, two.front().image_hash);
+}
+
+std::vector<std::string> skip_names() {
+    std::vector<std::string> names;
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        names.emplace_back(info.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, SkipCounts, testing::ValuesIn(skip_names()), [](const auto& name) {
+    return name.param;
+});
+
+}  // namespace
+}  // namespace ink::methods

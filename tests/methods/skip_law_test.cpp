@@ -1,0 +1,271 @@
+// A skip never changes a bit: over all methods of the registry, on catalogue scenes that stand
+// still and on sequences in which something moves.
+
+#include "skip_law.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/catalogue.h"
+#include "scene/shapes.h"
+
+namespace ink::methods {
+namespace {
+
+using raster::Skip;
+
+MakeMethod maker(const MethodInfo& info, const core::ParamValues& settings = {}) {
+    return [&info, settings] { return info.make(settings); };
+}
+
+class SkipsOnAScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(SkipsOnAScene, LeaveThePicturesOfAllMethodsAlone) {
+    const scene::Scene scene = scene::make_catalogue_scene(GetParam());
+    std::vector<scene::View> views;
+    // Four by three tiles, those at the frame cut.
+    for (const scene::Camera& camera : {scene.cameras.front(), scene.cameras.back()})
+        views.push_back({camera, 210, 140});
+    if (scene.cameras.size() == 1) {
+        views.back().camera = scene::orbit_cameras(bounding_sphere(scene), 1, 1.5).front();
+    }
+    for (const MethodInfo& info : registry())
+        EXPECT_EQ(breach_of_a_view(maker(info), scene, views), "") << info.name;
+}
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const scene::CatalogueEntry& entry : scene::catalogue())
+        names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every,
+                         SkipsOnAScene,
+                         testing::ValuesIn(scene_names()),
+                         [](const auto& scene) { return scene.param; });
+
+/// A cube on a floor among four balls, each in tiles of its own.
+scene::Scene playground() {
+    scene::Scene scene = cube_on_floor();
+    scene.meshes.push_back(scene::make_icosphere(0.5, 2));
+    for (const glm::dvec3 at : {glm::dvec3{3, 0, 2}, {-3, 0, 2}, {3, 2, -2}, {-3, 2, -2}}) {
+        scene.instances.push_back({2, glm::translate(glm::dmat4(1), at), "ball"});
+    }
+    return scene;
+}
+
+void turn(scene::Instance& instance, double angle_rad) {
+    instance.world_from_object =
+        glm::rotate(instance.world_from_object, angle_rad, glm::dvec3(0.3, 1, 0));
+}
+
+void move(scene::Instance& instance, const glm::dvec3& by) {
+    instance.world_from_object = glm::translate(glm::dmat4(1), by) * instance.world_from_object;
+}
+
+/// Builds a sequence in which each step changes the one before it.
+class Sequence {
+  public:
+    Sequence() : now_{"start", playground(), {}} {
+        now_.view = view_from(now_.scene, {1, 2, 9}, {0, 0, 0}, {300, 200});
+        steps_.push_back(now_);
+    }
+    template <class Change>
+    Sequence& then(std::string name, Change change) {
+        now_.name = std::move(name);
+        now_.is_posed = true;
+        change(now_);
+        steps_.push_back(now_);
+        return *this;
+    }
+    [[nodiscard]] std::vector<Step> steps() const { return steps_; }
+
+  private:
+    Step now_;
+    std::vector<Step> steps_;
+};
+
+/// All that may come between two frames, with a fixed camera and without.
+std::vector<Step> eventful_sequence() {
+    const scene::Scene first = playground();
+    const scene::View fixed = view_from(first, {1, 2, 9}, {0, 0, 0}, {300, 200});
+    return Sequence()
+        .then("the same again", [](Step& s) { s.is_posed = false; })
+        .then("posed, but nothing moved", [](Step&) {})
+        .then("the cube turned", [](Step& s) { turn(s.scene.instances[0], 0.05); })
+        .then("the cube turned on", [](Step& s) { turn(s.scene.instances[0], 0.05); })
+        .then("a ball moved within a pixel",
+              [](Step& s) {
+                  move(s.scene.instances[2], {0.001, 0, 0});
+              })
+        .then("a ball jumped across",
+              [](Step& s) {
+                  move(s.scene.instances[2], {-3, 2, -1});
+              })
+        .then("on two threads", [](Step& s) { s.threads = 2; })
+        .then("the cube turned, two threads", [](Step& s) { turn(s.scene.instances[0], 0.1); })
+        .then("the cube far away",
+              [](Step& s) {
+                  move(s.scene.instances[0], {40, 0, -60});
+              })
+        .then("the cube back",
+              [](Step& s) {
+                  move(s.scene.instances[0], {-40, 0, 60});
+              })
+        .then("a ball behind the floor",
+              [](Step& s) {
+                  move(s.scene.instances[3], {3, -3, 0});
+              })
+        .then("a ball across the eye",
+              [](Step& s) {
+                  move(s.scene.instances[4], {-2, 0, 11});
+              })
+        .then("the ball back",
+              [](Step& s) {
+                  move(s.scene.instances[4], {2, 0, -11});
+              })
+        .then("a corner of the floor moved",
+              [](Step& s) { s.scene.meshes[1].positions[0] += glm::vec3(0, 0.3F, 0); })
+        .then("one thread", [](Step& s) { s.threads = 1; })
+        .then("the camera moved",
+              [&](Step& s) {
+                  s.view = view_from(first, {2, 2, 9}, {0, 0, 0}, {300, 200});
+              })
+        .then("the camera back", [&](Step& s) { s.view = fixed; })
+        .then("the camera moved by less than a pixel",
+              [](Step& s) { s.view.camera.eye_world.x += 1e-4; })
+        .then("the near plane moved", [](Step& s) { s.view.camera.near *= 0.5; })
+        .then("the far plane moved", [](Step& s) { s.view.camera.far *= 1.5; })
+        .then("a wider lens", [](Step& s) { s.view.camera.fov_y_rad = 0.8; })
+        .then("a smaller picture",
+              [](Step& s) {
+                  s.view.width_px = 190;
+                  s.view.height_px = 131;
+              })
+        .then("a larger picture",
+              [](Step& s) {
+                  s.view.width_px = 330;
+                  s.view.height_px = 200;
+              })
+        .then("all as it was",
+              [&](Step& s) {
+                  s.view = fixed;
+                  s.scene = first;
+              })
+        .then("nothing in view",
+              [](Step& s) {
+                  for (scene::Instance& instance : s.scene.instances)
+                      move(instance, {0, 0, 30});
+              })
+        .then("everything again", [&](Step& s) { s.scene = first; })
+        .steps();
+}
+
+class SkipsInASequence : public testing::TestWithParam<std::string> {
+  protected:
+    const MethodInfo& info() const { return find_method(GetParam()); }
+    const std::vector<Step> steps_ = eventful_sequence();
+};
+
+TEST_P(SkipsInASequence, LeaveEveryFrameAlone) {
+    const MakeMethod make = maker(info());
+    const auto expected = expected_of(make, steps_);
+    for (const NamedSkips& set : skip_sets()) {
+        EXPECT_EQ(
+            breach_of_a_sequence(make, steps_, expected, [&](std::size_t) { return set.skips; }),
+            "")
+            << set.name;
+    }
+    for (unsigned seed = 0; seed < 6; ++seed)
+        EXPECT_EQ(breach_of_a_sequence(make, steps_, expected, changing_skips(seed)), "") << seed;
+}
+
+TEST_P(SkipsInASequence, LeaveEveryFrameOfEverySettingAlone) {
+    for (const core::ParamValues& setting : info().sweep) {
+        SCOPED_TRACE(testing::PrintToString(setting));
+        const MakeMethod make = maker(info(), setting);
+        const auto expected = expected_of(make, steps_);
+        EXPECT_EQ(breach_of_a_sequence(
+                      make, steps_, expected, [](std::size_t) { return raster::SkipSet(); }),
+                  "");
+        EXPECT_EQ(breach_of_a_sequence(make, steps_, expected, changing_skips(7)), "");
+    }
+}
+
+TEST_P(SkipsInASequence, EveryFrameDiffersFromTheOneBeforeWhereItShould) {
+    // Else the laws above would hold for a method that draws one picture and keeps it.
+    const auto expected = expected_of(maker(info()), steps_);
+    int differing = 0;
+    for (std::size_t i = 1; i < expected.size(); ++i)
+        differing += expected[i] != expected[i - 1];
+    EXPECT_GT(differing, 14);
+}
+
+std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MethodInfo& info : registry())
+        names.push_back(info.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Every,
+                         SkipsInASequence,
+                         testing::ValuesIn(method_names()),
+                         [](const auto& method) { return method.param; });
+
+/// mote4, spoilt: one pixel is another where a skip is allowed, or a frame before the same camera
+/// is taken for still.
+class Cheat final : public Method {
+  public:
+    Cheat(Skip skip, bool is_forgetful) : skip_(skip), is_forgetful_(is_forgetful) {}
+    void prepare(const scene::Scene& scene) override { inner_->prepare(scene); }
+    void pose(const scene::Scene& scene) override { inner_->pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override {
+        if (is_forgetful_) return draw_if_seen_from_elsewhere(frame, out);
+        inner_->draw(frame, out);
+        if (frame.skips.has(skip_) && frame.threads == 2) out.at(3, 3) ^= 1;
+    }
+    int bytes_per_px() const override { return 1; }
+
+  private:
+    void draw_if_seen_from_elsewhere(const Frame& frame, edge::EdgeImage& out) {
+        const glm::dvec3& eye = frame.view.camera.eye_world;
+        if (!frame.skips.has(skip_) || eye != last_eye_ || last_.size() != out.size()) {
+            inner_->draw(frame, out);
+            last_ = out;
+            last_eye_ = eye;
+        }
+        out = last_;
+    }
+
+    std::unique_ptr<Method> inner_ = find_method("mote4").make({});
+    Skip skip_;
+    bool is_forgetful_;
+    edge::EdgeImage last_;
+    glm::dvec3 last_eye_{0};
+};
+
+TEST(SkipLaw, NamesTheSkipThatChangesAPicture) {
+    const scene::Scene scene = cube_on_floor();
+    const std::vector<scene::View> views = {view_from(scene, {4, 3, 6}, {0, 0, 0}, {80, 60}),
+                                            view_from(scene, {3, 3, 6}, {0, 0, 0}, {80, 60})};
+    const auto cheat = [](Skip skip) {
+        return [skip] { return std::make_unique<Cheat>(skip, false); };
+    };
+    EXPECT_NE(breach_of_a_view(cheat(Skip::hidden), scene, views).find("2 threads"),
+              std::string::npos);
+    EXPECT_EQ(breach_of_a_view(maker(find_method("mote4")), scene, views), "");
+}
+
+TEST(SkipLaw, NamesTheFrameThatWasTakenForStill) {
+    const MakeMethod make = [] { return std::make_unique<Cheat>(Skip::still_tiles, true); };
+    const std::vector<Step> steps = eventful_sequence();
+    const auto expected = expected_of(make, steps);
+    const auto all_on = [](std::size_t) { return raster::SkipSet(); };
+    const auto all_off = [](std::size_t) { return raster::SkipSet::none(); };
+    EXPECT_EQ(breach_of_a_sequence(make, steps, expected, all_on), "the cube turned");
+    EXPECT_EQ(breach_of_a_sequence(make, steps, expected, all_off), "");
+}
+
+}  // namespace
+}  // namespace ink::methods

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/program/run_program.h"
+
+// Skips as a user switches them off and studies them.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+using Words = std::vector<std::string>;
+
+/// The first row of mote4 after `inkbench compare` with these words more.
+std::map<std::string, std::string> compared(const Desk& desk, const Words& more) {
+    Words words = {"compare", "--scenes", "torus", "--methods", "mote4", "--size", "160x90"};
+    words.insert(words.end(), {"--no-sweep", "--no-witness", "--repetitions", "2", "--out", "out"});
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
+        if (row.at("method") == "mote4") return row;
+    }
+    ADD_FAILURE() << "no row";
+    return {};
+}
+
+TEST(NoSkip, IsRecordedAndChangesNoPicture) {
+    const Desk desk;
+    const auto all_on = compared(desk, {});
+    EXPECT_EQ(all_on.at("skips_off"), "still_tiles");
+    EXPECT_NE(all_on.at("skip_hidden"), "") << "a number";
+    const auto some_off = compared(desk, {"--no-skip", "hidden,backs"});
+    EXPECT_EQ(some_off.at("skips_off"), "backs;hidden;still_tiles");
+    EXPECT_EQ(some_off.at("skip_hidden"), "0");
+    EXPECT_EQ(some_off.at("image_hash"), all_on.at("image_hash"));
+    EXPECT_EQ(some_off.at("params"), all_on.at("params"));
+    EXPECT_THAT(compared(desk, {"--no-skip", "all"}).at("skips_off"),
+                HasSubstr("attributes;frustum;backs"));
+}
+
+TEST(NoSkip, DrawsTheSamePicture) {
+    const Desk desk;
+    const auto draw = [&](const std::string& file, const Words& more) {
+        Words words = {"draw", "torus", "--size", "160x90", "-o", file};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(desk.run(words).exit_code, 0);
+        return desk.read(file);
+    };
+    EXPECT_EQ(draw("a.png", {}), draw("b.png", {"--no-skip", "all"}));
+}
+
+TEST(NoSkip, RefusesWhatIsNoSkip) {
+    const Desk desk;
+    for (const Words& words : {Words{"compare", "--scenes", "torus", "--no-skip", "hiden"},
+                               Words{"draw", "torus", "-o", "a.png", "--no-skip", "hiden"}}) {
+        const Outcome outcome = desk.run(words);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("still_tiles")));
+        EXPECT_THAT(outcome.err, HasSubstr("did you mean hidden?"));
+    }
+    const Outcome both =
+        desk.run({"compare", "--scenes", "torus", "--skip-study", "--no-skip", "hidden"});
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_THAT(both.err, HasSubstr("--skip-study"));
+}
+
+TEST(SkipStudy, WritesItsTableAndStandsInTheReport) {
+    const Desk desk;
+    (void)compared(desk, {"--skip-study"});
+    const Table study = parse_csv(desk.read("out/skips.csv"));
+    EXPECT_EQ(study.size(), 9U * 3 + 3 * 2) << "a line per scene and arm";
+    std::map<std::string, std::string> hashes;
+    for (const auto& line : study) {
+        EXPECT_EQ(line.at("status"), "ok");
+        EXPECT_EQ(line.at("width"), "160");
+        EXPECT_GT(std::stoll(line.at("draw_ns_min")), 0);
+        const auto [first, is_new] = hashes.emplace(line.at("scene"), line.at("image_hash"));
+        EXPECT_EQ(line.at("image_hash"), first->second) << line.at("scene");
+    }
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("What each is worth"));
+    // A run without it leaves no older one's table behind.
+    (void)compared(desk, {});
+    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out/skips.csv"));
+    EXPECT_THAT(desk.read("out/report.html"), Not(HasSubstr("What each is worth<")));
+}
+
+}  // namespace
+}  // namespace ink::program
