@@ -76,6 +76,7 @@ raster::MeshInput SurfaceInputs::mesh_input(const Frame& frame) const {
     raster::MeshInput input;
     input.mesh = &mesh_;
     input.view = frame.view;
+    input.bounds = bounds_;
     input.threads = frame.threads;
     input.skips = frame.skips;
     input.may_keep_still = keeps_still_;

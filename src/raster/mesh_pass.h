@@ -18,6 +18,7 @@ struct MeshInput {
     const LaneMesh* mesh = nullptr;
     const CornerValues* values = nullptr;  ///< null where the format interpolates nothing
     scene::View view;
+    scene::Sphere bounds;  ///< holds all vertices; near planes are fitted to it
     int threads = 1;
     SkipSet skips;
     std::array<float, kMaxPlanes> sky_f32{};

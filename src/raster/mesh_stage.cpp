@@ -52,15 +52,20 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     const scene::Camera& camera = input.view.camera;
     const auto& solids = input.mesh->clusters().solids;
     std::vector<SolidView> views(solids.size());
+    const auto depth_of = [&](const scene::Sphere& ball) {
+        return -(camera.view_from_world * (ball.center_world - camera.eye_world)).z;
+    };
+    // A near plane fitted to the scene's own ball touches it at most, but for rounding.
+    const bool is_all_uncut =
+        input.bounds.radius > 0 && depth_of(input.bounds) - input.bounds.radius >=
+                                       camera.near - 1e-9 * input.bounds.radius;
     for (std::size_t i = 0; i < solids.size(); ++i) {
         const scene::Sphere& ball = solids[i].bounds;
         const glm::dvec3 way = ball.center_world - camera.eye_world;
         const double radius = ball.radius * (1 + 1e-6);
-        const double depth = -(camera.view_from_world * way).z;
-        // A near plane fitted to the ball touches it and cuts nothing: the ball's own rounding is all
-        // that may reach through.
-        const bool is_uncut = depth - ball.radius >= camera.near * (1 - 1e-9) ||
-                              depth + radius < camera.near;
+        const double depth = depth_of(ball);
+        const bool is_uncut =
+            is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
         views[i].hides_backs = solids[i].is_sealed && glm::length(way) > radius && is_uncut;
     }
     return views;
