@@ -111,17 +111,19 @@ void filter_tile(const Codes<T>& codes,
                  const raster::Tile& tile,
                  bool is_first,
                  edge::EdgeImage& out) {
-    std::array<std::uint8_t, raster::kTileSize_px> strengths;
+    const core::ImageView<const T> from{codes.origin, tile.width_px, tile.height_px, codes.stride};
+    const core::ImageView<std::uint8_t> to{
+        out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
+    if (is_first) return edge::laplacian(from, to, response);
+    std::array<std::uint8_t, raster::kTileSize_px * raster::kTileSize_px> buffer;
+    const core::ImageView<std::uint8_t> strengths{
+        buffer.data(), tile.width_px, tile.height_px, raster::kTileSize_px};
+    edge::laplacian(from, strengths, response);
     for (int y = 0; y < tile.height_px; ++y) {
-        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
-        edge::laplacian_row(codes.row(y - 1),
-                            codes.row(y),
-                            codes.row(y + 1),
-                            is_first ? to : strengths.data(),
-                            tile.width_px,
-                            response);
-        for (int x = 0; !is_first && x < tile.width_px; ++x)
-            to[x] = std::max(to[x], strengths[x]);
+        const std::uint8_t* mine = strengths.row(y);
+        std::uint8_t* joined = to.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            joined[x] = std::max(joined[x], mine[x]);
     }
 }
 
