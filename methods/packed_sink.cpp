@@ -94,14 +94,12 @@ void extract_field(const Codes<T>& codes, const Field& field, const Area& area, 
 
 template <class T>
 void blur_tile(const Codes<T>& codes, int code_bits, const Area& area, CodeBuffer<T>& to) {
-    for (int y = area.top_px; y < area.bottom_px; ++y) {
-        edge::binomial_blur_row(codes.row(y - 1) + area.left_px,
-                                codes.row(y) + area.left_px,
-                                codes.row(y + 1) + area.left_px,
-                                to.row(y) + area.left_px,
-                                area.width_px(),
-                                code_bits);
-    }
+    const int height_px = area.bottom_px - area.top_px;
+    const core::ImageView<const T> from{
+        codes.row(area.top_px) + area.left_px, area.width_px(), height_px, codes.stride};
+    const core::ImageView<T> blurred{
+        to.row(area.top_px) + area.left_px, area.width_px(), height_px, kSpan};
+    edge::binomial_blur(from, blurred, code_bits);
 }
 
 /// Writes a tile's strengths; joins them with what an earlier field left by their maximum.

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 #include "core/image.h"
@@ -55,22 +57,21 @@ class Guarded {
     std::vector<T> pixels_;
 };
 
-/// Codes that bring out every rounding and overflow: all values, extremes only, or small steps.
+/// Codes that bring out every rounding and overflow: all values, extremes only, or small steps;
+/// floats of -1..1.
 template <class T>
 void fill_adversarially(std::vector<T>& pixels, unsigned seed) {
     std::mt19937 random(seed);
-    const auto top = static_cast<std::uint32_t>(static_cast<T>(~T{0}));
     for (T& pixel : pixels) {
         const auto dice = static_cast<std::uint32_t>(random());
-        switch (seed % 3) {
-            case 0:
-                pixel = static_cast<T>(dice);
-                break;
-            case 1:
-                pixel = static_cast<T>(dice % 2 == 0 ? dice / 2 % 3 : top - dice / 2 % 3);
-                break;
-            default:
-                pixel = static_cast<T>(top / 2 + dice % 5);
+        const auto kind = seed % 3;
+        if constexpr (std::is_floating_point_v<T>) {
+            const auto value = static_cast<float>(static_cast<std::int32_t>(dice)) * 0x1p-31F;
+            pixel = kind == 0 ? value : kind == 1 ? std::round(value) : 0.5F + value * 1e-6F;
+        } else {
+            const auto top = static_cast<std::uint32_t>(static_cast<T>(~T{0}));
+            const std::uint32_t extreme = dice % 2 == 0 ? dice / 2 % 3 : top - dice / 2 % 3;
+            pixel = static_cast<T>(kind == 0 ? dice : kind == 1 ? extreme : top / 2 + dice % 5);
         }
     }
 }

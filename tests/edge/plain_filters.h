@@ -10,6 +10,7 @@
 #include "core/image.h"
 #include "edge/decaudin_filter.h"
 #include "edge/laplacian.h"
+#include "edge/laplacian_f32x4.h"
 
 /// The filters as their formulas have them, pixel by pixel: what every SIMD target must equal.
 /// `at` is the middle pixel, `stride` the way to the row below.
@@ -74,6 +75,79 @@ inline float join(float joined, float p, DecaudinJoin how) {
 inline std::uint8_t decaudin_strength(float joined, DecaudinJoin how) {
     const float p = how == DecaudinJoin::length ? std::sqrt(joined) : joined;
     return static_cast<std::uint8_t>(std::min(p, 1.0F) * 255 + 0.5F);
+}
+
+inline std::uint8_t full_strength_at(const FloatPlanes& planes,
+                                     std::ptrdiff_t offset,
+                                     const FullLaplacianResponse& r) {
+    float sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float* at = planes.origin[i] + offset;
+        const float column = at[-planes.stride] + at[planes.stride];
+        const float laplacian = (4 * *at - column) - (at[-1] + at[1]);
+        const bool is_signed = r.sum == LaplacianSum::absolute_of_sum;
+        const float term = r.weights[i] * (is_signed ? laplacian : std::abs(laplacian));
+        sum = i == 0 ? term : sum + term;
+    }
+    sum = std::abs(sum);
+    if (sum < r.threshold) return 0;
+    return static_cast<std::uint8_t>(std::min(sum * (255 / r.full), 255.0F) + 0.5F);
+}
+
+template <class T>
+T blurred_at(const T* at, std::ptrdiff_t stride, int code_bits) {
+    const long modulus = 1L << code_bits;
+    long sum = 8;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const long neighbour = at[dy * stride + dx];
+            long way = neighbour - *at;
+            if (code_bits > 0) {
+                way = ((way % modulus) + modulus) % modulus;
+                if (way >= modulus / 2) way -= modulus;
+            }
+            sum += (2 - std::abs(dx)) * (2 - std::abs(dy)) * way;
+        }
+    }
+    const long value = *at + (sum >> 4);
+    return static_cast<T>(code_bits > 0 ? value & (modulus - 1) : value);
+}
+
+/// Sums of whole numbers are exact in `Sum` = long; those of floats are made in the kernels' order.
+template <class T>
+using Sum = std::conditional_t<std::is_floating_point_v<T>, T, long>;
+
+template <class T>
+T cut(Sum<T> value) {
+    if constexpr (std::is_floating_point_v<T>) {
+        return value;
+    } else {
+        return static_cast<T>(std::min<long>(value, static_cast<T>(~T{0})));
+    }
+}
+
+template <class T>
+T roberts_at(const T* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
+    return cut<T>(std::abs(v(0, 0) - v(1, 1)) + std::abs(v(1, 0) - v(0, 1)));
+}
+
+template <class T>
+T sobel_first_at(const T* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
+    const Sum<T> above = v(-1, -1) + 2 * v(0, -1) + v(1, -1);
+    const Sum<T> below = v(-1, 1) + 2 * v(0, 1) + v(1, 1);
+    const Sum<T> right = v(1, -1) + 2 * v(1, 0) + v(1, 1);
+    const Sum<T> left = v(-1, -1) + 2 * v(-1, 0) + v(-1, 1);
+    return cut<T>((std::abs(above - below) + std::abs(right - left)) / 8);
+}
+
+template <class T>
+T sobel_second_at(const T* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
+    const Sum<T> sum =
+        v(-1, -1) + v(0, -1) + v(1, -1) + v(-1, 0) + v(1, 0) + v(-1, 1) + v(0, 1) + v(1, 1);
+    return cut<T>(std::abs(8 * v(0, 0) - sum) / 3);
 }
 
 }  // namespace ink::edge::plain
