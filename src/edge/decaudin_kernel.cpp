@@ -14,27 +14,62 @@ namespace ink::edge::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int kFloats = HWY_LANES(float);
-/// Columns done at once: what stays in the nearest cache with room for all rows of a strip.
-constexpr int kStrip_px = 2048;
-/// Rows between the one that is filtered and the one that is fetched.
-constexpr int kAhead_px = 4;
+/// Columns done at once, so that g stays in a near cache.
+constexpr int kStrip_px = 512;
+/// Rows done at once, so that a row is loaded once for the three that need it.
+constexpr int kBlock = 4;
+/// How far ahead of the filter memory is asked for, in floats.
+constexpr int kAhead_px = 64;
 /// One column more on either side, and where columns begin, so that column 0 is aligned.
 constexpr int kPad_px = 16;
 using StripRow = std::array<float, kStrip_px + 2 * kPad_px>;
 
-/// One row of g, additions in the order of the plain formula.
-HWY_INLINE void g_row(const DecaudinG& given) {
-    const DecaudinG row = given;
-    cover<float, kFloats>(row.width, kFloats, [=](auto d, int x) HWY_ATTR {
-        const auto c = hn::LoadU(d, row.mid + x);
-        const auto off = [=](const float* from, int dx)
-                             HWY_ATTR { return hn::AbsDiff(hn::LoadU(d, from + x + dx), c); };
-        auto corners = hn::Add(off(row.up, -1), off(row.up, 1));
-        corners = hn::Add(hn::Add(corners, off(row.down, -1)), off(row.down, 1));
-        auto sides = hn::Add(off(row.up, 0), off(row.mid, -1));
-        sides = hn::Add(hn::Add(sides, off(row.mid, 1)), off(row.down, 0));
-        const auto sum = hn::Add(corners, hn::Mul(hn::Set(d, 2.0F), sides));
-        hn::StoreU(hn::Mul(sum, hn::Set(d, 0.125F)), d, row.g + x);
+/// Rows that lie `stride` floats apart, row 0 first.
+template <class T>
+struct RowsOf {
+    T* first;
+    std::ptrdiff_t stride;
+};
+
+/// A pixel and those left and right of it.
+template <class V>
+struct Three {
+    V left;
+    V mid;
+    V right;
+};
+
+template <class D>
+HWY_INLINE Three<hn::Vec<D>> load_three(D d, const float* at) {
+    return {hn::LoadU(d, at - 1), hn::LoadU(d, at), hn::LoadU(d, at + 1)};
+}
+
+/// g with additions in the order of the plain formula.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V g_of(D d, const Three<V>& up, const Three<V>& mid, const Three<V>& down) {
+    const auto off = [&](V v) HWY_ATTR { return hn::AbsDiff(v, mid.mid); };
+    V corners = hn::Add(off(up.left), off(up.right));
+    corners = hn::Add(hn::Add(corners, off(down.left)), off(down.right));
+    V sides = hn::Add(off(up.mid), off(mid.left));
+    sides = hn::Add(hn::Add(sides, off(mid.right)), off(down.mid));
+    return hn::Mul(hn::Add(corners, hn::Add(sides, sides)), hn::Set(d, 0.125F));
+}
+
+/// Rows of g: `to[y]` from the rows y - 1, y and y + 1 of `from`.
+template <int kRows>
+HWY_INLINE void g_rows(RowsOf<const float> from, const std::array<float*, kRows>& to, int width) {
+    cover<float, kFloats>(width, kFloats, [=](auto d, int x) HWY_ATTR {
+        const float* at = from.first + x;
+        auto up = load_three(d, at - from.stride);
+        auto mid = load_three(d, at);
+        for (std::size_t y = 0; y < kRows; ++y) {
+            at += from.stride;
+            const auto down = load_three(d, at);
+            hwy::Prefetch(at + kAhead_px);
+            hn::StoreU(g_of(d, up, mid, down), d, to[y] + x);
+            up = mid;
+            mid = down;
+        }
     });
 }
 
@@ -48,23 +83,23 @@ struct Sensitivity {
           factor(k.place == KPlace::inside ? 1 : 1 / k.k) {}
 };
 
-/// Three rows of g and the extremes of their columns, from column -1 to `width`.
-struct Columns {
-    StripRow low;
-    StripRow high;
+/// The least and the largest of some pixels.
+template <class V>
+struct Extremes {
+    V low;
+    V high;
 };
 
-HWY_INLINE void find_extremes(const DecaudinP& given, Columns& columns) {
-    const DecaudinP row = given;
-    float* low = columns.low.data() + kPad_px - 1;
-    float* high = columns.high.data() + kPad_px - 1;
-    cover<float, kFloats>(row.width + 2, kFloats, [=](auto d, int x) HWY_ATTR {
-        const auto up = hn::LoadU(d, row.g_up + x - 1);
-        const auto mid = hn::LoadU(d, row.g_mid + x - 1);
-        const auto down = hn::LoadU(d, row.g_down + x - 1);
-        hn::StoreU(hn::Min(hn::Min(up, mid), down), d, low + x);
-        hn::StoreU(hn::Max(hn::Max(up, mid), down), d, high + x);
-    });
+template <class D>
+HWY_INLINE Extremes<hn::Vec<D>> extremes_of(D d, const float* g) {
+    const auto three = load_three(d, g);
+    return {hn::Min(hn::Min(three.left, three.mid), three.right),
+            hn::Max(hn::Max(three.left, three.mid), three.right)};
+}
+
+template <class V>
+HWY_INLINE Extremes<V> join_extremes(const Extremes<V>& a, const Extremes<V>& b) {
+    return {hn::Min(a.low, b.low), hn::Max(a.high, b.high)};
 }
 
 /// How a row of p meets what other channels left.
@@ -102,23 +137,29 @@ struct First {
     }
 };
 
-template <class Join>
-HWY_INLINE void p_row(const DecaudinP& given, Join join) {
-    Columns columns;
-    const DecaudinP row = given;
-    find_extremes(row, columns);
-    const float* low = columns.low.data() + kPad_px;
-    const float* high = columns.high.data() + kPad_px;
-    const Sensitivity k(row.k);
-    cover_once<float, kFloats>(row.width, [=](auto d, int x) HWY_ATTR {
-        const auto g_min = hn::Min(hn::Min(hn::LoadU(d, low + x - 1), hn::LoadU(d, low + x)),
-                                   hn::LoadU(d, low + x + 1));
-        const auto g_max = hn::Max(hn::Max(hn::LoadU(d, high + x - 1), hn::LoadU(d, high + x)),
-                                   hn::LoadU(d, high + x + 1));
-        const auto spread = hn::Mul(hn::Sub(g_max, g_min), hn::Set(d, k.scale));
-        const auto square = hn::Mul(hn::Mul(spread, spread), hn::Set(d, k.factor));
-        const auto p = hn::Min(square, hn::Set(d, 1.0F));
-        hn::StoreU(join(hn::LoadU(d, row.p + x), p), d, row.p + x);
+/// Rows of p, joined with what `to` holds: row y from the rows y, y + 1 and y + 2 of `g`.
+template <int kRows, class Join>
+HWY_INLINE void p_rows(const std::array<const float*, kRows + 2>& g,
+                       const DecaudinK& given_k,
+                       RowsOf<float> to,
+                       int width,
+                       Join join) {
+    const Sensitivity k(given_k);
+    cover_once<float, kFloats>(width, [=](auto d, int x) HWY_ATTR {
+        auto up = extremes_of(d, g[0] + x);
+        auto mid = extremes_of(d, g[1] + x);
+        float* out = to.first + x;
+        for (std::size_t y = 0; y < kRows; ++y) {
+            const auto down = extremes_of(d, g[y + 2] + x);
+            const auto all = join_extremes(join_extremes(up, mid), down);
+            const auto spread = hn::Mul(hn::Sub(all.high, all.low), hn::Set(d, k.scale));
+            const auto square = hn::Mul(hn::Mul(spread, spread), hn::Set(d, k.factor));
+            const auto p = hn::Min(square, hn::Set(d, 1.0F));
+            hn::StoreU(join(hn::LoadU(d, out), p), d, out);
+            up = mid;
+            mid = down;
+            out += to.stride;
+        }
     });
 }
 
@@ -135,50 +176,75 @@ HWY_INLINE void write_row(const float* joined, DecaudinJoin join, std::uint8_t* 
     });
 }
 
-/// g of the last three rows of one channel.
+/// g of the last rows of one channel: a block of them, and the two rows before it.
 struct Ring {
-    std::array<StripRow, 3> rows;
+    static constexpr int kRows = 8;
+    std::array<StripRow, kRows> rows;
 
-    float* row(int y) { return rows[static_cast<std::size_t>(y + 3) % 3].data() + kPad_px; }
+    float* row(int y) { return rows[static_cast<std::size_t>(y + kRows) % kRows].data() + kPad_px; }
 };
 
-HWY_INLINE void prefetch_row(const float* row, int width) {
-    constexpr int kLine = 64 / sizeof(float);
-    for (int x = 0; x < width; x += kLine)
-        hwy::Prefetch(row + x);
+/// The p of rows y0 .. y0 + kRows - 1, and the g that they still lack.
+template <int kRows, class Join>
+HWY_INLINE void channel_rows(const DecaudinChannel& channel,
+                             Ring& ring,
+                             int y0,
+                             const core::ImageView<float>& joined,
+                             Join join) {
+    std::array<float*, kRows> fresh;
+    for (int i = 0; i < kRows; ++i)
+        fresh[static_cast<std::size_t>(i)] = ring.row(y0 + 1 + i) - 1;
+    const float* from = channel.origin + (y0 + 1) * channel.stride - 1;
+    g_rows<kRows>({from, channel.stride}, fresh, joined.width_px + 2);
+    std::array<const float*, kRows + 2> g;
+    for (int i = 0; i < kRows + 2; ++i)
+        g[static_cast<std::size_t>(i)] = ring.row(y0 - 1 + i);
+    p_rows<kRows>(g, channel.k, {joined.data, joined.stride}, joined.width_px, join);
 }
 
-/// A strip at most kStrip_px wide from the top down, all channels of a row together, so that each
-/// number is read from memory once and only strengths are written.
-template <class Join>
-void strip(std::span<const DecaudinChannel> channels,
-           DecaudinJoin join,
-           Join joining,
-           const core::ImageView<std::uint8_t>& out) {
-    std::array<Ring, kMaxDecaudinChannels> g;
-    StripRow joined;
-    const int width = out.width_px;
-    for (int y = -1; y <= out.height_px; ++y) {
-        for (std::size_t i = 0; i < channels.size(); ++i) {
-            const DecaudinChannel& channel = channels[i];
-            const float* mid = channel.origin + y * channel.stride - 1;
-            // Rows lie pages apart, where the machine does not look ahead by itself.
-            if (false && y + kAhead_px <= out.height_px) {
-                prefetch_row(mid + kAhead_px * channel.stride, width + 2);
-            }
-            g_row({mid - channel.stride, mid, mid + channel.stride, g[i].row(y) - 1, width + 2});
-            if (y < 1) continue;
-            const DecaudinP row{
-                g[i].row(y - 2), g[i].row(y - 1), g[i].row(y), joined.data(), width, channel.k};
-            if (i == 0) {
-                p_row(row, First<Join>());
-            } else {
-                p_row(row, joining);
-            }
+/// A strip at most kStrip_px wide, from the top down.
+class Strip {
+  public:
+    Strip(std::span<const DecaudinChannel> channels,
+          DecaudinJoin join,
+          const core::ImageView<std::uint8_t>& out)
+        : channels_(channels), join_(join), out_(out) {}
+
+    template <class Join>
+    void run(Join joining) {
+        for (std::size_t i = 0; i < channels_.size(); ++i) {
+            const DecaudinChannel& channel = channels_[i];
+            const float* from = channel.origin - channel.stride - 1;
+            g_rows<2>(
+                {from, channel.stride}, {g_[i].row(-1) - 1, g_[i].row(0) - 1}, out_.width_px + 2);
         }
-        if (y >= 1) write_row(joined.data(), join, out.row(y - 1), width);
+        int y = 0;
+        for (; y + kBlock <= out_.height_px; y += kBlock)
+            rows<kBlock>(y, joining);
+        for (; y < out_.height_px; ++y)
+            rows<1>(y, joining);
     }
-}
+
+  private:
+    template <int kRows, class Join>
+    HWY_INLINE void rows(int y0, Join joining) {
+        const core::ImageView<float> joined{joined_[0].data(),
+                                            out_.width_px,
+                                            kRows,
+                                            static_cast<std::ptrdiff_t>(joined_[0].size())};
+        channel_rows<kRows>(channels_[0], g_[0], y0, joined, First<Join>());
+        for (std::size_t i = 1; i < channels_.size(); ++i)
+            channel_rows<kRows>(channels_[i], g_[i], y0, joined, joining);
+        for (int y = 0; y < kRows; ++y)
+            write_row(joined.row(y), join_, out_.row(y0 + y), out_.width_px);
+    }
+
+    std::span<const DecaudinChannel> channels_;
+    DecaudinJoin join_;
+    core::ImageView<std::uint8_t> out_;
+    std::array<Ring, kMaxDecaudinChannels> g_;
+    std::array<StripRow, kBlock> joined_;
+};
 
 template <class Join>
 void strips(std::span<const DecaudinChannel> given,
@@ -189,29 +255,25 @@ void strips(std::span<const DecaudinChannel> given,
     std::copy(given.begin(), given.end(), channels.begin());
     for (int x = 0; x < out.width_px; x += kStrip_px) {
         const int width = std::min(kStrip_px, out.width_px - x);
-        strip({channels.data(), given.size()},
-              join,
-              joining,
-              {out.data + x, width, out.height_px, out.stride});
+        Strip strip({channels.data(), given.size()},
+                    join,
+                    {out.data + x, width, out.height_px, out.stride});
+        strip.run(joining);
         for (DecaudinChannel& channel : channels)
             channel.origin += kStrip_px;
     }
 }
 
 void all_g(const DecaudinG& row) {
-    g_row(row);
+    cover<float, kFloats>(row.width, kFloats, [=](auto d, int x) HWY_ATTR {
+        const auto up = load_three(d, row.up + x);
+        const auto mid = load_three(d, row.mid + x);
+        hn::StoreU(g_of(d, up, mid, load_three(d, row.down + x)), d, row.g + x);
+    });
 }
 
 void all_p(const DecaudinP& row) {
-    DecaudinP part = row;
-    for (int x = 0; x < row.width; x += kStrip_px) {
-        part.width = std::min(kStrip_px, row.width - x);
-        part.g_up = row.g_up + x;
-        part.g_mid = row.g_mid + x;
-        part.g_down = row.g_down + x;
-        part.p = row.p + x;
-        p_row(part, Replace());
-    }
+    p_rows<1>({row.g_up, row.g_mid, row.g_down}, row.k, {row.p, 0}, row.width, Replace());
 }
 
 void all_channels(std::span<const DecaudinChannel> channels,

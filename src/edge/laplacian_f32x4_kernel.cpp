@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <hwy/cache_control.h>
 #include <cassert>
 
 #include "edge/laplacian_f32x4.h"
@@ -13,51 +14,79 @@ HWY_BEFORE_NAMESPACE();
 namespace ink::edge::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class D>
-HWY_INLINE hn::Vec<D> laplacian_of(D d, const float* at, std::ptrdiff_t stride) {
-    const auto four = hn::Mul(hn::Set(d, 4.0F), hn::LoadU(d, at));
-    const auto column = hn::Add(hn::LoadU(d, at - stride), hn::LoadU(d, at + stride));
-    const auto row = hn::Add(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
-    return hn::Sub(hn::Sub(four, column), row);
+/// How far ahead of the filter memory is asked for, in floats: rows of four planes are more streams
+/// than the machine follows by itself.
+constexpr int kAhead_px = 64;
+
+/// One channel's part of S for one pixel of each of `kRows` rows, added to `sums` (or put there).
+template <LaplacianSum kSum, int kRows, class D, class V = hn::Vec<D>>
+HWY_INLINE void add_terms(
+    D d, const float* at, std::ptrdiff_t stride, V weight, V* sums, bool is_first) {
+    V up = hn::LoadU(d, at - stride);
+    V mid = hn::LoadU(d, at);
+    for (int y = 0; y < kRows; ++y) {
+        const V down = hn::LoadU(d, at + stride);
+        hwy::Prefetch(at + stride + kAhead_px);
+        const V row = hn::Add(hn::LoadU(d, at - 1), hn::LoadU(d, at + 1));
+        const V four = hn::Mul(hn::Set(d, 4.0F), mid);
+        V term = hn::Sub(hn::Sub(four, hn::Add(up, down)), row);
+        if constexpr (kSum == LaplacianSum::of_absolutes) term = hn::Abs(term);
+        term = hn::Mul(weight, term);
+        sums[y] = is_first ? term : hn::Add(sums[y], term);
+        up = mid;
+        mid = down;
+        at += stride;
+    }
 }
 
-/// One term of S.
 template <LaplacianSum kSum, class D>
-HWY_INLINE hn::Vec<D> term(D d, const float* at, std::ptrdiff_t stride, float weight) {
-    const auto laplacian = laplacian_of(d, at, stride);
-    if constexpr (kSum == LaplacianSum::of_absolutes) {
-        return hn::Mul(hn::Set(d, weight), hn::Abs(laplacian));
-    } else {
-        return hn::Mul(hn::Set(d, weight), laplacian);
-    }
+HWY_INLINE void store_strength(D d,
+                               hn::Vec<D> sum,
+                               const FullLaplacianResponse& r,
+                               std::uint8_t* out) {
+    const hn::Rebind<std::int32_t, D> di;
+    const hn::Rebind<std::uint8_t, D> du8;
+    if constexpr (kSum == LaplacianSum::absolute_of_sum) sum = hn::Abs(sum);
+    const auto scaled = hn::Mul(sum, hn::Set(d, 255 / r.full));
+    const auto strength = hn::Add(hn::Min(scaled, hn::Set(d, 255.0F)), hn::Set(d, 0.5F));
+    const auto line = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, r.threshold)), strength);
+    hn::StoreU(hn::DemoteTo(du8, hn::ConvertTo(di, line)), du8, out);
+}
+
+/// `kRows` rows at once, so that a row is fetched once for the three that need it.
+template <LaplacianSum kSum, int kRows>
+void filter_rows(const FloatPlanes& given,
+                 const FullLaplacianResponse& given_response,
+                 const core::ImageView<std::uint8_t>& out,
+                 int y0) {
+    const FloatPlanes planes = given;
+    const FullLaplacianResponse response = given_response;
+    const std::ptrdiff_t first = y0 * planes.stride;
+    std::uint8_t* to = out.row(y0);
+    const std::ptrdiff_t to_stride = out.stride;
+    constexpr int kLanes = HWY_LANES(float);
+    cover<float, kLanes>(out.width_px, kLanes, [=](auto d, int x) HWY_ATTR {
+        hn::Vec<decltype(d)> sums[kRows];
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float* at = planes.origin[i] + first + x;
+            const auto weight = hn::Set(d, response.weights[i]);
+            add_terms<kSum, kRows>(d, at, planes.stride, weight, sums, i == 0);
+        }
+        for (int y = 0; y < kRows; ++y)
+            store_strength<kSum>(d, sums[y], response, to + y * to_stride + x);
+    });
 }
 
 template <LaplacianSum kSum>
 void filter(const FloatPlanes& planes,
             const core::ImageView<std::uint8_t>& out,
             const FullLaplacianResponse& response) {
-    const float scale = 255 / response.full;
-    for (int y = 0; y < out.height_px; ++y) {
-        const std::ptrdiff_t first = y * planes.stride;
-        const std::ptrdiff_t stride = planes.stride;
-        const std::array<const float*, 4> at = planes.origin;
-        const std::array<float, 4> weights = response.weights;
-        const float threshold = response.threshold;
-        std::uint8_t* to = out.row(y);
-        cover<float, HWY_LANES(float)>(out.width_px, HWY_LANES(float), [=](auto d, int x) HWY_ATTR {
-            const hn::Rebind<std::int32_t, decltype(d)> di;
-            const hn::Rebind<std::uint8_t, decltype(d)> du8;
-            auto sum = term<kSum>(d, at[0] + first + x, stride, weights[0]);
-            for (std::size_t i = 1; i < 4; ++i)
-                sum = hn::Add(sum, term<kSum>(d, at[i] + first + x, stride, weights[i]));
-            if constexpr (kSum == LaplacianSum::absolute_of_sum) sum = hn::Abs(sum);
-            const auto full = hn::Set(d, 255.0F);
-            const auto strength = hn::Min(hn::Mul(sum, hn::Set(d, scale)), full);
-            const auto is_line = hn::Ge(sum, hn::Set(d, threshold));
-            const auto rounded = hn::IfThenElseZero(is_line, hn::Add(strength, hn::Set(d, 0.5F)));
-            hn::StoreU(hn::DemoteTo(du8, hn::ConvertTo(di, rounded)), du8, to + x);
-        });
-    }
+    constexpr int kBlock = 4;
+    int y = 0;
+    for (; y + kBlock <= out.height_px; y += kBlock)
+        filter_rows<kSum, kBlock>(planes, response, out, y);
+    for (; y < out.height_px; ++y)
+        filter_rows<kSum, 1>(planes, response, out, y);
 }
 
 void filter_planes(const FloatPlanes& planes,
