@@ -13,43 +13,8 @@
 #include <hwy/highway.h>
 
 #include "edge/laplacian_kernel.h"
+#include "edge/laplacian_plan.h"
 #include "edge/vector_loops.inl"
-
-#ifndef INK_EDGE_LAPLACIAN_PLAN
-#define INK_EDGE_LAPLACIAN_PLAN
-namespace ink::edge {
-
-/// What is known about L.
-enum class Reading {
-    absolute,          ///< |L|, all of it
-    positive,          ///< max(L, 0), all of it
-    wrapped_absolute,  ///< |L| of an L known modulo 2^code_bits
-    wrapped_positive,
-    literal,  ///< L modulo 2^code_bits
-};
-
-/// A response as the steps of the kernel. v is first doubled, then joined with low bits, shifted
-/// right, shifted left; doublings saturate, eight of them anything but 0.
-struct LaplacianPlan {
-    Reading reading;
-    int code_shift;    ///< up and down again, to read a wrapped code's sign
-    unsigned keep;     ///< mask of v, which is |L| / 4 where all of L is known, else |L| or L
-    unsigned low;      ///< mask of the low two bits of |L|, where v is |L| / 4
-    int low_right;     ///< what these are shifted by
-    int double_first;  ///< how often v is doubled before they join
-    int right;
-    int left;
-
-    LaplacianPlan(const LaplacianResponse& response, int store_bits);
-    /// |L| or max(L, 0) with just its two low bits clipped: the default.
-    [[nodiscard]] bool is_quadruple() const {
-        return (reading == Reading::absolute || reading == Reading::positive) && low == 0 &&
-               right == 0 && double_first + left == 2 && (keep & 255) == 255;
-    }
-};
-
-}  // namespace ink::edge
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace ink::edge::HWY_NAMESPACE {
@@ -144,7 +109,14 @@ HWY_INLINE V doubled(V v, int times) {
     return v;
 }
 
-/// Strengths in lanes as wide as the codes, those of 16 bits not yet cut to 255.
+/// What `store` can cut to a byte: 16 bits that are not negative when read with a sign.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V storable(D d, V v) {
+    if constexpr (sizeof(hn::TFromD<D>) == 1) return v;
+    return hn::Min(v, hn::Set(d, 255));
+}
+
+/// Strengths in lanes as wide as the codes, those of 16 bits up to 256.
 template <Reading kReading, bool kIsQuadruple, class D, class V = hn::Vec<D>>
 HWY_INLINE V strengths(D d, const Cross<V>& p, const LaplacianPlan& plan) {
     using T = hn::TFromD<D>;
@@ -156,7 +128,7 @@ HWY_INLINE V strengths(D d, const Cross<V>& p, const LaplacianPlan& plan) {
     } else if constexpr (kReading == Reading::wrapped_absolute ||
                          kReading == Reading::wrapped_positive) {
         const V v = hn::And(read_wrapped<kReading>(d, p, plan.code_shift), keep);
-        return doubled(hn::ShiftRightSame(v, plan.right), plan.left);
+        return storable(d, doubled(hn::ShiftRightSame(v, plan.right), plan.left));
     } else if constexpr (kIsQuadruple) {
         const V v = quarter_laplacian<kReading>(quarter_sum(d, p), p.mid);
         if constexpr (sizeof(T) == 1) return doubled(v, 2);
@@ -168,7 +140,7 @@ HWY_INLINE V strengths(D d, const Cross<V>& p, const LaplacianPlan& plan) {
             const V low = low_bits<kReading>(d, p, sum, hn::Set(d, static_cast<T>(plan.low)));
             v = hn::SaturatedAdd(v, hn::ShiftRightSame(low, plan.low_right));
         }
-        return doubled(hn::ShiftRightSame(v, plan.right), plan.left);
+        return storable(d, doubled(hn::ShiftRightSame(v, plan.right), plan.left));
     }
 }
 
@@ -179,8 +151,7 @@ HWY_INLINE void store(D d, hn::Vec<D> strengths, std::uint8_t* out) {
     } else {
         const hn::Rebind<std::uint8_t, D> du8;
         const hn::RebindToSigned<D> di;
-        const auto small = hn::Min(strengths, hn::Set(d, 256));
-        hn::StoreU(hn::DemoteTo(du8, hn::BitCast(di, small)), du8, out);
+        hn::StoreU(hn::DemoteTo(du8, hn::BitCast(di, strengths)), du8, out);
     }
 }
 
@@ -264,47 +235,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ink::edge {
-namespace {
-
-Reading reading_of(const LaplacianResponse& response) {
-    switch (response.response) {
-        case Response::absolute:
-            return response.code_wraps ? Reading::wrapped_absolute : Reading::absolute;
-        case Response::positive:
-            return response.code_wraps ? Reading::wrapped_positive : Reading::positive;
-        case Response::wrap:
-            break;
-    }
-    return Reading::literal;
-}
-
-}  // namespace
-
-LaplacianPlan::LaplacianPlan(const LaplacianResponse& response, int store_bits)
-    : reading(reading_of(response)),
-      code_shift(store_bits - response.code_bits),
-      keep(~((1U << response.clip_bits) - 1)),
-      low(0),
-      low_right(0),
-      double_first(0),
-      right(std::max(-response.scale_bits, 0)),
-      left(std::min(std::max(response.scale_bits, 0), 8)) {
-    if (reading == Reading::absolute || reading == Reading::positive) {
-        low = right < 2 ? keep & 3 : 0;
-        low_right = std::min(right, 1);
-        double_first = std::max(2 - right, 0);
-        right = std::max(right - 2, 0);
-        keep >>= 2;
-    } else if (reading == Reading::literal) {
-        keep &= (1U << response.code_bits) - 1;
-    }
-    // Lanes cannot be shifted by their own width or more; nothing would be left.
-    if (right >= store_bits || (reading == Reading::literal && left >= 8)) {
-        keep = low = 0;
-        right = left = 0;
-    }
-}
-
 HWY_EXPORT(filter_u8);
 HWY_EXPORT(filter_u16);
 
