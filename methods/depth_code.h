@@ -48,6 +48,11 @@ class DepthCarrier {
     /// The interpolant of a vertex at distance w > 0.
     [[nodiscard]] float at_vertex(double w) const;
 
+    /// Whether 1/w is what it carries, else w.
+    [[nodiscard]] bool is_affine() const {
+        return interpolation_ == raster::Interpolation::affine;
+    }
+
     /// Whether the interpolated value is the encoded depth as it stands.
     [[nodiscard]] bool is_encoded() const;
 

@@ -2,6 +2,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "methods/surface_values.h"
+
 namespace ink::methods {
 namespace {
 
@@ -56,42 +58,46 @@ std::optional<LinearCode> PackedBuffer::code() const {
     return code;
 }
 
-void PackedBuffer::pack_vertices(int threads) {
-    const auto n_view = inputs_.n_view();
-    const auto planes = static_cast<std::size_t>(packer_.layout().planes);
-    values_.resize(inputs_.corner_count() * planes);
-    values_back_.resize(values_.size());
-    for_runs(inputs_.corner_count(), threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const double d = encode_limited(params_.depth_encoding, inputs_.w(i), inputs_.range());
-            const glm::dvec3 n = n_view[i];
-            for (std::size_t plane = 0; plane < planes; ++plane) {
-                const int at = static_cast<int>(plane);
-                values_[i * planes + plane] = static_cast<float>(packer_.at_vertex(at, d, n));
-                values_back_[i * planes + plane] = static_cast<float>(packer_.at_vertex(at, d, -n));
-            }
-        }
-    });
+/// Whether every plane is one sum of depth and normal that nothing rounds before the pass does.
+bool PackedBuffer::has_linear_codes() const {
+    return params_.packing == Packing::vertex && !packer_.layout().has_bit_fields() &&
+           params_.quantise == Quantise::sum &&
+           params_.depth_encoding == raster::DepthEncoding::inverse;
 }
 
-raster::PassInput PackedBuffer::pass_input() const {
-    raster::PassInput input = inputs_.pass_input();
-    input.values = values_;
-    input.values_back = values_back_;
-    input.sky_code.fill(static_cast<std::uint32_t>(params_.sky));
-    input.sky_f32 = {kNothingDrawn, 0, 0, 0};
-    return input;
+/// |L| <= 2 on a plane: two clipped bits leave nothing of it. A wrapped L of -1 is a strong line,
+/// and a blur of codes is no longer a code rounded once.
+bool PackedBuffer::flat_gives_zero() const {
+    return params_.packing == Packing::vertex && !packer_.layout().has_bit_fields() &&
+           params_.interpolation == raster::Interpolation::affine && !params_.fatten &&
+           params_.response != edge::Response::wrap && params_.clip_bits >= 2;
+}
+
+/// What the pass asks at vertices; `unread` becomes the number of channels that need not be read.
+std::unique_ptr<raster::CornerValues> PackedBuffer::corner_values(bool reads_all,
+                                                                  std::uint64_t& unread) const {
+    const CodeLayout& layout = packer_.layout();
+    if (params_.packing == Packing::pixel) {
+        const DepthCarrier carrier(params_.depth_encoding, params_.interpolation, inputs_.range());
+        return std::make_unique<ChannelValues>(inputs_, carrier);
+    }
+    if (!has_linear_codes()) {
+        return std::make_unique<CodeValues>(inputs_, packer_, params_.depth_encoding);
+    }
+    std::vector<raster::LinearValue> values;
+    const LinearChannels channels = inputs_.linear_channels();
+    for (const Field& field : layout.fields)
+        values.push_back(linear_code(channels, field.ranges, params_.depth_sign));
+    auto result = std::make_unique<LinearValues>(std::move(values), reads_all);
+    unread = result->unread_channels();
+    return result;
 }
 
 void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
     if (inputs_.is_empty()) return out.fill(0);
     inputs_.see(frame);
     const DepthCarrier carrier(params_.depth_encoding, params_.interpolation, inputs_.range());
-    if (params_.packing == Packing::vertex) {
-        pack_vertices(frame.threads);
-    } else {
-        inputs_.gather_channels(carrier, frame.threads, values_, values_back_);
-    }
     const PackedFilter filter{.packing = params_.packing,
                               .renormalise = params_.renormalise,
                               .fatten = params_.fatten,
@@ -100,9 +106,22 @@ void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
                               .response = {.response = params_.response,
                                            .clip_bits = params_.clip_bits,
                                            .scale_bits = params_.scale_bits}};
+    const bool skips_attributes = frame.skips.has(raster::Skip::attributes);
+    std::uint64_t unread = 0;
+    const auto values = corner_values(!skips_attributes, unread);
+    raster::MeshInput input = inputs_.mesh_input(frame);
+    input.values = values.get();
+    input.sky_code.fill(static_cast<std::uint32_t>(params_.sky));
+    input.sky_f32 = {kNothingDrawn, 0, 0, 0};
+    input.flat_gives_zero = flat_gives_zero();
     PackedSink sink(packer_, carrier, filter, out);
-    raster::draw_pass(
-        format_, pass_input(), frame.view.width_px, frame.view.height_px, frame.threads, sink);
+    const raster::MeshResult result = pass_.draw(format_, input, sink);
+    inputs_.finish(result, out);
+    skip_counts_ = result.skips;
+    raster::SkipCount& attributes =
+        skip_counts_[static_cast<std::size_t>(raster::Skip::attributes)];
+    attributes.of = kChannels;
+    if (skips_attributes) attributes.skipped = unread;
 }
 
 }  // namespace ink::methods

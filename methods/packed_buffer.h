@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "methods/method.h"
 #include "methods/packed_sink.h"
@@ -70,16 +70,20 @@ class PackedBuffer : public Method {
     /// Declared where the code is one sum, rounded once, and filtered as it stands.
     [[nodiscard]] std::optional<LinearCode> code() const override;
 
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
+
   private:
-    void pack_vertices(int threads);
-    [[nodiscard]] raster::PassInput pass_input() const;
+    [[nodiscard]] bool has_linear_codes() const;
+    [[nodiscard]] bool flat_gives_zero() const;
+    [[nodiscard]] std::unique_ptr<raster::CornerValues> corner_values(
+        bool reads_all, std::uint64_t& unread) const;
 
     PackParams params_;
     Packer packer_;
     raster::PassFormat format_;
     SurfaceInputs inputs_;
-    std::vector<float> values_;
-    std::vector<float> values_back_;
+    raster::MeshPass pass_;
+    raster::SkipCounts skip_counts_{};
 };
 
 }  // namespace ink::methods

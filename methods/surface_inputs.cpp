@@ -1,94 +1,117 @@
 #include "methods/surface_inputs.h"
 
 #include <algorithm>
-#include <atomic>
+#include <cstring>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-
-#include "core/parallel.h"
 
 namespace ink::methods {
 namespace {
 
-constexpr std::size_t kRun = 4096;
+bool is_same_view(const scene::View& a, const scene::View& b) {
+    return a.width_px == b.width_px && a.height_px == b.height_px &&
+           a.camera.eye_world == b.camera.eye_world &&
+           a.camera.view_from_world == b.camera.view_from_world &&
+           a.camera.fov_y_rad == b.camera.fov_y_rad && a.camera.near == b.camera.near &&
+           a.camera.far == b.camera.far;
+}
+
+/// Objects, modulo 64, of which some corner is not where or how it was. The same triangles.
+std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
+    std::uint64_t moved = 0;
+    for (std::size_t t = 0; t < a.triangles.size(); ++t) {
+        for (const std::uint32_t corner : a.triangles[t]) {
+            const bool is_same = a.p_world[corner] == b.p_world[corner] &&
+                                 a.n_world[corner] == b.n_world[corner];
+            if (!is_same) moved |= std::uint64_t{1} << (a.object[t] % 64);
+        }
+    }
+    return moved;
+}
 
 }  // namespace
-
-void for_runs(std::size_t count,
-              int threads,
-              const std::function<void(std::size_t, std::size_t)>& body) {
-    core::parallel_for((count + kRun - 1) / kRun, threads, [&](std::size_t run) {
-        body(run * kRun, std::min(count, (run + 1) * kRun));
-    });
-}
 
 SurfaceInputs::SurfaceInputs(const InputParams& params) : params_(params) {}
 
 void SurfaceInputs::prepare(const scene::Scene& scene) {
-    surface_ = scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg));
+    surface_ = std::make_unique<scene::Surface>(
+        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    mesh_ = raster::LaneMesh(*surface_);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = scene::scene_hash(scene);
+    moved_objects_ = ~std::uint64_t{0};
+    last_ = {};
 }
 
 void SurfaceInputs::pose(const scene::Scene& scene) {
+    const std::uint64_t hash = scene::scene_hash(scene);
+    if (hash == posed_hash_) return;
     // Which corners share a normal may change with the bend between faces, so a moved scene is
-    // flattened anew rather than its old corners moved.
-    if (scene::scene_hash(scene) != posed_hash_) prepare(scene);
+    // flattened anew; its clusters stay if that has not happened.
+    auto moved = std::make_unique<scene::Surface>(
+        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    if (moved->triangles != surface_->triangles ||
+        moved->p_world.size() != surface_->p_world.size()) {
+        return prepare(scene);
+    }
+    moved_objects_ |= moved_objects(*surface_, *moved);
+    mesh_.update(*moved);
+    surface_ = std::move(moved);
+    bounds_ = scene::bounding_sphere(scene);
+    posed_hash_ = hash;
+    has_moved_ = true;
 }
 
 void SurfaceInputs::see(const Frame& frame) {
-    camera_ = frame.view.camera;
-    range_ = depth_range(params_.depth_range, camera_, bounds_);
-    facing_ = scene::facings(surface_, camera_.eye_world);
-    transform(frame);
+    const scene::Camera& camera = frame.view.camera;
+    const raster::DepthRange range = depth_range(params_.depth_range, camera, bounds_);
+    const bool is_range_same = range.near == range_.near && range.far == range_.far;
+    keeps_still_ = frame.skips.has(raster::Skip::still_tiles) && has_moved_;
+    is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(frame.view, view_);
+    view_ = frame.view;
+    range_ = range;
 }
 
-void SurfaceInputs::transform(const Frame& frame) {
-    const std::size_t count = surface_.p_world.size();
-    vertices_.p_clip.resize(count);
-    vertices_.n_view.resize(count);
-    const scene::Projection projection(frame.view);
-    const glm::mat3 view_from_world(camera_.view_from_world);
-    std::atomic<bool> needs_cutting = false;
-    for_runs(count, frame.threads, [&](std::size_t first, std::size_t last) {
-        bool found = false;
-        for (std::size_t i = first; i < last; ++i) {
-            const glm::dvec3 p = projection.to_clip(surface_.p_world[i]);
-            vertices_.p_clip[i] = p;
-            vertices_.n_view[i] = view_from_world * surface_.n_world[i];
-            found |= needs_cut(p, camera_.near);
-        }
-        if (found) needs_cutting = true;
-    });
-    is_cut_ = needs_cutting;
-    if (is_cut_) cut_triangles(surface_.triangles, facing_, camera_.near, vertices_, cut_);
-}
-
-void SurfaceInputs::gather_channels(const DepthCarrier& carrier,
-                                    int threads,
-                                    std::vector<float>& front,
-                                    std::vector<float>& back) const {
-    front.resize(4 * corner_count());
-    back.resize(front.size());
-    for_runs(corner_count(), threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const float depth = carrier.at_vertex(w(i));
-            front[4 * i] = back[4 * i] = depth;
-            for (int k = 0; k < 3; ++k) {
-                front[4 * i + 1 + k] = vertices_.n_view[i][k];
-                back[4 * i + 1 + k] = -vertices_.n_view[i][k];
-            }
-        }
-    });
-}
-
-raster::PassInput SurfaceInputs::pass_input() const {
-    raster::PassInput input;
-    input.p_clip = vertices_.p_clip;
-    input.triangles = is_cut_ ? std::span(cut_.triangles) : std::span(surface_.triangles);
-    input.facing = is_cut_ ? std::span(cut_.facing) : std::span(facing_);
-    input.near = camera_.near;
-    input.far = camera_.far;
+raster::MeshInput SurfaceInputs::mesh_input(const Frame& frame) const {
+    raster::MeshInput input;
+    input.mesh = &mesh_;
+    input.view = frame.view;
+    input.threads = frame.threads;
+    input.skips = frame.skips;
+    input.may_keep_still = keeps_still_;
+    input.moved_objects = is_still_ ? moved_objects_ : ~std::uint64_t{0};
     return input;
+}
+
+LinearChannels SurfaceInputs::linear_channels() const {
+    const double span = range_.far - range_.near;
+    LinearChannels channels;
+    channels.depth.base = -range_.near / span;
+    channels.depth.per_q = range_.near * (range_.far / span);
+    const glm::mat3 view_from_world(view_.camera.view_from_world);
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis)
+            channels.normal[i].per_normal[axis] = view_from_world[axis][i];
+    }
+    return channels;
+}
+
+glm::mat3 SurfaceInputs::view_from_world() const {
+    return glm::mat3(view_.camera.view_from_world);
+}
+
+void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& out) {
+    const raster::TileGrid grid{out.width_px(), out.height_px(), 0};
+    for (std::size_t tile = 0; tile < result.still.size(); ++tile) {
+        if (result.still[tile] == 0) continue;
+        const raster::PixelRect rect = grid.own(static_cast<int>(tile));
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            std::copy_n(last_.picture.row(y) + rect.x0, rect.x1 - rect.x0, out.row(y) + rect.x0);
+        }
+    }
+    last_.is_kept = keeps_still_;
+    if (keeps_still_) last_.picture = out;
+    moved_objects_ = 0;
 }
 
 }  // namespace ink::methods

@@ -1,17 +1,15 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
-#include <glm/vec3.hpp>
-#include <span>
+#include <glm/mat3x3.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/param.h"
 #include "methods/depth_code.h"
 #include "methods/method.h"
-#include "methods/vertex_cut.h"
-#include "raster/pass.h"
+#include "raster/bin.h"
+#include "raster/mesh_pass.h"
 #include "scene/surface.h"
 
 namespace ink::methods {
@@ -65,62 +63,56 @@ core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
             &P::depth_format, "depth_format", {"q32", "z24", "z16"}, "Format of the depth test.");
 }
 
-/// A scene's depth and normals as a pass takes them, kept between frames so that none allocates
-/// twice.
+/// Depth and the view-space normal's components as linear values: what a linear code adds up.
+struct LinearChannels {
+    raster::LinearValue depth;  ///< encoded as `inverse`: 1 at the range's near end, 0 at its far
+    raster::LinearValue normal[3];
+};
+
+/// A scene laid out for the rasterizer's lanes, what of it moved, and the picture that is kept for
+/// tiles that nothing moved in.
 ///
-/// Every corner that a triangle uses lies at or beyond the near plane: triangles that cross it are
-/// cut before anything is computed at vertices, as a 1998 engine did (methods/vertex_cut.h).
+/// A method calls see(), draws with mesh_input(), and finish() last.
 class SurfaceInputs {
   public:
     explicit SurfaceInputs(const InputParams& params);
 
-    /// Once per topology: normals, shared corners.
+    /// Once per topology: normals, shared corners, clusters.
     void prepare(const scene::Scene& scene);
     /// World positions, and normals again, if anything moved since.
     void pose(const scene::Scene& scene);
-    /// All that depends on the camera: view space, facing, near cut, depth range.
+    /// The view, its depth range, and whether the last frame had the same.
     void see(const Frame& frame);
 
     /// Whether there is nothing to draw.
-    [[nodiscard]] bool is_empty() const { return surface_.triangles.empty(); }
-    /// Corners that see() left, those at cuts included.
-    [[nodiscard]] std::size_t corner_count() const { return vertices_.p_clip.size(); }
-    /// Their normals in view space, unit but at cuts; of a triangle's front side.
-    [[nodiscard]] std::span<const glm::vec3> n_view() const { return vertices_.n_view; }
+    [[nodiscard]] bool is_empty() const { return !surface_ || surface_->triangles.empty(); }
     [[nodiscard]] const raster::DepthRange& range() const { return range_; }
-    /// Depth as `carrier` carries it and the view-space normal, four floats per corner: `front`,
-    /// and `back` with the normal negated.
-    void gather_channels(const DepthCarrier& carrier,
-                         int threads,
-                         std::vector<float>& front,
-                         std::vector<float>& back) const;
-    /// Distance of corner i along the gaze; what a cut left unused counts as lying at the near
-    /// plane.
-    [[nodiscard]] double w(std::size_t i) const {
-        return std::max(vertices_.p_clip[i].z, camera_.near);
-    }
+    [[nodiscard]] glm::mat3 view_from_world() const;
+    [[nodiscard]] LinearChannels linear_channels() const;
     /// A pass over this surface that still lacks values and sky.
-    [[nodiscard]] raster::PassInput pass_input() const;
+    [[nodiscard]] raster::MeshInput mesh_input(const Frame& frame) const;
+    /// Copies what was not drawn because nothing moved there, and keeps the picture for the next
+    /// frame once the scene has begun to move. `out` is what a pass over mesh_input() drew.
+    void finish(const raster::MeshResult& result, edge::EdgeImage& out);
 
   private:
-    void transform(const Frame& frame);
+    struct Kept {
+        edge::EdgeImage picture;
+        bool is_kept = false;
+    };
 
     InputParams params_;
-    scene::Surface surface_;
+    std::unique_ptr<scene::Surface> surface_;  ///< the mesh borrows it
+    raster::LaneMesh mesh_;
     scene::Sphere bounds_;
     std::uint64_t posed_hash_ = 0;
-
-    CutVertices vertices_;
-    std::vector<std::int8_t> facing_;
-    CutTriangles cut_;
-    bool is_cut_ = false;  ///< whether `cut_` is drawn in place of the surface's own triangles
-    scene::Camera camera_;
+    std::uint64_t moved_objects_ = ~std::uint64_t{0};  ///< since the last draw, modulo 64
+    bool has_moved_ = false;                           ///< ever, since prepare
+    bool keeps_still_ = false;
+    bool is_still_ = false;  ///< this frame's camera, size and range are the last one's
+    Kept last_;
+    scene::View view_;
     raster::DepthRange range_;
 };
-
-/// Calls body(first, last) over [0, count) in runs that do not depend on the number of threads.
-void for_runs(std::size_t count,
-              int threads,
-              const std::function<void(std::size_t, std::size_t)>& body);
 
 }  // namespace ink::methods

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "methods/packed_sink.h"
+#include "methods/surface_values.h"
 
 namespace ink::methods {
 namespace {
@@ -193,18 +194,19 @@ Decaudin::Decaudin(const Params& params)
     : params_(params), format_(pass_format(params)), inputs_(params) {}
 
 void Decaudin::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
     if (inputs_.is_empty()) return out.fill(0);
     inputs_.see(frame);
     const DepthCarrier carrier(params_.depth_encoding, params_.interpolation, inputs_.range());
-    inputs_.gather_channels(carrier, frame.threads, values_, values_back_);
-    raster::PassInput input = inputs_.pass_input();
-    input.values = values_;
-    input.values_back = values_back_;
+    const ChannelValues values(inputs_, carrier);
+    raster::MeshInput input = inputs_.mesh_input(frame);
+    input.values = &values;
     const float sky = carrier.is_encoded() ? static_cast<float>(params_.sky) : kNothingDrawn;
     input.sky_f32 = {sky, 0, 0, 0};
     DecaudinSink sink(params_, carrier, out);
-    raster::draw_pass(
-        format_, input, frame.view.width_px, frame.view.height_px, frame.threads, sink);
+    const raster::MeshResult result = pass_.draw(format_, input, sink);
+    inputs_.finish(result, out);
+    skip_counts_ = result.skips;
 }
 
 MethodInfo decaudin() {

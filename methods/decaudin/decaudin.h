@@ -33,13 +33,14 @@ class Decaudin : public Method {
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
     raster::PassFormat format_;
     SurfaceInputs inputs_;
-    std::vector<float> values_;
-    std::vector<float> values_back_;
+    raster::MeshPass pass_;
+    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] MethodInfo decaudin();

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "methods/depth_code.h"
-#include "methods/vertex_cut.h"
+#include "raster/vertex_cut.h"
 
 namespace ink::lab {
 
@@ -37,19 +37,19 @@ void share_out(const glm::dvec3& p_px, DrawnTriangle& corners) {
 /// The piece of a triangle that a method draws at a point of the picture, if the near plane cuts
 /// the triangle: what is computed at corners is computed at the corners of the cut.
 DrawnTriangle cut_corners(const DrawnTriangle& whole, const glm::dvec3& p_px, double near) {
-    methods::CutVertices vertices{{whole.p_clip.begin(), whole.p_clip.end()},
+    raster::CutVertices vertices{{whole.p_clip.begin(), whole.p_clip.end()},
                                   {whole.n_view.begin(), whole.n_view.end()}};
-    methods::CutTriangles pieces;
+    raster::CutTriangles pieces;
     const scene::Triangle triangle{0, 1, 2};
     const std::int8_t facing = 1;
-    methods::cut_triangles({&triangle, 1}, {&facing, 1}, near, vertices, pieces);
+    raster::cut_triangles({&triangle, 1}, {&facing, 1}, near, vertices, pieces);
     DrawnTriangle best = whole;
     double best_share = -std::numeric_limits<double>::infinity();
     for (const scene::Triangle& piece : pieces.triangles) {
         DrawnTriangle corners;
         for (std::size_t i = 0; i < 3; ++i) {
             corners.p_clip[i] = vertices.p_clip[piece[i]];
-            corners.n_view[i] = vertices.n_view[piece[i]];
+            corners.n_view[i] = vertices.n[piece[i]];
         }
         share_out(p_px, corners);
         // The point lies in the piece in which its least share is largest.
@@ -93,7 +93,7 @@ TruthCode::Inputs TruthCode::inputs_at(int x_px, int y_px, std::uint32_t triangl
         corners.p_clip[i] = projection_.to_clip(surface_.p_world[indices[i]]);
         corners.n_view[i] =
             side * (camera_.view_from_world * glm::dvec3(surface_.n_world[indices[i]]));
-        is_whole = is_whole && !methods::needs_cut(corners.p_clip[i], camera_.near);
+        is_whole = is_whole && !raster::needs_cut(corners.p_clip[i], camera_.near);
     }
     share_out(p_px, corners);
     if (!is_whole) corners = cut_corners(corners, p_px, camera_.near);

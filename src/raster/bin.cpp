@@ -5,38 +5,6 @@
 #include "core/parallel.h"
 
 namespace ink::raster {
-namespace {
-
-/// Whether some edge has the whole rectangle on its outer side.
-bool misses(const SetupTriangle& t, const PixelRect& rect) {
-    for (const EdgeFunction& e : t.edges) {
-        const int x = e.dx > 0 ? rect.x1 - 1 : rect.x0;
-        const int y = e.dy > 0 ? rect.y1 - 1 : rect.y0;
-        if (e.at(x, y) < 0) return true;
-    }
-    return false;
-}
-
-/// Calls visit(tile) for the tiles whose drawn pixels the triangle may touch.
-template <class Visit>
-void for_each_tile(const TileGrid& grid, const SetupTriangle& t, Visit visit) {
-    const int column0 = std::max(t.bounds.x0 - grid.halo_px, 0) / kTileSize_px;
-    const int row0 = std::max(t.bounds.y0 - grid.halo_px, 0) / kTileSize_px;
-    const int column1 =
-        std::min((t.bounds.x1 - 1 + grid.halo_px) / kTileSize_px, grid.columns() - 1);
-    const int row1 = std::min((t.bounds.y1 - 1 + grid.halo_px) / kTileSize_px, grid.rows() - 1);
-    // A box of one row or column of tiles has no corner tiles that a triangle could miss by much.
-    const bool is_wide = column1 > column0 && row1 > row0;
-    for (int row = row0; row <= row1; ++row) {
-        for (int column = column0; column <= column1; ++column) {
-            const int tile = row * grid.columns() + column;
-            if (!is_wide || !misses(t, grid.drawn(tile))) visit(static_cast<std::size_t>(tile));
-        }
-    }
-}
-
-}  // namespace
-
 PixelRect TileGrid::own(int tile) const {
     const int x0 = tile % columns() * kTileSize_px;
     const int y0 = tile / columns() * kTileSize_px;

@@ -51,8 +51,10 @@ class TileWorker {
         TileBuffer buffer(job_.format, job_.input, grid_);
         for (int tile = next_tile++; tile < grid_.count(); tile = next_tile++) {
             buffer.start(tile);
+            if (!bins_.of(tile).empty()) buffer.touch();
             const FillCounts counts = fill_(job_, bins_.of(tile), buffer);
             const bool is_empty = counts.kept == 0;
+            if (!is_empty) buffer.finish();
             if (!is_empty) buffer.extend_frame();
             sink.finish(buffer.view(is_empty));
             ++stats.tiles;

@@ -11,6 +11,11 @@ bool is_usable(double v) {
     return std::abs(v) <= kLargest;  // false for NaN
 }
 
+std::int32_t snap(double px) {
+    if (std::abs(px) > kLaneReach_px) return static_cast<std::int32_t>(std::lrint(px * kSubpixels));
+    return snapped(static_cast<std::int32_t>(std::lrint(px * (1 << kLaneBits))));
+}
+
 }  // namespace
 
 std::uint8_t outcode(const glm::dvec3& p_clip, double near) {
@@ -27,11 +32,11 @@ std::uint8_t outcode(const glm::dvec3& p_clip, double near) {
 
 ScreenVertex to_screen(const glm::dvec3& p_clip) {
     ScreenVertex v;
-    v.x_px = p_clip.x / p_clip.z;
-    v.y_px = p_clip.y / p_clip.z;
     v.q = 1 / p_clip.z;
-    v.x = static_cast<std::int32_t>(std::lrint(v.x_px * kSubpixels));
-    v.y = static_cast<std::int32_t>(std::lrint(v.y_px * kSubpixels));
+    v.x_px = p_clip.x * v.q;  // a product, not a quotient: as the lanes have it
+    v.y_px = p_clip.y * v.q;
+    v.x = snap(v.x_px);
+    v.y = snap(v.y_px);
     return v;
 }
 

@@ -27,12 +27,22 @@ enum Outside : std::uint8_t {
 /// The planes of near and guard band that `p_clip` = (x, y, w) lies beyond.
 [[nodiscard]] std::uint8_t outcode(const glm::dvec3& p_clip, double near);
 
+/// Within this reach positions are rounded to 1/65536 px first and to 1/256 px from there, so that
+/// a vertex of 32 bits tells both where planes run and where coverage ends.
+inline constexpr double kLaneReach_px = 1 << 13;
+inline constexpr int kLaneBits = 16;  ///< after the point
+
+/// A position in 1/65536 px as coverage has it, in 1/256 px: to the nearest, halves up.
+[[nodiscard]] constexpr std::int32_t snapped(std::int32_t fixed) {
+    return (fixed + (1 << (kLaneBits - kSubpixelBits - 1))) >> (kLaneBits - kSubpixelBits);
+}
+
 /// A vertex as the setup needs it. The unsnapped position carries planes, the snapped one coverage.
 struct ScreenVertex {
     double x_px = 0;
     double y_px = 0;
     double q = 0;        ///< 1/w
-    std::int32_t x = 0;  ///< x_px in 1/256 px, to the nearest (even at halves)
+    std::int32_t x = 0;  ///< x_px in 1/256 px
     std::int32_t y = 0;
 };
 

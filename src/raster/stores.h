@@ -86,7 +86,7 @@ class CodeStore {
     }
     void start_row(TileBuffer& buffer, int y) {
         for (std::size_t k = 0; k < kCount; ++k) {
-            rows_[k] = buffer.plane_row<T>(static_cast<int>(k), y);
+            rows_[k] = buffer.code_row(static_cast<int>(k), y);
             at_row_[k] = planes_[k].at_ref + planes_[k].dy * (y - ref_y_);
         }
     }
@@ -104,12 +104,15 @@ class CodeStore {
     bool is_thin_;
     std::array<CodePlane, kCount> planes_;
     std::array<std::int64_t, kCount> at_row_{};
-    std::array<T*, kCount> rows_{};
+    std::array<std::uint32_t*, kCount> rows_{};
 };
 
 /// What FloatStore and PerspectiveStore share: K planes in double, followed row by row.
 template <class T, std::size_t kCount>
 class FloatPlaneRows {
+    /// Codes are drawn with 32 bits.
+    using Drawn = std::conditional_t<std::is_same_v<T, float>, float, std::uint32_t>;
+
   public:
     explicit FloatPlaneRows(const FillSource& from)
         : ref_x_(from.triangle().ref_x), ref_y_(from.triangle().ref_y) {
@@ -117,7 +120,7 @@ class FloatPlaneRows {
     }
     void start_row(TileBuffer& buffer, int y) {
         for (std::size_t k = 0; k < kCount; ++k) {
-            rows_[k] = buffer.plane_row<T>(static_cast<int>(k), y);
+            rows_[k] = buffer.plane_row<Drawn>(static_cast<int>(k), y);
             at_row_[k] = planes_[k].plane.at_ref + planes_[k].plane.dy * (y - ref_y_);
         }
     }
@@ -127,14 +130,14 @@ class FloatPlaneRows {
     [[nodiscard]] float limited(std::size_t k, double value) const {
         return std::clamp(static_cast<float>(value), planes_[k].lowest, planes_[k].highest);
     }
-    [[nodiscard]] T& pixel(std::size_t k, int x) const { return rows_[k][x]; }
+    [[nodiscard]] Drawn& pixel(std::size_t k, int x) const { return rows_[k][x]; }
 
   private:
     int ref_x_;
     int ref_y_;
     std::array<FloatPlane, kCount> planes_;
     std::array<double, kCount> at_row_{};
-    std::array<T*, kCount> rows_{};
+    std::array<Drawn*, kCount> rows_{};
 };
 
 /// K floats, affine.

@@ -4,19 +4,21 @@
 #include <bit>
 #include <cstring>
 
+#include "raster/lane_narrow.h"
+
 namespace ink::raster {
 namespace {
 
 /// A multiple of 4, so that buffers of any element are whole words.
-constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileStride;
+constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows;
 
-/// The bits of one sky element, repeated until they fill four bytes.
+/// The bits of one sky element while it is drawn.
 std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
     switch (format.store) {
         case Store::u8:
-            return (input.sky_code[plane] & 0xffU) * 0x01010101U;
+            return input.sky_code[plane] & 0xffU;
         case Store::u16:
-            return (input.sky_code[plane] & 0xffffU) * 0x00010001U;
+            return input.sky_code[plane] & 0xffffU;
         case Store::u32:
             return input.sky_code[plane];
         case Store::f32:
@@ -27,18 +29,19 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
     return 0;
 }
 
-void fill_words(std::vector<std::byte>& memory, std::uint32_t word) {
-    for (std::size_t at = 0; at < memory.size(); at += sizeof word)
-        std::memcpy(memory.data() + at, &word, sizeof word);
+void fill_words(AlignedArray<std::byte>& memory, std::uint32_t word) {
+    std::fill_n(reinterpret_cast<std::uint32_t*>(memory.data()), memory.size() / 4, word);
 }
 
 }  // namespace
 
 TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid)
-    : format_(format), grid_(grid), depth_(kElements * sizeof(std::uint32_t)) {
+    : format_(format), grid_(grid) {
+    depth_.resize(kElements * sizeof(std::uint32_t));
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format.planes()); ++plane) {
         sky_[plane] = sky_bits(format, input, plane);
         planes_[plane].resize(kElements * element_bytes());
+        if (is_narrowed()) wide_[plane].resize(kElements * sizeof(std::uint32_t));
     }
 }
 
@@ -56,10 +59,25 @@ std::size_t TileBuffer::element_bytes() const {
 void TileBuffer::start(int tile) {
     own_ = grid_.own(tile);
     drawn_ = grid_.drawn(tile);
+    if (is_clean_) return;
+    is_clean_ = true;
     // 0 is infinity in every depth format, float included.
     fill_words(depth_, 0);
-    for (std::size_t plane = 0; plane < kMaxPlanes; ++plane)
-        fill_words(planes_[plane], sky_[plane]);
+    for (int plane = 0; plane < format_.planes(); ++plane)
+        fill_words(drawn_plane(plane), sky_[static_cast<std::size_t>(plane)]);
+    finish();
+}
+
+void TileBuffer::finish() {
+    if (!is_narrowed()) return;
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
+        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data());
+        if (format_.store == Store::u8) {
+            narrow(from, kElements, reinterpret_cast<std::uint8_t*>(planes_[plane].data()));
+        } else {
+            narrow(from, kElements, reinterpret_cast<std::uint16_t*>(planes_[plane].data()));
+        }
+    }
 }
 
 void TileBuffer::extend_frame_of(Memory& memory, std::size_t bytes_per_element) const {
@@ -98,7 +116,7 @@ Tile TileBuffer::view(bool is_empty) const {
     tile.is_empty = is_empty;
     tile.stride = kTileStride;
     constexpr std::size_t kOrigin =
-        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kMaxHalo_px;
+        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kTileMargin_px;
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
         tile.planes[plane] = planes_[plane].data() + kOrigin * element_bytes();
     }

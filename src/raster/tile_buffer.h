@@ -3,23 +3,31 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "raster/aligned_array.h"
 #include "raster/bin.h"
 #include "raster/pass.h"
 
 namespace ink::raster {
 
+/// Columns on either side of a tile's own: its halo, rounded up to a vector of pixels, so that
+/// vectors that start at multiples of 8 px start at aligned addresses and never leave the row.
+inline constexpr int kTileMargin_px = 8;
+
 /// Elements from one row of a tile buffer to the next, the same in every plane.
-inline constexpr int kTileStride = kTileSize_px + 2 * kMaxHalo_px;
+inline constexpr int kTileStride = kTileSize_px + 2 * kTileMargin_px;
+inline constexpr int kTileRows = kTileSize_px + 2 * kMaxHalo_px;
 
 /// The pixels of one tile and its halo while it is drawn. One per thread, used for tile after tile.
 class TileBuffer {
   public:
     TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid);
 
-    /// Makes it the buffer of `tile`, holding nothing but sky.
+    /// Makes it the buffer of `tile`, holding nothing but sky. What nobody wrote to since it was
+    /// last cleared is not cleared again.
     void start(int tile);
+    /// Says that something is about to be written.
+    void touch() { is_clean_ = false; }
     /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
     void extend_frame();
     /// How a sink sees it.
@@ -28,27 +36,40 @@ class TileBuffer {
     /// The pixels to rasterize, in the picture's coordinates.
     [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
 
-    /// Row `y` of a plane such that [x] is a pixel, x and y in the picture's coordinates and
-    /// drawn(). T is float or uint32 for depth, else the store's type.
+    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is float
+    /// or uint32 for depth.
     template <class T>
     [[nodiscard]] T* depth_row(int y) {
         return reinterpret_cast<T*>(depth_.data()) + offset(y);
     }
+    /// The same of an f32 plane, or of one of u32.
     template <class T>
     [[nodiscard]] T* plane_row(int plane, int y) {
-        return reinterpret_cast<T*>(planes_[static_cast<std::size_t>(plane)].data()) + offset(y);
+        static_assert(sizeof(T) == sizeof(std::uint32_t));
+        return reinterpret_cast<T*>(drawn_plane(plane).data()) + offset(y);
     }
+    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32 bits,
+    /// so that depth and code have the same lanes; finish() makes them as narrow as the store.
+    [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
+        return plane_row<std::uint32_t>(plane, y);
+    }
+    /// Makes the planes what a sink is shown: codes in the store's type.
+    void finish();
 
   private:
-    /// Plain bytes, aligned for any store by the allocator; whoever writes elements gives them a
-    /// type.
-    using Memory = std::vector<std::byte>;
+    /// Plain bytes, aligned for any vector; whoever writes elements gives them a type.
+    using Memory = AlignedArray<std::byte>;
 
     [[nodiscard]] std::ptrdiff_t offset(int y) const {
-        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride + kMaxHalo_px -
-               own_.x0;
+        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride +
+               kTileMargin_px - own_.x0;
     }
     [[nodiscard]] std::size_t element_bytes() const;
+    [[nodiscard]] bool is_narrowed() const { return element_bytes() < sizeof(std::uint32_t); }
+    [[nodiscard]] Memory& drawn_plane(int plane) {
+        const auto at = static_cast<std::size_t>(plane);
+        return is_narrowed() ? wide_[at] : planes_[at];
+    }
     void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
 
     const PassFormat& format_;
@@ -56,8 +77,10 @@ class TileBuffer {
     PixelRect own_;
     PixelRect drawn_;
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
+    bool is_clean_ = false;
     Memory depth_;
-    std::array<Memory, kMaxPlanes> planes_;
+    std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them
+    std::array<Memory, kMaxPlanes> wide_;    ///< codes of u8 and u16 while they are drawn
 };
 
 }  // namespace ink::raster

@@ -169,8 +169,7 @@ void TriangleStage::draw_clipped(std::uint32_t triangle, Batch& batch, Tally& ta
 }
 
 void TriangleStage::run(std::size_t first, std::size_t last, Batch& batch) const {
-    batch.stats.triangles = last - first;
-    batch.triangles.reserve(last - first);
+    batch.stats.triangles += last - first;
     for (std::size_t t = first; t < last; ++t) {
         const scene::Triangle& corners = input_.triangles[t];
         const std::uint8_t a = vertices_.outcodes[corners[0]];
@@ -199,9 +198,20 @@ std::vector<Batch> set_up_batches(const PassFormat& format,
     const std::size_t count = input.triangles.size();
     std::vector<Batch> batches((count + kBatchTriangles - 1) / kBatchTriangles);
     core::parallel_for(batches.size(), threads, [&](std::size_t i) {
-        stage.run(i * kBatchTriangles, std::min(count, (i + 1) * kBatchTriangles), batches[i]);
+        const std::size_t first = i * kBatchTriangles;
+        const std::size_t last = std::min(count, first + kBatchTriangles);
+        batches[i].triangles.reserve(last - first);
+        stage.run(first, last, batches[i]);
     });
     return batches;
+}
+
+void set_up_more(const PassFormat& format,
+                 const PassInput& input,
+                 const PixelRect& picture,
+                 Batch& batch) {
+    const VertexBuffer vertices = put_on_screen(input, 1);
+    TriangleStage(format, input, vertices, picture).run(0, input.triangles.size(), batch);
 }
 
 }  // namespace ink::raster

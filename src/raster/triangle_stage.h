@@ -34,4 +34,10 @@ inline constexpr std::size_t kBatchTriangles = 4096;
                                                 const PixelRect& picture,
                                                 int threads);
 
+/// Clips and sets up a short input after what `batch` holds already, on this thread.
+void set_up_more(const PassFormat& format,
+                 const PassInput& input,
+                 const PixelRect& picture,
+                 Batch& batch);
+
 }  // namespace ink::raster

@@ -23,12 +23,17 @@ struct Cluster {
     /// cone, its normals point all ways.
     glm::dvec3 cone_axis{0};
     double cone_sine = 1;
+    /// How far at most the centre of `bounds` stands out in front of a face's plane; below 0 if it
+    /// lies behind them all. At most the radius.
+    double center_height = 0;
 };
 
 /// A connected piece of the surface, joined over welded edges.
 struct Solid {
     Sphere bounds;
     std::uint32_t object = 0;  ///< instance index
+    /// Every edge has two faces that run through it in opposite directions; of the topology alone.
+    bool is_closed = false;
     /// Closed, consistently oriented and turned outwards (its signed volume is positive): seen from
     /// outside, a face turned away always lies behind one that is not.
     bool is_sealed = false;
@@ -45,14 +50,20 @@ struct Clusters {
     std::vector<Cluster> clusters;
     std::vector<Solid> solids;
     std::vector<std::uint32_t> vertices;  ///< corner of the surface per vertex of a cluster
+    /// Per vertex, the surface's first corner at the same place when the clusters were made.
+    std::vector<std::uint32_t> places;
     std::vector<std::array<std::uint8_t, 3>> triangles;  ///< vertices within the cluster
     std::vector<std::uint32_t> triangle_ids;             ///< global index of each
+    std::vector<std::uint32_t> left_out;  ///< global indices of the degenerate triangles
 };
 
 /// Cuts `surface` into clusters. O(n log n). An empty surface has none.
 [[nodiscard]] Clusters make_clusters(const Surface& surface);
 
 /// Bounds, cones and seals anew after the surface's corners moved; the same triangles as before.
+///
+/// A solid that came apart at its seams, or a face of which lost its area, is not sealed. If a
+/// triangle that was degenerate now has an area, the surface is cut anew.
 void refresh(const Surface& moved, Clusters& clusters);
 
 /// Whether the eye certainly sees the back of every face of the cluster, with room for rounding.

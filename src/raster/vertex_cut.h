@@ -7,12 +7,12 @@
 
 #include "scene/mesh.h"
 
-namespace ink::methods {
+namespace ink::raster {
 
 /// Corners of a surface in clip space (x, y, w), with their normals.
 struct CutVertices {
     std::vector<glm::dvec3> p_clip;
-    std::vector<glm::vec3> n_view;
+    std::vector<glm::vec3> n;
 };
 
 /// Triangles and the side that each shows.
@@ -45,4 +45,4 @@ void cut_triangles(std::span<const scene::Triangle> triangles,
                    CutVertices& vertices,
                    CutTriangles& out);
 
-}  // namespace ink::methods
+}  // namespace ink::raster

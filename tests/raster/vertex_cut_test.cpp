@@ -1,11 +1,11 @@
-#include "methods/vertex_cut.h"
+#include "raster/vertex_cut.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace ink::methods {
+namespace ink::raster {
 namespace {
 
 /// Area over the plane (x, w) of triangles that lie in y = 0.
@@ -44,7 +44,7 @@ TEST(VertexCut, ACornerBehindTheEyeLeavesTwoTriangles) {
     EXPECT_DOUBLE_EQ(area_xw(vertices, cut), 6);
     ASSERT_EQ(vertices.p_clip.size(), 5U);
     EXPECT_EQ(vertices.p_clip[3].z, 1);
-    EXPECT_EQ(vertices.n_view[3], glm::vec3(0, 0.5F, 0.5F));
+    EXPECT_EQ(vertices.n[3], glm::vec3(0, 0.5F, 0.5F));
 }
 
 TEST(VertexCut, CornersFarOutsideThePictureAreCutAtTheBand) {
@@ -63,7 +63,7 @@ TEST(VertexCut, CornersFarOutsideThePictureAreCutAtTheBand) {
 TEST(VertexCut, NeighboursCutTheirEdgeAtTheSameBits) {
     CutVertices vertices = triangle({0.1, 0.7, 3.3}, {0.9, -0.2, 2.7}, {0.3, 0.4, -0.9});
     vertices.p_clip.emplace_back(2.2, 0.1, 1.9);
-    vertices.n_view.emplace_back(0, 0, 1);
+    vertices.n.emplace_back(0, 0, 1);
     const std::vector<scene::Triangle> two = {{0, 1, 2}, {2, 1, 3}};
     CutTriangles cut;
     cut_triangles(two, std::vector<std::int8_t>{1, 1}, 0.5, vertices, cut);
@@ -85,4 +85,4 @@ TEST(VertexCut, WhatLiesBeyondIsDropped) {
 }
 
 }  // namespace
-}  // namespace ink::methods
+}  // namespace ink::raster

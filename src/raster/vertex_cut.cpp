@@ -1,4 +1,4 @@
-#include "methods/vertex_cut.h"
+#include "raster/vertex_cut.h"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,8 @@
 
 #include "raster/clip.h"
 
-namespace ink::methods {
+namespace ink::raster {
 namespace {
-
-using raster::inside_by;
-using raster::kClipPlanes;
 
 /// A triangle cut at five planes has at most eight corners.
 struct Polygon {
@@ -36,9 +33,9 @@ std::uint32_t cut_edge(std::uint32_t inside,
     glm::dvec3 p = a + t * (b - a);
     if (plane == 0) p.z = near;
     const glm::vec3 n =
-        glm::mix(vertices.n_view[inside], vertices.n_view[outside], static_cast<float>(t));
+        glm::mix(vertices.n[inside], vertices.n[outside], static_cast<float>(t));
     vertices.p_clip.push_back(p);
-    vertices.n_view.push_back(n);
+    vertices.n.push_back(n);
     return static_cast<std::uint32_t>(vertices.p_clip.size() - 1);
 }
 
@@ -86,4 +83,4 @@ void cut_triangles(std::span<const scene::Triangle> triangles,
     }
 }
 
-}  // namespace ink::methods
+}  // namespace ink::raster

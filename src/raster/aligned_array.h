@@ -1,0 +1,39 @@
+#pragma once
+
+#include <hwy/aligned_allocator.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ink::raster {
+
+/// Plain numbers at an address that fits every vector register; grows, never shrinks, and keeps
+/// nothing when it grows beyond its capacity unless told to. Not copied: it is scratch.
+template <class T>
+class AlignedArray {
+  public:
+    [[nodiscard]] T* data() { return memory_.get(); }
+    [[nodiscard]] const T* data() const { return memory_.get(); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    T& operator[](std::size_t i) { return memory_[i]; }
+    const T& operator[](std::size_t i) const { return memory_[i]; }
+
+    /// `size` elements; those that were there keep their values, new ones have none.
+    void resize(std::size_t size) {
+        if (size > capacity_) {
+            const std::size_t capacity = std::max(size, capacity_ + capacity_ / 2);
+            auto grown = hwy::AllocateAligned<T>(capacity);
+            std::copy_n(memory_.get(), size_, grown.get());
+            memory_ = std::move(grown);
+            capacity_ = capacity;
+        }
+        size_ = size;
+    }
+
+  private:
+    hwy::AlignedFreeUniquePtr<T[]> memory_;
+    std::size_t size_ = 0;
+    std::size_t capacity_ = 0;
+};
+
+}  // namespace ink::raster

@@ -1,0 +1,330 @@
+#include "raster/cluster_stage.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "raster/screen_vertex.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/cluster_stage.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ink::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DD = hn::CappedTag<double, 8>;
+using VD = hn::Vec<DD>;
+using DI = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<DI>;
+using DU = hn::RebindToUnsigned<DI>;
+
+/// What may not be exceeded for lanes, over all vertices.
+struct Reach {
+    double least_w;
+    double farthest_px;
+};
+
+/// One row of the transform on eye-relative vectors.
+HWY_INLINE VD Row(const double* row, VD x, VD y, VD z) {
+    const DD d;
+    const auto sum =
+        hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y));
+    return hn::Add(sum, hn::Mul(hn::Set(d, row[2]), z));
+}
+
+template <class Load>
+Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, const Load& load) {
+    const DD d;
+    const hn::Rebind<float, DD> df;
+    const hn::Rebind<std::int32_t, DD> di;
+    const std::size_t n = hn::Lanes(d);
+    auto least_w = hn::Set(d, std::numeric_limits<double>::max());
+    auto farthest = hn::Zero(d);
+    const auto limit = hn::Set(d, kLaneReach_px);
+    const auto scale = hn::Set(d, 1 << kLaneBits);
+    for (std::size_t i = 0; i < count; i += n) {
+        const auto x = hn::Sub(load(0, i), hn::Set(d, t.eye[0]));
+        const auto y = hn::Sub(load(1, i), hn::Set(d, t.eye[1]));
+        const auto z = hn::Sub(load(2, i), hn::Set(d, t.eye[2]));
+        const auto w = Row(t.rows[2], x, y, z);
+        const auto inv = hn::Div(hn::Set(d, 1), w);
+        const auto x_px = hn::Mul(Row(t.rows[0], x, y, z), inv);
+        const auto y_px = hn::Mul(Row(t.rows[1], x, y, z), inv);
+        least_w = hn::Min(least_w, w);
+        farthest = hn::Max(farthest, hn::Max(hn::Abs(x_px), hn::Abs(y_px)));
+        const auto x_safe = hn::Min(hn::Max(x_px, hn::Neg(limit)), limit);
+        const auto y_safe = hn::Min(hn::Max(y_px, hn::Neg(limit)), limit);
+        hn::Store(w, d, lanes.w + i);
+        hn::Store(inv, d, lanes.inv_w + i);
+        hn::Store(hn::DemoteTo(df, inv), df, lanes.q + i);
+        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(x_safe, scale))), di, lanes.x + i);
+        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(y_safe, scale))), di, lanes.y + i);
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, least_w)), hn::GetLane(hn::MaxOfLanes(d, farthest))};
+}
+
+/// The box of the snapped vertices, and each packed from its corner.
+void PackSnapped(std::size_t count, ClusterLanes& lanes) {
+    const DI d;
+    const std::size_t n = hn::Lanes(d);
+    const auto half = hn::Set(d, 1 << (kLaneBits - kSubpixelBits - 1));
+    const auto snap = [&](const std::int32_t* from) {
+        return hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(hn::Load(d, from), half));
+    };
+    auto x0 = hn::Set(d, std::numeric_limits<std::int32_t>::max());
+    auto y0 = x0;
+    auto x1 = hn::Set(d, std::numeric_limits<std::int32_t>::min());
+    auto y1 = x1;
+    for (std::size_t i = 0; i < count; i += n) {
+        const auto x = snap(lanes.x + i);
+        const auto y = snap(lanes.y + i);
+        x0 = hn::Min(x0, x);
+        x1 = hn::Max(x1, x);
+        y0 = hn::Min(y0, y);
+        y1 = hn::Max(y1, y);
+    }
+    lanes.x0 = hn::GetLane(hn::MinOfLanes(d, x0));
+    lanes.y0 = hn::GetLane(hn::MinOfLanes(d, y0));
+    lanes.x1 = hn::GetLane(hn::MaxOfLanes(d, x1));
+    lanes.y1 = hn::GetLane(hn::MaxOfLanes(d, y1));
+    const auto left = hn::Set(d, lanes.x0);
+    const auto top = hn::Set(d, lanes.y0);
+    for (std::size_t i = 0; i < count; i += n) {
+        const auto x = hn::Sub(snap(lanes.x + i), left);
+        const auto y = hn::Sub(snap(lanes.y + i), top);
+        hn::Store(hn::Or(hn::ShiftLeft<16>(x), y), d, lanes.packed + i);
+    }
+}
+
+bool ProjectCluster(const LaneMesh& mesh,
+                    std::size_t cluster,
+                    const ViewTransform& transform,
+                    double near,
+                    ClusterLanes& lanes) {
+    const DD d;
+    const hn::Rebind<float, DD> df;
+    const std::size_t vertices = mesh.clusters().clusters[cluster].vertex_count;
+    const std::size_t count = (vertices + kLanePad - 1) / kLanePad * kLanePad;
+    Reach reach{};
+    if (mesh.has_float_positions()) {
+        const float* p[3] = {mesh.float_positions(cluster, 0),
+                             mesh.float_positions(cluster, 1),
+                             mesh.float_positions(cluster, 2)};
+        reach = Project(count, transform, lanes, [&](int axis, std::size_t i) {
+            return hn::PromoteTo(d, hn::LoadU(df, p[axis] + i));
+        });
+    } else {
+        const double* p[3] = {mesh.double_positions(cluster, 0),
+                              mesh.double_positions(cluster, 1),
+                              mesh.double_positions(cluster, 2)};
+        reach = Project(count, transform, lanes, [&](int axis, std::size_t i) {
+            return hn::LoadU(d, p[axis] + i);
+        });
+    }
+    // Far from 1, products of 1/w and reciprocals of areas would leave the range of floats.
+    constexpr double kExtreme = 1e18;
+    if (!(reach.least_w >= near) || !(reach.least_w > 1 / kExtreme)) return false;
+    if (!(reach.farthest_px <= kLaneReach_px)) return false;
+    PackSnapped(count, lanes);
+    constexpr std::int32_t kExtent = kLaneCluster_px * kSubpixels;
+    if (lanes.x1 - lanes.x0 > kExtent || lanes.y1 - lanes.y0 > kExtent) return false;
+    return lanes.q[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
+}
+
+/// Corners of a vector of triangles, from the box's corner, 1/256 px.
+struct Corners {
+    VI x[3];
+    VI y[3];
+};
+
+HWY_INLINE Corners Gather(const std::uint8_t* const (&index)[3],
+                          const std::int32_t* packed,
+                          std::size_t at) {
+    const DI d;
+    const hn::Rebind<std::uint8_t, DI> d8;
+    Corners c;
+    for (int k = 0; k < 3; ++k) {
+        const auto v = hn::GatherIndex(d, packed, hn::PromoteTo(d, hn::LoadU(d8, index[k] + at)));
+        c.x[k] = hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(DU(), v)));
+        c.y[k] = hn::And(v, hn::Set(d, 0xffff));
+    }
+    return c;
+}
+
+/// Twice the area; positive where the corners run clockwise as seen, y running down.
+HWY_INLINE VI Area(const Corners& c) {
+    return hn::Sub(
+        hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
+        hn::Mul(hn::Sub(c.x[2], c.x[0]), hn::Sub(c.y[1], c.y[0])));
+}
+
+/// By how much rounding the corners may have moved twice the area, and a bit.
+HWY_INLINE VI AreaDoubt(const Corners& c) {
+    const DI d;
+    const auto sum = hn::Add(hn::Add(hn::Abs(hn::Sub(c.x[1], c.x[0])),
+                                     hn::Abs(hn::Sub(c.y[1], c.y[0]))),
+                             hn::Add(hn::Abs(hn::Sub(c.x[2], c.x[0])),
+                                     hn::Abs(hn::Sub(c.y[2], c.y[0]))));
+    // Each difference is off by at most 1 and 1/256 of these units.
+    return hn::Add(hn::Add(sum, hn::ShiftRight<6>(sum)), hn::Set(d, 4));
+}
+
+/// Whether the centre of pixel (x, y) lies inside: corners and centre from one origin, `flip` -1
+/// where the corners run counter-clockwise.
+HWY_INLINE hn::Mask<DI> IsInside(const Corners& c, VI turned, VI x, VI y) {
+    const DI d;
+    const auto zero = hn::Zero(d);
+    auto outside = zero;
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3;
+        auto dx = hn::Sub(c.x[next], c.x[k]);
+        auto dy = hn::Sub(c.y[next], c.y[k]);
+        // (v ^ -1) + 1 = -v where the triangle is turned.
+        dx = hn::Sub(hn::Xor(dx, turned), turned);
+        dy = hn::Sub(hn::Xor(dy, turned), turned);
+        const auto value = hn::Sub(hn::Mul(dx, hn::Sub(y, c.y[k])), hn::Mul(dy, hn::Sub(x, c.x[k])));
+        const auto is_top_left =
+            hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
+        const auto bias = hn::IfThenElse(is_top_left, zero, hn::Set(d, 1));
+        outside = hn::Or(outside, hn::Sub(value, bias));
+    }
+    return hn::Gt(outside, hn::Set(d, -1));
+}
+
+HWY_INLINE void Append(VI v, hn::Mask<DI> mask, std::int32_t* to) {
+    hn::StoreU(hn::Compress(v, mask), DI(), to);
+}
+
+void TriageCluster(const LaneMesh& mesh,
+                   std::size_t cluster,
+                   const ClusterLanes& lanes,
+                   const TriageJob& job,
+                   TriageResult& result) {
+    const DI d;
+    const std::size_t n = hn::Lanes(d);
+    const std::size_t count = mesh.clusters().clusters[cluster].triangle_count;
+    const std::uint8_t* const index[3] = {
+        mesh.corners(cluster, 0), mesh.corners(cluster, 1), mesh.corners(cluster, 2)};
+    const auto left = hn::Set(d, lanes.x0);
+    const auto top = hn::Set(d, lanes.y0);
+    const auto to_centre = hn::Set(d, kSubpixels / 2 - 1);
+    const auto zero = hn::Zero(d);
+    auto largest = zero;
+    result.count = 0;
+    result.no_sample = 0;
+    result.outside = 0;
+    auto* triangle = reinterpret_cast<std::int32_t*>(result.triangle);
+    for (std::size_t at = 0; at < count; at += n) {
+        const Corners c = Gather(index, lanes.packed, at);
+        const auto area = Area(c);
+        const auto first = [&](VI low, VI origin) {
+            return hn::ShiftRight<kSubpixelBits>(hn::Add(hn::Add(low, origin), to_centre));
+        };
+        const auto least_x = hn::Min(hn::Min(c.x[0], c.x[1]), c.x[2]);
+        const auto least_y = hn::Min(hn::Min(c.y[0], c.y[1]), c.y[2]);
+        const auto most_x = hn::Max(hn::Max(c.x[0], c.x[1]), c.x[2]);
+        const auto most_y = hn::Max(hn::Max(c.y[0], c.y[1]), c.y[2]);
+        largest = hn::Max(largest, hn::Max(hn::Sub(most_x, least_x), hn::Sub(most_y, least_y)));
+        const auto left_px = first(least_x, left);
+        const auto top_px = first(least_y, top);
+        const auto right_px = first(most_x, left);
+        const auto bottom_px = first(most_y, top);
+        const auto x0 = hn::Max(left_px, hn::Set(d, job.picture.x0));
+        const auto y0 = hn::Max(top_px, hn::Set(d, job.picture.y0));
+        const auto x1 = hn::Min(right_px, hn::Set(d, job.picture.x1));
+        const auto y1 = hn::Min(bottom_px, hn::Set(d, job.picture.y1));
+
+        const auto is_real = hn::FirstN(d, count - at);
+        const auto has_box = hn::And(hn::Lt(left_px, right_px), hn::Lt(top_px, bottom_px));
+        const auto has_area = hn::And(hn::Ne(area, zero), has_box);
+        const auto in_picture = hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1));
+        auto keep = hn::And(is_real, hn::And(has_area, in_picture));
+        result.no_sample += hn::CountTrue(d, hn::AndNot(has_area, is_real));
+        result.outside += hn::CountTrue(d, hn::And(is_real, hn::AndNot(in_picture, has_area)));
+
+        const auto is_sure = hn::Gt(hn::Abs(area), AreaDoubt(c));
+        // Counter-clockwise in the world is counter-clockwise as seen: negative with y down.
+        if (job.drops_backs) keep = hn::AndNot(hn::And(is_sure, hn::Gt(area, zero)), keep);
+
+        const auto width = hn::Sub(right_px, left_px);
+        const auto height = hn::Sub(bottom_px, top_px);
+        const auto three = hn::Set(d, 3);
+        const auto is_tiny = hn::And(keep, hn::And(hn::Lt(width, three), hn::Lt(height, three)));
+        if (!hn::AllFalse(d, is_tiny)) {
+            const auto turned = hn::VecFromMask(d, hn::Lt(area, zero));
+            const auto x = hn::Sub(
+                hn::Add(hn::ShiftLeft<kSubpixelBits>(left_px), hn::Set(d, kSubpixels / 2)), left);
+            const auto y = hn::Sub(
+                hn::Add(hn::ShiftLeft<kSubpixelBits>(top_px), hn::Set(d, kSubpixels / 2)), top);
+            const auto step = hn::Set(d, kSubpixels);
+            const auto is_hit = hn::Or(hn::Or(IsInside(c, turned, x, y),
+                                              IsInside(c, turned, hn::Add(x, step), y)),
+                                       hn::Or(IsInside(c, turned, x, hn::Add(y, step)),
+                                              IsInside(c, turned, hn::Add(x, step), hn::Add(y, step))));
+            const auto is_missed = hn::AndNot(is_hit, is_tiny);
+            result.no_sample += hn::CountTrue(d, is_missed);
+            if (job.drops_no_sample) keep = hn::AndNot(is_missed, keep);
+        }
+        const std::size_t kept = hn::CountTrue(d, keep);
+        if (kept == 0) continue;
+        Append(hn::Iota(d, static_cast<std::int32_t>(at)), keep, triangle + result.count);
+        Append(x0, keep, result.x0 + result.count);
+        Append(y0, keep, result.y0 + result.count);
+        Append(x1, keep, result.x1 + result.count);
+        Append(y1, keep, result.y1 + result.count);
+        Append(hn::IfThenElseZero(is_sure, area), keep, result.area + result.count);
+        result.count += kept;
+    }
+    const std::int32_t extent = hn::GetLane(hn::MaxOfLanes(d, largest));
+    result.has_large = extent > kLaneExtent_px * kSubpixels;
+}
+
+}  // namespace ink::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ink::raster {
+
+HWY_EXPORT(ProjectCluster);
+HWY_EXPORT(TriageCluster);
+
+CornerBatch ClusterLanes::batch(const LaneMesh& mesh, std::size_t cluster) const {
+    CornerBatch result;
+    result.count = mesh.clusters().clusters[cluster].vertex_count;
+    result.w = w;
+    result.inv_w = inv_w;
+    for (int axis = 0; axis < 3 && mesh.has_normals(); ++axis)
+        result.n_world[axis] = mesh.normals(cluster, axis);
+    return result;
+}
+
+CornerPlanes ClusterLanes::planes(bool wants_back) {
+    CornerPlanes result;
+    for (std::size_t k = 0; k < kMaxPlanes; ++k) {
+        result.front[k] = values[0][k];
+        result.back[k] = wants_back ? values[1][k] : nullptr;
+    }
+    return result;
+}
+
+bool project_cluster(const LaneMesh& mesh,
+                     std::size_t cluster,
+                     const ViewTransform& transform,
+                     double near,
+                     ClusterLanes& lanes) {
+    return HWY_DYNAMIC_DISPATCH(ProjectCluster)(mesh, cluster, transform, near, lanes);
+}
+
+void triage_cluster(const LaneMesh& mesh,
+                    std::size_t cluster,
+                    const ClusterLanes& lanes,
+                    const TriageJob& job,
+                    TriageResult& result) {
+    HWY_DYNAMIC_DISPATCH(TriageCluster)(mesh, cluster, lanes, job, result);
+}
+
+}  // namespace ink::raster
+#endif  // HWY_ONCE

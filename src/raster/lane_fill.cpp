@@ -1,0 +1,194 @@
+#include "raster/lane_triangles.h"
+#include "raster/tile_buffer.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/lane_fill.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ink::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Eight pixels of a row: triangles that lanes set up are small, and eight lie in one cache line of
+// depth at an address that every other triangle uses too, so that stores are forwarded to loads.
+using DI = hn::CappedTag<std::int32_t, 8>;
+using VI = hn::Vec<DI>;
+using DF = hn::Rebind<float, DI>;
+using VF = hn::Vec<DF>;
+using MI = hn::Mask<DI>;
+
+/// Pixels of a vector, from its first.
+alignas(64) constexpr std::int32_t kRamp[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/// at + d * n modulo 2^32.
+HWY_INLINE std::int32_t Along(std::int32_t at, std::int32_t d, std::int32_t n) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(at) +
+                                     static_cast<std::uint32_t>(d) * static_cast<std::uint32_t>(n));
+}
+
+/// Nothing besides depth.
+class NoLanes {
+  public:
+    NoLanes(const LaneTriangles&, std::size_t, TileBuffer&) {}
+    HWY_INLINE void StartColumn(VI, VF, int) {}
+    HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
+};
+
+/// kCount codes with kFraction bits after the point.
+template <int kCount, int kFraction>
+class CodeLanes {
+  public:
+    CodeLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) : t_(t), i_(i) {
+        for (int k = 0; k < kCount; ++k)
+            plane_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
+    }
+    HWY_INLINE void StartColumn(VI from_ref, VF, int dy) {
+        const DI d;
+        for (int k = 0; k < kCount; ++k) {
+            const LaneTriangles::Codes& c = t_.codes[k];
+            at_[k] = hn::Add(hn::Set(d, Along(c.at_ref[i_], c.dy[i_], dy)),
+                             hn::Mul(hn::Set(d, c.dx[i_]), from_ref));
+            step_[k] = hn::Set(d, c.dy[i_]);
+            low_[k] = hn::Set(d, c.low[i_]);
+            high_[k] = hn::Set(d, c.high[i_]);
+        }
+    }
+    HWY_INLINE void Write(std::ptrdiff_t offset, VF, MI mask) {
+        const DI d;
+        for (int k = 0; k < kCount; ++k) {
+            const auto limited = hn::Min(hn::Max(at_[k], low_[k]), high_[k]);
+            const auto code = hn::ShiftRight<kFraction>(limited);
+            std::int32_t* to = plane_[k] + offset;
+            hn::StoreU(hn::IfThenElse(mask, code, hn::LoadU(d, to)), d, to);
+            at_[k] = hn::Add(at_[k], step_[k]);
+        }
+    }
+
+  private:
+    const LaneTriangles& t_;
+    std::size_t i_;
+    std::int32_t* plane_[kCount];
+    VI at_[kCount], step_[kCount], low_[kCount], high_[kCount];
+};
+
+/// Four floats.
+class NumberLanes {
+  public:
+    NumberLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+        const DF df;
+        for (int k = 0; k < kMaxPlanes; ++k) {
+            const LaneTriangles::Numbers& n = t.numbers[k];
+            plane_[k] = to.plane_row<float>(k, 0);
+            at_ref_[k] = hn::Set(df, n.at_ref[i]);
+            dx_[k] = hn::Set(df, n.dx[i]);
+            dy_[k] = hn::Set(df, n.dy[i]);
+            low_[k] = hn::Set(df, n.low[i]);
+            high_[k] = hn::Set(df, n.high[i]);
+        }
+    }
+    HWY_INLINE void StartColumn(VI, VF from_ref, int) {
+        for (int k = 0; k < kMaxPlanes; ++k)
+            ramp_[k] = hn::Mul(dx_[k], from_ref);
+    }
+    HWY_INLINE void Write(std::ptrdiff_t offset, VF rows_from_ref, MI mask) {
+        const DF df;
+        const auto kept = hn::RebindMask(df, mask);
+        for (int k = 0; k < kMaxPlanes; ++k) {
+            const auto row = hn::Add(at_ref_[k], hn::Mul(dy_[k], rows_from_ref));
+            const auto v = hn::Min(hn::Max(hn::Add(row, ramp_[k]), low_[k]), high_[k]);
+            float* to = plane_[k] + offset;
+            hn::StoreU(hn::IfThenElse(kept, v, hn::LoadU(df, to)), df, to);
+        }
+    }
+
+  private:
+    float* plane_[kMaxPlanes];
+    VF at_ref_[kMaxPlanes], dx_[kMaxPlanes], dy_[kMaxPlanes];
+    VF low_[kMaxPlanes], high_[kMaxPlanes], ramp_[kMaxPlanes];
+};
+
+template <class Values>
+HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+    const DI d;
+    const DF df;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const int y0 = t.y0[i];
+    const int rows = t.y1[i] - y0;
+    const int dy = y0 - t.ref_y[i];
+    const auto q_ref = hn::Set(df, t.q.at_ref[i]);
+    const auto q_dy = hn::Set(df, t.q.dy[i]);
+    const auto one = hn::Set(df, 1);
+    const auto q_low = hn::Set(df, t.q.low[i]);
+    const auto q_high = hn::Set(df, t.q.high[i]);
+    const auto step0 = hn::Set(d, t.edge_dy[0][i]);
+    const auto step1 = hn::Set(d, t.edge_dy[1][i]);
+    const auto step2 = hn::Set(d, t.edge_dy[2][i]);
+    const auto minus_one = hn::Set(d, -1);
+    float* const depth = to.depth_row<float>(0);
+    Values values(t, i, to);
+    for (int x = t.x0[i] & -lanes; x < t.x1[i]; x += lanes) {
+        const auto from_ref = hn::Add(hn::Load(d, kRamp), hn::Set(d, x - t.ref_x[i]));
+        const auto from_ref_f = hn::ConvertTo(df, from_ref);
+        const auto start = [&](int k) {
+            return hn::Add(hn::Set(d, Along(t.edge_at_ref[k][i], t.edge_dy[k][i], dy)),
+                           hn::Mul(hn::Set(d, t.edge_dx[k][i]), from_ref));
+        };
+        auto e0 = start(0);
+        auto e1 = start(1);
+        auto e2 = start(2);
+        const auto q_ramp = hn::Mul(hn::Set(df, t.q.dx[i]), from_ref_f);
+        values.StartColumn(from_ref, from_ref_f, dy);
+        auto row_from_ref = hn::Set(df, static_cast<float>(dy));  // whole numbers: no rounding
+        std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y0) * kTileStride + x;
+        for (int row = 0; row < rows; ++row, offset += kTileStride) {
+            const auto q_row = hn::Add(q_ref, hn::Mul(q_dy, row_from_ref));
+            const auto q = hn::Min(hn::Max(hn::Add(q_row, q_ramp), q_low), q_high);
+            const auto is_inside = hn::Gt(hn::Or(hn::Or(e0, e1), e2), minus_one);
+            const auto seen = hn::IfThenElseZero(hn::RebindMask(df, is_inside), q);
+            const auto old = hn::LoadU(df, depth + offset);
+            hn::StoreU(hn::Max(seen, old), df, depth + offset);
+            values.Write(offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
+            e0 = hn::Add(e0, step0);
+            e1 = hn::Add(e1, step1);
+            e2 = hn::Add(e2, step2);
+            row_from_ref = hn::Add(row_from_ref, one);
+        }
+    }
+}
+
+template <class Values>
+void Fill(const LaneTriangles& triangles, TileBuffer& to) {
+    for (std::size_t i = 0; i < triangles.count; ++i)
+        FillTriangle<Values>(triangles, i, to);
+}
+
+void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    switch (format.store) {
+        case Store::u8:
+            return format.interpolants == 1
+                       ? Fill<CodeLanes<1, 16>>(triangles, to)
+                       : Fill<CodeLanes<2, 16>>(triangles, to);
+        case Store::u16:
+            return Fill<CodeLanes<1, 14>>(triangles, to);
+        case Store::f32:
+            return Fill<NumberLanes>(triangles, to);
+        default:
+            return Fill<NoLanes>(triangles, to);
+    }
+}
+
+}  // namespace ink::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ink::raster {
+
+HWY_EXPORT(FillLanes);
+
+void fill_lanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    HWY_DYNAMIC_DISPATCH(FillLanes)(format, triangles, to);
+}
+
+}  // namespace ink::raster
+#endif  // HWY_ONCE

@@ -1,0 +1,358 @@
+#include <cstring>
+#include <limits>
+
+#include "raster/lane_triangles.h"
+#include "raster/screen_vertex.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/lane_setup.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ink::raster::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DI = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<DI>;
+using DF = hn::Rebind<float, DI>;
+using VF = hn::Vec<DF>;
+
+/// One corner of a vector of triangles.
+struct Corner {
+    VI x;  ///< 1/65536 px
+    VI y;
+    VF q;
+    VF value;
+    VI x_snapped;  ///< 1/256 px
+    VI y_snapped;
+};
+
+HWY_INLINE Corner LoadCorner(const std::int32_t* records) {
+    const DI d;
+    const DF df;
+    Corner c;
+    VI q, value;
+    hn::LoadInterleaved4(d, records, c.x, c.y, q, value);
+    c.q = hn::BitCast(df, q);
+    c.value = hn::BitCast(df, value);
+    const auto half = hn::Set(d, 1 << (kLaneBits - kSubpixelBits - 1));
+    c.x_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.x, half));
+    c.y_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.y, half));
+    return c;
+}
+
+/// What all planes of a vector of triangles share: px from corner 0, unsnapped.
+struct PlaneLanes {
+    VF x1, y1, x2, y2;
+    VF ref_x, ref_y;
+    VF one_over_area;  ///< 0: no area
+
+    struct Plane {
+        VF at_ref, dx, dy;
+    };
+    HWY_INLINE Plane Through(VF v0, VF v1, VF v2) const {
+        const auto d1 = hn::Sub(v1, v0);
+        const auto d2 = hn::Sub(v2, v0);
+        Plane p;
+        p.dx = hn::Mul(hn::Sub(hn::Mul(d1, y2), hn::Mul(d2, y1)), one_over_area);
+        p.dy = hn::Mul(hn::Sub(hn::Mul(d2, x1), hn::Mul(d1, x2)), one_over_area);
+        p.at_ref = hn::Add(hn::Add(v0, hn::Mul(p.dx, ref_x)), hn::Mul(p.dy, ref_y));
+        return p;
+    }
+};
+
+HWY_INLINE VF ToPx(VI fixed) {
+    const DF df;
+    return hn::Mul(hn::ConvertTo(df, fixed), hn::Set(df, 1.0F / (1 << kLaneBits)));
+}
+
+HWY_INLINE PlaneLanes MakePlanes(const Corner (&c)[3], VI ref_x, VI ref_y) {
+    const DI d;
+    const DF df;
+    PlaneLanes p;
+    p.x1 = ToPx(hn::Sub(c[1].x, c[0].x));
+    p.y1 = ToPx(hn::Sub(c[1].y, c[0].y));
+    p.x2 = ToPx(hn::Sub(c[2].x, c[0].x));
+    p.y2 = ToPx(hn::Sub(c[2].y, c[0].y));
+    const auto half = hn::Set(d, 1 << (kLaneBits - 1));
+    p.ref_x = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_x), half), c[0].x));
+    p.ref_y = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_y), half), c[0].y));
+    const auto area = hn::Sub(hn::Mul(p.x1, p.y2), hn::Mul(p.x2, p.y1));
+    const auto zero = hn::Zero(df);
+    const auto has_none = hn::Eq(area, zero);
+    const auto one = hn::Set(df, 1);
+    p.one_over_area =
+        hn::IfThenElse(has_none, zero, hn::Div(one, hn::IfThenElse(has_none, one, area)));
+    return p;
+}
+
+/// The 9 numbers of three edges; returns where the triangle is thin.
+HWY_INLINE hn::Mask<DI> SetUpEdges(const Corner (&c)[3],
+                                   VI ref_x,
+                                   VI ref_y,
+                                   std::size_t at,
+                                   LaneTriangles& out) {
+    const DI d;
+    const DF df;
+    const auto zero = hn::Zero(d);
+    const auto area = hn::Sub(hn::Mul(hn::Sub(c[1].x_snapped, c[0].x_snapped),
+                                      hn::Sub(c[2].y_snapped, c[0].y_snapped)),
+                              hn::Mul(hn::Sub(c[2].x_snapped, c[0].x_snapped),
+                                      hn::Sub(c[1].y_snapped, c[0].y_snapped)));
+    // -1 where the corners run the other way: (v ^ -1) - -1 = -v turns the edges.
+    const auto turned = hn::VecFromMask(d, hn::Lt(area, zero));
+    const auto centre = hn::Set(d, kSubpixels / 2);
+    const auto x = hn::Add(hn::ShiftLeft<kSubpixelBits>(ref_x), centre);
+    const auto y = hn::Add(hn::ShiftLeft<kSubpixelBits>(ref_y), centre);
+    auto longest2 = hn::Zero(df);
+    for (int k = 0; k < 3; ++k) {
+        const Corner& from = c[k];
+        const Corner& to = c[(k + 1) % 3];
+        auto dx = hn::Sub(to.x_snapped, from.x_snapped);
+        auto dy = hn::Sub(to.y_snapped, from.y_snapped);
+        const auto fx = hn::ConvertTo(df, dx);
+        const auto fy = hn::ConvertTo(df, dy);
+        longest2 = hn::Max(longest2, hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)));
+        dx = hn::Sub(hn::Xor(dx, turned), turned);
+        dy = hn::Sub(hn::Xor(dy, turned), turned);
+        const auto is_top_left =
+            hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
+        const auto value = hn::Sub(hn::Mul(dx, hn::Sub(y, from.y_snapped)),
+                                   hn::Mul(dy, hn::Sub(x, from.x_snapped)));
+        const auto biased = hn::Sub(value, hn::IfThenElseZero(hn::Not(is_top_left), hn::Set(d, 1)));
+        // Steps are whole multiples of 256, so the low bits never change a sign.
+        hn::Store(hn::ShiftRight<kSubpixelBits>(biased), d, out.edge_at_ref[k] + at);
+        hn::Store(hn::Neg(dy), d, out.edge_dx[k] + at);
+        hn::Store(dx, d, out.edge_dy[k] + at);
+    }
+    // As is_thin of setup.cpp, in float: a height below 1.25 px.
+    constexpr float kLimit = 1.25F * kSubpixels;
+    const auto a = hn::ConvertTo(df, area);
+    const auto is_thin =
+        hn::Lt(hn::Mul(a, a), hn::Mul(hn::Set(df, kLimit * kLimit), longest2));
+    return hn::RebindMask(d, is_thin);
+}
+
+HWY_INLINE void SetUpBox(const Corner (&c)[3],
+                         const PixelRect& drawn,
+                         std::size_t at,
+                         LaneTriangles& out) {
+    const DI d;
+    const auto to_centre = hn::Set(d, kSubpixels / 2 - 1);
+    const auto first = [&](VI v) { return hn::ShiftRight<kSubpixelBits>(hn::Add(v, to_centre)); };
+    const auto low = [](VI a, VI b, VI e) { return hn::Min(hn::Min(a, b), e); };
+    const auto high = [](VI a, VI b, VI e) { return hn::Max(hn::Max(a, b), e); };
+    const auto x0 = first(low(c[0].x_snapped, c[1].x_snapped, c[2].x_snapped));
+    const auto x1 = first(high(c[0].x_snapped, c[1].x_snapped, c[2].x_snapped));
+    const auto y0 = first(low(c[0].y_snapped, c[1].y_snapped, c[2].y_snapped));
+    const auto y1 = first(high(c[0].y_snapped, c[1].y_snapped, c[2].y_snapped));
+    hn::Store(hn::Max(x0, hn::Set(d, drawn.x0)), d, out.x0 + at);
+    hn::Store(hn::Max(y0, hn::Set(d, drawn.y0)), d, out.y0 + at);
+    hn::Store(hn::Min(x1, hn::Set(d, drawn.x1)), d, out.x1 + at);
+    hn::Store(hn::Min(y1, hn::Set(d, drawn.y1)), d, out.y1 + at);
+}
+
+/// A float plane, limited to its corners where `limit` says so.
+HWY_INLINE void StoreNumbers(const PlaneLanes& planes,
+                             VF v0,
+                             VF v1,
+                             VF v2,
+                             hn::Mask<DF> limit,
+                             std::size_t at,
+                             LaneTriangles::Numbers& out) {
+    const DF df;
+    const auto p = planes.Through(v0, v1, v2);
+    const auto most = hn::Set(df, std::numeric_limits<float>::max());
+    hn::Store(p.at_ref, df, out.at_ref + at);
+    hn::Store(p.dx, df, out.dx + at);
+    hn::Store(p.dy, df, out.dy + at);
+    hn::Store(hn::IfThenElse(limit, hn::Min(hn::Min(v0, v1), v2), hn::Neg(most)), df, out.low + at);
+    hn::Store(hn::IfThenElse(limit, hn::Max(hn::Max(v0, v1), v2), most), df, out.high + at);
+}
+
+/// How a code's numbers are made fixed.
+struct CodeScale {
+    float scale;        ///< 2^fraction bits
+    std::int32_t low;   ///< of a code anywhere: the store's range if it saturates
+    std::int32_t high;
+};
+
+HWY_INLINE void StoreCodes(const PlaneLanes& planes,
+                           VF v0,
+                           VF v1,
+                           VF v2,
+                           hn::Mask<DI> is_thin,
+                           const CodeScale& scale,
+                           std::size_t at,
+                           LaneTriangles::Codes& out) {
+    const DI d;
+    const DF df;
+    const auto p = planes.Through(v0, v1, v2);
+    const auto limit = hn::Set(df, 0x1p30F);
+    const auto fixed = [&](VF v) {
+        const auto scaled = hn::Mul(v, hn::Set(df, scale.scale));
+        return hn::NearestInt(hn::Min(hn::Max(scaled, hn::Neg(limit)), limit));
+    };
+    hn::Store(fixed(p.at_ref), d, out.at_ref + at);
+    hn::Store(fixed(p.dx), d, out.dx + at);
+    hn::Store(fixed(p.dy), d, out.dy + at);
+    const auto low = hn::Set(d, scale.low);
+    const auto high = hn::Set(d, scale.high);
+    const auto least = fixed(hn::Floor(hn::Min(hn::Min(v0, v1), v2)));
+    const auto greatest = fixed(hn::Floor(hn::Max(hn::Max(v0, v1), v2)));
+    const auto within = [&](VI v) { return hn::Min(hn::Max(v, low), high); };
+    hn::Store(hn::IfThenElse(is_thin, within(least), low), d, out.low + at);
+    hn::Store(hn::IfThenElse(is_thin, within(greatest), high), d, out.high + at);
+}
+
+CodeScale ScaleOf(const PassFormat& format) {
+    const int bits = lane_fraction_bits(format.store);
+    CodeScale scale{};
+    scale.scale = static_cast<float>(1 << bits);
+    scale.low = std::numeric_limits<std::int32_t>::min();
+    scale.high = std::numeric_limits<std::int32_t>::max();
+    if (format.overflow == Overflow::saturate) {
+        const std::int64_t codes = format.store == Store::u16 ? 1 << 16 : 1 << 8;
+        scale.low = 0;
+        scale.high = static_cast<std::int32_t>((codes << bits) - 1);
+    }
+    return scale;
+}
+
+/// Copies the corners' records together.
+template <bool kHasMore>
+void Collect(const LaneSource& source,
+             std::span<const std::uint32_t> entries,
+             LaneTriangles& out) {
+    const hn::CappedTag<std::int32_t, kRecordWords> d4;
+    std::uint32_t last = ~0U;
+    const std::uint8_t* corners[3] = {};
+    std::size_t first[2] = {};
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::uint32_t entry = entries[i];
+        if (entry >> 8 != last) {  // neighbours in a list mostly come from one cluster
+            last = entry >> 8;
+            const LaneSlot& slot = source.slots[last];
+            for (int k = 0; k < 3; ++k)
+                corners[k] = source.mesh->corners(slot.cluster, k);
+            first[0] = slot.front;
+            first[1] = slot.back;
+        }
+        const std::size_t base = first[(entry >> 7) & 1];
+        const std::size_t triangle = entry & 0x7fU;
+        for (int k = 0; k < 3; ++k) {
+            const std::size_t record = kRecordWords * (base + corners[k][triangle]);
+            for (std::size_t w = 0; w < kRecordWords; w += hn::Lanes(d4)) {
+                hn::StoreU(hn::LoadU(d4, source.records + record + w), d4, out.corners[k][i] + w);
+                if (kHasMore)
+                    hn::StoreU(hn::LoadU(d4, source.more + record + w), d4, out.more[k][i] + w);
+            }
+        }
+    }
+}
+
+void SetUpLanes(const PassFormat& format,
+                const LaneSource& source,
+                std::span<const std::uint32_t> entries,
+                const PixelRect& drawn,
+                LaneTriangles& out) {
+    const DI d;
+    const DF df;
+    source.more != nullptr ? Collect<true>(source, entries, out)
+                           : Collect<false>(source, entries, out);
+    out.count = entries.size();
+    const CodeScale scale = ScaleOf(format);
+    for (std::size_t at = 0; at < out.count; at += hn::Lanes(d)) {
+        Corner c[3];
+        for (int k = 0; k < 3; ++k)
+            c[k] = LoadCorner(out.corners[k][at]);
+        const auto ref_x = hn::ShiftRight<kSubpixelBits>(c[0].x_snapped);
+        const auto ref_y = hn::ShiftRight<kSubpixelBits>(c[0].y_snapped);
+        hn::Store(ref_x, d, out.ref_x + at);
+        hn::Store(ref_y, d, out.ref_y + at);
+        SetUpBox(c, drawn, at, out);
+        const auto is_thin = SetUpEdges(c, ref_x, ref_y, at, out);
+        const PlaneLanes planes = MakePlanes(c, ref_x, ref_y);
+        const auto always = hn::Eq(hn::Zero(df), hn::Zero(df));
+        StoreNumbers(planes, c[0].q, c[1].q, c[2].q, always, at, out.q);
+        if (format.interpolants == 0) continue;
+        if (format.store == Store::f32) {
+            StoreNumbers(planes,
+                         c[0].value,
+                         c[1].value,
+                         c[2].value,
+                         hn::RebindMask(df, is_thin),
+                         at,
+                         out.numbers[0]);
+        } else {
+            StoreCodes(
+                planes, c[0].value, c[1].value, c[2].value, is_thin, scale, at, out.codes[0]);
+        }
+        if (format.interpolants == 1) continue;
+        VF more[3][4];
+        for (int k = 0; k < 3; ++k) {
+            VI v[4];
+            hn::LoadInterleaved4(d, out.more[k][at], v[0], v[1], v[2], v[3]);
+            for (int i = 0; i < 3; ++i)
+                more[k][i] = hn::BitCast(df, v[i]);
+        }
+        for (int i = 1; i < format.interpolants; ++i) {
+            const VF v0 = more[0][i - 1], v1 = more[1][i - 1], v2 = more[2][i - 1];
+            if (format.store == Store::f32) {
+                StoreNumbers(planes, v0, v1, v2, hn::RebindMask(df, is_thin), at, out.numbers[i]);
+            } else {
+                StoreCodes(planes, v0, v1, v2, is_thin, scale, at, out.codes[i]);
+            }
+        }
+    }
+}
+
+}  // namespace ink::raster::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ink::raster {
+
+HWY_EXPORT(SetUpLanes);
+
+bool lanes_can_draw(const PassFormat& format) {
+    if (format.depth != DepthFormat::q32 || format.interpolation != Interpolation::affine ||
+        format.constant)
+        return false;
+    switch (format.store) {
+        case Store::none:
+            return format.interpolants == 0;
+        case Store::u8:
+            return format.interpolants == 1 || format.interpolants == 2;
+        case Store::u16:
+            return format.interpolants == 1;
+        case Store::f32:
+            return format.interpolants == 4;
+        case Store::u32:
+            break;
+    }
+    return false;
+}
+
+bool lanes_can_hold(const PassFormat& format, float least, float greatest) {
+    switch (format.store) {
+        case Store::u8:
+            return least >= -4000 && greatest <= 8000;
+        case Store::u16:
+            return least >= -1 && greatest <= 66000;
+        default:
+            return least >= -0x1p20F && greatest <= 0x1p20F;
+    }
+}
+
+void set_up_lanes(const PassFormat& format,
+                  const LaneSource& source,
+                  std::span<const std::uint32_t> entries,
+                  const PixelRect& drawn,
+                  LaneTriangles& out) {
+    HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, out);
+}
+
+}  // namespace ink::raster
+#endif  // HWY_ONCE

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "raster/lane_mesh.h"
+#include "raster/pass.h"
+#include "raster/setup.h"
+
+namespace ink::raster {
+
+class TileBuffer;
+
+/// A drawn cluster's vertices in the frame's list of records.
+struct LaneSlot {
+    std::uint32_t cluster = 0;
+    std::uint32_t front = 0;  ///< first record
+    std::uint32_t back = 0;   ///< the same vertices as triangles seen from their back have them
+};
+
+/// A triangle in a tile's list, one number: either lanes' (slot, side, triangle of the cluster) or,
+/// with kWholeTriangle set, the index of one that was set up by itself.
+inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
+[[nodiscard]] constexpr std::uint32_t lane_entry(std::size_t slot, bool is_back, std::uint32_t t) {
+    return static_cast<std::uint32_t>(slot << 8) | (is_back ? 0x80U : 0U) | t;
+}
+
+/// Words of a record: x, y in 1/65536 px, q and the first value as floats. Passes of more than one
+/// value have a second list of records with values 1, 2, 3.
+inline constexpr std::size_t kRecordWords = 4;
+
+/// Where lanes find a list's triangles; borrowed.
+struct LaneSource {
+    const LaneMesh* mesh = nullptr;
+    const LaneSlot* slots = nullptr;
+    const std::int32_t* records = nullptr;
+    const std::int32_t* more = nullptr;  ///< the second list; null for one value or none
+};
+
+/// Whether lanes can draw a format: affine, tested by q32, and of a store that is used.
+[[nodiscard]] bool lanes_can_draw(const PassFormat& format);
+
+/// Bits after the point of a code in 32-bit lanes: as many as leave room for what a corner may
+/// reach beyond the store's range.
+[[nodiscard]] constexpr int lane_fraction_bits(Store store) {
+    return store == Store::u16 ? 14 : 16;
+}
+
+/// Values of a cluster's vertices that lanes can take: beyond these, 32 bits might overflow.
+[[nodiscard]] bool lanes_can_hold(const PassFormat& format, float least, float greatest);
+
+/// Some triangles set up for one tile, one array per number.
+///
+/// Everything is relative to a pixel beside the triangle, its reference: at(x, y) = at_ref + dx (x -
+/// ref_x) + dy (y - ref_y). Edges are in 1/256 px squared over 256, exact: a centre is inside where
+/// none is negative.
+struct LaneTriangles {
+    static constexpr std::size_t kCount = 64;
+    using Ints = std::int32_t[kCount];
+    using Floats = float[kCount];
+
+    struct Codes {
+        alignas(64) Ints at_ref, dx, dy, low, high;
+    };
+    struct Numbers {
+        alignas(64) Floats at_ref, dx, dy, low, high;
+    };
+
+    std::size_t count = 0;
+    alignas(64) Ints x0, y0, x1, y1;  ///< what of its box is drawn in this tile
+    alignas(64) Ints ref_x, ref_y;
+    alignas(64) Ints edge_at_ref[3], edge_dx[3], edge_dy[3];
+    Numbers q;
+    Codes codes[2];                ///< integer stores
+    Numbers numbers[kMaxPlanes];  ///< f32
+    alignas(64) std::int32_t corners[3][kCount][kRecordWords];  ///< as they come, not yet in lanes
+    alignas(64) std::int32_t more[3][kCount][kRecordWords];
+};
+
+/// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels
+/// `drawn`.
+void set_up_lanes(const PassFormat& format,
+                  const LaneSource& source,
+                  std::span<const std::uint32_t> entries,
+                  const PixelRect& drawn,
+                  LaneTriangles& out);
+
+/// Draws them in order into a tile.
+void fill_lanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to);
+
+}  // namespace ink::raster

@@ -1,0 +1,195 @@
+#include "raster/mesh_pass.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "raster/mesh_stage.h"
+#include "raster/tile_buffer.h"
+#include "raster/tile_fill.h"
+
+namespace ink::raster {
+namespace {
+
+SkipCount& count_of(SkipCounts& counts, Skip skip) {
+    return counts[static_cast<std::size_t>(skip)];
+}
+
+void add(SkipCounts& to, const SkipCounts& from) {
+    for (std::size_t i = 0; i < kSkipCount; ++i) {
+        to[i].skipped += from[i].skipped;
+        to[i].of += from[i].of;
+    }
+}
+
+}  // namespace
+
+/// What is kept from frame to frame.
+struct MeshPass::Scratch {
+    std::vector<MeshRun> runs;
+    std::vector<std::uint64_t> objects;  ///< per tile, of the last frame
+};
+
+namespace {
+
+/// What one thread needs to fill tiles.
+class MeshTileWorker {
+  public:
+    MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& runs)
+        : job_(job),
+          runs_(runs),
+          fill_(fill_function(job.format)),
+          near_far_(make_input(job)),
+          buffer_(job.format, near_far_, job.grid) {}
+
+    void draw(int tile, TileSink& sink) {
+        const bool is_empty = std::all_of(
+            runs_.begin(), runs_.end(), [&](const MeshRun& run) { return run.of(tile).empty(); });
+        SkipCount& empty = count_of(skips_, Skip::empty_tiles);
+        ++empty.of;
+        const bool skips_empty = job_.input.skips.has(Skip::empty_tiles);
+        if (!skips_empty) buffer_.touch();
+        buffer_.start(tile);
+        if (is_empty && skips_empty) {
+            ++empty.skipped;
+            sink.finish(buffer_.view(true));
+            return;
+        }
+        buffer_.touch();
+        for (const MeshRun& run : runs_)
+            draw_list(run, run.of(tile));
+        buffer_.finish();
+        buffer_.extend_frame();
+        sink.finish(buffer_.view(false));
+    }
+
+    [[nodiscard]] const SkipCounts& skips() const { return skips_; }
+
+  private:
+    static PassInput make_input(const MeshJob& job) {
+        PassInput input;
+        input.near = job.input.view.camera.near;
+        input.far = job.input.view.camera.far;
+        input.sky_f32 = job.input.sky_f32;
+        input.sky_code = job.input.sky_code;
+        return input;
+    }
+
+    /// Triangles in order: stretches for lanes, and whole ones by themselves.
+    void draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
+        const LaneSource source = run.source(*job_.input.mesh);
+        const std::vector<Batch>* const whole = run.whole_batches();
+        while (!list.empty()) {
+            std::size_t count = 0;
+            if ((list[0] & kWholeTriangle) != 0) {
+                whole_entries_.clear();
+                while (count < list.size() && (list[count] & kWholeTriangle) != 0)
+                    whole_entries_.push_back({0, list[count++] & ~kWholeTriangle});
+                fill_({job_.format, near_far_, *whole}, whole_entries_, buffer_);
+            } else {
+                const std::size_t most = std::min(list.size(), LaneTriangles::kCount);
+                while (count < most && (list[count] & kWholeTriangle) == 0)
+                    ++count;
+                set_up_lanes(
+                    job_.format, source, list.first(count), buffer_.drawn(), triangles_);
+                fill_lanes(job_.format, triangles_, buffer_);
+            }
+            list = list.subspan(count);
+        }
+    }
+
+    const MeshJob& job_;
+    const std::vector<MeshRun>& runs_;
+    FillTile fill_;
+    PassInput near_far_;
+    TileBuffer buffer_;
+    LaneTriangles triangles_;
+    std::vector<BinEntry> whole_entries_;
+    SkipCounts skips_{};
+};
+
+/// Runs of clusters: one on one thread, more on more, so that a slow one does not hold up all.
+std::size_t run_count(std::size_t clusters, int threads) {
+    constexpr std::size_t kRunsPerThread = 4;
+    if (threads == 1) return 1;
+    return std::clamp<std::size_t>(
+        kRunsPerThread * static_cast<std::size_t>(threads), 1, std::max<std::size_t>(clusters, 1));
+}
+
+/// Marks the tiles that nothing which moved touches, now or in the last frame.
+void find_still_tiles(const MeshInput& input,
+                      const std::vector<MeshRun>& runs,
+                      std::vector<std::uint64_t>& last,
+                      std::vector<std::uint8_t>& still) {
+    const bool has_last = last.size() == still.size();
+    last.resize(still.size(), ~std::uint64_t{0});
+    for (std::size_t tile = 0; tile < still.size(); ++tile) {
+        std::uint64_t now = 0;
+        for (const MeshRun& run : runs)
+            now |= run.objects(static_cast<int>(tile));
+        still[tile] = has_last && ((now | last[tile]) & input.moved_objects) == 0 ? 1 : 0;
+        last[tile] = now;
+    }
+}
+
+}  // namespace
+
+MeshPass::MeshPass() : scratch_(std::make_unique<Scratch>()) {}
+MeshPass::~MeshPass() = default;
+MeshPass::MeshPass(MeshPass&&) noexcept = default;
+MeshPass& MeshPass::operator=(MeshPass&&) noexcept = default;
+
+MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, TileSink& sink) {
+    MeshResult result;
+    const scene::View& view = input.view;
+    assert(view.width_px >= 0 && view.height_px >= 0);
+    assert(view.camera.near > 0 && std::isfinite(view.camera.near));
+    assert(format.halo_px >= 0 && format.halo_px <= kMaxHalo_px);
+    assert(format.interpolants == 0 || input.values != nullptr);
+    if (view.width_px == 0 || view.height_px == 0) return result;
+
+    const TileGrid grid{view.width_px, view.height_px, format.halo_px};
+    const MeshJob job{
+        format, input, grid, ViewTransform(view), view_solids(input), lanes_can_draw(format)};
+    const std::size_t clusters = input.mesh->clusters().clusters.size();
+    std::vector<MeshRun>& runs = scratch_->runs;
+    runs.resize(run_count(clusters, input.threads));
+    core::parallel_for(runs.size(), input.threads, [&](std::size_t i) {
+        runs[i].process(job, i * clusters / runs.size(), (i + 1) * clusters / runs.size());
+    });
+    for (const MeshRun& run : runs)
+        add(result.skips, run.skips());
+
+    const auto tiles = static_cast<std::size_t>(grid.count());
+    if (input.may_keep_still) {
+        result.still.assign(tiles, 0);
+        find_still_tiles(input, runs, scratch_->objects, result.still);
+        SkipCount& count = count_of(result.skips, Skip::still_tiles);
+        count.of = tiles;
+        count.skipped =
+            static_cast<std::uint64_t>(std::count(result.still.begin(), result.still.end(), 1));
+    } else {
+        scratch_->objects.clear();
+    }
+
+    std::atomic<int> next_tile = 0;
+    std::vector<SkipCounts> shares(
+        static_cast<std::size_t>(std::clamp(input.threads, 1, grid.count())));
+    core::parallel_for(shares.size(), input.threads, [&](std::size_t i) {
+        MeshTileWorker worker(job, runs);
+        for (int tile = next_tile++; tile < grid.count(); tile = next_tile++) {
+            if (!result.still.empty() && result.still[static_cast<std::size_t>(tile)] != 0)
+                continue;
+            worker.draw(tile, sink);
+        }
+        shares[i] = worker.skips();
+    });
+    for (const SkipCounts& share : shares)
+        add(result.skips, share);
+    return result;
+}
+
+}  // namespace ink::raster

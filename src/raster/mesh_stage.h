@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/bin.h"
+#include "raster/cluster_stage.h"
+#include "raster/lane_triangles.h"
+#include "raster/mesh_pass.h"
+#include "raster/tile_lists.h"
+#include "raster/triangle_stage.h"
+#include "raster/vertex_cut.h"
+#include "raster/view_transform.h"
+
+namespace ink::raster {
+
+/// What a frame decides about each solid before any of its clusters is looked at.
+struct SolidView {
+    bool hides_backs = false;  ///< sealed, and seen from outside: a face turned away is never seen
+};
+
+/// What all runs of clusters share in one frame; borrowed.
+struct MeshJob {
+    const PassFormat& format;
+    const MeshInput& input;
+    const TileGrid& grid;
+    ViewTransform transform;
+    std::vector<SolidView> solids;
+    bool uses_lanes = false;
+};
+
+/// Looks at every solid once.
+[[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
+
+/// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
+/// themselves, and per tile a list of both in the order of the clusters. Kept between frames, so
+/// that no frame allocates what an earlier one had.
+class MeshRun {
+  public:
+    /// Does clusters [first, last).
+    void process(const MeshJob& job, std::size_t first, std::size_t last);
+
+    [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
+        const EntryList& list = lists_[static_cast<std::size_t>(tile)];
+        return {list.data(), list.size()};
+    }
+    [[nodiscard]] LaneSource source(const LaneMesh& mesh) const;
+    /// The triangles set up by themselves: one batch.
+    [[nodiscard]] const std::vector<Batch>* whole_batches() const { return &whole_batches_; }
+    [[nodiscard]] const SkipCounts& skips() const { return skips_; }
+    /// Objects that touch a tile, one bit each (object modulo 64).
+    [[nodiscard]] std::uint64_t objects(int tile) const {
+        return objects_[static_cast<std::size_t>(tile)];
+    }
+
+  private:
+    [[nodiscard]] Batch& whole() { return whole_batches_.front(); }
+    void start(const MeshJob& job);
+    void add_cluster(const MeshJob& job, std::size_t cluster);
+    [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
+    void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
+    [[nodiscard]] bool settle_sides(const MeshJob& job, std::size_t cluster, bool hides_backs);
+    std::uint32_t store_records(std::size_t count, int side, int values, bool is_silent);
+    void compute_whole_values(const MeshJob& job);
+    void silence_backs(const PassInput& input, std::size_t from);
+    void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
+    void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
+
+    ClusterLanes lanes_;
+    TriageResult triage_;
+    std::vector<LaneSlot> slots_;
+    AlignedArray<std::int32_t> records_;
+    AlignedArray<std::int32_t> more_;
+    std::size_t record_count_ = 0;
+    std::vector<Batch> whole_batches_ = std::vector<Batch>(1);
+    std::vector<EntryList> lists_;
+    std::vector<std::uint64_t> objects_;
+    SkipCounts skips_{};
+    CutVertices cut_vertices_;
+    CutTriangles cut_triangles_;
+    std::vector<scene::Triangle> corners_;
+    std::vector<std::int8_t> facing_;
+    std::vector<double> whole_w_;      ///< w, then 1/w
+    std::vector<float> whole_n_;       ///< x, y, z
+    std::vector<float> whole_planes_;  ///< front planes, then back ones
+    std::vector<float> values_[2];     ///< front, back; vertex by vertex
+};
+
+}  // namespace ink::raster

@@ -1,0 +1,210 @@
+#include "scene/face_graph.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/hash.h"
+#include "scene/predicates.h"
+
+namespace ink::scene {
+namespace {
+
+constexpr std::uint32_t kFree = 0xffffffffU;
+
+/// Numbers the places of each object in the order in which the triangles meet them.
+///
+/// A corner may serve two objects that touch; it is then at a place of either.
+class Places {
+  public:
+    explicit Places(const Surface& surface)
+        : surface_(surface),
+          last_object_(surface.p_world.size(), kFree),
+          last_place_(surface.p_world.size()) {
+        std::size_t lookups = 0;
+        for_each_new([&](std::uint32_t, std::uint32_t) {
+            ++lookups;
+            return 0U;
+        });
+        last_object_.assign(last_object_.size(), kFree);
+        slots_.assign(std::bit_ceil(lookups * 2 + 1), kFree);
+    }
+
+    /// Fills `graph.places` and `graph.corner_at`.
+    void number(FaceGraph& graph) {
+        graph.places.reserve(surface_.triangles.size() * 3);
+        std::vector<std::uint32_t> object_at;
+        const auto insert = [&](std::uint32_t corner, std::uint32_t object) {
+            const glm::dvec3 p = surface_.p_world[corner] + 0.0;  // -0 and 0 must hash alike
+            const std::size_t mask = slots_.size() - 1;
+            std::size_t slot = (core::Hasher().value(p).result() + object * 0x9e3779b9U) & mask;
+            for (; slots_[slot] != kFree; slot = (slot + 1) & mask) {
+                const std::uint32_t place = slots_[slot];
+                if (object_at[place] == object && surface_.p_world[graph.corner_at[place]] == p)
+                    return place;
+            }
+            slots_[slot] = static_cast<std::uint32_t>(object_at.size());
+            object_at.push_back(object);
+            graph.corner_at.push_back(corner);
+            return slots_[slot];
+        };
+        for_each_new(insert, [&](std::uint32_t place) { graph.places.push_back(place); });
+    }
+
+  private:
+    /// Calls `find(corner, object)` where a corner's place is not the one it had last, and
+    /// `visit(place)` for each corner of each triangle.
+    template <class Find, class Visit>
+    void for_each_new(Find find, Visit visit) {
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            for (const std::uint32_t corner : surface_.triangles[t]) {
+                const std::uint32_t object = surface_.object[t];
+                if (last_object_[corner] != object) {
+                    last_object_[corner] = object;
+                    last_place_[corner] = find(corner, object);
+                }
+                visit(last_place_[corner]);
+            }
+        }
+    }
+    template <class Find>
+    void for_each_new(Find find) {
+        for_each_new(find, [](std::uint32_t) {});
+    }
+
+    const Surface& surface_;
+    std::vector<std::uint32_t> last_object_;
+    std::vector<std::uint32_t> last_place_;
+    std::vector<std::uint32_t> slots_;
+};
+
+/// The side of a triangle from corner side % 3 of triangle side / 3 to the next, filed under the
+/// lower of its two places.
+struct Side {
+    std::uint32_t upper_place;
+    std::uint32_t side;
+};
+
+std::uint32_t end_of(std::uint32_t side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+/// Sides of all triangles with three distinct places, those of one edge in a row.
+class Edges {
+  public:
+    explicit Edges(const FaceGraph& graph) : places_(graph.places) {
+        first_.assign(graph.corner_at.size() + 1, 0);
+        for_each_side([&](std::uint32_t lower, const Side&) { ++first_[lower + 1]; });
+        for (std::size_t i = 1; i < first_.size(); ++i)
+            first_[i] += first_[i - 1];
+        sides_.resize(first_.back());
+        std::vector<std::uint32_t> filled(first_.begin(), first_.end() - 1);
+        for_each_side(
+            [&](std::uint32_t lower, const Side& side) { sides_[filled[lower]++] = side; });
+    }
+
+    /// Calls `visit(begin, end)` with the sides of each edge.
+    template <class Visit>
+    void for_each_edge(Visit visit) {
+        for (std::size_t place = 0; place + 1 < first_.size(); ++place) {
+            Side* const last = sides_.data() + first_[place + 1];
+            Side* begin = sides_.data() + first_[place];
+            std::sort(begin, last, [](const Side& a, const Side& b) {
+                return a.upper_place != b.upper_place ? a.upper_place < b.upper_place
+                                                      : a.side < b.side;
+            });
+            while (begin != last) {
+                Side* const end = std::find_if(begin, last, [&](const Side& s) {
+                    return s.upper_place != begin->upper_place;
+                });
+                visit(begin, end);
+                begin = end;
+            }
+        }
+    }
+
+  private:
+    template <class Visit>
+    void for_each_side(Visit visit) const {
+        for (std::uint32_t t = 0; t < places_.size(); t += 3) {
+            const std::uint32_t* p = places_.data() + t;
+            if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+            for (std::uint32_t side = t; side < t + 3; ++side) {
+                const auto [lower, upper] = std::minmax(places_[side], places_[end_of(side)]);
+                visit(lower, Side{upper, side});
+            }
+        }
+    }
+
+    const std::vector<std::uint32_t>& places_;
+    std::vector<std::uint32_t> first_;
+    std::vector<Side> sides_;
+};
+
+/// Whether each triangle has an area.
+std::vector<bool> find_areas(const Surface& surface, const FaceGraph& graph) {
+    std::vector<bool> has_area(surface.triangles.size());
+    for (std::size_t t = 0; t < has_area.size(); ++t) {
+        const auto& [a, b, c] = surface.triangles[t];
+        const std::uint32_t* p = graph.places.data() + 3 * t;
+        has_area[t] = p[0] != p[1] && p[1] != p[2] && p[2] != p[0] &&
+                      !is_collinear(surface.p_world[a], surface.p_world[b], surface.p_world[c]);
+    }
+    return has_area;
+}
+
+/// Fills `across`; gives the triangles at an edge that a closed surface does not have.
+std::vector<bool> join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
+    std::vector<bool> is_open(has_area.size(), false);
+    for (std::uint32_t side = 0; side < graph.places.size(); ++side)
+        graph.across.push_back(side / 3);
+    Edges(graph).for_each_edge([&](Side* begin, Side* end) {
+        // A triangle without area may close the gap beside it or not: taken as if it did not.
+        Side* const last =
+            std::stable_partition(begin, end, [&](const Side& s) { return has_area[s.side / 3]; });
+        const bool is_closed = end - begin == 2 && last == end &&
+                               graph.places[begin[0].side] != graph.places[begin[1].side];
+        for (Side* s = begin; s != last; ++s) {
+            graph.across[s->side] = (s + 1 == last ? begin : s + 1)->side / 3;
+            if (!is_closed) is_open[s->side / 3] = true;
+        }
+    });
+    return is_open;
+}
+
+void flood_solids(const std::vector<bool>& has_area,
+                  const std::vector<bool>& is_open,
+                  FaceGraph& graph) {
+    graph.solid_of.assign(has_area.size(), FaceGraph::kNoSolid);
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t first = 0; first < has_area.size(); ++first) {
+        if (!has_area[first] || graph.solid_of[first] != FaceGraph::kNoSolid) continue;
+        const auto solid = static_cast<std::uint32_t>(graph.is_closed.size());
+        graph.is_closed.push_back(true);
+        graph.solid_of[first] = solid;
+        stack.push_back(first);
+        while (!stack.empty()) {
+            const std::uint32_t t = stack.back();
+            stack.pop_back();
+            if (is_open[t]) graph.is_closed[solid] = false;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t next = graph.across[3 * t + i];
+                if (graph.solid_of[next] == solid) continue;
+                graph.solid_of[next] = solid;
+                stack.push_back(next);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+FaceGraph make_face_graph(const Surface& surface) {
+    FaceGraph graph;
+    Places(surface).number(graph);
+    const std::vector<bool> has_area = find_areas(surface, graph);
+    const std::vector<bool> is_open = join_edges(has_area, graph);
+    flood_solids(has_area, is_open, graph);
+    return graph;
+}
+
+}  // namespace ink::scene
