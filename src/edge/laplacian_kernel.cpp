@@ -155,9 +155,10 @@ HWY_INLINE void store(D d, hn::Vec<D> strengths, std::uint8_t* out) {
     }
 }
 
-/// `kRows` rows at once, so that a row is loaded once for the three that need it.
-template <Reading kReading, bool kIsQuadruple, int kRows, class T>
-HWY_NOINLINE void filter_rows(const LaplacianRows<T>& given, const LaplacianPlan& given_plan) {
+/// All rows at once, from the top down in each column of vectors, so that a row is loaded once for
+/// the three that need it.
+template <Reading kReading, bool kIsQuadruple, class T>
+void filter_block(const LaplacianRows<T>& given, const LaplacianPlan& given_plan) {
     // Copies, which bytes stored through a pointer cannot change.
     const LaplacianRows<T> rows = given;
     const LaplacianPlan plan = given_plan;
@@ -169,7 +170,7 @@ HWY_NOINLINE void filter_rows(const LaplacianRows<T>& given, const LaplacianPlan
         const T* at_mid = rows.mid + x;
         const T* at_down = rows.down + x;
         std::uint8_t* out = rows.out + x;
-        for (int y = 0; y < kRows; ++y) {
+        for (int y = 0; y < rows.height; ++y) {
             const auto down = hn::LoadU(d, at_down);
             const auto left = as_is(hn::LoadU(d, at_mid - 1));
             const auto right = as_is(hn::LoadU(d, at_mid + 1));
@@ -184,25 +185,22 @@ HWY_NOINLINE void filter_rows(const LaplacianRows<T>& given, const LaplacianPlan
     });
 }
 
-template <class T>
-LaplacianRows<T> from_row(const LaplacianRows<T>& rows, int y) {
-    const std::ptrdiff_t by = y * rows.stride;
-    LaplacianRows<T> part = rows;
-    part.up += by;
-    part.mid += by;
-    part.down += by;
-    part.out += y * rows.out_stride;
-    return part;
-}
-
+/// Wide pictures by four rows, so that memory is walked through along its lines; tiles, which are
+/// in the cache, as a whole.
 template <Reading kReading, bool kIsQuadruple, class T>
 void filter_as(const LaplacianRows<T>& rows, const LaplacianPlan& plan) {
-    constexpr int kBlock = 4;
-    int y = 0;
-    for (; y + kBlock <= rows.height; y += kBlock)
-        filter_rows<kReading, kIsQuadruple, kBlock>(from_row(rows, y), plan);
-    for (; y < rows.height; ++y)
-        filter_rows<kReading, kIsQuadruple, 1>(from_row(rows, y), plan);
+    constexpr int kTile_px = 128;
+    const int block = rows.width <= kTile_px ? rows.height : 4;
+    for (int y = 0; y < rows.height; y += block) {
+        const std::ptrdiff_t by = y * rows.stride;
+        LaplacianRows<T> part = rows;
+        part.up += by;
+        part.mid += by;
+        part.down += by;
+        part.out += y * rows.out_stride;
+        part.height = std::min(block, rows.height - y);
+        filter_block<kReading, kIsQuadruple>(part, plan);
+    }
 }
 
 template <class T>
