@@ -4,59 +4,60 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-#include <random>
+#include <string>
 #include <vector>
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
+#include "bench/filter_pictures.h"
 #include "core/hash.h"
+#include "edge/binomial_blur.h"
 #include "edge/decaudin_filter.h"
 #include "edge/edge_image.h"
 #include "edge/laplacian.h"
+#include "edge/laplacian_f32x4.h"
+#include "edge/roberts.h"
+#include "edge/sobel.h"
+#include "edge/threshold.h"
 
 namespace ink::bench {
 namespace {
 
-constexpr int kBorder_px = 2;
+constexpr std::int64_t kPixels = std::int64_t{kWidth_px} * kHeight_px;
 
-/// A picture with a border of two pixels all round, so that filters may read beyond the frame.
-template <class T>
-class Padded {
-  public:
-    Padded() : pixels_(kWidth_px + 2 * kBorder_px, kHeight_px + 2 * kBorder_px) {}
-    [[nodiscard]] T* row(int y) { return pixels_.row(y + kBorder_px) + kBorder_px; }
-    [[nodiscard]] const T* row(int y) const { return pixels_.row(y + kBorder_px) + kBorder_px; }
-    [[nodiscard]] core::Image<T>& pixels() { return pixels_; }
+/// Bytes that a filter must read and write: each pixel of the input and of the output once.
+struct Traffic {
+    std::int64_t read;
+    std::int64_t written;
 
-  private:
-    core::Image<T> pixels_;
+    [[nodiscard]] std::int64_t sum() const { return read + written; }
 };
+constexpr Traffic kBytes{kPixels, kPixels};
+constexpr Traffic kWords{2 * kPixels, kPixels};
+constexpr Traffic kFullBuffer{16 * kPixels, kPixels};
 
-/// Codes as a method makes them: ramps with a step here and there.
-template <class T>
-Padded<T> codes(std::uint32_t seed) {
-    std::mt19937 random(seed);
-    Padded<T> picture;
-    auto& pixels = picture.pixels();
-    for (int y = 0; y < pixels.height_px(); ++y) {
-        auto code = static_cast<std::uint32_t>(random() % 256);
-        for (int x = 0; x < pixels.width_px(); ++x) {
-            const auto dice = static_cast<std::uint32_t>(random());
-            code = dice % 40 == 0 ? dice >> 16 : code + dice % 3;
-            pixels.at(x, y) = static_cast<T>(code);
-        }
+/// A copy that moves as many bytes as a filter: half of the sum is read, half is written.
+void time_memcpy(benchmark::State& state, const Traffic& traffic) {
+    const auto size = static_cast<std::size_t>(traffic.sum() / 2);
+    const std::vector<std::uint8_t> from(size, 7);
+    std::vector<std::uint8_t> to(size);
+    for (auto _ : state) {
+        std::memcpy(to.data(), from.data(), size);
+        benchmark::ClobberMemory();
     }
-    return picture;
+    state.SetBytesProcessed(state.iterations() * traffic.sum());
 }
 
-template <class T>
-void laplacian(const Padded<T>& code, edge::EdgeImage& out) {
-    for (int y = 0; y < kHeight_px; ++y) {
-        edge::laplacian_row(
-            code.row(y - 1), code.row(y), code.row(y + 1), out.row(y), kWidth_px, {});
+/// Times `filter(out, threads)`, which must fill a picture of `T`.
+template <class T, class Filter>
+void time_filter(benchmark::State& state, const Traffic& traffic, const Filter& filter) {
+    core::Image<T> out(kWidth_px, kHeight_px);
+    for (auto _ : state) {
+        filter(out);
+        benchmark::ClobberMemory();
     }
+    state.SetLabel(core::image_hash(out));
+    state.SetBytesProcessed(state.iterations() * traffic.sum());
 }
 
 /// The filter as its formula has it, for the default response: |L| with two bits clipped.
@@ -74,120 +75,115 @@ edge::EdgeImage laplacian_by_formula(const Padded<T>& code) {
 }
 
 template <class T>
-void time_laplacian(benchmark::State& state) {
+void time_laplacian(benchmark::State& state, int threads) {
     const Padded<T> code = codes<T>(1);
-    edge::EdgeImage out(kWidth_px, kHeight_px);
-    laplacian(code, out);
-    if (!(out == laplacian_by_formula(code))) {
+    const auto filter = [&](edge::EdgeImage& out) {
+        edge::laplacian(code.view(), out.view(), {}, threads);
+    };
+    edge::EdgeImage checked(kWidth_px, kHeight_px);
+    filter(checked);
+    if (!(checked == laplacian_by_formula(code))) {
         state.SkipWithError("the filter differs from its formula");
         return;
     }
-    for (auto _ : state) {
-        laplacian(code, out);
-        benchmark::ClobberMemory();
-    }
-    state.SetLabel(core::image_hash(out));
-    state.SetBytesProcessed(state.iterations() * kWidth_px * kHeight_px *
-                            static_cast<std::int64_t>(sizeof(T) + 1));
+    time_filter<std::uint8_t>(state, sizeof(T) == 1 ? kBytes : kWords, filter);
 }
 
-void time_memcpy(benchmark::State& state) {
-    const edge::EdgeImage from(kWidth_px, kHeight_px, 7);
-    edge::EdgeImage to(kWidth_px, kHeight_px);
-    for (auto _ : state) {
-        std::memcpy(to.data(), from.data(), from.size());
-        benchmark::ClobberMemory();
-    }
-    state.SetLabel(core::image_hash(to));
-    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(2 * from.size()));
-}
+/// Four float channels.
+struct FullBuffer {
+    std::array<Padded<float>, 4> planes = {
+        codes<float>(1), codes<float>(2), codes<float>(3), codes<float>(4)};
+};
 
-/// OpenCV's own operator, then scaled and clipped to eight bits, on one thread.
-template <class T>
-void time_opencv_laplacian(benchmark::State& state) {
-    cv::setNumThreads(1);
-    Padded<T> code = codes<T>(1);
-    const cv::Mat from(kHeight_px,
-                       kWidth_px,
-                       cv::DataType<T>::type,
-                       code.row(0),
-                       (kWidth_px + 2 * kBorder_px) * sizeof(T));
-    // OpenCV has no 16-bit result for 16-bit input.
-    const int depth = sizeof(T) == 1 ? CV_16S : CV_32F;
-    cv::Mat filtered;
-    cv::Mat out;
-    for (auto _ : state) {
-        cv::Laplacian(from, filtered, depth, 1, 1, 0, cv::BORDER_REPLICATE);
-        cv::convertScaleAbs(filtered, out);
-        benchmark::ClobberMemory();
-    }
-    edge::EdgeImage picture(kWidth_px, kHeight_px);
-    std::memcpy(picture.data(), out.data, picture.size());
-    state.SetLabel(core::image_hash(picture));
+void time_full_laplacian(benchmark::State& state, int threads) {
+    const FullBuffer buffer;
+    edge::FloatPlanes planes;
+    for (std::size_t i = 0; i < 4; ++i)
+        planes.origin[i] = buffer.planes[i].row(0);
+    planes.stride = Padded<float>::kStride_px;
+    time_filter<std::uint8_t>(state, kFullBuffer, [&](edge::EdgeImage& out) {
+        edge::laplacian_f32x4(planes, out.view(), {.threshold = 0.1F}, threads);
+    });
 }
 
 /// Decaudin's two operators over four float channels, joined by the largest.
-class DecaudinFilter {
-  public:
-    DecaudinFilter() {
-        for (std::size_t i = 0; i < channels_.size(); ++i) {
-            auto code = codes<std::uint8_t>(static_cast<std::uint32_t>(i + 1));
-            auto& pixels = channels_[i].pixels();
-            std::transform(code.pixels().data(),
-                           code.pixels().data() + pixels.size(),
-                           pixels.data(),
-                           [](std::uint8_t value) { return static_cast<float>(value) / 255; });
-        }
-    }
+void time_decaudin(benchmark::State& state, int threads) {
+    const FullBuffer buffer;
+    std::array<edge::DecaudinChannel, 4> channels;
+    for (std::size_t i = 0; i < 4; ++i)
+        channels[i] = {buffer.planes[i].row(0), Padded<float>::kStride_px, {}};
+    time_filter<std::uint8_t>(state, kFullBuffer, [&](edge::EdgeImage& out) {
+        edge::decaudin(channels, edge::DecaudinJoin::max, out.view(), threads);
+    });
+}
 
-    void run(core::Image<float>& joined) {
-        joined.fill(0);
-        for (const Padded<float>& channel : channels_)
-            add(channel, joined);
-    }
+template <class T>
+constexpr Traffic same_type() {
+    constexpr std::int64_t kSize = sizeof(T);
+    return {kSize * kPixels, kSize * kPixels};
+}
 
-  private:
-    void add(const Padded<float>& channel, core::Image<float>& joined) {
-        for (int y = -1; y <= kHeight_px; ++y) {
-            edge::decaudin_g_row(channel.row(y - 1) - 1,
-                                 channel.row(y) - 1,
-                                 channel.row(y + 1) - 1,
-                                 g_.row(y) - 1,
-                                 kWidth_px + 2);
-        }
-        for (int y = 0; y < kHeight_px; ++y) {
-            edge::decaudin_p_row(g_.row(y - 1), g_.row(y), g_.row(y + 1), p_.data(), kWidth_px, {});
-            float* to = joined.row(y);
-            for (int x = 0; x < kWidth_px; ++x)
-                to[x] = std::max(to[x], p_[static_cast<std::size_t>(x)]);
-        }
-    }
+template <class T>
+void time_roberts(benchmark::State& state, int threads) {
+    const Padded<T> values = codes<T>(1);
+    time_filter<T>(state, same_type<T>(), [&](core::Image<T>& out) {
+        edge::roberts(values.view(), out.view(), threads);
+    });
+}
 
-    std::array<Padded<float>, 4> channels_;
-    Padded<float> g_;
-    std::vector<float> p_ = std::vector<float>(kWidth_px);
-};
+template <class T, edge::Differential kDifferential>
+void time_sobel(benchmark::State& state, int threads) {
+    const Padded<T> values = codes<T>(1);
+    time_filter<T>(state, same_type<T>(), [&](core::Image<T>& out) {
+        edge::sobel(values.view(), kDifferential, out.view(), threads);
+    });
+}
 
-void time_decaudin(benchmark::State& state) {
-    DecaudinFilter filter;
-    core::Image<float> joined(kWidth_px, kHeight_px);
-    for (auto _ : state) {
-        filter.run(joined);
-        benchmark::ClobberMemory();
-    }
-    state.SetLabel(core::image_hash(joined));
+template <class T>
+void time_blur(benchmark::State& state, int threads) {
+    const Padded<T> values = codes<T>(1);
+    time_filter<T>(state, same_type<T>(), [&](core::Image<T>& out) {
+        edge::binomial_blur(values.view(), out.view(), 0, threads);
+    });
+}
+
+void time_threshold(benchmark::State& state, int threads) {
+    const Padded<std::uint8_t> strengths = codes<std::uint8_t>(1);
+    time_filter<std::uint8_t>(state, kBytes, [&](edge::EdgeImage& out) {
+        edge::threshold(strengths.view(), 128, out.view(), threads);
+    });
+}
+
+/// `name` on one thread, and `name/threads:2`.
+void add(const std::string& name, void (*run)(benchmark::State&, int)) {
+    benchmark::RegisterBenchmark(name.c_str(), run, 1);
+    benchmark::RegisterBenchmark((name + "/threads:2").c_str(), run, 2)->UseRealTime();
 }
 
 }  // namespace
 
 void add_filter_benchmarks() {
-    benchmark::RegisterBenchmark("memcpy/u8/1080p", time_memcpy);
-    benchmark::RegisterBenchmark("filter/laplacian/u8/1080p", time_laplacian<std::uint8_t>);
-    benchmark::RegisterBenchmark("filter/laplacian/u16/1080p", time_laplacian<std::uint16_t>);
-    benchmark::RegisterBenchmark("opencv/laplacian/u8/1080p", time_opencv_laplacian<std::uint8_t>);
-    benchmark::RegisterBenchmark("opencv/laplacian/u16/1080p",
-                                 time_opencv_laplacian<std::uint16_t>);
-    benchmark::RegisterBenchmark("filter/decaudin/1080p", time_decaudin);
+    using edge::Differential;
+    benchmark::RegisterBenchmark("memcpy/u8/1080p", time_memcpy, kBytes);
+    benchmark::RegisterBenchmark("memcpy/u16/1080p", time_memcpy, kWords);
+    benchmark::RegisterBenchmark("memcpy/f32x4/1080p", time_memcpy, kFullBuffer);
+    add("filter/laplacian/u8/1080p", time_laplacian<std::uint8_t>);
+    add("filter/laplacian/u16/1080p", time_laplacian<std::uint16_t>);
+    add("filter/laplacian/f32x4/1080p", time_full_laplacian);
+    add("filter/decaudin/1080p", time_decaudin);
+    add("filter/roberts/u8/1080p", time_roberts<std::uint8_t>);
+    add("filter/roberts/u16/1080p", time_roberts<std::uint16_t>);
+    add("filter/roberts/f32/1080p", time_roberts<float>);
+    add("filter/sobel/u8/1080p", time_sobel<std::uint8_t, Differential::first>);
+    add("filter/sobel/u16/1080p", time_sobel<std::uint16_t, Differential::first>);
+    add("filter/sobel/f32/1080p", time_sobel<float, Differential::first>);
+    add("filter/sobel_second/u8/1080p", time_sobel<std::uint8_t, Differential::second>);
+    add("filter/sobel_second/u16/1080p", time_sobel<std::uint16_t, Differential::second>);
+    add("filter/sobel_second/f32/1080p", time_sobel<float, Differential::second>);
+    add("filter/blur/u8/1080p", time_blur<std::uint8_t>);
+    add("filter/blur/u16/1080p", time_blur<std::uint16_t>);
+    add("filter/threshold/u8/1080p", time_threshold);
+    add_opencv_benchmarks();
 }
 
 }  // namespace ink::bench

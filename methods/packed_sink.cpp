@@ -6,6 +6,7 @@
 
 #include "edge/binomial_blur.h"
 #include "edge/laplacian.h"
+#include "raster/flat_squares.h"
 
 namespace ink::methods {
 namespace {
@@ -95,13 +96,45 @@ void extract_field(const Codes<T>& codes, const Field& field, const Area& area, 
 
 template <class T>
 void blur_tile(const Codes<T>& codes, int code_bits, const Area& area, CodeBuffer<T>& to) {
-    for (int y = area.top_px; y < area.bottom_px; ++y) {
-        edge::binomial_blur_row(codes.row(y - 1) + area.left_px,
-                                codes.row(y) + area.left_px,
-                                codes.row(y + 1) + area.left_px,
-                                to.row(y) + area.left_px,
-                                area.width_px(),
-                                code_bits);
+    const int height_px = area.bottom_px - area.top_px;
+    const core::ImageView<const T> from{
+        codes.row(area.top_px) + area.left_px, area.width_px(), height_px, codes.stride};
+    const core::ImageView<T> blurred{
+        to.row(area.top_px) + area.left_px, area.width_px(), height_px, kSpan};
+    edge::binomial_blur(from, blurred, code_bits);
+}
+
+template <class T>
+core::ImageView<T> part(const core::ImageView<T>& whole, const raster::PixelRect& rect) {
+    return {whole.row(rect.y0) + rect.x0, rect.x1 - rect.x0, rect.y1 - rect.y0, whole.stride};
+}
+
+/// The filter where squares are known to be flat: 0 there, whatever their pixels hold.
+template <class T>
+void filter_around_flat(const core::ImageView<const T>& from,
+                        const core::ImageView<std::uint8_t>& to,
+                        std::uint16_t flat_squares,
+                        const edge::LaplacianResponse& response) {
+    constexpr int kSquare_px = raster::kFlatSquare_px;
+    const auto is_flat = [&](int x, int y) {
+        return (flat_squares >> (y / kSquare_px * raster::kFlatSquares + x / kSquare_px) & 1U) != 0;
+    };
+    for (int y = 0; y < to.height_px; y += kSquare_px) {
+        const int y_end = std::min(y + kSquare_px, to.height_px);
+        for (int x = 0; x < to.width_px;) {
+            int x_end = x;
+            while (x_end < to.width_px && is_flat(x_end, y) == is_flat(x, y))
+                x_end += kSquare_px;
+            x_end = std::min(x_end, to.width_px);
+            const raster::PixelRect rect{x, y, x_end, y_end};
+            if (is_flat(x, y)) {
+                for (int row = y; row < y_end; ++row)
+                    std::memset(to.row(row) + x, 0, static_cast<std::size_t>(x_end - x));
+            } else {
+                edge::laplacian(part(from, rect), part(to, rect), response);
+            }
+            x = x_end;
+        }
     }
 }
 
@@ -112,17 +145,24 @@ void filter_tile(const Codes<T>& codes,
                  const raster::Tile& tile,
                  bool is_first,
                  edge::EdgeImage& out) {
-    std::array<std::uint8_t, raster::kTileSize_px> strengths;
+    const core::ImageView<const T> from{codes.origin, tile.width_px, tile.height_px, codes.stride};
+    const core::ImageView<std::uint8_t> to{
+        out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
+    if (is_first && tile.flat_squares == 0) return edge::laplacian(from, to, response);
+    if (is_first) return filter_around_flat(from, to, tile.flat_squares, response);
+    std::array<std::uint8_t, raster::kTileSize_px * raster::kTileSize_px> buffer;
+    const core::ImageView<std::uint8_t> strengths{
+        buffer.data(), tile.width_px, tile.height_px, raster::kTileSize_px};
+    if (tile.flat_squares == 0) {
+        edge::laplacian(from, strengths, response);
+    } else {
+        filter_around_flat(from, strengths, tile.flat_squares, response);
+    }
     for (int y = 0; y < tile.height_px; ++y) {
-        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
-        edge::laplacian_row(codes.row(y - 1),
-                            codes.row(y),
-                            codes.row(y + 1),
-                            is_first ? to : strengths.data(),
-                            tile.width_px,
-                            response);
-        for (int x = 0; !is_first && x < tile.width_px; ++x)
-            to[x] = std::max(to[x], strengths[x]);
+        const std::uint8_t* mine = strengths.row(y);
+        std::uint8_t* joined = to.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            joined[x] = std::max(joined[x], mine[x]);
     }
 }
 

@@ -26,14 +26,6 @@ class FloatBuffer {
     std::array<float, static_cast<std::size_t>(kSpan) * kSpan> pixels_;
 };
 
-/// The rows of one channel, wherever they lie.
-struct Channel {
-    const float* origin;
-    std::ptrdiff_t stride;
-
-    [[nodiscard]] const float* row(int y) const { return origin + y * stride; }
-};
-
 class DecaudinSink : public raster::TileSink {
   public:
     DecaudinSink(const Decaudin::Params& params, const DepthCarrier& carrier, edge::EdgeImage& out)
@@ -42,14 +34,10 @@ class DecaudinSink : public raster::TileSink {
     void finish(const raster::Tile& tile) override;
 
   private:
-    [[nodiscard]] Channel depth_channel(const raster::Tile& tile, FloatBuffer& buffer) const;
+    [[nodiscard]] edge::DecaudinChannel depth_channel(const raster::Tile& tile,
+                                                      FloatBuffer& buffer) const;
     void renormalise(const raster::Tile& tile, std::array<FloatBuffer, 3>& to) const;
-    void join_channel(const Channel& channel,
-                      const edge::DecaudinK& k,
-                      const raster::Tile& tile,
-                      FloatBuffer& joined) const;
-    void join(const float* p, float* joined, int count) const;
-    void write(const raster::Tile& tile, FloatBuffer& joined) const;
+    [[nodiscard]] edge::DecaudinJoin join() const;
 
     const Decaudin::Params& params_;
     const DepthCarrier& carrier_;
@@ -57,9 +45,11 @@ class DecaudinSink : public raster::TileSink {
 };
 
 /// The depth channel: the tile's own plane where that holds it already.
-Channel DecaudinSink::depth_channel(const raster::Tile& tile, FloatBuffer& buffer) const {
+edge::DecaudinChannel DecaudinSink::depth_channel(const raster::Tile& tile,
+                                                  FloatBuffer& buffer) const {
+    const edge::DecaudinK k{static_cast<float>(params_.k_depth), params_.k_place};
     const bool near_high = params_.depth_sign == DepthSign::near_high;
-    if (carrier_.is_encoded() && near_high) return {tile.row<float>(0, 0), tile.stride};
+    if (carrier_.is_encoded() && near_high) return {tile.row<float>(0, 0), tile.stride, k};
     const int halo = tile.halo_px;
     const int width = tile.width_px + 2 * halo;
     for (int y = -halo; y < tile.height_px + halo; ++y) {
@@ -73,7 +63,7 @@ Channel DecaudinSink::depth_channel(const raster::Tile& tile, FloatBuffer& buffe
         for (int x = 0; !near_high && x < width; ++x)
             out[x] = 1 - out[x];
     }
-    return {buffer.row(0), kSpan};
+    return {buffer.row(0), kSpan, k};
 }
 
 void DecaudinSink::renormalise(const raster::Tile& tile, std::array<FloatBuffer, 3>& to) const {
@@ -93,76 +83,36 @@ void DecaudinSink::renormalise(const raster::Tile& tile, std::array<FloatBuffer,
     }
 }
 
-/// Adds one channel's p to what earlier channels left; the choice stands outside the loops for
-/// speed.
-void DecaudinSink::join(const float* p, float* joined, int count) const {
+edge::DecaudinJoin DecaudinSink::join() const {
     switch (params_.join) {
         case Decaudin::Join::max:
-            for (int x = 0; x < count; ++x)
-                joined[x] = std::max(joined[x], p[x]);
-            return;
+            return edge::DecaudinJoin::max;
         case Decaudin::Join::either:
-            for (int x = 0; x < count; ++x)
-                joined[x] += p[x] - joined[x] * p[x];
-            return;
-        case Decaudin::Join::length:  // write() takes the root
-            for (int x = 0; x < count; ++x)
-                joined[x] += p[x] * p[x];
-            return;
+            return edge::DecaudinJoin::either;
+        case Decaudin::Join::length:
+            break;
     }
-}
-
-void DecaudinSink::join_channel(const Channel& channel,
-                                const edge::DecaudinK& k,
-                                const raster::Tile& tile,
-                                FloatBuffer& joined) const {
-    FloatBuffer g;
-    for (int y = -1; y < tile.height_px + 1; ++y) {
-        edge::decaudin_g_row(channel.row(y - 1) - 1,
-                             channel.row(y) - 1,
-                             channel.row(y + 1) - 1,
-                             g.row(y) - 1,
-                             tile.width_px + 2);
-    }
-    std::array<float, raster::kTileSize_px> p;
-    for (int y = 0; y < tile.height_px; ++y) {
-        edge::decaudin_p_row(g.row(y - 1), g.row(y), g.row(y + 1), p.data(), tile.width_px, k);
-        join(p.data(), joined.row(y), tile.width_px);
-    }
-}
-
-void DecaudinSink::write(const raster::Tile& tile, FloatBuffer& joined) const {
-    for (int y = 0; y < tile.height_px; ++y) {
-        const float* from = joined.row(y);
-        std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
-        for (int x = 0; x < tile.width_px; ++x) {
-            const float p = params_.join == Decaudin::Join::length ? std::sqrt(from[x]) : from[x];
-            to[x] = static_cast<std::uint8_t>(std::min(p, 1.0F) * 255 + 0.5F);
-        }
-    }
+    return edge::DecaudinJoin::length;
 }
 
 void DecaudinSink::finish(const raster::Tile& tile) {
     if (tile.is_empty) return clear_tile(tile, out_);
     FloatBuffer depth;
     std::array<FloatBuffer, 3> normals;
-    std::array<Channel, kChannels> channels;
+    std::array<edge::DecaudinChannel, kChannels> channels;
     channels[0] = depth_channel(tile, depth);
     if (params_.renormalise) renormalise(tile, normals);
+    const edge::DecaudinK k_normal{static_cast<float>(params_.k_normal), params_.k_place};
     for (std::size_t i = 0; i < 3; ++i) {
+        const float* plane = tile.row<float>(static_cast<int>(i) + 1, 0);
         channels[i + 1] = params_.renormalise
-                              ? Channel{normals[i].row(0), kSpan}
-                              : Channel{tile.row<float>(static_cast<int>(i) + 1, 0), tile.stride};
+                              ? edge::DecaudinChannel{normals[i].row(0), kSpan, k_normal}
+                              : edge::DecaudinChannel{plane, tile.stride, k_normal};
     }
-
-    FloatBuffer joined;
-    for (int y = 0; y < tile.height_px; ++y)
-        std::fill_n(joined.row(y), tile.width_px, 0.0F);
-    for (std::size_t i = 0; i < kChannels; ++i) {
-        const double k = i == 0 ? params_.k_depth : params_.k_normal;
-        join_channel(channels[i], {static_cast<float>(k), params_.k_place}, tile, joined);
-    }
-    write(tile, joined);
+    edge::decaudin(
+        channels,
+        join(),
+        {out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()});
 }
 
 raster::PassFormat pass_format(const Decaudin::Params& params) {

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -31,9 +32,26 @@ struct ImageView {
     }
 };
 
+/// Memory that begins where a cache line does: vectors stored across lines cost twice.
+template <class T>
+struct LineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t kLine{64};
+
+    LineAllocator() = default;
+    template <class U>
+    LineAllocator(const LineAllocator<U>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), kLine));
+    }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, kLine); }
+    friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
+};
+
 /// An owned, dense image: `width_px * height_px` elements, row by row, (0,0) top left.
 ///
-/// Pixel centres lie at +0.5. A default-constructed image is empty (0 x 0).
+/// Pixel centres lie at +0.5. A default-constructed image is empty (0 x 0). Row 0 begins a cache
+/// line.
 template <class T>
 class Image {
   public:
@@ -79,7 +97,7 @@ class Image {
   private:
     int width_px_ = 0;
     int height_px_ = 0;
-    std::vector<T> pixels_;
+    std::vector<T, LineAllocator<T>> pixels_;
 };
 
 }  // namespace ink::core

@@ -2,51 +2,48 @@
 
 #include <cassert>
 
+#include "edge/binomial_blur_kernel.h"
+#include "edge/row_bands.h"
+
 namespace ink::edge {
 namespace {
 
 template <class T>
-struct Rows {
-    const T* up;
-    const T* mid;
-    const T* down;
-};
-
-template <class T>
-void blur_plain(const Rows<T>& in, T* __restrict out, int width) {
-    for (int x = 0; x < width; ++x) {
-        const int corners = in.up[x - 1] + in.up[x + 1] + in.down[x - 1] + in.down[x + 1];
-        const int sides = in.up[x] + in.down[x] + in.mid[x - 1] + in.mid[x + 1];
-        out[x] = static_cast<T>((corners + 2 * sides + 4 * in.mid[x] + 8) >> 4);
-    }
-}
-
-template <class T>
-void blur_wrapped(const Rows<T>& in, T* __restrict out, int width, int code_bits) {
-    const int sign = 32 - code_bits;
-    const auto mask = static_cast<std::uint32_t>((std::uint64_t{1} << code_bits) - 1);
-    for (int x = 0; x < width; ++x) {
-        const int center = in.mid[x];
-        const auto way = [&](int neighbour) {
-            return static_cast<std::int32_t>(static_cast<std::uint32_t>(neighbour - center)
-                                             << sign) >>
-                   sign;
-        };
-        const int corners =
-            way(in.up[x - 1]) + way(in.up[x + 1]) + way(in.down[x - 1]) + way(in.down[x + 1]);
-        const int sides = way(in.up[x]) + way(in.down[x]) + way(in.mid[x - 1]) + way(in.mid[x + 1]);
-        const int blurred = center + ((corners + 2 * sides + 8) >> 4);
-        out[x] = static_cast<T>(static_cast<std::uint32_t>(blurred) & mask);
-    }
-}
-
-template <class T>
-void blur(const Rows<T>& in, T* out, int width, int code_bits) {
+void blur(const core::ImageView<const T>& codes,
+          const core::ImageView<T>& out,
+          int code_bits,
+          int threads) {
+    assert(codes.width_px == out.width_px && codes.height_px == out.height_px);
     assert(code_bits >= 0 && code_bits <= 8 * static_cast<int>(sizeof(T)));
-    return code_bits == 0 ? blur_plain(in, out, width) : blur_wrapped(in, out, width, code_bits);
+    for_row_bands(codes.height_px, threads, [&](int y0, int y1) {
+        const T* mid = codes.row(y0);
+        blur_rows({.up = mid - codes.stride,
+                   .mid = mid,
+                   .down = mid + codes.stride,
+                   .stride = codes.stride,
+                   .out = out.row(y0),
+                   .out_stride = out.stride,
+                   .width = codes.width_px,
+                   .height = y1 - y0,
+                   .code_bits = code_bits});
+    });
 }
 
 }  // namespace
+
+void binomial_blur(const core::ImageView<const std::uint8_t>& codes,
+                   const core::ImageView<std::uint8_t>& out,
+                   int code_bits,
+                   int threads) {
+    blur(codes, out, code_bits, threads);
+}
+
+void binomial_blur(const core::ImageView<const std::uint16_t>& codes,
+                   const core::ImageView<std::uint16_t>& out,
+                   int code_bits,
+                   int threads) {
+    blur(codes, out, code_bits, threads);
+}
 
 void binomial_blur_row(const std::uint8_t* up,
                        const std::uint8_t* mid,
@@ -54,7 +51,8 @@ void binomial_blur_row(const std::uint8_t* up,
                        std::uint8_t* out,
                        int width,
                        int code_bits) {
-    blur<std::uint8_t>({up, mid, down}, out, width, code_bits);
+    assert(code_bits >= 0 && code_bits <= 8);
+    blur_rows({up, mid, down, 0, out, 0, width, 1, code_bits});
 }
 
 void binomial_blur_row(const std::uint16_t* up,
@@ -63,7 +61,8 @@ void binomial_blur_row(const std::uint16_t* up,
                        std::uint16_t* out,
                        int width,
                        int code_bits) {
-    blur<std::uint16_t>({up, mid, down}, out, width, code_bits);
+    assert(code_bits >= 0 && code_bits <= 16);
+    blur_rows({up, mid, down, 0, out, 0, width, 1, code_bits});
 }
 
 }  // namespace ink::edge

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "core/image.h"
+
 namespace ink::edge {
 
 /// One row of the 3 x 3 binomial blur 1 2 1 / 2 4 2 / 1 2 1 over 16, rounded to nearest: MOTE's
@@ -22,5 +24,16 @@ void binomial_blur_row(const std::uint16_t* up,
                        std::uint16_t* out,
                        int width,
                        int code_bits);
+
+/// The same over a picture or a tile of one, rows shared among `threads`: the same bits on every
+/// SIMD target and number of threads. Both have one size; one pixel round `codes` must be readable.
+void binomial_blur(const core::ImageView<const std::uint8_t>& codes,
+                   const core::ImageView<std::uint8_t>& out,
+                   int code_bits,
+                   int threads = 1);
+void binomial_blur(const core::ImageView<const std::uint16_t>& codes,
+                   const core::ImageView<std::uint16_t>& out,
+                   int code_bits,
+                   int threads = 1);
 
 }  // namespace ink::edge

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+
+#include "core/image.h"
 
 namespace ink::edge {
 
@@ -31,5 +35,32 @@ void decaudin_p_row(const float* g_up,
                     float* p,
                     int width,
                     const DecaudinK& k);
+
+/// How the p of several channels become one number.
+enum class DecaudinJoin {
+    max,     ///< the largest
+    either,  ///< a + b - a b
+    length,  ///< the root of the sum of squares
+};
+
+/// One of the channels that are joined: depth, or a component of the normal.
+struct DecaudinChannel {
+    const float* origin = nullptr;  ///< pixel (0, 0); two pixels round the picture must be readable
+    std::ptrdiff_t stride = 0;      ///< floats from one row to the next
+    DecaudinK k;
+};
+
+inline constexpr std::size_t kMaxDecaudinChannels = 4;
+
+/// The whole filter over a picture or a tile of one: the p of 1 to 4 channels, joined, as
+/// strengths: min(p, 1) times 255, rounded to nearest.
+///
+/// The same bits as the rows above, on every SIMD target and number of threads, for finite values.
+/// What lies round the picture counts as neighbours; `out` overlaps no input. Rows are shared among
+/// `threads`; an empty picture writes nothing.
+void decaudin(std::span<const DecaudinChannel> channels,
+              DecaudinJoin join,
+              const core::ImageView<std::uint8_t>& out,
+              int threads = 1);
 
 }  // namespace ink::edge

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "core/image.h"
+
 namespace ink::edge {
 
 /// How the output of MOTE's filter becomes a strength.
@@ -28,9 +30,23 @@ struct LaplacianResponse {
 /// The strength of one Laplacian value, |laplacian| <= 4 * 65535.
 [[nodiscard]] std::uint8_t respond(int laplacian, const LaplacianResponse& response);
 
-/// One row of the filter 0 -1 0 / -1 4 -1 / 0 -1 0: out[x] = respond(4 mid[x] - up[x] - down[x] -
-/// mid[x-1] - mid[x+1]) for x in [0, width). mid[-1] and mid[width] must be readable; `out`
-/// overlaps no input. Width 0 writes nothing.
+/// The filter 0 -1 0 / -1 4 -1 / 0 -1 0 over a picture or a tile of one: out(x, y) = respond(4
+/// codes(x, y) - its four neighbours), the same bits on every SIMD target and number of threads.
+///
+/// `codes` and `out` have one size; the pixels one row above and below `codes` and one column left
+/// and right of it must be readable and count as neighbours. `out` overlaps no input. Rows are
+/// shared among `threads`; an empty picture writes nothing.
+void laplacian(const core::ImageView<const std::uint8_t>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianResponse& response,
+               int threads = 1);
+void laplacian(const core::ImageView<const std::uint16_t>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianResponse& response,
+               int threads = 1);
+
+/// One row of the same, from rows that may lie anywhere: out[x] for x in [0, width). mid[-1] and
+/// mid[width] must be readable. Width 0 writes nothing.
 void laplacian_row(const std::uint8_t* up,
                    const std::uint8_t* mid,
                    const std::uint8_t* down,

@@ -158,16 +158,6 @@ Mask Thinner::result() const {
 
 }  // namespace
 
-Mask threshold(const EdgeImage& image, int at_least) {
-    assert(at_least >= 1 && at_least <= 255);
-    Mask mask(image.width_px(), image.height_px());
-    std::transform(
-        image.data(), image.data() + image.size(), mask.data(), [at_least](int strength) {
-            return static_cast<std::uint8_t>(strength >= at_least);
-        });
-    return mask;
-}
-
 Mask thin(const Mask& mask) {
     Thinner thinner(mask);
     thinner.run();

@@ -1,14 +1,9 @@
 #pragma once
 
 #include "edge/edge_image.h"
+#include "edge/threshold.h"
 
 namespace ink::edge {
-
-/// The pixels drawn at least as strongly as `at_least` (1..255): strength >= at_least.
-///
-/// Same size as `image`; an empty image gives an empty mask. Another range is a caller's bug: 0
-/// would call the bare background a line.
-[[nodiscard]] Mask threshold(const EdgeImage& image, int at_least);
 
 /// The least strength that counts as on at k/100 of the full one (k in 1..99): strength * 100 >=
 /// 255 * k in integers, so that no rounding decides a tie.

@@ -1,0 +1,119 @@
+// OpenCV's operators on one thread, on the pictures that ours are timed on.
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "bench/filter_pictures.h"
+#include "core/hash.h"
+#include "edge/edge_image.h"
+
+namespace ink::bench {
+namespace {
+
+template <class T>
+cv::Mat mat_of(Padded<T>& picture) {
+    return {kHeight_px,
+            kWidth_px,
+            cv::DataType<T>::type,
+            picture.row(0),
+            Padded<T>::kStride_px * sizeof(T)};
+}
+
+/// A hash of the last picture as bytes.
+void label(benchmark::State& state, const cv::Mat& bytes) {
+    edge::EdgeImage picture(kWidth_px, kHeight_px);
+    std::memcpy(picture.data(), bytes.data, picture.size());
+    state.SetLabel(core::image_hash(picture));
+}
+
+/// The Laplacian, then scaled and clipped to eight bits.
+template <class T>
+void time_laplacian(benchmark::State& state) {
+    cv::setNumThreads(1);
+    Padded<T> code = codes<T>(1);
+    const cv::Mat from = mat_of(code);
+    // OpenCV has no 16-bit result for 16-bit input.
+    const int depth = sizeof(T) == 1 ? CV_16S : CV_32F;
+    cv::Mat filtered;
+    cv::Mat out;
+    for (auto _ : state) {
+        cv::Laplacian(from, filtered, depth, 1, 1, 0, cv::BORDER_REPLICATE);
+        cv::convertScaleAbs(filtered, out);
+        benchmark::ClobberMemory();
+    }
+    label(state, out);
+}
+
+/// Four channels: |L| summed, then scaled to eight bits.
+void time_full_laplacian(benchmark::State& state) {
+    cv::setNumThreads(1);
+    std::array<Padded<float>, 4> planes = {
+        codes<float>(1), codes<float>(2), codes<float>(3), codes<float>(4)};
+    cv::Mat filtered;
+    cv::Mat sum;
+    cv::Mat out;
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            cv::Laplacian(mat_of(planes[i]), filtered, CV_32F, 1, 1, 0, cv::BORDER_REPLICATE);
+            if (i == 0) {
+                sum = cv::abs(filtered);
+            } else {
+                sum += cv::abs(filtered);
+            }
+        }
+        cv::convertScaleAbs(sum, out, 255);
+        benchmark::ClobberMemory();
+    }
+    label(state, out);
+}
+
+/// Both directions, the sum of their absolute values over eight.
+template <class T>
+void time_sobel(benchmark::State& state) {
+    cv::setNumThreads(1);
+    Padded<T> values = codes<T>(1);
+    const cv::Mat from = mat_of(values);
+    const int depth = sizeof(T) == 1 ? CV_16S : CV_32F;
+    cv::Mat across;
+    cv::Mat down;
+    cv::Mat out;
+    for (auto _ : state) {
+        cv::Sobel(from, across, depth, 1, 0, 3, 1, 0, cv::BORDER_REPLICATE);
+        cv::Sobel(from, down, depth, 0, 1, 3, 1, 0, cv::BORDER_REPLICATE);
+        out = (cv::abs(across) + cv::abs(down)) / 8;
+        benchmark::ClobberMemory();
+    }
+    cv::convertScaleAbs(out, out);
+    label(state, out);
+}
+
+void time_threshold(benchmark::State& state) {
+    cv::setNumThreads(1);
+    Padded<std::uint8_t> strengths = codes<std::uint8_t>(1);
+    const cv::Mat from = mat_of(strengths);
+    cv::Mat out;
+    for (auto _ : state) {
+        cv::threshold(from, out, 127, 1, cv::THRESH_BINARY);
+        benchmark::ClobberMemory();
+    }
+    label(state, out);
+}
+
+}  // namespace
+
+void add_opencv_benchmarks() {
+    const auto add = [](const char* name, auto run) { benchmark::RegisterBenchmark(name, run); };
+    add("opencv/laplacian/u8/1080p", time_laplacian<std::uint8_t>);
+    add("opencv/laplacian/u16/1080p", time_laplacian<std::uint16_t>);
+    add("opencv/laplacian/f32x4/1080p", time_full_laplacian);
+    add("opencv/sobel/u8/1080p", time_sobel<std::uint8_t>);
+    add("opencv/sobel/u16/1080p", time_sobel<std::uint16_t>);
+    add("opencv/sobel/f32/1080p", time_sobel<float>);
+    add("opencv/threshold/u8/1080p", time_threshold);
+}
+
+}  // namespace ink::bench

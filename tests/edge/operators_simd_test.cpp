@@ -1,0 +1,164 @@
+// Roberts, Sobel, blur and threshold on every SIMD target against their plain formulas.
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "edge/binomial_blur.h"
+#include "edge/roberts.h"
+#include "edge/sobel.h"
+#include "edge/threshold.h"
+#include "guarded.h"
+#include "plain_filters.h"
+
+namespace ink::edge {
+namespace {
+
+/// Runs `filter(in, out)` over all widths and holds it to `plain(at, stride)`.
+template <class T, class Filter, class Plain>
+void expect_every_width(Filter filter, Plain plain) {
+    on_every_target([&] {
+        for (int width = 0; width <= 200; ++width) {
+            const auto seed = static_cast<unsigned>(width);
+            Guarded<T> in(width, 1 + width % 4, width % 67, T{0});
+            fill_adversarially(in.pixels(), seed + seed / 7);
+            Guarded<T> out(width, 1 + width % 4, width % 61, T{77});
+            filter(in.view(), out.view());
+            const auto view = in.view();
+            for (int y = 0; y < view.height_px; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    ASSERT_EQ(out.view().at(x, y), plain(view.row(y) + x, view.stride))
+                        << x << "," << y << " of width " << width;
+                }
+            }
+            ASSERT_TRUE(out.is_margin_whole()) << "width " << width;
+        }
+    });
+}
+
+template <class T>
+class Operators : public testing::Test {};
+using Pixels = testing::Types<std::uint8_t, std::uint16_t, float>;
+TYPED_TEST_SUITE(Operators, Pixels);
+
+TYPED_TEST(Operators, RobertsIsThePlainCross) {
+    using T = TypeParam;
+    expect_every_width<T>([](auto in, auto out) { roberts(in, out); }, plain::roberts_at<T>);
+}
+
+TYPED_TEST(Operators, SobelFirstIsThePlainFormula) {
+    using T = TypeParam;
+    expect_every_width<T>([](auto in, auto out) { sobel(in, Differential::first, out); },
+                          plain::sobel_first_at<T>);
+}
+
+TYPED_TEST(Operators, SobelSecondIsThePlainFormula) {
+    using T = TypeParam;
+    expect_every_width<T>([](auto in, auto out) { sobel(in, Differential::second, out); },
+                          plain::sobel_second_at<T>);
+}
+
+TYPED_TEST(Operators, ThreadsChangeNothing) {
+    using T = TypeParam;
+    Guarded<T> in(133, 97, 1, T{0});
+    fill_adversarially(in.pixels(), 9);
+    Guarded<T> one(133, 97, 0, T{0});
+    Guarded<T> two(133, 97, 0, T{0});
+    roberts(in.view(), one.view(), 1);
+    roberts(in.view(), two.view(), 2);
+    EXPECT_EQ(one.pixels(), two.pixels());
+    sobel(in.view(), Differential::second, one.view(), 1);
+    sobel(in.view(), Differential::second, two.view(), 2);
+    EXPECT_EQ(one.pixels(), two.pixels());
+}
+
+template <class T>
+class Blur : public testing::Test {};
+using Codes = testing::Types<std::uint8_t, std::uint16_t>;
+TYPED_TEST_SUITE(Blur, Codes);
+
+TYPED_TEST(Blur, IsThePlainFormulaForEveryNumberOfBits) {
+    using T = TypeParam;
+    for (int bits = 0; bits <= 8 * static_cast<int>(sizeof(T)); bits += 4) {
+        expect_every_width<T>([&](auto in, auto out) { binomial_blur(in, out, bits); },
+                              [&](const T* at, std::ptrdiff_t stride) {
+                                  return plain::blurred_at(at, stride, bits);
+                              });
+    }
+}
+
+TYPED_TEST(Operators, SobelFirstIsOpenCvsTwoSobelsInTheInterior) {
+    using T = TypeParam;
+    constexpr int kWidth = 97;
+    constexpr int kHeight = 31;
+    core::Image<T> image(kWidth, kHeight);
+    std::vector<T> pixels(image.size());
+    fill_adversarially(pixels, 3);
+    std::copy(pixels.begin(), pixels.end(), image.data());
+    const cv::Mat values(kHeight, kWidth, cv::DataType<T>::type, image.data());
+    cv::Mat dx;
+    cv::Mat dy;
+    cv::Sobel(values, dx, CV_64F, 1, 0);
+    cv::Sobel(values, dy, CV_64F, 0, 1);
+    core::Image<T> out(kWidth, kHeight);
+    const core::ImageView<const T> inner{image.row(1) + 1, kWidth - 2, kHeight - 2, kWidth};
+    sobel(inner,
+          Differential::first,
+          core::ImageView<T>{out.row(1) + 1, kWidth - 2, kHeight - 2, kWidth});
+    for (int y = 1; y + 1 < kHeight; ++y) {
+        for (int x = 1; x + 1 < kWidth; ++x) {
+            const double sum = std::abs(dx.at<double>(y, x)) + std::abs(dy.at<double>(y, x));
+            if constexpr (std::is_floating_point_v<T>) {
+                ASSERT_NEAR(out.at(x, y), sum / 8, 1e-6);
+            } else {
+                ASSERT_EQ(out.at(x, y), static_cast<T>(sum / 8));
+            }
+        }
+    }
+}
+
+TEST(Roberts, AOnePixelStepIsOneWide) {
+    const std::uint8_t rows[2][6] = {{9, 9, 9, 60, 60, 60}, {9, 9, 9, 60, 60, 60}};
+    std::uint8_t out[5];
+    roberts({rows[0], 5, 1, 6}, {out, 5, 1, 5});
+    EXPECT_EQ(std::vector<std::uint8_t>(out, out + 5),
+              (std::vector<std::uint8_t>{0, 0, 102, 0, 0}));
+}
+
+TEST(Sobel, AOnePixelStepIsTwoWideInBothDifferentials) {
+    std::uint8_t rows[3][8];
+    for (auto& row : rows) {
+        for (int x = 0; x < 8; ++x)
+            row[x] = x < 4 ? 20 : 60;
+    }
+    std::uint8_t out[6];
+    sobel({rows[1] + 1, 6, 1, 8}, Differential::first, {out, 6, 1, 6});
+    EXPECT_EQ(std::vector<std::uint8_t>(out, out + 6),
+              (std::vector<std::uint8_t>{0, 0, 20, 20, 0, 0}));
+    sobel({rows[1] + 1, 6, 1, 8}, Differential::second, {out, 6, 1, 6});
+    EXPECT_EQ(std::vector<std::uint8_t>(out, out + 6),
+              (std::vector<std::uint8_t>{0, 0, 40, 40, 0, 0}));
+}
+
+TEST(ThresholdSimd, IsTheComparisonAtEveryStrengthAndWidth) {
+    for (const int at_least : {1, 2, 127, 128, 254, 255}) {
+        expect_every_width<std::uint8_t>(
+            [&](auto in, auto out) { threshold(in, at_least, out); },
+            [&](const std::uint8_t* at, std::ptrdiff_t) { return *at >= at_least ? 1 : 0; });
+    }
+}
+
+TEST(ThresholdSimd, EqualsOpenCvs) {
+    core::Image<std::uint8_t> image(97, 31);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image.data()[i] = static_cast<std::uint8_t>(i * 37);
+    const cv::Mat strengths(31, 97, CV_8U, image.data());
+    cv::Mat theirs;
+    cv::threshold(strengths, theirs, 99, 1, cv::THRESH_BINARY);  // strictly above
+    const Mask ours = threshold(image, 100);
+    EXPECT_TRUE(std::equal(ours.data(), ours.data() + ours.size(), theirs.data));
+}
+
+}  // namespace
+}  // namespace ink::edge
