@@ -24,7 +24,7 @@ target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPR
 add_library(ink_highway INTERFACE)
 target_link_libraries(ink_highway INTERFACE hwy::hwy)
 target_compile_definitions(ink_highway INTERFACE
-    HWY_COMPILE_ALL_ATTAINABLE "HWY_DISABLED_TARGETS=((1LL<<11)|(1LL<<12)|(1LL<<13)|(1LL<<14))")
+    HWY_COMPILE_ALL_ATTAINABLE HWY_WANT_AVX3_DL "HWY_DISABLED_TARGETS=((1LL<<11)|(1LL<<12)|(1LL<<13)|(1LL<<14))")
 
 if(NOT TARGET glm::glm)
     add_library(glm::glm INTERFACE IMPORTED)
