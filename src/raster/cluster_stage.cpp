@@ -201,6 +201,26 @@ HWY_INLINE hn::Mask<DI> IsInside(const Corners& c, VI turned, VI x, VI y) {
     return hn::Gt(outside, hn::Set(d, -1));
 }
 
+/// The tile that a box and its halo lie in, or -1.
+HWY_INLINE VI OneTile(const TriageJob& job, VI x0, VI y0, VI x1, VI y1) {
+    static_assert(kTileSize_px == 64);
+    constexpr int kShift = 6;
+    const DI d;
+    const auto zero = hn::Zero(d);
+    const auto halo = hn::Set(d, job.halo_px);
+    const auto past = hn::Set(d, job.halo_px - 1);
+    const auto low = [&](VI v) { return hn::ShiftRight<kShift>(hn::Max(hn::Sub(v, halo), zero)); };
+    const auto high = [&](VI v, int count) {
+        return hn::Min(hn::ShiftRight<kShift>(hn::Add(v, past)), hn::Set(d, count - 1));
+    };
+    const auto column = low(x0);
+    const auto row = low(y0);
+    const auto is_one = hn::And(hn::Eq(column, high(x1, job.columns)),
+                                hn::Eq(row, high(y1, job.rows)));
+    const auto tile = hn::Add(hn::Mul(row, hn::Set(d, job.columns)), column);
+    return hn::IfThenElse(is_one, tile, hn::Set(d, -1));
+}
+
 HWY_INLINE void Append(VI v, hn::Mask<DI> mask, std::int32_t* to) {
     hn::StoreU(hn::Compress(v, mask), DI(), to);
 }
@@ -283,6 +303,7 @@ void TriageCluster(const LaneMesh& mesh,
         Append(x1, keep, result.x1 + result.count);
         Append(y1, keep, result.y1 + result.count);
         Append(hn::IfThenElseZero(is_sure, area), keep, result.area + result.count);
+        Append(OneTile(job, x0, y0, x1, y1), keep, result.tile + result.count);
         result.count += kept;
     }
     const std::int32_t extent = hn::GetLane(hn::MaxOfLanes(d, largest));

@@ -51,6 +51,9 @@ struct ClusterLanes {
 /// What is asked of a cluster's triangles.
 struct TriageJob {
     PixelRect picture;
+    int halo_px = 0;
+    int columns = 1;  ///< of tiles
+    int rows = 1;
     bool drops_backs = false;      ///< triangles seen from their back are of no use
     bool drops_no_sample = false;  ///< so are those that cover no pixel centre
 };
@@ -64,6 +67,8 @@ struct TriageResult {
     alignas(64) std::int32_t y0[kCapacity];
     alignas(64) std::int32_t x1[kCapacity];
     alignas(64) std::int32_t y1[kCapacity];
+    /// The one tile that all its centres and their halos lie in, or -1: several.
+    alignas(64) std::int32_t tile[kCapacity];
     /// Twice the snapped area where its sign is sure to be that of the true one, else 0.
     alignas(64) std::int32_t area[kCapacity];
     std::size_t count = 0;

@@ -1,5 +1,7 @@
 #include "raster/lane_narrow.h"
 
+#include <limits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/lane_narrow.cpp"
 #include <hwy/foreach_target.h>
@@ -11,10 +13,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 template <class T>
 void NarrowTo(const std::uint32_t* codes, std::size_t count, T* to) {
-    const hn::CappedTag<std::uint32_t, 16> d;
+    const hn::CappedTag<std::int32_t, 16> d;
     const hn::Rebind<T, decltype(d)> dt;
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-        hn::StoreU(hn::TruncateTo(dt, hn::LoadU(d, codes + i)), dt, to + i);
+    const auto low_bits = hn::Set(d, std::numeric_limits<T>::max());
+    const auto* from = reinterpret_cast<const std::int32_t*>(codes);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        // Not TruncateTo: Highway 1.0.3 takes the wrong bytes on AVX3_DL.
+        const auto code = hn::And(hn::LoadU(d, from + i), low_bits);
+        hn::StoreU(hn::DemoteTo(dt, code), dt, to + i);
+    }
 }
 
 void Narrow8(const std::uint32_t* codes, std::size_t count, std::uint8_t* to) {

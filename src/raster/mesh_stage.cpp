@@ -168,11 +168,12 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
         if (is_back && drops) continue;
         has_back = has_back || is_back;
         triage_.triangle[kept] = triage_.triangle[i] | (is_back ? 0x80U : 0U);
-        triage_.x0[kept] = triage_.x0[i];
-        triage_.y0[kept] = triage_.y0[i];
-        triage_.x1[kept] = triage_.x1[i];
-        triage_.y1[kept] = triage_.y1[i];
-        ++kept;
+        if (kept++ == i) continue;
+        triage_.tile[kept - 1] = triage_.tile[i];
+        triage_.x0[kept - 1] = triage_.x0[i];
+        triage_.y0[kept - 1] = triage_.y0[i];
+        triage_.x1[kept - 1] = triage_.x1[i];
+        triage_.y1[kept - 1] = triage_.y1[i];
     }
     triage_.count = kept;
     return has_back;
@@ -210,7 +211,12 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     triage_cluster(mesh,
                    index,
                    lanes_,
-                   {picture_of(job.grid), drops_backs, skips.has(Skip::no_sample)},
+                   {picture_of(job.grid),
+                    job.grid.halo_px,
+                    job.grid.columns(),
+                    job.grid.rows(),
+                    drops_backs,
+                    skips.has(Skip::no_sample)},
                    triage_);
     if (triage_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
@@ -251,30 +257,26 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
 }
 
 void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object) {
-    static_assert(kTileSize_px == 64);
-    constexpr int kShift = 6;
     const TileGrid& grid = job.grid;
     const int halo = grid.halo_px;
-    const int columns = grid.columns();
-    const int rows = grid.rows();
     const auto base = static_cast<std::uint32_t>(slot << 8);
-    const auto add = [&](int column, int row, std::size_t i) {
-        const auto tile = static_cast<std::size_t>(row * columns + column);
+    const auto add = [&](std::size_t tile, std::size_t i) {
         lists_[tile].push(base | triage_.triangle[i]);
         if (!objects_.empty()) objects_[tile] |= object;
     };
     for (std::size_t i = 0; i < triage_.count; ++i) {
-        const int column0 = std::max(triage_.x0[i] - halo, 0) >> kShift;
-        const int row0 = std::max(triage_.y0[i] - halo, 0) >> kShift;
-        const int column1 = std::min((triage_.x1[i] - 1 + halo) >> kShift, columns - 1);
-        const int row1 = std::min((triage_.y1[i] - 1 + halo) >> kShift, rows - 1);
-        if (column0 == column1 && row0 == row1) {  // as most do
-            add(column0, row0, i);
+        if (triage_.tile[i] >= 0) {  // as most are
+            add(static_cast<std::size_t>(triage_.tile[i]), i);
             continue;
         }
+        const int column0 = std::max(triage_.x0[i] - halo, 0) / kTileSize_px;
+        const int row0 = std::max(triage_.y0[i] - halo, 0) / kTileSize_px;
+        const int column1 =
+            std::min((triage_.x1[i] - 1 + halo) / kTileSize_px, grid.columns() - 1);
+        const int row1 = std::min((triage_.y1[i] - 1 + halo) / kTileSize_px, grid.rows() - 1);
         for (int row = row0; row <= row1; ++row) {
             for (int column = column0; column <= column1; ++column)
-                add(column, row, i);
+                add(static_cast<std::size_t>(row * grid.columns() + column), i);
         }
     }
 }
