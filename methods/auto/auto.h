@@ -30,6 +30,7 @@ class Auto : public Method {
     void draw(const Frame& frame, edge::EdgeImage& out) override { buffer_->draw(frame, out); }
     [[nodiscard]] int bytes_per_px() const override { return buffer_->bytes_per_px(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return buffer_->skip_counts(); }
+    [[nodiscard]] Cost cost() const override { return buffer_->cost(); }
     [[nodiscard]] std::optional<LinearCode> code() const override { return buffer_->code(); }
     [[nodiscard]] std::vector<PlanLine> plan() const override { return plan_.lines; }
 
