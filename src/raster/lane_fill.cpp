@@ -132,7 +132,10 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
     const auto minus_one = hn::Set(d, -1);
     float* const depth = to.depth_row<float>(0);
     Values values(t, i, to);
-    for (int x = t.x0[i] & -lanes; x < t.x1[i]; x += lanes) {
+    int x = t.x0[i] & -lanes;
+    // What fits one vector is not cut in two for the sake of alignment.
+    if (t.x1[i] - x > lanes && t.x1[i] - t.x0[i] <= lanes) x = t.x1[i] - lanes;
+    for (; x < t.x1[i]; x += lanes) {
         const auto from_ref = hn::Add(hn::Load(d, kRamp), hn::Set(d, x - t.ref_x[i]));
         const auto from_ref_f = hn::ConvertTo(df, from_ref);
         const auto start = [&](int k) {

@@ -61,6 +61,7 @@ class MeshTileWorker {
         buffer_.start(tile);
         if (is_empty && skips_empty) {
             ++empty.skipped;
+            buffer_.finish();
             sink.finish(buffer_.view(true));
             return;
         }

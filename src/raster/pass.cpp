@@ -54,7 +54,7 @@ class TileWorker {
             if (!bins_.of(tile).empty()) buffer.touch();
             const FillCounts counts = fill_(job_, bins_.of(tile), buffer);
             const bool is_empty = counts.kept == 0;
-            if (!is_empty) buffer.finish();
+            buffer.finish();
             if (!is_empty) buffer.extend_frame();
             sink.finish(buffer.view(is_empty));
             ++stats.tiles;

@@ -65,11 +65,11 @@ void TileBuffer::start(int tile) {
     fill_words(depth_, 0);
     for (int plane = 0; plane < format_.planes(); ++plane)
         fill_words(drawn_plane(plane), sky_[static_cast<std::size_t>(plane)]);
-    finish();
 }
 
 void TileBuffer::finish() {
-    if (!is_narrowed()) return;
+    if (!is_narrowed() || (is_clean_ && shows_sky_)) return;
+    shows_sky_ = is_clean_;
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
         const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data());
         if (format_.store == Store::u8) {

@@ -54,7 +54,8 @@ class TileBuffer {
     [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
         return plane_row<std::uint32_t>(plane, y);
     }
-    /// Makes the planes what a sink is shown: codes in the store's type.
+    /// Makes the planes what a sink is shown: codes in the store's type. Needed before view(), for
+    /// an empty tile too.
     void finish();
 
   private:
@@ -78,7 +79,8 @@ class TileBuffer {
     PixelRect own_;
     PixelRect drawn_;
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
-    bool is_clean_ = false;
+    bool is_clean_ = false;   ///< nothing but sky is drawn
+    bool shows_sky_ = false;  ///< nor do the narrowed planes hold anything else
     Memory depth_;
     std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them
     std::array<Memory, kMaxPlanes> wide_;    ///< codes of u8 and u16 while they are drawn
