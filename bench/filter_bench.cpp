@@ -45,6 +45,7 @@ void time_memcpy(benchmark::State& state, const Traffic& traffic) {
         std::memcpy(to.data(), from.data(), size);
         benchmark::ClobberMemory();
     }
+    state.SetLabel(core::Hasher().bytes(to.data(), to.size()).hex());
     state.SetBytesProcessed(state.iterations() * traffic.sum());
 }
 

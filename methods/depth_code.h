@@ -49,9 +49,7 @@ class DepthCarrier {
     [[nodiscard]] float at_vertex(double w) const;
 
     /// Whether 1/w is what it carries, else w.
-    [[nodiscard]] bool is_affine() const {
-        return interpolation_ == raster::Interpolation::affine;
-    }
+    [[nodiscard]] bool is_affine() const { return interpolation_ == raster::Interpolation::affine; }
 
     /// Whether the interpolated value is the encoded depth as it stands.
     [[nodiscard]] bool is_encoded() const;

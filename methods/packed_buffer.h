@@ -76,8 +76,8 @@ class PackedBuffer : public Method {
   private:
     [[nodiscard]] bool has_linear_codes() const;
     [[nodiscard]] bool flat_gives_zero() const;
-    [[nodiscard]] std::unique_ptr<raster::CornerValues> corner_values(
-        bool reads_all, std::uint64_t& unread) const;
+    [[nodiscard]] std::unique_ptr<raster::CornerValues> corner_values(bool reads_all,
+                                                                      std::uint64_t& unread) const;
 
     PackParams params_;
     Packer packer_;

@@ -21,8 +21,8 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
     std::uint64_t moved = 0;
     for (std::size_t t = 0; t < a.triangles.size(); ++t) {
         for (const std::uint32_t corner : a.triangles[t]) {
-            const bool is_same = a.p_world[corner] == b.p_world[corner] &&
-                                 a.n_world[corner] == b.n_world[corner];
+            const bool is_same =
+                a.p_world[corner] == b.p_world[corner] && a.n_world[corner] == b.n_world[corner];
             if (!is_same) moved |= std::uint64_t{1} << (a.object[t] % 64);
         }
     }

@@ -16,8 +16,7 @@ raster::LinearValue linear_code(const LinearChannels& channels,
         const double half = ranges.normal[i] / 2;
         code.base += half;
         for (int axis = 0; axis < 3; ++axis) {
-            code.per_normal[axis] +=
-                static_cast<float>(half * channels.normal[i].per_normal[axis]);
+            code.per_normal[axis] += static_cast<float>(half * channels.normal[i].per_normal[axis]);
         }
     }
     return code;
@@ -27,8 +26,7 @@ LinearValues::LinearValues(std::vector<raster::LinearValue> values, bool reads_a
     : values_(std::move(values)), reads_all_(reads_all) {}
 
 void LinearValues::compute(const raster::CornerBatch& in, const raster::CornerPlanes& out) const {
-    raster::compute_linear(
-        values_.data(), static_cast<int>(values_.size()), reads_all_, in, out);
+    raster::compute_linear(values_.data(), static_cast<int>(values_.size()), reads_all_, in, out);
 }
 
 std::uint64_t LinearValues::unread_channels() const {
@@ -71,8 +69,8 @@ CodeValues::CodeValues(const SurfaceInputs& inputs,
 void CodeValues::compute(const raster::CornerBatch& in, const raster::CornerPlanes& out) const {
     for (std::size_t i = 0; i < in.count; ++i) {
         const double depth = encode_limited(encoding_, in.w[i], range_);
-        const glm::dvec3 n = view_from_world_ *
-                             glm::vec3(in.n_world[0][i], in.n_world[1][i], in.n_world[2][i]);
+        const glm::dvec3 n =
+            view_from_world_ * glm::vec3(in.n_world[0][i], in.n_world[1][i], in.n_world[2][i]);
         for (int plane = 0; plane < packer_.layout().planes; ++plane) {
             out.front[plane][i] = static_cast<float>(packer_.at_vertex(plane, depth, n));
             if (out.back[plane] != nullptr)

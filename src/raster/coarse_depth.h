@@ -31,8 +31,8 @@ class CoarseDepth {
 
   private:
     TileBuffer* buffer_ = nullptr;
-    std::size_t drawn_ = 0;    ///< since the last refresh
-    std::size_t pause_ = 0;    ///< triangles until the next
+    std::size_t drawn_ = 0;  ///< since the last refresh
+    std::size_t pause_ = 0;  ///< triangles until the next
     bool is_known_ = false;
     std::array<std::array<float, kSquares>, kSquares> least_{};
 };

@@ -114,8 +114,8 @@ std::vector<PixelRect> needed_rects(const TileBuffer& tile, std::uint16_t flat, 
                              std::max(wide.y0, drawn.y0),
                              std::min(wide.x1, drawn.x1),
                              std::min(wide.y1, drawn.y1)};
-        const bool goes_on = square % kFlatSquares > 0 && (flat >> (square - 1) & 1U) == 0 &&
-                             !rects.empty();
+        const bool goes_on =
+            square % kFlatSquares > 0 && (flat >> (square - 1) & 1U) == 0 && !rects.empty();
         if (goes_on) {
             rects.back().x1 = rect.x1;
         } else {

@@ -15,10 +15,10 @@ inline constexpr int kFlatSquares = kTileSize_px / kFlatSquare_px;  ///< each wa
 /// Proves of rectangles that one triangle alone is seen in them.
 ///
 /// The proof is exact: the triangle covers every centre, its depth at each is more than that of any
-/// other triangle that has a centre there (both are what the fill computes, which runs monotonically
-/// along rows and columns, so corners tell), and no code of it is limited there, so that codes are
-/// floors of one affine function. What such a rectangle holds is then known without drawing it: a
-/// 5-point Laplacian of at most 2.
+/// other triangle that has a centre there (both are what the fill computes, which runs
+/// monotonically along rows and columns, so corners tell), and no code of it is limited there, so
+/// that codes are floors of one affine function. What such a rectangle holds is then known without
+/// drawing it: a 5-point Laplacian of at most 2.
 class FlatProof {
   public:
     /// More triangles than this in a tile, and nobody looks.

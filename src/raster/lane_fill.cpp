@@ -59,8 +59,7 @@ class CodeLanes {
     HWY_INLINE void Write(std::ptrdiff_t offset, VF, MI mask) {
         const DI d;
         for (int k = 0; k < kCount; ++k) {
-            const auto limited =
-                kLimits ? hn::Min(hn::Max(at_[k], low_[k]), high_[k]) : at_[k];
+            const auto limited = kLimits ? hn::Min(hn::Max(at_[k], low_[k]), high_[k]) : at_[k];
             const auto code = hn::ShiftRight<kFraction>(limited);
             std::int32_t* to = plane_[k] + offset;
             hn::StoreU(hn::IfThenElse(mask, code, hn::LoadU(d, to)), d, to);
@@ -157,7 +156,8 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
             const auto seen = hn::IfThenElseZero(hn::RebindMask(df, is_inside), q);
             const auto old = hn::LoadU(df, depth + offset);
             hn::StoreU(hn::Max(seen, old), df, depth + offset);
-            values.template Write<kLimits>(offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
+            values.template Write<kLimits>(
+                offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
             e0 = hn::Add(e0, step0);
             e1 = hn::Add(e1, step1);
             e2 = hn::Add(e2, step2);
@@ -176,9 +176,8 @@ void Fill(const LaneTriangles& triangles, TileBuffer& to) {
 void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     switch (format.store) {
         case Store::u8:
-            return format.interpolants == 1
-                       ? Fill<CodeLanes<1, 16>>(triangles, to)
-                       : Fill<CodeLanes<2, 16>>(triangles, to);
+            return format.interpolants == 1 ? Fill<CodeLanes<1, 16>>(triangles, to)
+                                            : Fill<CodeLanes<2, 16>>(triangles, to);
         case Store::u16:
             return Fill<CodeLanes<1, 14>>(triangles, to);
         case Store::f32:

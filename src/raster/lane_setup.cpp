@@ -88,18 +88,14 @@ HWY_INLINE PlaneLanes MakePlanes(const Corner (&c)[3], VI ref_x, VI ref_y) {
 }
 
 /// The 9 numbers of three edges; returns where the triangle is thin.
-HWY_INLINE hn::Mask<DI> SetUpEdges(const Corner (&c)[3],
-                                   VI ref_x,
-                                   VI ref_y,
-                                   std::size_t at,
-                                   LaneTriangles& out) {
+HWY_INLINE hn::Mask<DI> SetUpEdges(
+    const Corner (&c)[3], VI ref_x, VI ref_y, std::size_t at, LaneTriangles& out) {
     const DI d;
     const DF df;
     const auto zero = hn::Zero(d);
-    const auto area = hn::Sub(hn::Mul(hn::Sub(c[1].x_snapped, c[0].x_snapped),
-                                      hn::Sub(c[2].y_snapped, c[0].y_snapped)),
-                              hn::Mul(hn::Sub(c[2].x_snapped, c[0].x_snapped),
-                                      hn::Sub(c[1].y_snapped, c[0].y_snapped)));
+    const auto area = hn::Sub(
+        hn::Mul(hn::Sub(c[1].x_snapped, c[0].x_snapped), hn::Sub(c[2].y_snapped, c[0].y_snapped)),
+        hn::Mul(hn::Sub(c[2].x_snapped, c[0].x_snapped), hn::Sub(c[1].y_snapped, c[0].y_snapped)));
     // -1 where the corners run the other way: (v ^ -1) - -1 = -v turns the edges.
     const auto turned = hn::VecFromMask(d, hn::Lt(area, zero));
     const auto centre = hn::Set(d, kSubpixels / 2);
@@ -129,8 +125,7 @@ HWY_INLINE hn::Mask<DI> SetUpEdges(const Corner (&c)[3],
     // As is_thin of setup.cpp, in float: a height below 1.25 px.
     constexpr float kLimit = 1.25F * kSubpixels;
     const auto a = hn::ConvertTo(df, area);
-    const auto is_thin =
-        hn::Lt(hn::Mul(a, a), hn::Mul(hn::Set(df, kLimit * kLimit), longest2));
+    const auto is_thin = hn::Lt(hn::Mul(a, a), hn::Mul(hn::Set(df, kLimit * kLimit), longest2));
     return hn::RebindMask(d, is_thin);
 }
 
@@ -173,8 +168,8 @@ HWY_INLINE void StoreNumbers(const PlaneLanes& planes,
 
 /// How a code's numbers are made fixed.
 struct CodeScale {
-    float scale;        ///< 2^fraction bits
-    std::int32_t low;   ///< of a code anywhere: the store's range if it saturates
+    float scale;       ///< 2^fraction bits
+    std::int32_t low;  ///< of a code anywhere: the store's range if it saturates
     std::int32_t high;
     bool is_limited;  ///< it saturates
 };
@@ -182,13 +177,13 @@ struct CodeScale {
 /// Returns where a code may leave the store's range: its corners come within one code of an end,
 /// and a centre of the snapped triangle may lie a little outside the true one.
 HWY_INLINE hn::Mask<DI> StoreCodes(const PlaneLanes& planes,
-                           VF v0,
-                           VF v1,
-                           VF v2,
-                           hn::Mask<DI> is_thin,
-                           const CodeScale& scale,
-                           std::size_t at,
-                           LaneTriangles::Codes& out) {
+                                   VF v0,
+                                   VF v1,
+                                   VF v2,
+                                   hn::Mask<DI> is_thin,
+                                   const CodeScale& scale,
+                                   std::size_t at,
+                                   LaneTriangles::Codes& out) {
     const DI d;
     const DF df;
     const auto p = planes.Through(v0, v1, v2);
@@ -232,9 +227,7 @@ CodeScale ScaleOf(const PassFormat& format) {
 
 /// Copies the corners' records together.
 template <bool kHasMore>
-void Collect(const LaneSource& source,
-             std::span<const std::uint32_t> entries,
-             LaneTriangles& out) {
+void Collect(const LaneSource& source, std::span<const std::uint32_t> entries, LaneTriangles& out) {
     const hn::CappedTag<std::int32_t, kRecordWords> d4;
     std::uint32_t last = ~0U;
     const std::uint8_t* corners[3] = {};
@@ -318,8 +311,7 @@ void SetUpLanes(const PassFormat& format,
                 StoreNumbers(planes, v0, v1, v2, hn::RebindMask(df, is_thin), at, out.numbers[i]);
             } else {
                 needs_limits = hn::Or(
-                    needs_limits,
-                    StoreCodes(planes, v0, v1, v2, is_thin, scale, at, out.codes[i]));
+                    needs_limits, StoreCodes(planes, v0, v1, v2, is_thin, scale, at, out.codes[i]));
             }
         }
         hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);

@@ -53,9 +53,9 @@ struct LaneSource {
 
 /// Some triangles set up for one tile, one array per number.
 ///
-/// Everything is relative to a pixel beside the triangle, its reference: at(x, y) = at_ref + dx (x -
-/// ref_x) + dy (y - ref_y). Edges are in 1/256 px squared over 256, exact: a centre is inside where
-/// none is negative.
+/// Everything is relative to a pixel beside the triangle, its reference: at(x, y) = at_ref + dx (x
+/// - ref_x) + dy (y - ref_y). Edges are in 1/256 px squared over 256, exact: a centre is inside
+/// where none is negative.
 struct LaneTriangles {
     static constexpr std::size_t kCount = 64;
     using Ints = std::int32_t[kCount];
@@ -76,8 +76,8 @@ struct LaneTriangles {
     /// gradients are noise, and codes that come near the ends of their store.
     alignas(64) Ints needs_limits;
     Numbers q;
-    Codes codes[2];                ///< integer stores
-    Numbers numbers[kMaxPlanes];  ///< f32
+    Codes codes[2];                                             ///< integer stores
+    Numbers numbers[kMaxPlanes];                                ///< f32
     alignas(64) std::int32_t corners[3][kCount][kRecordWords];  ///< as they come, not yet in lanes
     alignas(64) std::int32_t more[3][kCount][kRecordWords];
 };

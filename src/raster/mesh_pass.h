@@ -27,7 +27,8 @@ struct MeshInput {
     /// whatever the sink does: such tiles may come as empty ones, such blocks be left out.
     bool flat_gives_zero = false;
     /// Objects (instances, modulo 64) that moved since the last draw, if nothing else changed since
-    /// then: camera, size, values, sky. Tiles that none of them touches, now or then, are not drawn.
+    /// then: camera, size, values, sky. Tiles that none of them touches, now or then, are not
+    /// drawn.
     bool may_keep_still = false;
     std::uint64_t moved_objects = 0;
 };

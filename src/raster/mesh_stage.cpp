@@ -15,29 +15,6 @@ SkipCount& count_of(SkipCounts& counts, Skip skip) {
     return counts[static_cast<std::size_t>(skip)];
 }
 
-/// Whether a ball lies beyond the near plane or one side of the picture, with room for rounding.
-bool is_outside(const scene::Sphere& ball, const MeshJob& job) {
-    const glm::dvec3 p = job.transform.to_clip(ball.center_world);
-    const auto& rows = job.transform.rows;
-    const double radius = ball.radius * (1 + 1e-9);
-    const auto length = [&](double kx, double ky, double kw) {
-        double sum = 0;
-        for (int i = 0; i < 3; ++i) {
-            const double v = kx * rows[0][i] + ky * rows[1][i] + kw * rows[2][i];
-            sum += v * v;
-        }
-        return std::sqrt(sum);
-    };
-    // A pixel more on each side: what is snapped may move by a part of one.
-    const double right = job.grid.width_px + 1.0;
-    const double below = job.grid.height_px + 1.0;
-    return p.z < job.input.view.camera.near - radius ||
-           p.x + p.z < -radius * length(1, 0, 1) ||
-           right * p.z - p.x < -radius * length(-1, 0, right) ||
-           p.y + p.z < -radius * length(0, 1, 1) ||
-           below * p.z - p.y < -radius * length(0, -1, below);
-}
-
 PixelRect picture_of(const TileGrid& grid) {
     return {0, 0, grid.width_px, grid.height_px};
 }
@@ -47,56 +24,6 @@ std::uint64_t object_bit(const MeshJob& job, const scene::Cluster& cluster) {
 }
 
 }  // namespace
-
-std::vector<SolidView> view_solids(const MeshInput& input) {
-    const scene::Camera& camera = input.view.camera;
-    const auto& solids = input.mesh->clusters().solids;
-    std::vector<SolidView> views(solids.size());
-    const auto depth_of = [&](const scene::Sphere& ball) {
-        return -(camera.view_from_world * (ball.center_world - camera.eye_world)).z;
-    };
-    // A near plane fitted to the scene's own ball touches it at most, but for rounding.
-    const bool is_all_uncut =
-        input.bounds.radius > 0 && depth_of(input.bounds) - input.bounds.radius >=
-                                       camera.near - 1e-9 * input.bounds.radius;
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const scene::Sphere& ball = solids[i].bounds;
-        const glm::dvec3 way = ball.center_world - camera.eye_world;
-        const double radius = ball.radius * (1 + 1e-6);
-        const double depth = depth_of(ball);
-        const bool is_uncut =
-            is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
-        views[i].hides_backs = solids[i].is_sealed && glm::length(way) > radius && is_uncut;
-    }
-    return views;
-}
-
-std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
-    constexpr std::size_t kSteps = 32;
-    const auto& clusters = input.mesh->clusters().clusters;
-    const glm::dvec3 eye = input.view.camera.eye_world;
-    std::vector<double> distances(clusters.size());
-    for (std::size_t i = 0; i < clusters.size(); ++i) {
-        const glm::dvec3 way = clusters[i].bounds.center_world - eye;
-        distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-    }
-    std::vector<std::uint32_t> order(clusters.size());
-    if (order.empty()) return order;
-    const auto [nearest, farthest] = std::minmax_element(distances.begin(), distances.end());
-    const double origin = *nearest;
-    const double scale = *farthest > origin ? (kSteps - 1) / (*farthest - origin) : 0;
-    std::vector<std::uint8_t> steps(clusters.size());
-    std::array<std::uint32_t, kSteps + 1> first{};
-    for (std::size_t i = 0; i < clusters.size(); ++i) {
-        steps[i] = static_cast<std::uint8_t>((distances[i] - origin) * scale);
-        ++first[steps[i] + 1U];
-    }
-    for (std::size_t step = 0; step < kSteps; ++step)
-        first[step + 1] += first[step];
-    for (std::size_t i = 0; i < clusters.size(); ++i)
-        order[first[steps[i]]++] = static_cast<std::uint32_t>(i);
-    return order;
-}
 
 LaneSource MeshRun::source(const LaneMesh& mesh) const {
     return {&mesh, slots_.data(), records_.data(), more_.size() > 0 ? more_.data() : nullptr};
@@ -132,7 +59,7 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
     SkipCount& backs = count_of(skips_, Skip::backs);
     ++frustum.of;
     ++backs.of;
-    if (skips.has(Skip::frustum) && is_outside(cluster.bounds, job)) {
+    if (skips.has(Skip::frustum) && is_outside(cluster.bounds, job.transform, job.input.view)) {
         ++frustum.skipped;
         return;
     }
@@ -239,10 +166,10 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     }
     LaneSlot slot;
     slot.cluster = static_cast<std::uint32_t>(index);
-    // A centre of a snapped triangle may lie 1/256 px outside the true one, which is at least 1.25 px
-    // high where q is not limited to its corners: q goes beyond them by less than this.
-    slot.q_most = lanes_.q_most + (lanes_.q_most - lanes_.q_least) * 0x1p-6F +
-                  lanes_.q_most * 0x1p-20F;
+    // A centre of a snapped triangle may lie 1/256 px outside the true one, which is at least 1.25
+    // px high where q is not limited to its corners: q goes beyond them by less than this.
+    slot.q_most =
+        lanes_.q_most + (lanes_.q_most - lanes_.q_least) * 0x1p-6F + lanes_.q_most * 0x1p-20F;
     slot.bounds = {lanes_.x0 >> kSubpixelBits,
                    lanes_.y0 >> kSubpixelBits,
                    (lanes_.x1 >> kSubpixelBits) + 1,
@@ -271,8 +198,7 @@ void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t obje
         }
         const int column0 = std::max(triage_.x0[i] - halo, 0) / kTileSize_px;
         const int row0 = std::max(triage_.y0[i] - halo, 0) / kTileSize_px;
-        const int column1 =
-            std::min((triage_.x1[i] - 1 + halo) / kTileSize_px, grid.columns() - 1);
+        const int column1 = std::min((triage_.x1[i] - 1 + halo) / kTileSize_px, grid.columns() - 1);
         const int row1 = std::min((triage_.y1[i] - 1 + halo) / kTileSize_px, grid.rows() - 1);
         for (int row = row0; row <= row1; ++row) {
             for (int column = column0; column <= column1; ++column)

@@ -6,19 +6,16 @@
 
 #include "raster/bin.h"
 #include "raster/cluster_stage.h"
+#include "raster/cluster_triage.h"
 #include "raster/lane_triangles.h"
 #include "raster/mesh_pass.h"
+#include "raster/mesh_view.h"
 #include "raster/tile_lists.h"
 #include "raster/triangle_stage.h"
 #include "raster/vertex_cut.h"
 #include "raster/view_transform.h"
 
 namespace ink::raster {
-
-/// What a frame decides about each solid before any of its clusters is looked at.
-struct SolidView {
-    bool hides_backs = false;  ///< sealed, and seen from outside: a face turned away is never seen
-};
 
 /// What all runs of clusters share in one frame; borrowed.
 struct MeshJob {
@@ -30,13 +27,6 @@ struct MeshJob {
     std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
     bool uses_lanes = false;
 };
-
-/// Looks at every solid once.
-[[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
-
-/// The order in which clusters are drawn: by the distance of their centres in coarse steps, as they
-/// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
-[[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
 
 /// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
 /// themselves, and per tile a list of both in the order of the clusters. Kept between frames, so

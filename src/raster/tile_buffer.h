@@ -37,8 +37,8 @@ class TileBuffer {
     [[nodiscard]] const PixelRect& own() const { return own_; }
     [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
 
-    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is float
-    /// or uint32 for depth.
+    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is
+    /// float or uint32 for depth.
     template <class T>
     [[nodiscard]] T* depth_row(int y) {
         return reinterpret_cast<T*>(depth_.data()) + offset(y);
@@ -49,8 +49,9 @@ class TileBuffer {
         static_assert(sizeof(T) == sizeof(std::uint32_t));
         return reinterpret_cast<T*>(drawn_plane(plane).data()) + offset(y);
     }
-    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32 bits,
-    /// so that depth and code have the same lanes; finish() makes them as narrow as the store.
+    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32
+    /// bits, so that depth and code have the same lanes; finish() makes them as narrow as the
+    /// store.
     [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
         return plane_row<std::uint32_t>(plane, y);
     }
@@ -79,7 +80,7 @@ class TileBuffer {
     PixelRect own_;
     PixelRect drawn_;
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
-    bool is_clean_ = false;   ///< nothing but sky is drawn
+    bool is_clean_ = false;                        ///< nothing but sky is drawn
     bool shows_sky_ = false;  ///< nor do the narrowed planes hold anything else
     Memory depth_;
     std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them

@@ -63,8 +63,7 @@ struct FloatDepthLanes {
     /// Writes what is nearer; returns where.
     HWY_INLINE MI Test(VD q, MI inside, float* row) const {
         const DF df;
-        const auto seen =
-            hn::IfThenElseZero(hn::RebindMask(df, inside), hn::DemoteTo(df, q));
+        const auto seen = hn::IfThenElseZero(hn::RebindMask(df, inside), hn::DemoteTo(df, q));
         const auto old = hn::LoadU(df, row);
         hn::StoreU(hn::Max(seen, old), df, row);
         return hn::RebindMask(DI(), hn::Gt(seen, old));
@@ -109,7 +108,8 @@ class ConstantValues {
     }
     HWY_INLINE void Write(int x, VI, VD, MI mask) {
         const DI d;
-        hn::StoreU(hn::IfThenElse(mask, hn::Set(d, constant_), hn::LoadU(d, row_ + x)), d, row_ + x);
+        hn::StoreU(
+            hn::IfThenElse(mask, hn::Set(d, constant_), hn::LoadU(d, row_ + x)), d, row_ + x);
     }
 
   private:
@@ -149,11 +149,10 @@ class CodeValuesWhole {
             const auto code = hn::ShiftRight<kCodeFractionBits>(v);
             const auto kept = hn::And(hn::Min(hn::Max(code, hn::Set(dl, low_)), hn::Set(dl, high_)),
                                       hn::Set(dl, mask_));
-            const auto narrow = hn::TruncateTo(
-                hn::RebindToUnsigned<DI>(), hn::BitCast(hn::RebindToUnsigned<DL>(), kept));
+            const auto narrow = hn::TruncateTo(hn::RebindToUnsigned<DI>(),
+                                               hn::BitCast(hn::RebindToUnsigned<DL>(), kept));
             std::int32_t* to = row_[k] + x;
-            hn::StoreU(
-                hn::IfThenElse(mask, hn::BitCast(d, narrow), hn::LoadU(d, to)), d, to);
+            hn::StoreU(hn::IfThenElse(mask, hn::BitCast(d, narrow), hn::LoadU(d, to)), d, to);
         }
     }
 
@@ -231,8 +230,8 @@ void FillSquare(const SetupTriangle& t,
                     return hn::Add(hn::Set(d, square.at[k] + square.dy[k] * (y - r.y0)),
                                    hn::Mul(hn::Set(d, square.dx[k]), across));
                 };
-                inside = hn::And(inside,
-                                 hn::Gt(hn::Or3(edge(0), edge(1), edge(2)), hn::Set(d, -1)));
+                inside =
+                    hn::And(inside, hn::Gt(hn::Or3(edge(0), edge(1), edge(2)), hn::Set(d, -1)));
                 if (hn::AllFalse(d, inside)) continue;
             }
             const auto from_ref = hn::PromoteTo(dd, hn::Add(ramp, hn::Set(d, x - t.ref_x)));
@@ -244,7 +243,10 @@ void FillSquare(const SetupTriangle& t,
 }
 
 template <class Depth, class Values>
-void FillRect(const FillJob& job, const BinEntry& entry, const PixelRect& rect, TileBuffer& buffer) {
+void FillRect(const FillJob& job,
+              const BinEntry& entry,
+              const PixelRect& rect,
+              TileBuffer& buffer) {
     constexpr int kSquare_px = 16;
     const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
     const PixelRect area{std::max(rect.x0, t.bounds.x0),
@@ -264,7 +266,10 @@ void FillRect(const FillJob& job, const BinEntry& entry, const PixelRect& rect, 
 }
 
 template <class Values>
-bool FillWith(const FillJob& job, const BinEntry& entry, const PixelRect& rect, TileBuffer& buffer) {
+bool FillWith(const FillJob& job,
+              const BinEntry& entry,
+              const PixelRect& rect,
+              TileBuffer& buffer) {
     if (job.format.depth == DepthFormat::q32) {
         FillRect<FloatDepthLanes, Values>(job, entry, rect, buffer);
     } else {

@@ -24,7 +24,8 @@ class TestValues : public CornerValues {
         for (int k = 0; k < planes; ++k) {
             values_[static_cast<std::size_t>(k)].base = scale * 0.4 + k;
             values_[static_cast<std::size_t>(k)].per_q = scale * 0.3;
-            values_[static_cast<std::size_t>(k)].per_normal[k % 3] = static_cast<float>(scale * 0.2);
+            values_[static_cast<std::size_t>(k)].per_normal[k % 3] =
+                static_cast<float>(scale * 0.2);
         }
     }
     void compute(const CornerBatch& in, const CornerPlanes& out) const override {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/coarse_depth.h"
+#include "raster/flat_squares.h"
+#include "raster/lane_triangles.h"
+#include "raster/mesh_stage.h"
+#include "raster/tile_buffer.h"
+#include "raster/tile_fill.h"
+
+namespace ink::raster {
+
+/// One thread's share of filling tiles: its buffers, used for tile after tile, and what it skipped.
+class MeshTileWorker {
+  public:
+    /// Both are borrowed; the runs are done.
+    MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& runs);
+
+    /// Draws the tile's lists in the order of the runs, or finds that it need not, and hands it
+    /// over.
+    void draw(int tile, TileSink& sink);
+
+    [[nodiscard]] const SkipCounts& skips() const { return skips_; }
+
+  private:
+    [[nodiscard]] bool prove_flat(int tile, std::uint16_t& flat);
+    void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
+    void look_again(const LaneSource& source);
+    [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
+        return tests_hidden_ && coarse_.hides(bounds, q_most);
+    }
+    void add_lanes(const LaneSource& source, std::span<const std::uint32_t> entries);
+    void draw_lanes(const LaneSource& source);
+    void draw_whole(const std::vector<Batch>& batches, std::uint32_t index);
+
+    const MeshJob& job_;
+    const std::vector<MeshRun>& runs_;
+    FillTile fill_;
+    PassInput near_far_;
+    TileBuffer buffer_;
+    LaneTriangles triangles_;
+    std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
+    std::size_t lane_count_ = 0;
+    FlatProof proof_;
+    std::vector<PixelRect> rects_;
+    bool tests_hidden_;
+    CoarseDepth coarse_;
+    SkipCounts skips_{};
+};
+
+}  // namespace ink::raster
