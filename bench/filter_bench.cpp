@@ -158,7 +158,7 @@ void time_threshold(benchmark::State& state, int threads) {
 /// `name` on one thread, and `name/threads:2`.
 void add(const std::string& name, void (*run)(benchmark::State&, int)) {
     benchmark::RegisterBenchmark(name.c_str(), run, 1);
-    benchmark::RegisterBenchmark((name + "/threads:2").c_str(), run, 2)->UseRealTime();
+    benchmark::RegisterBenchmark((name + "/threads:2").c_str(), run, 2);
 }
 
 }  // namespace

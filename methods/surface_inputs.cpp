@@ -65,7 +65,11 @@ void SurfaceInputs::pose(const scene::Scene& scene) {
 void SurfaceInputs::see(const Frame& frame) {
     const scene::Camera& camera = frame.view.camera;
     const raster::DepthRange range = depth_range(params_.depth_range, camera, bounds_);
-    const bool is_range_same = range.near == range_.near && range.far == range_.far;
+    // What a sealed solid hides hangs on the scene's ball, too.
+    const bool is_range_same = range.near == range_.near && range.far == range_.far &&
+                               bounds_.center_world == seen_bounds_.center_world &&
+                               bounds_.radius == seen_bounds_.radius;
+    seen_bounds_ = bounds_;
     keeps_still_ = frame.skips.has(raster::Skip::still_tiles) && has_moved_;
     is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(frame.view, view_);
     view_ = frame.view;

@@ -105,6 +105,7 @@ class SurfaceInputs {
     std::unique_ptr<scene::Surface> surface_;  ///< the mesh borrows it
     raster::LaneMesh mesh_;
     scene::Sphere bounds_;
+    scene::Sphere seen_bounds_;  ///< of the last frame
     std::uint64_t posed_hash_ = 0;
     std::uint64_t moved_objects_ = ~std::uint64_t{0};  ///< since the last draw, modulo 64
     bool has_moved_ = false;                           ///< ever, since prepare
