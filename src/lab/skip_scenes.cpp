@@ -41,12 +41,16 @@ scene::Mesh wavy_ball(int levels) {
 
 SkipScene no_normals(int levels) {
     Stage stage;
-    stage.add("ball", wavy_ball(levels - 2));
+    stage.add("ball", wavy_ball(levels - 1));
     stage.view(EyeShot{"no_normals", {0, 0, 4}, {0, 0, 0}, 40});
-    SkipScene made =
-        scene_for(Skip::attributes, "A dense ball; the codes give the normal no weight.", stage);
-    made.settings = {
-        {"range_nx", "0"}, {"range_ny", "0"}, {"range_nz", "0"}, {"range_normal", "0"}};
+    SkipScene made = scene_for(
+        Skip::attributes, "A ball of facets; the codes give the normal no weight.", stage);
+    // A normal per facet: three vertices a triangle, so that their work shows.
+    made.settings = {{"range_nx", "0"},
+                     {"range_ny", "0"},
+                     {"range_nz", "0"},
+                     {"range_normal", "0"},
+                     {"normals", "facet"}};
     return made;
 }
 

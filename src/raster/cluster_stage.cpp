@@ -93,12 +93,19 @@ void PackSnapped(std::size_t count, ClusterLanes& lanes) {
     lanes.y0 = hn::GetLane(hn::MinOfLanes(d, y0));
     lanes.x1 = hn::GetLane(hn::MaxOfLanes(d, x1));
     lanes.y1 = hn::GetLane(hn::MaxOfLanes(d, y1));
+    constexpr std::int32_t kExtent = kPackedCluster_px * kSubpixels;
+    lanes.is_packed = lanes.x1 - lanes.x0 <= kExtent && lanes.y1 - lanes.y0 <= kExtent;
     const auto left = hn::Set(d, lanes.x0);
     const auto top = hn::Set(d, lanes.y0);
     for (std::size_t i = 0; i < count; i += n) {
         const auto x = hn::Sub(snap(lanes.x + i), left);
         const auto y = hn::Sub(snap(lanes.y + i), top);
-        hn::Store(hn::Or(hn::ShiftLeft<16>(x), y), d, lanes.packed + i);
+        if (lanes.is_packed) {
+            hn::Store(hn::Or(hn::ShiftLeft<16>(x), y), d, lanes.packed + i);
+        } else {
+            hn::Store(x, d, lanes.x_snapped + i);
+            hn::Store(y, d, lanes.y_snapped + i);
+        }
     }
 }
 
@@ -134,8 +141,6 @@ bool ProjectCluster(const LaneMesh& mesh,
     lanes.q_least = static_cast<float>(1 / reach.most_w);
     lanes.q_most = static_cast<float>(1 / reach.least_w);  // as the nearest vertex's q was rounded
     PackSnapped(count, lanes);
-    constexpr std::int32_t kExtent = kLaneCluster_px * kSubpixels;
-    if (lanes.x1 - lanes.x0 > kExtent || lanes.y1 - lanes.y0 > kExtent) return false;
     return lanes.q[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
 }
 

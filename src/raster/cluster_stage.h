@@ -10,9 +10,8 @@
 
 namespace ink::raster {
 
-/// Clusters at most this wide and high go through lanes: a vertex fits 16 bits each way from their
-/// box's corner.
-inline constexpr int kLaneCluster_px = 255;
+/// In clusters at most this wide and high a vertex fits 16 bits each way from their box's corner.
+inline constexpr int kPackedCluster_px = 255;
 
 /// A cluster's vertices on the screen, and what a method made of them; scratch of one thread.
 struct ClusterLanes {
@@ -23,7 +22,11 @@ struct ClusterLanes {
     alignas(64) std::int32_t x[kCount];  ///< 1/65536 px
     alignas(64) std::int32_t y[kCount];
     alignas(64) float values[2][kMaxPlanes][kCount];  ///< front, back
-    alignas(64) std::int32_t packed[kCount];  ///< snapped, from the box's corner: x << 16 | y
+    /// Snapped, from the box's corner, 1/256 px: x << 16 | y, or apart where they do not fit.
+    bool is_packed = false;
+    alignas(64) std::int32_t packed[kCount];
+    alignas(64) std::int32_t x_snapped[kCount];
+    alignas(64) std::int32_t y_snapped[kCount];
     float q_least = 0;
     float q_most = 0;
     std::int32_t x0 = 0;  ///< snapped box, 1/256 px
@@ -37,8 +40,8 @@ struct ClusterLanes {
 };
 
 /// Puts a cluster's vertices on the screen. False if it must be drawn triangle by triangle: it
-/// crosses the near plane, lies far outside the picture, is too large for lanes, or its 1/w are
-/// beyond what floats can multiply; the lanes then hold nothing of use.
+/// crosses the near plane, lies far outside the picture, or its 1/w are beyond what floats can
+/// multiply; the lanes then hold nothing of use.
 [[nodiscard]] bool project_cluster(const LaneMesh& mesh,
                                    std::size_t cluster,
                                    const ViewTransform& transform,

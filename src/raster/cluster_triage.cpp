@@ -22,15 +22,21 @@ struct Corners {
 };
 
 HWY_INLINE Corners Gather(const std::uint8_t* const (&index)[3],
-                          const std::int32_t* packed,
+                          const ClusterLanes& lanes,
                           std::size_t at) {
     const DI d;
     const hn::Rebind<std::uint8_t, DI> d8;
     Corners c;
     for (int k = 0; k < 3; ++k) {
-        const auto v = hn::GatherIndex(d, packed, hn::PromoteTo(d, hn::LoadU(d8, index[k] + at)));
-        c.x[k] = hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(DU(), v)));
-        c.y[k] = hn::And(v, hn::Set(d, 0xffff));
+        const auto vertex = hn::PromoteTo(d, hn::LoadU(d8, index[k] + at));
+        if (lanes.is_packed) {  // half the gathers
+            const auto v = hn::GatherIndex(d, lanes.packed, vertex);
+            c.x[k] = hn::BitCast(d, hn::ShiftRight<16>(hn::BitCast(DU(), v)));
+            c.y[k] = hn::And(v, hn::Set(d, 0xffff));
+        } else {
+            c.x[k] = hn::GatherIndex(d, lanes.x_snapped, vertex);
+            c.y[k] = hn::GatherIndex(d, lanes.y_snapped, vertex);
+        }
     }
     return c;
 }
@@ -118,7 +124,7 @@ void TriageCluster(const LaneMesh& mesh,
     result.outside = 0;
     auto* triangle = reinterpret_cast<std::int32_t*>(result.triangle);
     for (std::size_t at = 0; at < count; at += n) {
-        const Corners c = Gather(index, lanes.packed, at);
+        const Corners c = Gather(index, lanes, at);
         const auto area = Area(c);
         const auto first = [&](VI low, VI origin) {
             return hn::ShiftRight<kSubpixelBits>(hn::Add(hn::Add(low, origin), to_centre));

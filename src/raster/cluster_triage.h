@@ -11,7 +11,7 @@ namespace ink::raster {
 
 /// Triangles at most this wide and high go through lanes: every product of two extents in 1/256 px,
 /// and their difference, then fits 32 bits.
-inline constexpr int kLaneExtent_px = 90;
+inline constexpr int kLaneExtent_px = 127;
 
 /// What is asked of a cluster's triangles.
 struct TriageJob {

@@ -93,8 +93,8 @@ struct StepDepthLanes {
 
 struct NoValues {
     NoValues(const FillJob&, const BinEntry&, TileBuffer&) {}
-    HWY_INLINE void StartRow(int) {}
-    HWY_INLINE void Write(int, VI, VD, MI) {}
+    HWY_INLINE void StartColumn(VI) {}
+    HWY_INLINE void Write(int, int, VD, MI) {}
 };
 
 class ConstantValues {
@@ -103,19 +103,16 @@ class ConstantValues {
         const std::uint32_t triangle = job.batches[entry.batch].triangles[entry.index].triangle;
         constant_ = static_cast<std::int32_t>(job.input.constants[triangle]);
     }
-    HWY_INLINE void StartRow(int y) {
-        row_ = reinterpret_cast<std::int32_t*>(to_.plane_row<std::uint32_t>(0, y));
-    }
-    HWY_INLINE void Write(int x, VI, VD, MI mask) {
+    HWY_INLINE void StartColumn(VI) {}
+    HWY_INLINE void Write(int x, int y, VD, MI mask) {
         const DI d;
-        hn::StoreU(
-            hn::IfThenElse(mask, hn::Set(d, constant_), hn::LoadU(d, row_ + x)), d, row_ + x);
+        auto* to = reinterpret_cast<std::int32_t*>(to_.plane_row<std::uint32_t>(0, y)) + x;
+        hn::StoreU(hn::IfThenElse(mask, hn::Set(d, constant_), hn::LoadU(d, to)), d, to);
     }
 
   private:
     TileBuffer& to_;
     std::int32_t constant_;
-    std::int32_t* row_ = nullptr;
 };
 
 template <int kCount>
@@ -130,18 +127,17 @@ class CodeValuesWhole {
         high_ = saturates ? most : std::numeric_limits<std::int64_t>::max();
         mask_ = most;
     }
-    HWY_INLINE void StartRow(int y) {
-        for (int k = 0; k < kCount; ++k) {
-            row_[k] = reinterpret_cast<std::int32_t*>(to_.code_row(k, y));
-            at_[k] = planes_[k].at_ref + planes_[k].dy * (y - triangle_.ref_y);
-        }
+    HWY_INLINE void StartColumn(VI from_ref) {
+        const DL dl;
+        for (int k = 0; k < kCount; ++k)
+            ramp_[k] = hn::Mul(hn::Set(dl, planes_[k].dx), hn::PromoteTo(dl, from_ref));
     }
-    HWY_INLINE void Write(int x, VI ramp, VD, MI mask) {
+    HWY_INLINE void Write(int x, int y, VD, MI mask) {
         const DI d;
         const DL dl;
-        const auto from_ref = hn::PromoteTo(dl, hn::Add(ramp, hn::Set(d, x - triangle_.ref_x)));
         for (int k = 0; k < kCount; ++k) {
-            auto v = hn::Add(hn::Set(dl, at_[k]), hn::Mul(hn::Set(dl, planes_[k].dx), from_ref));
+            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (y - triangle_.ref_y);
+            auto v = hn::Add(hn::Set(dl, at_row), ramp_[k]);
             if (triangle_.is_thin) {
                 v = hn::Min(hn::Max(v, hn::Set(dl, planes_[k].lowest)),
                             hn::Set(dl, planes_[k].highest));
@@ -151,7 +147,7 @@ class CodeValuesWhole {
                                       hn::Set(dl, mask_));
             const auto narrow = hn::TruncateTo(hn::RebindToUnsigned<DI>(),
                                                hn::BitCast(hn::RebindToUnsigned<DL>(), kept));
-            std::int32_t* to = row_[k] + x;
+            auto* to = reinterpret_cast<std::int32_t*>(to_.code_row(k, y)) + x;
             hn::StoreU(hn::IfThenElse(mask, hn::BitCast(d, narrow), hn::LoadU(d, to)), d, to);
         }
     }
@@ -161,8 +157,7 @@ class CodeValuesWhole {
     const SetupTriangle& triangle_;
     const CodePlane* planes_;
     std::int64_t low_, high_, mask_;
-    std::int64_t at_[kCount] = {};
-    std::int32_t* row_[kCount] = {};
+    VL ramp_[kCount];
 };
 
 template <bool kPerspective>
@@ -172,26 +167,24 @@ class NumberValuesWhole {
         : to_(to), triangle_(job.batches[entry.batch].triangles[entry.index]) {
         planes_ = job.batches[entry.batch].float_planes.data() + entry.index * kMaxPlanes;
     }
-    HWY_INLINE void StartRow(int y) {
-        for (int k = 0; k < kMaxPlanes; ++k) {
-            row_[k] = to_.plane_row<float>(k, y);
-            at_[k] = planes_[k].plane.at_ref + planes_[k].plane.dy * (y - triangle_.ref_y);
-        }
+    HWY_INLINE void StartColumn(VI from_ref) {
+        const DD dd;
+        for (int k = 0; k < kMaxPlanes; ++k)
+            ramp_[k] = hn::Mul(hn::Set(dd, planes_[k].plane.dx), hn::PromoteTo(dd, from_ref));
     }
-    HWY_INLINE void Write(int x, VI ramp, VD q, MI mask) {
-        const DI d;
+    HWY_INLINE void Write(int x, int y, VD q, MI mask) {
         const DD dd;
         const DF df;
-        const auto from_ref = hn::PromoteTo(dd, hn::Add(ramp, hn::Set(d, x - triangle_.ref_x)));
         const auto kept = hn::RebindMask(df, mask);
         for (int k = 0; k < kMaxPlanes; ++k) {
             const FloatPlane& p = planes_[k];
-            auto v = hn::Add(hn::Set(dd, at_[k]), hn::Mul(hn::Set(dd, p.plane.dx), from_ref));
+            const double at_row = p.plane.at_ref + p.plane.dy * (y - triangle_.ref_y);
+            auto v = hn::Add(hn::Set(dd, at_row), ramp_[k]);
             if (kPerspective) v = hn::Div(v, q);
             auto number = hn::DemoteTo(df, v);
             if (kPerspective || triangle_.is_thin)
                 number = hn::Min(hn::Max(number, hn::Set(df, p.lowest)), hn::Set(df, p.highest));
-            float* to = row_[k] + x;
+            float* to = to_.plane_row<float>(k, y) + x;
             hn::StoreU(hn::IfThenElse(kept, number, hn::LoadU(df, to)), df, to);
         }
     }
@@ -200,8 +193,7 @@ class NumberValuesWhole {
     TileBuffer& to_;
     const SetupTriangle& triangle_;
     const FloatPlane* planes_;
-    double at_[kMaxPlanes] = {};
-    float* row_[kMaxPlanes] = {};
+    VD ramp_[kMaxPlanes];
 };
 
 template <class Depth, class Values>
@@ -216,28 +208,32 @@ void FillSquare(const SetupTriangle& t,
     const auto ramp = hn::Load(d, kRamp);
     const auto q_min = hn::Set(dd, t.q_min);
     const auto q_max = hn::Set(dd, t.q_max);
-    const auto q_dx = hn::Set(dd, t.q.dx);
     const PixelRect& r = square.rect;
-    for (int y = r.y0; y < r.y1; ++y) {
-        auto* row = buffer.depth_row<typename Depth::Value>(y);
-        const auto q_row = hn::Set(dd, t.q.at_ref + t.q.dy * (y - t.ref_y));
-        values.StartRow(y);
-        for (int x = r.x0; x < r.x1; x += lanes) {
-            auto inside = hn::FirstN(d, static_cast<std::size_t>(r.x1 - x));
+    // Column by column, so that what runs along a row is multiplied out once for all rows.
+    for (int x = r.x0; x < r.x1; x += lanes) {
+        const auto in_rect = hn::FirstN(d, static_cast<std::size_t>(r.x1 - x));
+        const auto across = hn::Add(ramp, hn::Set(d, x - r.x0));
+        VI edge[3], step[3];
+        for (int k = 0; k < 3; ++k) {
+            edge[k] = hn::Add(hn::Set(d, square.at[k]), hn::Mul(hn::Set(d, square.dx[k]), across));
+            step[k] = hn::Set(d, square.dy[k]);
+        }
+        const auto from_ref = hn::Add(ramp, hn::Set(d, x - t.ref_x));
+        const auto q_ramp = hn::Mul(hn::Set(dd, t.q.dx), hn::PromoteTo(dd, from_ref));
+        values.StartColumn(from_ref);
+        for (int y = r.y0; y < r.y1; ++y) {
+            auto inside = in_rect;
             if (!square.is_inside) {
-                const auto across = hn::Add(ramp, hn::Set(d, x - r.x0));
-                const auto edge = [&](int k) {
-                    return hn::Add(hn::Set(d, square.at[k] + square.dy[k] * (y - r.y0)),
-                                   hn::Mul(hn::Set(d, square.dx[k]), across));
-                };
-                inside =
-                    hn::And(inside, hn::Gt(hn::Or3(edge(0), edge(1), edge(2)), hn::Set(d, -1)));
+                const auto any = hn::Or3(edge[0], edge[1], edge[2]);
+                inside = hn::And(inside, hn::Gt(any, hn::Set(d, -1)));
+                for (int k = 0; k < 3; ++k)
+                    edge[k] = hn::Add(edge[k], step[k]);
                 if (hn::AllFalse(d, inside)) continue;
             }
-            const auto from_ref = hn::PromoteTo(dd, hn::Add(ramp, hn::Set(d, x - t.ref_x)));
-            const auto q = hn::Min(hn::Max(hn::Add(q_row, hn::Mul(q_dx, from_ref)), q_min), q_max);
-            const auto seen = depth.Test(q, inside, row + x);
-            values.Write(x, ramp, q, seen);
+            const auto q_row = hn::Set(dd, t.q.at_ref + t.q.dy * (y - t.ref_y));
+            const auto q = hn::Min(hn::Max(hn::Add(q_row, q_ramp), q_min), q_max);
+            auto* row = buffer.depth_row<typename Depth::Value>(y);
+            values.Write(x, y, q, depth.Test(q, inside, row + x));
         }
     }
 }
