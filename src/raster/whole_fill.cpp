@@ -115,6 +115,42 @@ class ConstantValues {
     std::int32_t constant_;
 };
 
+/// Codes that stay within their store all over the triangle: their planes' low 32 bits say all.
+template <int kCount>
+class InnerCodes {
+  public:
+    InnerCodes(const FillJob& job, const BinEntry& entry, TileBuffer& to)
+        : to_(to),
+          triangle_(job.batches[entry.batch].triangles[entry.index]),
+          planes_(job.batches[entry.batch].code_planes.data() + entry.index * kCount) {}
+
+    HWY_INLINE void StartColumn(VI from_ref) {
+        for (int k = 0; k < kCount; ++k) {
+            const auto dx = static_cast<std::int32_t>(planes_[k].dx);
+            ramp_[k] = hn::Mul(hn::Set(DI(), dx), from_ref);
+        }
+    }
+    HWY_INLINE void Write(int x, int y, VD, MI mask) {
+        const DI d;
+        const hn::RebindToUnsigned<DI> du;
+        for (int k = 0; k < kCount; ++k) {
+            const auto at_row = static_cast<std::int32_t>(planes_[k].at_ref +
+                                                          planes_[k].dy * (y - triangle_.ref_y));
+            const auto v = hn::BitCast(du, hn::Add(hn::Set(d, at_row), ramp_[k]));
+            const auto code = hn::BitCast(d, hn::ShiftRight<kCodeFractionBits>(v));
+            auto* to = reinterpret_cast<std::int32_t*>(to_.code_row(k, y)) + x;
+            hn::StoreU(hn::IfThenElse(mask, code, hn::LoadU(d, to)), d, to);
+        }
+    }
+
+  private:
+    TileBuffer& to_;
+    const SetupTriangle& triangle_;
+    const CodePlane* planes_;
+    VI ramp_[kCount];
+};
+
+/// Codes that may leave their store, or belong to a thin triangle.
 template <int kCount>
 class CodeValuesWhole {
   public:
@@ -274,6 +310,23 @@ bool FillWith(const FillJob& job,
     return true;
 }
 
+/// Whether no centre's code can leave the store: the corners' do not, by a margin for centres of
+/// the snapped triangle that lie a little outside the true one.
+bool AreInner(const FillJob& job, const BinEntry& entry) {
+    const Batch& batch = job.batches[entry.batch];
+    if (batch.triangles[entry.index].is_thin) return false;
+    const auto count = static_cast<std::size_t>(job.format.interpolants);
+    const std::int64_t most = (job.format.store == Store::u8 ? std::int64_t{0xff} : 0xffff)
+                              << kCodeFractionBits;
+    for (std::size_t k = 0; k < count; ++k) {
+        const CodePlane& p = batch.code_planes[entry.index * count + k];
+        const std::int64_t margin =
+            (p.highest - p.lowest) / 64 + (std::int64_t{2} << kCodeFractionBits);
+        if (p.lowest < margin || p.highest > most - margin) return false;
+    }
+    return true;
+}
+
 bool FillWhole(const FillJob& job, const BinEntry& entry, const PixelRect& rect, TileBuffer& to) {
     const PassFormat& format = job.format;
     const bool is_affine = format.interpolation == Interpolation::affine;
@@ -289,6 +342,10 @@ bool FillWhole(const FillJob& job, const BinEntry& entry, const PixelRect& rect,
             break;
     }
     if (!is_affine) return false;
+    if (AreInner(job, entry)) {
+        return format.interpolants == 1 ? FillWith<InnerCodes<1>>(job, entry, rect, to)
+                                        : FillWith<InnerCodes<2>>(job, entry, rect, to);
+    }
     return format.interpolants == 1 ? FillWith<CodeValuesWhole<1>>(job, entry, rect, to)
                                     : FillWith<CodeValuesWhole<2>>(job, entry, rect, to);
 }
