@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "core/build_info.h"
+#include "core/simd.h"
 
 namespace ink::core {
 namespace {
@@ -30,11 +31,12 @@ Provenance collect() {
     p.compiler = build_info::kCompiler;
     p.flags = build_info::kFlags;
     p.cpu = cpu_model();
-    p.simd = "scalar";
+    p.simd = current_simd_target().name;
     p.libraries = {
         {"embree", build_info::kEmbree},
         {"openimageio", build_info::kOpenImageIO},
         {"onetbb", TBB_runtime_version()},
+        {"highway", highway_version()},
         {"assimp", build_info::kAssimp},
         {"fmt",
          fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},

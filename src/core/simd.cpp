@@ -1,5 +1,6 @@
 #include "core/simd.h"
 
+#include <fmt/format.h>
 #include <hwy/highway.h>
 
 namespace ink::core {
@@ -20,6 +21,10 @@ std::vector<SimdTarget> simd_targets() {
 
 SimdTarget current_simd_target() {
     return simd_targets().front();
+}
+
+std::string highway_version() {
+    return fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH);
 }
 
 ForcedSimdTarget::ForcedSimdTarget(const SimdTarget& target) {

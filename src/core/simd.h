@@ -20,6 +20,9 @@ struct SimdTarget {
 /// The one that kernels run on now: the best, unless a ForcedSimdTarget lives.
 [[nodiscard]] SimdTarget current_simd_target();
 
+/// Highway's version, "1.0.3".
+[[nodiscard]] std::string highway_version();
+
 /// Makes all kernels run on one target while it lives; for tests and measurements. Not while
 /// anything draws.
 class ForcedSimdTarget {
