@@ -118,8 +118,7 @@ void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
     const raster::MeshResult result = pass_.draw(format_, input, sink);
     inputs_.finish(result, out);
     skip_counts_ = result.skips;
-    raster::SkipCount& attributes =
-        skip_counts_[static_cast<std::size_t>(raster::Skip::attributes)];
+    raster::SkipCount& attributes = raster::count_of(skip_counts_, raster::Skip::attributes);
     attributes.of = kChannels;
     if (skips_attributes) attributes.skipped = unread;
 }

@@ -24,10 +24,13 @@ LaneMesh::LaneMesh(const scene::Surface& surface)
 void LaneMesh::update(const scene::Surface& moved) {
     surface_ = &moved;
     scene::refresh(moved, clusters_);
+    lay_out();  // a triangle that gains an area joins the clusters
     fill();
 }
 
 void LaneMesh::lay_out() {
+    first_vertex_.clear();
+    first_triangle_.clear();
     std::size_t vertices = 0;
     std::size_t triangles = 0;
     for (const scene::Cluster& cluster : clusters_.clusters) {

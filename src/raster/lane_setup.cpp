@@ -242,8 +242,8 @@ void Collect(const LaneSource& source, std::span<const std::uint32_t> entries, L
             first[0] = slot.front;
             first[1] = slot.back;
         }
-        const std::size_t base = first[(entry >> 7) & 1];
-        const std::size_t triangle = entry & 0x7fU;
+        const std::size_t base = first[(entry & kBackSide) != 0 ? 1 : 0];
+        const std::size_t triangle = entry & (kBackSide - 1);
         for (int k = 0; k < 3; ++k) {
             const std::size_t record = kRecordWords * (base + corners[k][triangle]);
             for (std::size_t w = 0; w < kRecordWords; w += hn::Lanes(d4)) {

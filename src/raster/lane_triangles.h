@@ -20,12 +20,10 @@ struct LaneSlot {
     PixelRect bounds;         ///< of the centres its triangles may cover
 };
 
-/// A triangle in a tile's list, one number: either lanes' (slot, side, triangle of the cluster) or,
-/// with kWholeTriangle set, the index of one that was set up by itself.
+/// A triangle in a tile's list is one number: slot << 8 | kBackSide or 0 | triangle of the cluster;
+/// or, with kWholeTriangle set, the index of one that was set up by itself.
 inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
-[[nodiscard]] constexpr std::uint32_t lane_entry(std::size_t slot, bool is_back, std::uint32_t t) {
-    return static_cast<std::uint32_t>(slot << 8) | (is_back ? 0x80U : 0U) | t;
-}
+inline constexpr std::uint32_t kBackSide = 1U << 7;
 
 /// Words of a record: x, y in 1/65536 px, q and the first value as floats. Passes of more than one
 /// value have a second list of records with values 1, 2, 3.

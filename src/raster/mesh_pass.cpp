@@ -12,10 +12,6 @@
 namespace ink::raster {
 namespace {
 
-SkipCount& count_of(SkipCounts& counts, Skip skip) {
-    return counts[static_cast<std::size_t>(skip)];
-}
-
 void add(SkipCounts& to, const SkipCounts& from) {
     for (std::size_t i = 0; i < kSkipCount; ++i) {
         to[i].skipped += from[i].skipped;

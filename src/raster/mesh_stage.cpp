@@ -11,10 +11,6 @@
 namespace ink::raster {
 namespace {
 
-SkipCount& count_of(SkipCounts& counts, Skip skip) {
-    return counts[static_cast<std::size_t>(skip)];
-}
-
 PixelRect picture_of(const TileGrid& grid) {
     return {0, 0, grid.width_px, grid.height_px};
 }
@@ -94,7 +90,7 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
         const bool is_back = side < 0;
         if (is_back && drops) continue;
         has_back = has_back || is_back;
-        triage_.triangle[kept] = triage_.triangle[i] | (is_back ? 0x80U : 0U);
+        triage_.triangle[kept] = triage_.triangle[i] | (is_back ? kBackSide : 0U);
         if (kept++ == i) continue;
         triage_.tile[kept - 1] = triage_.tile[i];
         triage_.x0[kept - 1] = triage_.x0[i];

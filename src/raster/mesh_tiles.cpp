@@ -11,10 +11,6 @@ namespace {
 /// Whole triangles are large: one is worth this many small ones.
 constexpr std::size_t kWholeWeight = 24;
 
-SkipCount& count_of(SkipCounts& counts, Skip skip) {
-    return counts[static_cast<std::size_t>(skip)];
-}
-
 /// What the buffers and the plain fill want to know of a frame.
 PassInput make_input(const MeshJob& job) {
     PassInput input;

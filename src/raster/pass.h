@@ -116,7 +116,7 @@ class TileSink {
     virtual void finish(const Tile& tile) = 0;
 };
 
-/// What a pass met; the seam where skip statistics will stand.
+/// What a pass met.
 struct PassStats {
     std::uint64_t triangles = 0;            ///< submitted
     std::uint64_t triangles_clipped = 0;    ///< cut by the near plane or the guard band

@@ -62,4 +62,8 @@ struct SkipCount {
 /// One count per Skip.
 using SkipCounts = std::array<SkipCount, kSkipCount>;
 
+[[nodiscard]] inline SkipCount& count_of(SkipCounts& counts, Skip skip) {
+    return counts[static_cast<std::size_t>(skip)];
+}
+
 }  // namespace ink::raster

@@ -32,7 +32,7 @@ using FillTile = FillCounts (*)(const FillJob& job,
 
 /// The fill function compiled for `format`; a format outside the closed set is an assertion.
 ///
-/// The seam for kernels: a vector version is chosen here and must give the same bits.
+/// The plain loop that the kernels of whole_fill.h equal bit for bit.
 [[nodiscard]] FillTile fill_function(const PassFormat& format);
 
 }  // namespace ink::raster

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "methods/registry.h"
+#include "names.h"
 #include "scene/catalogue.h"
 #include "small_scenes.h"
 
@@ -19,13 +20,6 @@ TEST_P(CatalogueScene, IsDrawnAlikeOnEveryThreadCountByEveryMethod) {
             EXPECT_EQ(one, drawn(info.name, {}, scene, {view, 2})) << info.name;
         }
     }
-}
-
-std::vector<std::string> scene_names() {
-    std::vector<std::string> names;
-    for (const scene::CatalogueEntry& entry : scene::catalogue())
-        names.push_back(entry.name);
-    return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every,

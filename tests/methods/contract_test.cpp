@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "methods/registry.h"
+#include "names.h"
 #include "small_scenes.h"
 
 namespace ink::methods {
@@ -161,13 +162,6 @@ TEST_P(Contract, EverySettingOfTheSweepDrawsSomethingButNotEverything) {
         EXPECT_LT(lines, 150 * 101 / 4);
         EXPECT_EQ(image, draw(setting, 3));
     }
-}
-
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (const MethodInfo& info : registry())
-        names.push_back(info.name);
-    return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every,

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "names.h"
 #include "scene/catalogue.h"
 #include "scene/shapes.h"
 
@@ -30,13 +31,6 @@ TEST_P(SkipsOnAScene, LeaveThePicturesOfAllMethodsAlone) {
     }
     for (const MethodInfo& info : registry())
         EXPECT_EQ(breach_of_a_view(maker(info), scene, views), "") << info.name;
-}
-
-std::vector<std::string> scene_names() {
-    std::vector<std::string> names;
-    for (const scene::CatalogueEntry& entry : scene::catalogue())
-        names.push_back(entry.name);
-    return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every,
@@ -199,13 +193,6 @@ TEST_P(SkipsInASequence, EveryFrameDiffersFromTheOneBeforeWhereItShould) {
     for (std::size_t i = 1; i < expected.size(); ++i)
         differing += expected[i] != expected[i - 1];
     EXPECT_GT(differing, 14);
-}
-
-std::vector<std::string> method_names() {
-    std::vector<std::string> names;
-    for (const MethodInfo& info : registry())
-        names.push_back(info.name);
-    return names;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every,

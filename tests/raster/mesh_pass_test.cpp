@@ -195,6 +195,21 @@ TEST(MeshPass, SkipsNeverChangeABit) {
     }
 }
 
+TEST(MeshPass, DrawsATriangleThatGainsAnAreaWhenItMoves) {
+    Stage stage("cube");
+    const scene::Surface still = stage.surface;
+    for (const std::uint32_t corner : stage.surface.triangles.front())
+        stage.surface.p_world[corner] = {0, 0, 0};
+    stage.mesh = LaneMesh(stage.surface);
+    const Shot shot = shots()[1];
+    const Drawn flat = stage.draw(shot, 1, {});
+    stage.mesh.update(still);
+    const Drawn moved = stage.draw(shot, 1, {});
+    stage.mesh = LaneMesh(still);
+    EXPECT_TRUE(moved == stage.draw(shot, 1, {}));
+    EXPECT_FALSE(moved == flat);
+}
+
 /// What draw_pass, the plain pass, makes of a stage's front and back faces.
 Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
     const ViewTransform transform(stage.view);
