@@ -24,19 +24,19 @@ done
 case $benchmark in
     *laplacian/u8*) cat > "$profile" <<'END'
 events: Ir
-fn=(1) ink::edge::laplacian_row(unsigned char const*, int)
-12 1920
+fn=(1) ink::edge::laplacian(ink::core::ImageView<unsigned char const> const&, int)
+12 2073600
 cfn=(2) ink::edge::N_AVX2::row()
 calls=2 40
-13 5760
+13 6220800
 
 fn=(2)
-40 5760
+40 6220800
 
 fn=(3) ink::bench::time_laplacian()
 cfn=(1)
 calls=2 12
-7 7680
+7 8294400
 END
     ;;
     *frame/mote4/bunny*) cat > "$profile" <<END
@@ -65,9 +65,9 @@ std::string counted(const std::string& flags = "") {
     return outcome.text;
 }
 
-TEST(Callgrind, DividesARowWithAllItCallsByItsPixels) {
+TEST(Callgrind, DividesAFilterWithAllItCallsByItsPixels) {
     EXPECT_THAT(counted(),
-                HasSubstr("| Laplacian row, u8 | `filter/laplacian/u8/1080p` | pixel | 2.00 |\n"));
+                HasSubstr("| Laplacian, u8 | `filter/laplacian/u8/1080p` | pixel | 2.00 |\n"));
 }
 
 TEST(Callgrind, TakesStagesFromTheDifferenceOfDraws) {

@@ -27,7 +27,9 @@ class WholeFile : public testing::Test {
     std::ptrdiff_t entries() {
         return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
     }
-    fs::path folder_ = fs::path(testing::TempDir()) / "ink_whole_file_test";
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       ("ink_whole_file_test_" +  // of one test: others run beside it
+                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(WholeFile, ReplacesAnOlderOneByteForByteAndLeavesNothingBeside) {

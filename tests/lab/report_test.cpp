@@ -216,7 +216,9 @@ class ReportFiles : public testing::Test {
         }
         return found;
     }
-    fs::path folder_ = fs::path(testing::TempDir()) / "ink_report_test";
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       ("ink_report_test_" +  // of one test: others run beside it
+                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(ReportFiles, TheReportIsOneFile) {

@@ -113,7 +113,10 @@ class CsvFileTest : public testing::Test {
         text << std::ifstream(path).rdbuf();
         return text.str();
     }
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "ink_csv_file_test";
+    std::filesystem::path folder_ =
+        std::filesystem::path(testing::TempDir()) /
+        ("ink_csv_file_test_" +  // of one test: others run beside it
+         std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(CsvFileTest, HasItsNameOnlyWhenItIsFinished) {

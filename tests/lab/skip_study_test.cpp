@@ -185,7 +185,7 @@ TEST(StudySkips, IsEverySceneWithEveryEntrantAndALineOfCsvEach) {
     EXPECT_THAT(
         lines[1],
         HasSubstr("no_normals,attributes,puppet,range_nx=0;threshold=100,on,still_tiles,16,9,"
-                  "2,20,ok,"));
+                  "2,80,ok,"));
     EXPECT_THAT(lines[1], HasSubstr(",10,100,20,100,30,100,"));
     EXPECT_THAT(lines.back(), HasSubstr("view_full,,puppet,"));
 }
