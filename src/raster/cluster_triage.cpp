@@ -15,6 +15,8 @@ using DI = hn::CappedTag<std::int32_t, 16>;
 using VI = hn::Vec<DI>;
 using DU = hn::RebindToUnsigned<DI>;
 
+#include "raster/lane_edges.inl"
+
 /// Corners of a vector of triangles, from the box's corner, 1/256 px.
 struct Corners {
     VI x[3];
@@ -57,25 +59,16 @@ HWY_INLINE VI AreaDoubt(const Corners& c) {
     return hn::Add(hn::Add(sum, hn::ShiftRight<6>(sum)), hn::Set(d, 4));
 }
 
-/// Whether the centre of pixel (x, y) lies inside: corners and centre from one origin, `flip` -1
-/// where the corners run counter-clockwise.
+/// Whether a centre lies inside: corners and centre from one origin, `turned` -1 where the corners
+/// run counter-clockwise.
 HWY_INLINE hn::Mask<DI> IsInside(const Corners& c, VI turned, VI x, VI y) {
     const DI d;
-    const auto zero = hn::Zero(d);
-    auto outside = zero;
+    auto outside = hn::Zero(d);
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3;
-        auto dx = hn::Sub(c.x[next], c.x[k]);
-        auto dy = hn::Sub(c.y[next], c.y[k]);
-        // (v ^ -1) + 1 = -v where the triangle is turned.
-        dx = hn::Sub(hn::Xor(dx, turned), turned);
-        dy = hn::Sub(hn::Xor(dy, turned), turned);
-        const auto value =
-            hn::Sub(hn::Mul(dx, hn::Sub(y, c.y[k])), hn::Mul(dy, hn::Sub(x, c.x[k])));
-        const auto is_top_left =
-            hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
-        const auto bias = hn::IfThenElse(is_top_left, zero, hn::Set(d, 1));
-        outside = hn::Or(outside, hn::Sub(value, bias));
+        const auto dx = Turn(hn::Sub(c.x[next], c.x[k]), turned);
+        const auto dy = Turn(hn::Sub(c.y[next], c.y[k]), turned);
+        outside = hn::Or(outside, EdgeAt(dx, dy, hn::Sub(x, c.x[k]), hn::Sub(y, c.y[k])));
     }
     return hn::Gt(outside, hn::Set(d, -1));
 }

@@ -18,6 +18,8 @@ using VI = hn::Vec<DI>;
 using DF = hn::Rebind<float, DI>;
 using VF = hn::Vec<DF>;
 
+#include "raster/lane_edges.inl"
+
 /// One corner of a vector of triangles.
 struct Corner {
     VI x;  ///< 1/65536 px
@@ -110,13 +112,9 @@ HWY_INLINE hn::Mask<DI> SetUpEdges(
         const auto fx = hn::ConvertTo(df, dx);
         const auto fy = hn::ConvertTo(df, dy);
         longest2 = hn::Max(longest2, hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)));
-        dx = hn::Sub(hn::Xor(dx, turned), turned);
-        dy = hn::Sub(hn::Xor(dy, turned), turned);
-        const auto is_top_left =
-            hn::Or(hn::Lt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Gt(dx, zero)));
-        const auto value = hn::Sub(hn::Mul(dx, hn::Sub(y, from.y_snapped)),
-                                   hn::Mul(dy, hn::Sub(x, from.x_snapped)));
-        const auto biased = hn::Sub(value, hn::IfThenElseZero(hn::Not(is_top_left), hn::Set(d, 1)));
+        dx = Turn(dx, turned);
+        dy = Turn(dy, turned);
+        const auto biased = EdgeAt(dx, dy, hn::Sub(x, from.x_snapped), hn::Sub(y, from.y_snapped));
         // Steps are whole multiples of 256, so the low bits never change a sign.
         hn::Store(hn::ShiftRight<kSubpixelBits>(biased), d, out.edge_at_ref[k] + at);
         hn::Store(hn::Neg(dy), d, out.edge_dx[k] + at);

@@ -1,27 +1,23 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "raster/aligned_array.h"
 
 namespace ink::raster {
 
-/// A list of numbers with room for a whole vector to be written past its end.
+/// A list of numbers that keeps its memory when it is cleared.
 class EntryList {
   public:
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] const std::uint32_t* data() const { return memory_.data(); }
     void clear() { size_ = 0; }
     void push(std::uint32_t entry) {
-        if (size_ + kRoom > memory_.size()) grow();
+        if (size_ == memory_.size()) memory_.resize(2 * size_ + 64);
         memory_[size_++] = entry;
     }
 
   private:
-    static constexpr std::size_t kRoom = 16;
-    void grow() { memory_.resize(size_ * 2 + 4 * kRoom); }
-
     AlignedArray<std::uint32_t> memory_;
     std::size_t size_ = 0;
 };
