@@ -87,7 +87,9 @@ struct Tile {
     int width_px = 0;  ///< of its own pixels; less than kTileSize_px at the right frame
     int height_px = 0;
     int halo_px = 0;
-    bool is_empty = false;  ///< nothing was drawn, halo included: every plane holds sky
+    /// Nothing was drawn, halo included: every plane holds sky. Where the input of a MeshPass
+    /// allows it, also a tile inside one plane, whose planes then hold nothing of use.
+    bool is_empty = false;
     /// Squares of 16 x 16 own pixels, bit row * 4 + column, in which every stencil touches one
     /// triangle only and a filter is known to give 0: their pixels need not hold anything. 0 unless
     /// the input of a MeshPass allows it.
