@@ -51,27 +51,6 @@ glm::dquat value_at(const std::vector<RotationKey>& keys, double time_s) {
     return slerp(from, keys[place.first + 1].value, place.share);
 }
 
-glm::dmat4 parent_from_node(const AnimatedNode& node, std::optional<double> time_s) {
-    if (!time_s || !node.has_keys()) return node.parent_from_node;
-    const glm::dvec3 scale = value_at(node.scales, *time_s);
-    glm::dmat4 m = glm::mat4_cast(value_at(node.rotations, *time_s));
-    for (int axis = 0; axis < 3; ++axis)
-        m[axis] *= scale[axis];
-    m[3] = glm::dvec4(value_at(node.translations, *time_s), 1);
-    return m;
-}
-
-/// Every node's place in the world; without a time, at rest.
-std::vector<glm::dmat4> world_from_nodes(const Animation& animation, std::optional<double> time_s) {
-    std::vector<glm::dmat4> world;
-    world.reserve(animation.nodes.size());
-    for (const AnimatedNode& node : animation.nodes) {
-        const glm::dmat4 local = parent_from_node(node, time_s);
-        world.push_back(node.parent == kNoNode ? local : world[node.parent] * local);
-    }
-    return world;
-}
-
 /// The vertices of two frames, the second by `share`.
 void blend(std::span<const glm::vec3> from,
            std::span<const glm::vec3> to,
@@ -162,6 +141,35 @@ void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
 }
 
 }  // namespace
+
+glm::dmat4 AnimatedNode::at(double time_s) const {
+    if (!has_keys()) return parent_from_node;
+    const glm::dvec3 scale = value_at(scales, time_s);
+    glm::dmat4 m = glm::mat4_cast(value_at(rotations, time_s));
+    for (int axis = 0; axis < 3; ++axis)
+        m[axis] *= scale[axis];
+    m[3] = glm::dvec4(value_at(translations, time_s), 1);
+    return m;
+}
+
+std::vector<glm::dmat4> world_from_nodes(const Animation& animation, std::optional<double> time_s) {
+    std::vector<glm::dmat4> world;
+    world.reserve(animation.nodes.size());
+    for (const AnimatedNode& node : animation.nodes) {
+        const glm::dmat4 local = time_s ? node.at(*time_s) : node.parent_from_node;
+        world.push_back(node.parent == kNoNode ? local : world[node.parent] * local);
+    }
+    return world;
+}
+
+void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin) {
+    skin.weights.clear();
+    skin.first_weight = {0};
+    for (const std::vector<BoneWeight>& weights : of_vertex) {
+        skin.weights.insert(skin.weights.end(), weights.begin(), weights.end());
+        skin.first_weight.push_back(static_cast<std::uint32_t>(skin.weights.size()));
+    }
+}
 
 std::size_t Animation::frame_count() const {
     std::size_t most = 0;

@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.h"
@@ -33,6 +34,8 @@ struct AnimatedNode {
     std::vector<VectorKey> scales;
 
     [[nodiscard]] bool has_keys() const { return !translations.empty(); }
+    /// parent_from_node at a time; before the first key as there, after the last likewise.
+    [[nodiscard]] glm::dmat4 at(double time_s) const;
 };
 
 /// All places of a mesh's vertices, as Quake's models store motion.
@@ -63,6 +66,9 @@ struct Skin {
     std::vector<BoneWeight> weights;
 };
 
+/// Writes what each vertex follows into `skin`.
+void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin);
+
 /// How a scene moves: its instances with their nodes, its vertices by frames or with bones. The
 /// topology stays.
 struct Animation {
@@ -90,6 +96,10 @@ enum class Between {
 /// than others keeps its last. Same bits on every machine. A scene without animation stays as it
 /// is.
 void pose_scene(Scene& scene, double time_s, Between between = Between::blended);
+
+/// Each node's place in the world at a time; without one, at rest.
+[[nodiscard]] std::vector<glm::dmat4> world_from_nodes(const Animation& animation,
+                                                       std::optional<double> time_s);
 
 /// Sets it as the file has it without its motion: every node at rest, vertices in their first
 /// frame.
