@@ -13,8 +13,6 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstring>
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <unordered_map>
 #include <utility>
 
