@@ -6,10 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "core/error.h"
-#include "scene/catalogue.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
@@ -282,27 +280,6 @@ TEST(AnimationCheck, RefusesWhatDoesNotFitTheScene) {
               "skin 0 has the weight -1");
     EXPECT_EQ(complaint(bent, [](Animation& a) { a.skins[0].first_weight.back() = 9; }),
               "skin 0 does not say which weights are whose");
-}
-
-TEST(CatalogueGear, TurnsFromWhereItStands) {
-    const Scene rest = make_catalogue_scene("gear");
-    ASSERT_NE(rest.animation, nullptr);
-    Scene scene = rest;
-    pose_scene(scene, 0);
-    EXPECT_EQ(scene_hash(scene), scene_hash(rest));
-    pose_scene(scene, 2);
-    // Half of half a turn: the point of the wheel that was on the right is on the top, or the
-    // bottom.
-    const glm::dvec3 before = to_world(rest.instances[0], {1, 0, 0});
-    const glm::dvec3 after = to_world(scene.instances[0], {1, 0, 0});
-    expect_near(before, {-1.3 + 1, 0, 0}, 1e-5);
-    EXPECT_NEAR(after.x, -1.3, 1e-5);
-    EXPECT_NEAR(std::abs(after.y), 1, 1e-5);
-    // Teeth that meet move alike: at the rim both gears have the same speed.
-    const double wheel_rad = std::numbers::pi / 2;
-    const glm::dvec3 pinion = to_world(scene.instances[1], {1, 0, 0}) - origin_of(scene, 1);
-    const glm::dvec3 pinion_rest = to_world(rest.instances[1], {1, 0, 0}) - origin_of(rest, 1);
-    EXPECT_NEAR(glm::dot(pinion, pinion_rest), std::cos(1.6 * wheel_rad), 1e-4);
 }
 
 }  // namespace
