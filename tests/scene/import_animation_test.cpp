@@ -1,5 +1,6 @@
 // Keys and bones on their way from a file through the import into a pose.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,14 +44,17 @@ class Gltf {
         const std::size_t offset = buffer_.size();
         for (const T value : values)
             put(buffer_, value);
-        views_ += (views_.empty() ? "" : ",") +
-                  ("{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
-                   ",\"byteLength\":" + std::to_string(buffer_.size() - offset) + "}");
-        accessors_ += (accessors_.empty() ? "" : ",") +
-                      ("{\"bufferView\":" + std::to_string(count_) +
-                       ",\"componentType\":" + std::to_string(component) + ",\"count\":" +
-                       std::to_string(values.size() / static_cast<std::size_t>(per_item)) +
-                       ",\"type\":\"" + type + "\"}");
+        views_ += fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}",
+                              count_ == 0 ? "" : ",",
+                              offset,
+                              buffer_.size() - offset);
+        accessors_ +=
+            fmt::format("{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"}}",
+                        count_ == 0 ? "" : ",",
+                        count_,
+                        component,
+                        values.size() / static_cast<std::size_t>(per_item),
+                        type);
         return count_++;
     }
     int floats(const std::vector<float>& values, const std::string& type, int per_item) {

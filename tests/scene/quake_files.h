@@ -82,8 +82,8 @@ inline std::string md2_file() {
     for (const std::int32_t n :
          {8, 4, 2, kFrame, 0, 3, 0, 1, 0, 2, kHeader, kHeader, kHeader, kFrames, kEnd, kEnd})
         put(bytes, n);
-    for (const std::uint16_t i : {0, 1, 2, 0, 0, 0})
-        put(bytes, i);
+    for (const int i : {0, 1, 2, 0, 0, 0})
+        put(bytes, static_cast<std::uint16_t>(i));
     for (const std::uint8_t height : {std::uint8_t{0}, std::uint8_t{4}}) {
         for (const float f : {0.5F, 0.25F, 2.0F, -1.0F, 0.0F, 3.0F})
             put(bytes, f);
@@ -122,7 +122,7 @@ inline std::string md3_file(std::int32_t frames, const std::string& tag) {
     for (const std::int32_t i : {0, 1, 2})
         put(bytes, i);
     for (std::int32_t f = 0; f < frames; ++f) {
-        for (const std::int16_t corner : {0, 1, 2}) {
+        for (const int corner : {0, 1, 2}) {
             put(bytes, static_cast<std::int16_t>(corner == 1 ? 64 : 0));
             put(bytes, static_cast<std::int16_t>(corner == 2 ? 128 : 0));
             put(bytes, static_cast<std::int16_t>(64 * f));
