@@ -82,7 +82,7 @@ std::string timedemo_table(const std::vector<DemoFrame>& frames) {
     const auto paths = seen(frames, &DemoFrame::path);
     const auto methods = seen(frames, &DemoFrame::method);
     Cells cells(1);
-    cells[0] = {"method", "frames per second"};
+    cells[0] = {"method", "drawn"};
     for (const std::string& path : paths) {
         cells[0].push_back(path + ", first");
         cells[0].push_back("cached");
@@ -113,14 +113,15 @@ std::string timedemo_heading(const Subject& subject, const TimedemoOptions& opti
         : animation->frame_count() > 0
             ? fmt::format("{:g} s of {} frames", animation->duration_s, animation->frame_count())
             : fmt::format("{:g} s of keys", animation->duration_s);
-    return fmt::format("{}, {}, {} drawn along each path, {}x{}, {} thread{}; median [95 %]",
-                       subject.scene.name,
-                       motion,
-                       options.frames,
-                       subject.views.front().width_px,
-                       subject.views.front().height_px,
-                       options.threads,
-                       options.threads == 1 ? "" : "s");
+    return fmt::format(
+        "{}, {}, {} drawn along each path, {}x{}, {} thread{}; frames per second, median [95 %]",
+        subject.scene.name,
+        motion,
+        options.frames,
+        subject.views.front().width_px,
+        subject.views.front().height_px,
+        options.threads,
+        options.threads == 1 ? "" : "s");
 }
 
 void write_timedemo(const Subject& subject,
