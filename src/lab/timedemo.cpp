@@ -93,8 +93,13 @@ std::vector<Player> make_players(const TimedemoOptions& options, const scene::Vi
     return players;
 }
 
+/// Stored frames are shown whole, as games of their time showed them; keys at even steps.
 double demo_time_s(const scene::Scene& scene, int frame, int frames) {
-    return scene.animation ? scene.animation->duration_s * frame / frames : 0;
+    if (!scene.animation) return 0;
+    const std::size_t stored = scene.animation->frame_count();
+    if (stored == 0) return scene.animation->duration_s * frame / frames;
+    return scene.animation->frame_time_s(stored * static_cast<std::size_t>(frame) /
+                                         static_cast<std::size_t>(frames));
 }
 
 /// A ball that holds the scene in all the poses that are drawn.

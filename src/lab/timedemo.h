@@ -14,7 +14,7 @@ namespace ink::lab {
 /// How an animation is timed.
 struct TimedemoOptions {
     std::vector<Entrant> entrants;
-    int frames = 60;        ///< of a path, spread evenly over the animation
+    int frames = 60;        ///< of a path, spread evenly over the animation; stored ones whole
     int cached_passes = 2;  ///< over the same frames again, after the first
     int threads = 1;
     raster::SkipSet skips = {};
