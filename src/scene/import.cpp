@@ -202,7 +202,7 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
                                  printable(reply.reason, kMostReasonChars)),
                      kWholeFile);
         case ImportStatus::damaged:
-            complain("is damaged; " + printable(reply.reason, kMostReasonChars), kWholeFile);
+            complain("is damaged; " + printable(reply.reason, kMostReasonChars));
         case ImportStatus::out_of_memory:
         case ImportStatus::scene:
             break;

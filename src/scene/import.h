@@ -21,7 +21,8 @@ struct ImportLimits {
     std::uint64_t triangles = 100'000'000;
 };
 
-/// The scene in any file that Assimp reads, checked (`check_scene`), named by the file's stem, with
+/// The scene in any file that Assimp reads, or in a Quake model (MDL, MD2, MD3: by readers of our
+/// own, all frames), checked (`check_scene`, `check_animation`), named by the file's stem, with
 /// the file's own cameras (near and far fitted) and its node tree flattened to instances: one for
 /// each use of a mesh by a node, and no mesh without triangles. Points and lines are left out.
 ///
@@ -29,7 +30,8 @@ struct ImportLimits {
 /// Assimp turns them. A mesh keeps its normals (made unit) only if every triangle with an area has
 /// good ones. Material numbers are unique within the file. Names are printable; those of cameras
 /// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
-/// is held-out.
+/// is held-out. It stands as the file has it at rest, or in its first frame; `animation` holds what
+/// moves: stored frames, or the first animation's keys on nodes and bones. Cameras stay.
 ///
 /// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
 /// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,
