@@ -4,10 +4,13 @@
 
 #include "core/error.h"
 #include "methods/auto/auto.h"
+#include "methods/back_faces/back_faces.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/inverted_hull/inverted_hull.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
+#include "methods/polygon_offset/polygon_offset.h"
 
 namespace ink::methods {
 
@@ -19,6 +22,9 @@ const std::vector<MethodInfo>& registry() {
         mote2(),
         mote4(),
         mote16(),
+        polygon_offset(),
+        back_faces(),
+        inverted_hull(),
         auto_method(),
     };
     return methods;

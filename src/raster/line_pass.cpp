@@ -22,6 +22,7 @@ constexpr int kMostWidth_px = 64;
 struct ScreenLine {
     ScreenVertex a;
     ScreenVertex b;
+    bool is_both_ways = false;
     int y0 = 0;
     int y1 = 0;
 };
@@ -72,16 +73,19 @@ class LineStage {
         const std::uint8_t a = outcodes_[line.from];
         const std::uint8_t b = outcodes_[line.to];
         if ((a & b) != 0 || ((a | b) & kNotANumber) != 0) return false;
-        if ((a | b) == kInside) return place(screen_[line.from], screen_[line.to], out);
+        if ((a | b) == kInside) return place(screen_[line.from], screen_[line.to], line, out);
         glm::dvec3 from = p_clip_[line.from];
         glm::dvec3 to = p_clip_[line.to];
         if (!clip_line(from, to, input_.view.camera.near)) return false;
         ++counts.cut;
-        return place(to_screen(from), to_screen(to), out);
+        return place(to_screen(from), to_screen(to), line, out);
     }
 
     /// A pixel more than half the width on every side is enough for any rule.
-    bool place(const ScreenVertex& a, const ScreenVertex& b, std::vector<ScreenLine>& out) const {
+    bool place(const ScreenVertex& a,
+               const ScreenVertex& b,
+               const Line& line,
+               std::vector<ScreenLine>& out) const {
         const std::int32_t margin = (width_px_ / 2 + 2) * kSubpixels;
         if (std::max(a.x, b.x) < -margin) return false;
         if (std::min(a.x, b.x) > input_.view.width_px * kSubpixels + margin) return false;
@@ -89,7 +93,7 @@ class LineStage {
         const int y1 =
             std::min((std::max(a.y, b.y) + margin) >> kSubpixelBits, input_.view.height_px);
         if (y0 >= y1) return false;
-        out.push_back({a, b, y0, y1});
+        out.push_back({a, b, line.is_both_ways, y0, y1});
         return true;
     }
 
@@ -115,7 +119,7 @@ class LineFill {
           out_(out) {}
 
     void draw(const ScreenLine& line, const Band& band) const {
-        LineSteps steps(line.a, line.b, width_px_);
+        LineSteps steps(line.a, line.b, width_px_, line.is_both_ways);
         const bool is_x_major = steps.is_x_major();
         const int begin = std::max(steps.begin(), is_x_major ? 0 : band.y0);
         const int end = std::min(steps.end(), is_x_major ? out_.width_px() : band.y1);
@@ -124,7 +128,7 @@ class LineFill {
         steps.start(begin);
         for (int step = begin; step < end; ++step, steps.advance()) {
             const double q = slope.q + slope.dq * (step + 0.5 - slope.from);
-            const std::uint32_t bits = bits_.of(std::clamp(q, slope.q_min, slope.q_max));
+            const std::uint32_t bits = bits_.of(q);
             if (is_x_major) {
                 fill_column(step, steps.first(), band, bits);
             } else {
@@ -139,22 +143,14 @@ class LineFill {
         double from;  ///< in px
         double q;     ///< there
         double dq;
-        double q_min;
-        double q_max;
     };
 
     [[nodiscard]] Slope slope_of(const ScreenLine& line, bool is_x_major) const {
         const double from = is_x_major ? line.a.x_px : line.a.y_px;
         const double to = is_x_major ? line.b.x_px : line.b.y_px;
         const double dq = (line.b.q - line.a.q) / (to - from);
-        const auto [q_min, q_max] = std::minmax({line.a.q, line.b.q});
-        Slope slope{from, line.a.q, std::isfinite(dq) ? dq : 0, q_min, q_max};
-        if (is_offset_) {
-            const double moved = rule_.pull(std::abs(slope.dq), q_max);
-            slope.q += moved;
-            slope.q_min += moved;
-            slope.q_max += moved;
-        }
+        Slope slope{from, line.a.q, std::isfinite(dq) ? dq : 0};
+        if (is_offset_) slope.q += rule_.pull(std::abs(slope.dq), std::max(line.a.q, line.b.q));
         return slope;
     }
 
