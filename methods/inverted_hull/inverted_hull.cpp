@@ -41,9 +41,9 @@ class HullSink : public raster::TileSink {
 std::vector<core::ParamValues> sweep() {
     return {
         // Grown once, whatever the camera does.
-        {{"space", "world"}, {"width_milliradii", "2"}},
         {{"space", "world"}},
         {{"space", "world"}, {"width_milliradii", "8"}},
+        {{"space", "world"}, {"width_milliradii", "16"}},
         // Split at creases, as the normals of shading are.
         {{"crease_deg", "40"}},
         {{"crease_deg", "40"}, {"width_px", "3"}},
