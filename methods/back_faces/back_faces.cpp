@@ -86,7 +86,11 @@ void BackFaces::draw(const Frame& frame, edge::EdgeImage& out) {
     lines.test = raster::LineTest::less_equal;
     lines.offset = {0, params_.units};
     lines.threads = frame.threads;
-    (void)lines_.draw(lines, depth_, out);
+    lines.skips_hidden = frame.skips.has(raster::Skip::hidden);
+    const raster::LineCounts counts = lines_.draw(lines, depth_, out);
+    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::hidden);
+    hidden.skipped += counts.hidden;
+    hidden.of += counts.lines;
 }
 
 Cost BackFaces::cost() const {

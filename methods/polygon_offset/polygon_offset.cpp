@@ -21,6 +21,7 @@ std::vector<core::ParamValues> sweep() {
         {{"factor", "0"}},
         {{"factor", "-0.125"}},
         {{"factor", "-0.25"}},
+        {{"factor", "-0.75"}},
         {{"factor", "-1"}},
         {{"factor", "-2"}},
         {{"factor", "-4"}},
@@ -109,7 +110,11 @@ void PolygonOffsetInk::draw(const Frame& frame, edge::EdgeImage& out) {
     lines.width_px = params_.width_px;
     lines.test = raster::LineTest::less_equal;
     lines.threads = frame.threads;
-    (void)lines_.draw(lines, depth_, out);
+    lines.skips_hidden = frame.skips.has(raster::Skip::hidden);
+    const raster::LineCounts counts = lines_.draw(lines, depth_, out);
+    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::hidden);
+    hidden.skipped += counts.hidden;
+    hidden.of += counts.lines;
 }
 
 Cost PolygonOffsetInk::cost() const {

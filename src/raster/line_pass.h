@@ -40,12 +40,15 @@ struct LineInput {
     /// Of the lines' own depth; its slope is the line's own, per step along its longer axis.
     PolygonOffset offset;
     int threads = 1;
+    /// Lines behind all that is drawn where they run may be passed over; the picture is the same.
+    bool skips_hidden = true;
 };
 
 /// What a draw met.
 struct LineCounts {
     std::uint64_t lines = 0;
     std::uint64_t outside = 0;  ///< beyond the near plane or the picture
+    std::uint64_t hidden = 0;   ///< passed over: behind all that is there
     std::uint64_t cut = 0;      ///< by the near plane or the guard band
 };
 
