@@ -106,29 +106,31 @@ double turn_cosine(const LineChain& chain, std::size_t i, std::size_t reach) {
     return product > 0 ? glm::dot(before, after) / product : 1;
 }
 
-/// The sharpest point of every run of points that turn too much.
+/// The sharpest point of every run of points that turn too much, in the order of points.
 std::vector<std::size_t> find_corners(const LineChain& chain,
                                       double most_cosine,
                                       std::size_t reach) {
+    const std::size_t n = chain.points_px.size();
+    // From a point that is straight, so that no run of a ring is met twice.
+    std::size_t start = 0;
+    while (start + 1 < n && turn_cosine(chain, start, reach) < most_cosine)
+        ++start;
     std::vector<std::size_t> corners;
-    double sharpest = most_cosine;
-    bool is_in_run = false;
-    for (std::size_t i = 0; i < chain.points_px.size(); ++i) {
+    double sharpest = most_cosine;  // of the run; most_cosine outside runs
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = (start + k) % n;
         const double cosine = turn_cosine(chain, i, reach);
         if (cosine >= most_cosine) {
-            is_in_run = false;
-            continue;
-        }
-        if (!is_in_run) {
+            sharpest = most_cosine;
+        } else if (sharpest == most_cosine) {
             corners.push_back(i);
+            sharpest = cosine;
         } else if (cosine < sharpest) {
             corners.back() = i;
-        } else {
-            continue;
+            sharpest = cosine;
         }
-        is_in_run = true;
-        sharpest = cosine;
     }
+    std::sort(corners.begin(), corners.end());
     return corners;
 }
 

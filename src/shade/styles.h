@@ -47,10 +47,10 @@ enum class LitSide {
 /// "A non-photorealistic lighting model for automatic technical illustration", SIGGRAPH 1998).
 struct GoochParams : ToneParams {
     LitSide lit = LitSide::cool;
-    double blue = 0.4;
-    double yellow = 0.4;
-    double cool_share = 0.2;
-    double warm_share = 0.6;
+    double blue = 0.55;  // these four leave the coolest colour lighter than ink
+    double yellow = 0.3;
+    double cool_share = 0.25;
+    double warm_share = 0.5;
 };
 
 /// Pen strokes where it is dark, crossed where it is darker (CoRgi).
