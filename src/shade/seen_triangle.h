@@ -25,23 +25,23 @@ struct PaintJob {
 /// conversion using 2D homogeneous coordinates", 1997), so that corners behind the eye do no harm.
 class SeenTriangle {
   public:
-    SeenTriangle(const PaintJob& job, std::uint32_t index)
-        : corners_(job.surface.triangles[index]) {
-        const auto& [a, b, c] = corners_;
+    SeenTriangle(const PaintJob& job, std::uint32_t index) {
+        const auto& [a, b, c] = job.surface.triangles[index];
         const glm::dvec3 opposite_a = glm::cross(job.p_clip[b], job.p_clip[c]);
         const double det = glm::dot(job.p_clip[a], opposite_a);
-        side_ = det > 0 ? 1 : 0;  // y points down, z away: fronts turn the negative way
+        const std::size_t side =
+            det > 0 ? 1 : 0;  // y points down, z away: fronts turn the negative way
         const double sign = det > 0 ? 1 : -1;
         rows_ = {sign * opposite_a,
                  sign * glm::cross(job.p_clip[c], job.p_clip[a]),
                  sign * glm::cross(job.p_clip[a], job.p_clip[b])};
         const std::uint32_t spot = job.spots.of.empty() ? UniformSpots::kNone : job.spots.of[index];
         if (spot != UniformSpots::kNone) {
-            uniform_ = &job.tones.spots[side_][spot];
+            uniform_ = &job.tones.spots[side][spot];
             return;
         }
-        for (std::size_t i = 0; i < 3; ++i)
-            tones_[i] = &job.tones.vertices[side_][corners_[i]];
+        const std::vector<Tone>& tones = job.tones.vertices[side];
+        tones_ = {&tones[a], &tones[b], &tones[c]};
     }
 
     /// The tone at a point of the picture; one just outside takes that of the border.
@@ -64,8 +64,6 @@ class SeenTriangle {
     }
 
   private:
-    scene::Triangle corners_;
-    std::size_t side_ = 0;
     std::array<glm::dvec3, 3> rows_;
     const Tone* uniform_ = nullptr;
     std::array<const Tone*, 3> tones_{};

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::uint32_t kNoTriangle = 0xffffffffU;
 
+/// Colours the pixels of each tile, once it is known which triangles they see.
 template <class Paint>
 class PaintSink : public raster::TileSink {
   public:
@@ -62,6 +63,8 @@ class PaintSink : public raster::TileSink {
     core::Image<Rgb>& picture_;
 };
 
+/// Draws which triangle each pixel sees, by the plain pass: it has a constant per triangle, and one
+/// picture is done before clusters would be made.
 void draw_tiles(const PaintJob& job, raster::TileSink& sink) {
     raster::PassFormat format;
     format.store = raster::Store::u32;
