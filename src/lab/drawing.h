@@ -22,18 +22,19 @@ inline constexpr double kMostLineWidth_px = 64;
 
 /// How one picture is drawn: what lies under the lines, and how lines look.
 struct DrawOptions {
-    std::optional<shade::Style> shading;  ///< none: paper
-    std::optional<glm::u8vec3> ink;       ///< the colours of lines, of paper, of surfaces; unless
-    std::optional<glm::u8vec3> paper;     ///< given the house's ink, white, a light grey (paper
-    std::optional<glm::u8vec3> surface;   ///< under strokes)
+    std::optional<shade::Style> shading = {};  ///< none: paper
+    // Colours; unless given the house's ink, white, and a light grey (under strokes the paper's).
+    std::optional<glm::u8vec3> ink = {};
+    std::optional<glm::u8vec3> paper = {};
+    std::optional<glm::u8vec3> surface = {};
     /// Lines are thinned and widened to this; 0 leaves them as the method draws them.
     double line_width_px = 0;
-    std::optional<shade::HandParams> hand;  ///< lines are drawn again by hand
-    std::uint64_t seed = 0;                 ///< of the hand
-    int antialias = 1;                      ///< all is drawn at n x n the size and averaged
+    std::optional<shade::HandParams> hand = {};  ///< lines are drawn again by hand
+    std::uint64_t seed = 0;                      ///< of the hand
+    int antialias = 1;                           ///< all is drawn at n x n the size and averaged
     shade::DitherFormat dither = shade::DitherFormat::none;
     int threads = 1;
-    raster::SkipSet skips;
+    raster::SkipSet skips = {};
 };
 
 /// A drawing at the size of its view.

@@ -31,7 +31,7 @@ struct ToneParams {
 /// curved surfaces"; the lamps of MOTE).
 struct GouraudParams : ToneParams {};
 
-/// A table of grey by brightness instead (CoRgi).
+/// A table of grey by brightness instead (CoRgi). The source's table is lost; its levels are ours.
 struct ToonParams : ToneParams {
     int steps = 3;
     double dark = 0.45;
@@ -53,7 +53,8 @@ struct GoochParams : ToneParams {
     double warm_share = 0.5;
 };
 
-/// Pen strokes where it is dark, crossed where it is darker (CoRgi).
+/// Pen strokes where it is dark, crossed where it is darker (CoRgi). The source gives no numbers:
+/// the thresholds, and that strokes widen in between, are ours.
 struct StrokeParams : ToneParams {
     double single_from = 0.35;
     double crossed_from = 0.65;
@@ -76,7 +77,8 @@ using ToonTable = std::array<float, kToonEntries>;
 [[nodiscard]] glm::vec3 gooch(float cosine, const GoochParams& params, const glm::vec3& surface);
 
 /// (alpha |cosine| + (1 - alpha))^power: darkens what neither faces the light nor turns its back to
-/// it. 1 for alpha 0. `power` is whole and >= 0 (TechnicalQuake, "splashback").
+/// it. 1 for alpha 0. (TechnicalQuake, "splashback".) Differs: `power` is whole, >= 0, so that no
+/// libm decides a pixel.
 [[nodiscard]] float splashback(float cosine, double alpha, int power);
 
 /// How much of its spacing a stroke is wide, 0 for none.
