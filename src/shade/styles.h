@@ -31,7 +31,7 @@ struct ToneParams {
 /// curved surfaces"; the lamps of MOTE).
 struct GouraudParams : ToneParams {};
 
-/// A table of grey by brightness instead (CoRgi). The source's table is lost; its levels are ours.
+/// A table of grey by brightness instead (CoRgi). What levels it holds is our choice.
 struct ToonParams : ToneParams {
     int steps = 3;
     double dark = 0.45;
@@ -53,8 +53,8 @@ struct GoochParams : ToneParams {
     double warm_share = 0.5;
 };
 
-/// Pen strokes where it is dark, crossed where it is darker (CoRgi). The source gives no numbers:
-/// the thresholds, and that strokes widen in between, are ours.
+/// Pen strokes where it is dark, crossed where it is darker (CoRgi). The thresholds, and that
+/// strokes widen in between, are our choice.
 struct StrokeParams : ToneParams {
     double single_from = 0.35;
     double crossed_from = 0.65;
