@@ -10,9 +10,12 @@
 namespace ink::lab {
 namespace {
 
-/// The front side of a cube of the catalogue's, seen small: enough for lines.
+/// The catalogue's cube, seen small: enough for lines.
 Subject small_subject(int width_px = 96, int height_px = 54) {
-    return load_one_view("cube", "", {.width_px = width_px, .height_px = height_px});
+    ViewRequest request;
+    request.width_px = width_px;
+    request.height_px = height_px;
+    return load_one_view("cube", "", request);
 }
 
 Entrant mote4() {
