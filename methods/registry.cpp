@@ -4,10 +4,16 @@
 
 #include "core/error.h"
 #include "methods/auto/auto.h"
+#include "methods/canny/canny.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/ids/ids.h"
+#include "methods/jump_flood/jump_flood.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
+#include "methods/plane_distance/plane_distance.h"
+#include "methods/roberts/roberts.h"
+#include "methods/sobel/sobel.h"
 
 namespace ink::methods {
 
@@ -19,6 +25,12 @@ const std::vector<MethodInfo>& registry() {
         mote2(),
         mote4(),
         mote16(),
+        roberts(),
+        sobel(),
+        canny(),
+        plane_distance(),
+        ids(),
+        jump_flood(),
         auto_method(),
     };
     return methods;
