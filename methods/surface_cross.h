@@ -21,6 +21,9 @@ class PixelRays {
         return (center_y_px_ - (static_cast<float>(y_px) + 0.5F)) * per_px_;
     }
 
+    /// What one pixel is worth: 1 / focal length in px.
+    [[nodiscard]] float per_px() const { return per_px_; }
+
   private:
     float center_x_px_;
     float center_y_px_;

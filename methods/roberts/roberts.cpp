@@ -23,7 +23,7 @@ class RobertsSink : public raster::TileSink {
     void finish(const raster::Tile& tile) override;
 
   private:
-    [[nodiscard]] float guarded(float facing) const;
+    [[nodiscard]] float guarded(float step, float facing) const;
 
     const Roberts::Params& params_;
     const DepthCarrier& carrier_;
@@ -32,20 +32,22 @@ class RobertsSink : public raster::TileSink {
     edge::EdgeImage& out_;
 };
 
-/// 1 over the factor that the threshold on depth is raised by.
-float RobertsSink::guarded(float facing) const {
+/// A step of depth as a share of what the guard asks of it. The cosine takes a plane's own step
+/// off: with f the focal length in px, r the ray and v its direction, 1/w changes by |n_x| / (f
+/// n.r) of itself from one pixel to the next, which times n.v is at most 1 / f.
+float RobertsSink::guarded(float step, float facing) const {
     switch (params_.guard) {
         case Roberts::Guard::none:
-            return 1;
+            return step;
         case Roberts::Guard::ramp: {
             const auto start = static_cast<float>(params_.guard_start);
             const float grazing = std::clamp((1 - facing - start) / (1 - start), 0.0F, 1.0F);
-            return 1 / (1 + static_cast<float>(params_.guard_scale) * grazing);
+            return step / (1 + static_cast<float>(params_.guard_scale) * grazing);
         }
         case Roberts::Guard::cosine:
             break;
     }
-    return facing;
+    return step * facing - rays_.per_px();
 }
 
 void RobertsSink::finish(const raster::Tile& tile) {
@@ -72,8 +74,8 @@ void RobertsSink::finish(const raster::Tile& tile) {
                 continue;
             }
             const float open = cross_range(facing.row(y) + x, facing.row(y + 1) + x).most;
-            const float step = depth_cross.row(y)[x] / near.most * per_depth * guarded(open);
-            to[x] = strength_of_ratio(std::max(step, turn.row(y)[x] * per_turn));
+            const float step = guarded(depth_cross.row(y)[x] / near.most, open);
+            to[x] = strength_of_ratio(std::max(step * per_depth, turn.row(y)[x] * per_turn));
         }
     }
 }
@@ -168,9 +170,10 @@ Cost Roberts::cost() const {
         facing = {3 * kFloat_bytes, kFloat_bytes, 4 + 1 + 4 + 2 * kSlowOperations + 2};
     }
     if (params_.guard == Guard::ramp) facing.operations += 6 + kSlowOperations;
+    if (params_.guard == Guard::cosine) facing.operations += 2;
     const PixelWork cross{kFloat_bytes, 0, 2 + 2 + 1 + 1};
     // Squares, sums and a root; two steps against their thresholds, the larger; to a byte.
-    const PixelWork join{0, 1, 3 + 2 + kSlowOperations + 2 + kSlowOperations + 3 + 1 + 4};
+    const PixelWork join{0, 1, 3 + 2 + kSlowOperations + kSlowOperations + 2 + 3 + 1 + 4};
     cost.filter = distance + normals + facing + 4 * cross + join;
     return cost;
 }

@@ -11,7 +11,7 @@ class Roberts : public Method {
     enum class Guard {
         none,
         ramp,    ///< from guard_start on, up to 1 + guard_scale times
-        cosine,  ///< by 1 / |n . v|, in step with a plane's own slope
+        cosine,  ///< by 1 / |n . v|, in step with a plane's own slope, which is taken off
     };
     struct Params : InputParams {
         double depth_step = 0.02;

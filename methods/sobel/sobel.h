@@ -15,7 +15,7 @@ class Sobel : public Method {
     };
     struct Params : InputParams {
         Order order = Order::both;
-        bool uses_normals = false;
+        bool uses_normals = true;
         double k_first = 0.02;
         double k_second = 0.01;
         double k_normal = 0.5;
