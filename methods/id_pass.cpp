@@ -29,9 +29,16 @@ raster::PassFormat pass_format(const IdParams& params, int halo_px) {
 IdPass::IdPass(const IdParams& params, int halo_px)
     : params_(params), format_(pass_format(params, halo_px)), inputs_(input_params(params)) {}
 
+std::vector<std::uint32_t> IdPass::ids_of(const scene::Scene& scene) const {
+    return surface_ids(
+        scene,
+        params_.of,
+        {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
+}
+
 void IdPass::prepare(const scene::Scene& scene) {
     inputs_.prepare(scene);
-    ids_ = surface_ids(scene, params_.of, glm::radians(params_.crease_deg));
+    ids_ = ids_of(scene);
     posed_hash_ = scene::scene_hash(scene);
     have_ids_changed_ = true;
 }
@@ -43,8 +50,7 @@ void IdPass::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
     if (!bends_count || hash == posed_hash_) return;
     posed_hash_ = hash;
-    std::vector<std::uint32_t> ids =
-        surface_ids(scene, params_.of, glm::radians(params_.crease_deg));
+    std::vector<std::uint32_t> ids = ids_of(scene);
     have_ids_changed_ = have_ids_changed_ || ids != ids_;
     ids_ = std::move(ids);
 }

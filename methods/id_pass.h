@@ -13,6 +13,7 @@ namespace ink::methods {
 struct IdParams {
     IdSource of = IdSource::object_and_patch;
     double crease_deg = 40;
+    double weld_epsilon = 1e-4;  // found: the least that closes cracks, see ids.md
     raster::DepthFormat depth_format = raster::DepthFormat::q32;
 };
 
@@ -28,7 +29,13 @@ core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Bend from which on an edge parts two smooth patches.");
+                "Bend from which on an edge parts two smooth patches.")
+        .number(&P::weld_epsilon,
+                "weld_epsilon",
+                {0, 0.01},
+                "",
+                "How near vertices of an object are one for its patches, as a share of its "
+                "diagonal.");
 }
 
 /// A scene drawn as ids: the pass's constant, nothing interpolated.
@@ -57,6 +64,8 @@ class IdPass {
     [[nodiscard]] Cost cost() const;
 
   private:
+    [[nodiscard]] std::vector<std::uint32_t> ids_of(const scene::Scene& scene) const;
+
     IdParams params_;
     raster::PassFormat format_;
     SurfaceInputs inputs_;

@@ -64,8 +64,10 @@ void join_duplicates(const scene::Scene& scene,
     }
 }
 
-std::vector<std::uint32_t> patch_ids(const scene::Scene& scene, bool over_objects, double crease) {
-    const scene::Topology topology = scene::weld(scene);
+std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
+                                     bool over_objects,
+                                     const PatchOptions& options) {
+    const scene::Topology topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     TriangleSets sets(scene::triangle_count(scene));
     for (const scene::Edge& edge : topology.edges) {
         if (edge.face_count != 2) continue;
@@ -73,7 +75,7 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene, bool over_object
         const scene::Face& f = topology.faces[faces[0]];
         const scene::Face& g = topology.faces[faces[1]];
         if (!over_objects && f.object != g.object) continue;
-        if (scene::bend_rad(topology, edge, faces[0], faces[1]) >= crease) continue;
+        if (scene::bend_rad(topology, edge, faces[0], faces[1]) >= options.crease_rad) continue;
         sets.join(f.triangle, g.triangle);
     }
     if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);
@@ -87,9 +89,9 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene, bool over_object
 
 std::vector<std::uint32_t> surface_ids(const scene::Scene& scene,
                                        IdSource source,
-                                       double crease_rad) {
+                                       const PatchOptions& options) {
     if (source == IdSource::patch || source == IdSource::object_and_patch) {
-        return patch_ids(scene, source == IdSource::patch, crease_rad);
+        return patch_ids(scene, source == IdSource::patch, options);
     }
     std::vector<std::uint32_t> ids(scene::triangle_count(scene));
     std::iota(ids.begin(), ids.end(), 0U);

@@ -65,10 +65,10 @@ std::vector<core::ParamValues> sweep() {
         // Half the bytes of the depth test, which vector lanes do not draw yet.
         {{"depth_format", "z16"}},
         // One threshold: no weak edges that hang on strong ones.
-        {{"low", "40"}},
+        {{"low", "60"}},
         // Weaker lines, and only the strongest.
-        {{"low", "10"}, {"high", "20"}},
-        {{"low", "40"}, {"high", "80"}},
+        {{"low", "20"}, {"high", "40"}},
+        {{"low", "50"}, {"high", "100"}},
         // The gradient's true length.
         {{"l2_gradient", "true"}},
         // Smoothed first, as Canny's own paper does.

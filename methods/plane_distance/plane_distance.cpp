@@ -96,13 +96,13 @@ std::vector<core::ParamValues> sweep() {
         // Half the bytes of the depth test, which vector lanes do not draw yet.
         {{"depth_format", "z16"}},
         // Lines at smaller steps between planes.
-        {{"plane_step", "0.005"}},
+        {{"plane_step", "0.04"}, {"threshold", "225"}},
         // Lines at larger ones only.
-        {{"plane_step", "0.05"}},
+        {{"plane_step", "0.64"}, {"threshold", "72"}},
         // Blunter creases too.
-        {{"normal_step", "0.2"}},
+        {{"normal_step", "0.1"}},
         // Sharper ones only.
-        {{"normal_step", "0.8"}},
+        {{"normal_step", "0.4"}},
         // No smooth normals: planes are planes, and curved surfaces show their facets.
         {{"normals", "facet"}},
         // Normals and depth exact on the surface, at the price of a division.

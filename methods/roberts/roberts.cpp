@@ -95,15 +95,15 @@ std::vector<core::ParamValues> sweep() {
         // Half the bytes of the depth test, which vector lanes do not draw yet.
         {{"depth_format", "z16"}},
         // No guard: what it is good for.
-        {{"guard", "none"}},
+        {{"guard", "none"}, {"depth_step", "0.04"}, {"threshold", "72"}},
         // The guard of the tutorials.
-        {{"guard", "ramp"}},
+        {{"guard", "ramp"}, {"depth_step", "0.01"}, {"threshold", "72"}},
         // Lines at smaller steps of depth.
-        {{"depth_step", "0.005"}},
+        {{"depth_step", "0.001"}, {"threshold", "102"}},
         // Lines at larger ones only.
-        {{"depth_step", "0.05"}},
-        // Blunter creases too.
-        {{"normal_step", "0.2"}},
+        {{"depth_step", "0.02"}, {"threshold", "64"}},
+        // Sharper creases only.
+        {{"normal_step", "0.4"}},
         // No smooth normals: what adjacency buys.
         {{"normals", "facet"}},
         // Normals and depth exact on the surface, at the price of a division.

@@ -110,22 +110,23 @@ void SobelSink::finish(const raster::Tile& tile) {
 /// From the fastest to the most exact, the method as it comes among them.
 std::vector<core::ParamValues> sweep() {
     return {
-        // One operator.
-        {{"order", "second"}},
-        {{"order", "first"}},
         {},
+        // Depth alone: what the paper's own pictures are made of.
+        {{"uses_normals", "false"}},
         // Half the bytes of the depth test, which vector lanes do not draw yet.
         {{"depth_format", "z16"}},
-        // Lines at smaller steps and bends.
-        {{"k_first", "0.01"}, {"k_second", "0.005"}},
+        // Lines at smaller steps and bends of depth.
+        {{"k_second", "0.005"}},
         // Lines at larger ones only.
-        {{"k_first", "0.05"}, {"k_second", "0.02"}},
-        // Normals too.
-        {{"uses_normals", "true"}, {"order", "second"}},
-        {{"uses_normals", "true"}, {"order", "first"}},
-        {{"uses_normals", "true"}},
+        {{"k_second", "0.05"}},
+        // Profiles: wide lines where depth jumps, and where the normal does.
+        {{"order", "first"}, {"threshold", "31"}},
+        // Both kinds of line.
+        {{"order", "both"}, {"threshold", "161"}},
+        // No smooth normals: what adjacency buys.
+        {{"normals", "facet"}},
         // The most exact input there is.
-        {{"uses_normals", "true"}, {"interpolation", "perspective"}, {"renormalise", "true"}},
+        {{"interpolation", "perspective"}, {"renormalise", "true"}},
     };
 }
 

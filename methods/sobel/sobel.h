@@ -14,13 +14,14 @@ class Sobel : public Method {
         both,    ///< the stronger of the two
     };
     struct Params : InputParams {
-        Order order = Order::both;
+        Order order = Order::second;
         bool uses_normals = true;
-        double k_first = 0.02;
-        double k_second = 0.01;
-        double k_normal = 0.5;
         double sky = -1;
-        int threshold = 128;
+        // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
+        double k_first = 0.02;
+        double k_second = 0.02;
+        double k_normal = 1;
+        int threshold = 57;
     };
     [[nodiscard]] static core::ParamTable<Params> table();
 

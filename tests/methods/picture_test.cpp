@@ -51,6 +51,8 @@ TEST(Picture, AWallIsOutlinedAsWideAsTheFilterIs) {
         EXPECT_EQ(columns(method, {}), (std::vector<int>{39, 119})) << method;
     EXPECT_EQ(columns("sobel", {{"order", "first"}}),
               (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
+    EXPECT_EQ(columns("sobel", {{"order", "both"}}),
+              (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
     EXPECT_EQ(columns("sobel", {{"order", "second"}}), (std::vector<int>{39, 40, 119, 120}));
     EXPECT_EQ(columns("ids", {}), (std::vector<int>{40, 119}));
     EXPECT_EQ(columns("ids", {{"side", "both"}}), (std::vector<int>{39, 40, 119, 120}));

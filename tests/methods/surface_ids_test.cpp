@@ -16,7 +16,7 @@ const double kCrease_rad = glm::radians(40.0);
 std::vector<std::uint32_t> ids_of(const scene::Scene& scene,
                                   IdSource source,
                                   double crease_rad = kCrease_rad) {
-    return surface_ids(scene, source, crease_rad);
+    return surface_ids(scene, source, {.crease_rad = crease_rad});
 }
 
 std::size_t distinct(const std::vector<std::uint32_t>& ids) {
@@ -74,6 +74,19 @@ TEST(SurfaceIds, APatchKeepsItsIdWhenAnotherComesApart) {
     const auto after = ids_of(apart, IdSource::patch);
     EXPECT_EQ(before[0], after[0]);
     EXPECT_NE(before[2], after[2]);
+}
+
+TEST(SurfaceIds, AnEpsilonClosesHairlineCracksWithinAnObject) {
+    scene::Mesh mesh = floor_mesh(1);
+    for (const glm::vec3& p : floor_mesh(1).positions)
+        mesh.positions.push_back(p + glm::vec3(2.0001F, 0, 0));
+    for (const scene::Triangle& t : floor_mesh(1).triangles)
+        mesh.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    const scene::Scene scene = scene_of({mesh});
+    const PatchOptions exact{.crease_rad = kCrease_rad};
+    const PatchOptions wide{.crease_rad = kCrease_rad, .weld_epsilon = 1e-3};
+    EXPECT_EQ(distinct(surface_ids(scene, IdSource::patch, exact)), 2U);
+    EXPECT_EQ(distinct(surface_ids(scene, IdSource::patch, wide)), 1U);
 }
 
 TEST(SurfaceIds, NoSceneHasNone) {
