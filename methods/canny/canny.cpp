@@ -69,8 +69,8 @@ std::vector<core::ParamValues> sweep() {
         // Weaker lines, and only the strongest.
         {{"low", "20"}, {"high", "40"}},
         {{"low", "50"}, {"high", "100"}},
-        // The gradient's true length.
-        {{"l2_gradient", "true"}},
+        // The sum of its components' sizes for the gradient's length.
+        {{"l2_gradient", "false"}},
         // Smoothed first, as Canny's own paper does.
         {{"blur", "true"}},
         // Unlike weights, so that unlike turns of the normal do not cancel.

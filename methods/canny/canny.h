@@ -22,7 +22,7 @@ class Canny : public Method {
         double low = 30;
         double high = 60;
         Aperture aperture = Aperture::three;
-        bool l2_gradient = false;
+        bool l2_gradient = true;
         bool blur = false;
         int threshold = 128;  ///< it draws 0 and 255 alone
     };
