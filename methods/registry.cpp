@@ -5,12 +5,18 @@
 #include "core/error.h"
 #include "methods/auto/auto.h"
 #include "methods/back_faces/back_faces.h"
+#include "methods/canny/canny.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/ids/ids.h"
 #include "methods/inverted_hull/inverted_hull.h"
+#include "methods/jump_flood/jump_flood.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
+#include "methods/plane_distance/plane_distance.h"
 #include "methods/polygon_offset/polygon_offset.h"
+#include "methods/roberts/roberts.h"
+#include "methods/sobel/sobel.h"
 
 namespace ink::methods {
 
@@ -25,6 +31,12 @@ const std::vector<MethodInfo>& registry() {
         polygon_offset(),
         back_faces(),
         inverted_hull(),
+        roberts(),
+        sobel(),
+        canny(),
+        plane_distance(),
+        ids(),
+        jump_flood(),
         auto_method(),
     };
     return methods;

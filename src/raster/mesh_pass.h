@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raster/corner_values.h"
@@ -26,6 +27,8 @@ enum class Cull {
 struct MeshInput {
     const LaneMesh* mesh = nullptr;
     const CornerValues* values = nullptr;  ///< null where the format interpolates nothing
+    /// Per triangle of the surface, if the format has a constant; empty otherwise.
+    std::span<const std::uint32_t> constants;
     scene::View view;
     scene::Sphere bounds;  ///< holds all vertices; near planes are fitted to it
     int threads = 1;

@@ -239,6 +239,7 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     }
     corners_.clear();
     facing_.clear();
+    triangle_ids_.clear();
     for (std::size_t t = 0; t < cluster.triangle_count; ++t) {
         const auto& c = clusters.triangles[cluster.first_triangle + t];
         const auto p = [&](std::size_t k) {
@@ -248,6 +249,7 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
         if (side < 0 ? drops : drops_fronts) continue;
         corners_.push_back({c[0], c[1], c[2]});
         facing_.push_back(static_cast<std::int8_t>(side));
+        triangle_ids_.push_back(clusters.triangle_ids[cluster.first_triangle + t]);
     }
     PassInput input;
     input.triangles = corners_;
@@ -256,6 +258,15 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
         cut_triangles(corners_, facing_, camera.near, cut_vertices_, cut_triangles_);
         input.triangles = cut_triangles_.triangles;
         input.facing = cut_triangles_.facing;
+        for (std::uint32_t& source : cut_triangles_.source)
+            source = triangle_ids_[source];
+    }
+    const std::vector<std::uint32_t>& ids = is_whole ? triangle_ids_ : cut_triangles_.source;
+    if (job.format.constant) {
+        constants_.clear();
+        for (const std::uint32_t id : ids)
+            constants_.push_back(job.input.constants[id]);
+        input.constants = constants_;
     }
     input.p_clip = cut_vertices_.p_clip;
     input.near = camera.near;
@@ -274,6 +285,9 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
         count.skipped += whole().stats.triangles_no_sample - no_sample;
     if (job.input.offset.is_any()) pull_whole(job, from);
     if (hides_backs && !drops) silence_backs(input, from);
+    // From here on by their index in the surface: that is what a tile's fill finds constants by.
+    for (std::size_t i = from; i < whole().triangles.size(); ++i)
+        whole().triangles[i].triangle = ids[whole().triangles[i].triangle];
     bin_whole(job, from, object_bit(job, cluster));
 }
 

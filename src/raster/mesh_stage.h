@@ -77,10 +77,12 @@ class MeshRun {
     CutTriangles cut_triangles_;
     std::vector<scene::Triangle> corners_;
     std::vector<std::int8_t> facing_;
-    std::vector<double> whole_w_;      ///< w, then 1/w
-    std::vector<float> whole_n_;       ///< x, y, z
-    std::vector<float> whole_planes_;  ///< front planes, then back ones
-    std::vector<float> values_[2];     ///< front, back; vertex by vertex
+    std::vector<std::uint32_t> triangle_ids_;  ///< of corners_, in the surface
+    std::vector<std::uint32_t> constants_;     ///< of what is set up
+    std::vector<double> whole_w_;              ///< w, then 1/w
+    std::vector<float> whole_n_;               ///< x, y, z
+    std::vector<float> whole_planes_;          ///< front planes, then back ones
+    std::vector<float> values_[2];             ///< front, back; vertex by vertex
 };
 
 }  // namespace ink::raster

@@ -18,6 +18,7 @@ PassInput make_input(const MeshJob& job) {
     input.far = job.input.view.camera.far;
     input.sky_f32 = job.input.sky_f32;
     input.sky_code = job.input.sky_code;
+    input.constants = job.input.constants;
     return input;
 }
 

@@ -48,6 +48,19 @@ TEST(Picture, AWallIsOutlinedAsWideAsTheFilterIs) {
             << method;
     }
     EXPECT_EQ(columns("decaudin", {}), (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
+    for (const std::string method : {"roberts", "plane_distance"})
+        EXPECT_EQ(columns(method, {}), (std::vector<int>{39, 119})) << method;
+    EXPECT_EQ(columns("sobel", {{"order", "first"}}),
+              (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
+    EXPECT_EQ(columns("sobel", {{"order", "both"}}),
+              (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
+    EXPECT_EQ(columns("sobel", {{"order", "second"}}), (std::vector<int>{39, 40, 119, 120}));
+    EXPECT_EQ(columns("ids", {}), (std::vector<int>{40, 119}));
+    EXPECT_EQ(columns("ids", {{"side", "both"}}), (std::vector<int>{39, 40, 119, 120}));
+    EXPECT_EQ(columns("jump_flood", {}), (std::vector<int>{39, 40, 119, 120}));
+    EXPECT_EQ(columns("jump_flood", {{"width_px", "4"}}),
+              (std::vector<int>{38, 39, 40, 41, 118, 119, 120, 121}));
+    EXPECT_EQ(columns("canny", {}).size(), 2U);
 }
 
 TEST(Picture, SkyAtTheWallsOwnCodeHidesIt) {

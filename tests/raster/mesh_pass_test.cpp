@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "core/simd.h"
 #include "gather_sink.h"
@@ -61,6 +62,8 @@ std::vector<Shot> shots() {
     result.back().format.depth = DepthFormat::z16;
     result.push_back(make(Store::f32, 4, 1));
     result.back().format.interpolation = Interpolation::perspective;
+    result.push_back(make(Store::u32, 0, 0));
+    result.back().format.constant = true;
     return result;
 }
 
@@ -70,10 +73,11 @@ struct Drawn {
     std::vector<core::Image<std::uint16_t>> codes;
     core::Image<float> depth;
     core::Image<std::uint32_t> steps;
+    core::Image<std::uint32_t> constants;
     MeshResult result;
     friend bool operator==(const Drawn& a, const Drawn& b) {
         return a.numbers == b.numbers && a.codes == b.codes && a.depth == b.depth &&
-               a.steps == b.steps;
+               a.steps == b.steps && a.constants == b.constants;
     }
 };
 
@@ -82,7 +86,9 @@ class KeepSink : public TileSink {
   public:
     KeepSink(const PassFormat& format, Drawn& to) : format_(format), to_(to) {
         const auto planes = static_cast<std::size_t>(format.planes());
-        if (format.store == Store::f32) {
+        if (format.constant) {
+            to_.constants = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
+        } else if (format.store == Store::f32) {
             to_.numbers.assign(planes, core::Image<float>(kWidth_px, kHeight_px));
         } else {
             to_.codes.assign(planes, core::Image<std::uint16_t>(kWidth_px, kHeight_px));
@@ -111,6 +117,7 @@ class KeepSink : public TileSink {
         }
         for (int k = 0; k < format_.planes(); ++k) {
             const auto at = static_cast<std::size_t>(k);
+            if (format_.constant) to_.constants.at(u, v) = tile.row<std::uint32_t>(k, y)[x];
             if (format_.store == Store::f32) to_.numbers[at].at(u, v) = tile.row<float>(k, y)[x];
             if (format_.store == Store::u8)
                 to_.codes[at].at(u, v) = tile.row<std::uint8_t>(k, y)[x];
@@ -127,12 +134,15 @@ class KeepSink : public TileSink {
 struct Stage {
     scene::Surface surface;
     LaneMesh mesh;
+    std::vector<std::uint32_t> ids;  ///< 1 + index of each triangle: its constant
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
         const scene::Scene made = scene::make_catalogue_scene(name);
         surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
         mesh = LaneMesh(surface);
+        ids.resize(surface.triangles.size());
+        std::iota(ids.begin(), ids.end(), 1U);
         view.camera = made.cameras.front();
         const scene::Sphere bounds = scene::bounding_sphere(made);
         view.camera.eye_world =
@@ -147,6 +157,7 @@ struct Stage {
         MeshInput input;
         input.mesh = &mesh;
         input.values = &values;
+        if (shot.format.constant) input.constants = ids;
         input.view = view;
         input.threads = threads;
         input.skips = skips;
@@ -219,6 +230,7 @@ Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
     PassInput input;
     input.p_clip = p_clip;
     input.triangles = stage.surface.triangles;
+    if (format.constant) input.constants = stage.ids;
     input.near = stage.view.camera.near;
     input.far = stage.view.camera.far;
     Drawn drawn;
@@ -246,6 +258,26 @@ TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
         }
         EXPECT_GT(covered_px, 1000) << name;
         EXPECT_LE(unlike_px, covered_px / 500) << name;
+    }
+}
+
+TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
+    for (const std::string& name : kScenes) {
+        for (const double nearer : {1.0, 0.05}) {  // from within: triangles are cut
+            const Stage stage(name, nearer);
+            const Shot shot = shots().back();
+            const Drawn ours = stage.draw(shot, 1, {});
+            const Drawn plain = draw_plainly(stage, shot.format);
+            int covered_px = 0;
+            int unlike_px = 0;
+            for (std::size_t i = 0; i < plain.constants.size(); ++i) {
+                covered_px += plain.constants.data()[i] != 0 ? 1 : 0;
+                unlike_px += ours.constants.data()[i] != plain.constants.data()[i] ? 1 : 0;
+            }
+            EXPECT_GT(covered_px, 1000) << name;
+            // Faces of equal depth and faces turned away are told apart by order alone.
+            EXPECT_LE(unlike_px, covered_px / 100) << name << ' ' << nearer;
+        }
     }
 }
 
