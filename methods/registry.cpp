@@ -5,6 +5,8 @@
 #include "core/error.h"
 #include "methods/auto/auto.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/edge_hash/edge_hash.h"
+#include "methods/edge_list/edge_list.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
@@ -20,6 +22,8 @@ const std::vector<MethodInfo>& registry() {
         mote4(),
         mote16(),
         auto_method(),
+        edge_list(),
+        edge_hash(),
     };
     return methods;
 }
