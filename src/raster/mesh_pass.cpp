@@ -76,7 +76,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
                       ViewTransform(view),
                       view_solids(input),
                       front_to_back(input),
-                      lanes_can_draw(format)};
+                      lanes_can_draw(format) && !input.offset.is_any()};
     const std::size_t clusters = input.mesh->clusters().clusters.size();
     std::vector<MeshRun>& runs = scratch_->runs;
     runs.resize(run_count(clusters, input.threads));

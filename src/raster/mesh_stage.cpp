@@ -19,6 +19,11 @@ std::uint64_t object_bit(const MeshJob& job, const scene::Cluster& cluster) {
     return std::uint64_t{1} << (job.input.mesh->clusters().solids[cluster.solid].object % 64);
 }
 
+/// Whether triangles seen from their back are to be left out, for whichever reason.
+bool drops_backs(const MeshJob& job, bool hides_backs) {
+    return job.input.cull == Cull::back || (hides_backs && job.input.skips.has(Skip::backs));
+}
+
 }  // namespace
 
 LaneSource MeshRun::source(const LaneMesh& mesh) const {
@@ -60,7 +65,7 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
         return;
     }
     const bool hides_backs = job.solids[cluster.solid].hides_backs;
-    if (hides_backs && skips.has(Skip::backs) &&
+    if (drops_backs(job, hides_backs) && skips.has(Skip::backs) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
         return;
@@ -75,7 +80,8 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
     const scene::Surface& surface = job.input.mesh->surface();
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const scene::Cluster& cluster = clusters.clusters[index];
-    const bool drops = hides_backs && job.input.skips.has(Skip::backs);
+    const bool drops = drops_backs(job, hides_backs);
+    const bool drops_fronts = job.input.cull == Cull::front;
     bool has_back = false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < triage_.count; ++i) {
@@ -88,7 +94,7 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
             side = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world);
         }
         const bool is_back = side < 0;
-        if (is_back && drops) continue;
+        if (is_back ? drops : drops_fronts) continue;
         has_back = has_back || is_back;
         triage_.triangle[kept] = triage_.triangle[i] | (is_back ? kBackSide : 0U);
         if (kept++ == i) continue;
@@ -130,7 +136,6 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     const SkipSet& skips = job.input.skips;
     if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
         return false;
-    const bool drops_backs = hides_backs && skips.has(Skip::backs);
     triage_cluster(mesh,
                    index,
                    lanes_,
@@ -138,7 +143,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                     job.grid.halo_px,
                     job.grid.columns(),
                     job.grid.rows(),
-                    drops_backs,
+                    drops_backs(job, hides_backs),
                     skips.has(Skip::no_sample)},
                    triage_);
     if (triage_.has_large) return false;
@@ -219,7 +224,8 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     const scene::Cluster& cluster = clusters.clusters[index];
     const scene::Surface& surface = mesh.surface();
     const scene::Camera& camera = job.input.view.camera;
-    const bool drops = hides_backs && job.input.skips.has(Skip::backs);
+    const bool drops = drops_backs(job, hides_backs);
+    const bool drops_fronts = job.input.cull == Cull::front;
 
     cut_vertices_.p_clip.clear();
     cut_vertices_.n.clear();
@@ -239,7 +245,7 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
             return surface.p_world[clusters.vertices[cluster.first_vertex + c[k]]];
         };
         const int side = scene::facing(p(0), p(1), p(2), camera.eye_world);
-        if (side < 0 && drops) continue;
+        if (side < 0 ? drops : drops_fronts) continue;
         corners_.push_back({c[0], c[1], c[2]});
         facing_.push_back(static_cast<std::int8_t>(side));
     }
@@ -266,8 +272,17 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     count.of += corners_.size();
     if (job.input.skips.has(Skip::no_sample))
         count.skipped += whole().stats.triangles_no_sample - no_sample;
+    if (job.input.offset.is_any()) pull_whole(job, from);
     if (hides_backs && !drops) silence_backs(input, from);
     bin_whole(job, from, object_bit(job, cluster));
+}
+
+/// Polygon offset.
+void MeshRun::pull_whole(const MeshJob& job, std::size_t from) {
+    const scene::Camera& camera = job.input.view.camera;
+    const OffsetRule rule(job.input.offset, job.format.depth, camera.near, camera.far);
+    for (std::size_t i = from; i < whole().triangles.size(); ++i)
+        rule.apply(whole().triangles[i]);
 }
 
 /// The same values as lanes would have, vertex by vertex, in the order that triangle_stage reads.

@@ -58,6 +58,7 @@ class MeshRun {
     [[nodiscard]] bool settle_sides(const MeshJob& job, std::size_t cluster, bool hides_backs);
     std::uint32_t store_records(std::size_t count, int side, int values, bool is_silent);
     void compute_whole_values(const MeshJob& job);
+    void pull_whole(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
     void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
