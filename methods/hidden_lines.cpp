@@ -33,12 +33,9 @@ void HiddenLines::prepare(const scene::Scene& scene) {
 void HiddenLines::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
     if (hash == posed_hash_) return;
-    // Corners that came to lie on one place are shared from now on: then the layout is another.
     auto moved = std::make_unique<scene::Surface>(scene::flatten(scene));
-    if (moved->triangles != surface_->triangles ||
-        moved->p_world.size() != surface_->p_world.size()) {
-        return prepare(scene);
-    }
+    // An object that is mirrored now and was not turns its triangles round.
+    if (moved->triangles != surface_->triangles) return prepare(scene);
     mesh_.update(*moved);
     surface_ = std::move(moved);
     bounds_ = scene::bounding_sphere(scene);
@@ -92,7 +89,9 @@ Cost HiddenLines::cost() const {
     cost.passes = 1;
     cost.buffer_bytes_per_px = format_.bytes_per_px();
     cost.fill = fill_work(format_);
-    cost.filter = {0, 1, 0};
+    // Depth goes from its tile to the frame, and the picture is cleared.
+    const double depth_bytes = format_.bytes_per_px();
+    cost.filter = {depth_bytes, depth_bytes + 1, 0};
     return cost;
 }
 

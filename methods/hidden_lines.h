@@ -20,7 +20,9 @@ struct HiddenLineParams {
     double width_contour_px = 2;
     double width_crease_px = 1;
     double crease_deg = 40;
-    double offset_factor = 1;
+    // found: F of edge_hash over the training scenes at 1280x720, all views: 0 .975, 0.25 .981,
+    // 0.5 .983, 0.75 .982, 1 .981, 2 .981, 3 .980; units of 0 to 64 change nothing there
+    double offset_factor = 0.5;
     double offset_units = 1;
     raster::DepthFormat depth_format = raster::DepthFormat::z24;
 };
@@ -91,9 +93,10 @@ class HiddenLines {
               const KindWidths& widths,
               edge::EdgeImage& out);
 
+    /// What fill() made.
+    [[nodiscard]] const raster::DepthImage& depth() const { return depth_; }
     [[nodiscard]] const raster::SkipCounts& skip_counts() const { return skip_counts_; }
-    /// Depth and the picture itself.
-    [[nodiscard]] int bytes_per_px() const { return format_.bytes_per_px() + 1; }
+    [[nodiscard]] int bytes_per_px() const { return format_.bytes_per_px(); }
     /// The fill, and the picture cleared. What lines cost hangs on the scene: it is not declared.
     [[nodiscard]] Cost cost() const;
 

@@ -10,7 +10,8 @@
 namespace ink::methods {
 namespace {
 
-constexpr glm::u8vec3 kPaper{160, 160, 160};
+constexpr glm::u8vec3 kPaper{240, 240, 240};
+constexpr glm::u8vec3 kSurface{150, 150, 150};
 
 struct KindColor {
     EdgeKind kind;
@@ -41,7 +42,7 @@ std::vector<core::ParamValues> sweep() {
         {{"scope", "scene"}},
         // What hides lines: more or less of it.
         {{"offset_factor", "0"}},
-        {{"offset_factor", "2"}},
+        {{"offset_factor", "1"}},
         {{"depth_format", "z16"}},
         {{"width_crease_px", "2"}},
     };
@@ -141,6 +142,9 @@ DebugPicture EdgeHash::debug_picture(const Frame& frame) {
                       .lone = count_of(edges, EdgeKind::lone),
                       .models = models_.totals()};
     hidden_.fill(frame);
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+        if (hidden_.depth().bits().data()[i] > 0) picture.rgb.data()[i] = kSurface;
+    }
     for (const auto& [kind, color] : kKindColors) {
         KindWidths widths;
         if (kind == EdgeKind::crease) widths.crease_px = params_.width_crease_px;

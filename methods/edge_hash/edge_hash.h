@@ -55,7 +55,7 @@ class EdgeHash : public Method {
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return hidden_.skip_counts(); }
 
     /// The frame in colours, its lines as wide as draw() has them, lone edges always drawn; with
-    /// the counts of the edges behind it. Surfaces and paper are grey where no line is seen.
+    /// the counts of the edges behind it. Surfaces are grey, paper is lighter.
     [[nodiscard]] DebugPicture debug_picture(const Frame& frame);
 
     /// What pose() built and what it found since prepare().

@@ -34,7 +34,7 @@ std::vector<core::ParamValues> sweep() {
         {{"scope", "scene"}},
         // What hides lines: more or less of it.
         {{"offset_factor", "0"}},
-        {{"offset_factor", "2"}},
+        {{"offset_factor", "1"}},
         {{"depth_format", "z16"}},
         {{"width_crease_px", "2"}},
     };
