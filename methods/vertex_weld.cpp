@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
-/// The places found so far, listed by the cube of side `distance` they lie in. Two cubes of one
+/// The places found so far, listed by the cube they lie in. Two cubes of one
 /// hash share a list, which costs a comparison and changes nothing.
 class Places {
   public:
@@ -28,11 +28,17 @@ class Places {
 
     /// The first place within reach of a point, or kNone.
     [[nodiscard]] std::uint32_t find(const glm::dvec3& p) const {
-        if (distance_ == 0) return first_in(cell_of(p), p);
+        const glm::dvec3 low = cell_of(p - distance_), high = cell_of(p + distance_);
         std::uint32_t first = kNone;
-        for (int i = 0; i < 27; ++i) {
-            const glm::dvec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            first = std::min(first, first_in(cell_of(p) + step, p));
+        for (int corner = 0; corner < 8; ++corner) {
+            glm::dvec3 cell = low;
+            bool is_new = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                if ((corner >> axis & 1) == 0) continue;
+                is_new = is_new && high[axis] != low[axis];
+                cell[axis] = high[axis];
+            }
+            if (is_new) first = std::min(first, first_in(cell, p));
         }
         return first;
     }
@@ -50,14 +56,14 @@ class Places {
     /// The cube's corner in units of its side; the point itself where nothing is tolerated. A
     /// double, so that no coordinate is too large for it. -0 becomes 0.
     [[nodiscard]] glm::dvec3 cell_of(const glm::dvec3& p) const {
-        return distance_ == 0 ? p + 0.0 : glm::floor(p / distance_) + 0.0;
+        return distance_ == 0 ? p + 0.0 : glm::floor(p / (kSide * distance_)) + 0.0;
     }
     [[nodiscard]] static std::uint64_t key_of(const glm::dvec3& cell) {
         return core::Hasher().value(cell).result();
     }
     [[nodiscard]] std::uint32_t first_in(const glm::dvec3& cell, const glm::dvec3& p) const {
         std::uint32_t first = kNone;
-        const auto head = lists_.find(key_of(cell + 0.0));
+        const auto head = lists_.find(key_of(cell));
         if (head == lists_.end()) return first;
         for (std::uint32_t i = head->second; i != kNone; i = next_[i]) {
             const glm::dvec3 d = points_[vertices_[i]] - p;
@@ -65,6 +71,9 @@ class Places {
         }
         return first;
     }
+
+    /// A cube's side over the distance: more crowds the cubes, less looks at more than one of them.
+    static constexpr double kSide = 4;
 
     std::span<const glm::dvec3> points_;
     double distance_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::pair<int, int> kSize_px{160, 120};
 
-EdgeHash posed(const scene::Scene& scene, EdgeHash::Params params = {}) {
+EdgeHash posed(const scene::Scene& scene, const EdgeHash::Params& params = {}) {
     EdgeHash method(params);
     method.prepare(scene);
     method.pose(scene);
@@ -30,7 +30,9 @@ TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
     const scene::View here = view_from(scene, {0, 1, 5}, {0, 0, 0}, kSize_px);
     const scene::View there = view_from(scene, {3, 1, 4}, {0, 0, 0}, kSize_px);
     EdgeHash exact = posed(scene);
-    EdgeHash stale = posed(scene, {.eye = EdgeHash::Eye::stale});
+    EdgeHash::Params old;
+    old.eye = EdgeHash::Eye::stale;
+    EdgeHash stale = posed(scene, old);
     EXPECT_EQ(picture(stale, here), picture(exact, here));  // there was none before
     EXPECT_EQ(picture(stale, here), picture(exact, here));
     const auto late = picture(stale, there);
