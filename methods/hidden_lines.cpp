@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "methods/line_cost.h"
+
 namespace ink::methods {
 
 double KindWidths::of(EdgeKind kind) const {
@@ -85,14 +87,7 @@ void HiddenLines::draw(const Frame& frame,
 }
 
 Cost HiddenLines::cost() const {
-    Cost cost;
-    cost.passes = 1;
-    cost.buffer_bytes_per_px = format_.bytes_per_px();
-    cost.fill = fill_work(format_);
-    // Depth goes from its tile to the frame, and the picture is cleared.
-    const double depth_bytes = format_.bytes_per_px();
-    cost.filter = {depth_bytes, depth_bytes + 1, 0};
-    return cost;
+    return filled_lines_cost(format_);
 }
 
 }  // namespace ink::methods

@@ -97,7 +97,6 @@ class HiddenLines {
     [[nodiscard]] const raster::DepthImage& depth() const { return depth_; }
     [[nodiscard]] const raster::SkipCounts& skip_counts() const { return skip_counts_; }
     [[nodiscard]] int bytes_per_px() const { return format_.bytes_per_px(); }
-    /// The fill, and the picture cleared. What lines cost hangs on the scene: it is not declared.
     [[nodiscard]] Cost cost() const;
 
   private:

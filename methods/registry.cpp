@@ -4,12 +4,15 @@
 
 #include "core/error.h"
 #include "methods/auto/auto.h"
+#include "methods/back_faces/back_faces.h"
 #include "methods/decaudin/decaudin.h"
 #include "methods/edge_hash/edge_hash.h"
 #include "methods/edge_list/edge_list.h"
+#include "methods/inverted_hull/inverted_hull.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
+#include "methods/polygon_offset/polygon_offset.h"
 
 namespace ink::methods {
 
@@ -21,9 +24,12 @@ const std::vector<MethodInfo>& registry() {
         mote2(),
         mote4(),
         mote16(),
-        auto_method(),
+        polygon_offset(),
         edge_list(),
+        back_faces(),
         edge_hash(),
+        inverted_hull(),
+        auto_method(),
     };
     return methods;
 }

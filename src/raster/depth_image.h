@@ -23,6 +23,8 @@ class DepthImage {
     [[nodiscard]] DepthFormat format() const { return format_; }
     [[nodiscard]] double near() const { return near_; }
     [[nodiscard]] double far() const { return far_; }
+    /// q as a pixel holds it.
+    [[nodiscard]] std::uint32_t bits_of(double q) const;
     [[nodiscard]] core::Image<std::uint32_t>& bits() { return bits_; }
     [[nodiscard]] const core::Image<std::uint32_t>& bits() const { return bits_; }
 
@@ -43,7 +45,7 @@ class DepthSink : public TileSink {
     DepthImage& image_;
 };
 
-/// q as the image's format has it, in 32 bits: compiled into the loops that use it.
+/// The same for many: one of the two is compiled into a loop.
 struct FloatBits {
     explicit FloatBits(const DepthImage&) {}
     [[nodiscard]] std::uint32_t of(double q) const {

@@ -6,25 +6,15 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "raster/line_clip.h"
+#include "raster/line_stage.h"
 #include "raster/line_steps.h"
-#include "raster/view_transform.h"
 
 namespace ink::raster {
 namespace {
 
 /// Lines that are set up before they are drawn on one thread: they stay in the second-level cache.
 constexpr std::size_t kChunkLines = 2048;
-constexpr std::size_t kRunVertices = 8192;
 constexpr int kMostWidth_px = 64;
-
-/// A line on the screen, and the rows that it may touch.
-struct ScreenLine {
-    ScreenVertex a;
-    ScreenVertex b;
-    int y0 = 0;
-    int y1 = 0;
-};
 
 /// Rows [y0, y1) of the picture.
 struct Band {
@@ -35,70 +25,16 @@ struct Band {
 }  // namespace
 
 struct LinePass::Scratch {
-    std::vector<glm::dvec3> p_clip;
-    std::vector<ScreenVertex> screen;
-    std::vector<std::uint8_t> outcodes;
     struct Run {
         std::vector<ScreenLine> lines;
         LineCounts counts;
     };
+    LineVertices vertices;
+    DepthBlocks blocks;
     std::vector<Run> runs;
 };
 
 namespace {
-
-/// Puts lines on the screen; those that cannot touch the picture are dropped.
-class LineStage {
-  public:
-    LineStage(const LineInput& input,
-              const std::vector<glm::dvec3>& p_clip,
-              const std::vector<ScreenVertex>& screen,
-              const std::vector<std::uint8_t>& outcodes)
-        : input_(input),
-          p_clip_(p_clip),
-          screen_(screen),
-          outcodes_(outcodes),
-          width_px_(line_width_px(input.width_px)) {}
-
-    void run(std::span<const Line> lines, std::vector<ScreenLine>& out, LineCounts& counts) const {
-        counts.lines += lines.size();
-        for (const Line& line : lines) {
-            if (!add(line, out, counts)) ++counts.outside;
-        }
-    }
-
-  private:
-    bool add(const Line& line, std::vector<ScreenLine>& out, LineCounts& counts) const {
-        const std::uint8_t a = outcodes_[line.from];
-        const std::uint8_t b = outcodes_[line.to];
-        if ((a & b) != 0 || ((a | b) & kNotANumber) != 0) return false;
-        if ((a | b) == kInside) return place(screen_[line.from], screen_[line.to], out);
-        glm::dvec3 from = p_clip_[line.from];
-        glm::dvec3 to = p_clip_[line.to];
-        if (!clip_line(from, to, input_.view.camera.near)) return false;
-        ++counts.cut;
-        return place(to_screen(from), to_screen(to), out);
-    }
-
-    /// A pixel more than half the width on every side is enough for any rule.
-    bool place(const ScreenVertex& a, const ScreenVertex& b, std::vector<ScreenLine>& out) const {
-        const std::int32_t margin = (width_px_ / 2 + 2) * kSubpixels;
-        if (std::max(a.x, b.x) < -margin) return false;
-        if (std::min(a.x, b.x) > input_.view.width_px * kSubpixels + margin) return false;
-        const int y0 = std::max((std::min(a.y, b.y) - margin) >> kSubpixelBits, 0);
-        const int y1 =
-            std::min((std::max(a.y, b.y) + margin) >> kSubpixelBits, input_.view.height_px);
-        if (y0 >= y1) return false;
-        out.push_back({a, b, y0, y1});
-        return true;
-    }
-
-    const LineInput& input_;
-    const std::vector<glm::dvec3>& p_clip_;
-    const std::vector<ScreenVertex>& screen_;
-    const std::vector<std::uint8_t>& outcodes_;
-    int width_px_;
-};
 
 /// Draws lines that are on the screen.
 template <class Bits, LineTest kTest>
@@ -115,7 +51,7 @@ class LineFill {
           out_(out) {}
 
     void draw(const ScreenLine& line, const Band& band) const {
-        LineSteps steps(line.a, line.b, width_px_);
+        LineSteps steps(line.a, line.b, width_px_, line.is_both_ways);
         const bool is_x_major = steps.is_x_major();
         const int begin = std::max(steps.begin(), is_x_major ? 0 : band.y0);
         const int end = std::min(steps.end(), is_x_major ? out_.width_px() : band.y1);
@@ -124,7 +60,7 @@ class LineFill {
         steps.start(begin);
         for (int step = begin; step < end; ++step, steps.advance()) {
             const double q = slope.q + slope.dq * (step + 0.5 - slope.from);
-            const std::uint32_t bits = bits_.of(std::clamp(q, slope.q_min, slope.q_max));
+            const std::uint32_t bits = bits_.of(q);
             if (is_x_major) {
                 fill_column(step, steps.first(), band, bits);
             } else {
@@ -139,22 +75,14 @@ class LineFill {
         double from;  ///< in px
         double q;     ///< there
         double dq;
-        double q_min;
-        double q_max;
     };
 
     [[nodiscard]] Slope slope_of(const ScreenLine& line, bool is_x_major) const {
         const double from = is_x_major ? line.a.x_px : line.a.y_px;
         const double to = is_x_major ? line.b.x_px : line.b.y_px;
         const double dq = (line.b.q - line.a.q) / (to - from);
-        const auto [q_min, q_max] = std::minmax({line.a.q, line.b.q});
-        Slope slope{from, line.a.q, std::isfinite(dq) ? dq : 0, q_min, q_max};
-        if (is_offset_) {
-            const double moved = rule_.pull(std::abs(slope.dq), q_max);
-            slope.q += moved;
-            slope.q_min += moved;
-            slope.q_max += moved;
-        }
+        Slope slope{from, line.a.q, std::isfinite(dq) ? dq : 0};
+        if (is_offset_) slope.q += rule_.pull(std::abs(slope.dq), std::max(line.a.q, line.b.q));
         return slope;
     }
 
@@ -237,30 +165,19 @@ LinePass& LinePass::operator=(LinePass&&) noexcept = default;
 LineCounts LinePass::draw(const LineInput& input,
                           DepthImage& depth,
                           core::Image<std::uint8_t>& out) {
-    const scene::View& view = input.view;
-    assert(depth.bits().width_px() == view.width_px && depth.bits().height_px() == view.height_px);
-    assert(out.width_px() == view.width_px && out.height_px() == view.height_px);
+    assert(depth.bits().width_px() == input.view.width_px);
+    assert(depth.bits().height_px() == input.view.height_px);
+    assert(out.width_px() == input.view.width_px && out.height_px() == input.view.height_px);
     assert(input.threads >= 1);
     LineCounts total;
     if (out.is_empty()) return total;
 
     Scratch& s = *scratch_;
-    const std::size_t count = input.p_world.size();
-    s.p_clip.resize(count);
-    s.screen.resize(count);
-    s.outcodes.resize(count);
-    const ViewTransform transform(view);
-    core::parallel_for(
-        (count + kRunVertices - 1) / kRunVertices, input.threads, [&](std::size_t r) {
-            const std::size_t last = std::min(count, (r + 1) * kRunVertices);
-            for (std::size_t i = r * kRunVertices; i < last; ++i) {
-                s.p_clip[i] = transform.to_clip(input.p_world[i]);
-                s.outcodes[i] = outcode(s.p_clip[i], view.camera.near);
-                if (s.outcodes[i] == kInside) s.screen[i] = to_screen(s.p_clip[i]);
-            }
-        });
-
-    const LineStage stage(input, s.p_clip, s.screen, s.outcodes);
+    s.vertices.project(input);
+    // What lines hide from each other is not looked up: blocks are read once.
+    const bool looks_up = input.skips_hidden && !input.writes_depth && input.test != LineTest::none;
+    if (looks_up) s.blocks.find(depth.bits(), input.threads);
+    const LineStage stage(input, s.vertices, depth, looks_up ? &s.blocks : nullptr);
     const std::size_t lines = input.lines.size();
     const std::size_t chunk = input.threads == 1 ? kChunkLines : std::max<std::size_t>(lines, 1);
     s.runs.resize(input.threads == 1 ? 1 : 4 * static_cast<std::size_t>(input.threads));
@@ -279,6 +196,7 @@ LineCounts LinePass::draw(const LineInput& input,
         for (const Scratch::Run& run : s.runs) {
             total.lines += run.counts.lines;
             total.outside += run.counts.outside;
+            total.hidden += run.counts.hidden;
             total.cut += run.counts.cut;
         }
         if (depth.format() == DepthFormat::q32) {

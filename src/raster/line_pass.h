@@ -16,6 +16,9 @@ namespace ink::raster {
 struct Line {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
+    /// Drawn there and back, as the edge between two triangles is: OpenGL leaves out the last pixel
+    /// of each way only.
+    bool is_both_ways = false;
 };
 
 /// Which fragments of lines are seen.
@@ -37,12 +40,15 @@ struct LineInput {
     /// Of the lines' own depth; its slope is the line's own, per step along its longer axis.
     PolygonOffset offset;
     int threads = 1;
+    /// Lines behind all that is drawn where they run may be passed over; the picture is the same.
+    bool skips_hidden = true;
 };
 
 /// What a draw met.
 struct LineCounts {
     std::uint64_t lines = 0;
     std::uint64_t outside = 0;  ///< beyond the near plane or the picture
+    std::uint64_t hidden = 0;   ///< passed over: behind all that is there
     std::uint64_t cut = 0;      ///< by the near plane or the guard band
 };
 
@@ -52,9 +58,11 @@ struct LineCounts {
 
 /// Draws lines of any width as OpenGL does without antialiasing: see LineSteps for which pixels.
 ///
-/// Depth runs linearly along the line's longer axis on the screen, between the depths of its ends,
-/// and is the same all across its width: so a line of width w lies at most (w/2) max(|dz/dx|,
-/// |dz/dy|) deep in a plane that it runs in.
+/// Depth is linear along the line's longer axis on the screen, taken at the centre of each step and
+/// the same all across the width: so a line of width w lies at most (w/2) max(|dz/dx|, |dz/dy|)
+/// deep in a plane that it runs in. The centre of the first and last step may lie beyond the line's
+/// end by half a pixel, and its depth then does, too, as in OpenGL: a line that is short on the
+/// screen and long in depth can stand out a good deal.
 ///
 /// Kept from frame to frame, so that no frame allocates what an earlier one had.
 class LinePass {

@@ -15,34 +15,43 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-LineSteps::LineSteps(const ScreenVertex& a, const ScreenVertex& b, int width_px) {
+LineSteps::LineSteps(const ScreenVertex& a,
+                     const ScreenVertex& b,
+                     int width_px,
+                     bool is_both_ways) {
     const std::int64_t dx = static_cast<std::int64_t>(b.x) - a.x;
     const std::int64_t dy = static_cast<std::int64_t>(b.y) - a.y;
     is_x_major_ = std::abs(dx) >= std::abs(dy);
-    // The picture's y runs down: OpenGL's line is moved down here, its runs go up from there.
-    moved_ = (is_x_major_ ? kHalf : -kHalf) * (width_px - 1);
-    below_ = is_x_major_ ? width_px - 1 : 0;
     const std::int64_t along = is_x_major_ ? dx : dy;
     if (along == 0) return;
 
-    const bool is_upwards = along > 0;
     const std::int64_t run = std::abs(along);
+    const bool is_upwards = along > 0;
     rise_ = (is_x_major_ ? dy : dx) * (is_upwards ? 1 : -1);
     divisor_ = kSubpixels * run;
-    const Point from = point(a);
+    const Point from = point(is_upwards ? a : b);
+    const Point to = point(is_upwards ? b : a);
     at_zero_ = from.across * run + (kHalf - from.along) * rise_;
     // Exactly between two pixels: (-e, +e^2) in the picture takes a line that falls to the right,
     // or is level, down; one that rises to the right up; and one that is y-major left.
     if (!is_x_major_ || rise_ < 0) at_zero_ -= 1;
+    begin_ = bound(from, is_upwards);
+    end_ = bound(to, is_upwards);
+    if (is_both_ways) {
+        const int begin = bound(from, !is_upwards);
+        const int end = bound(to, !is_upwards);
+        const bool has_none = begin_ >= end_;
+        if (begin < end) begin_ = has_none ? begin : std::min(begin_, begin);
+        if (begin < end) end_ = has_none ? end : std::max(end_, end);
+    }
 
-    const int start = bound(from, is_upwards);
-    const int stop = bound(point(b), is_upwards);
-    begin_ = std::min(start, stop);
-    end_ = std::max(start, stop);
+    // The picture's y runs down: OpenGL's line is moved down here, its runs go up from there.
+    below_ = is_x_major_ ? width_px - 1 : 0;
+    at_zero_ += (is_x_major_ ? kHalf : -kHalf) * (width_px - 1) * run;
 }
 
 LineSteps::Point LineSteps::point(const ScreenVertex& v) const {
-    return is_x_major_ ? Point{v.x, v.y + moved_} : Point{v.y, v.x + moved_};
+    return is_x_major_ ? Point{v.x, v.y} : Point{v.y, v.x};
 }
 
 /// Between which steps an end lies: before the one returned. A line that starts in a diamond draws

@@ -192,6 +192,38 @@ TEST(LinePass, CountsWhatItDoesNotDraw) {
     EXPECT_EQ(counts.cut, 0U);
 }
 
+/// Short lines before and behind a wall with a hole in it.
+TEST(LinePass, PassesOverHiddenLinesWithoutChangingThePicture) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> x(-10, kWidth_px + 10);
+    std::uniform_real_distribution<double> y(-10, kHeight_px + 10);
+    std::uniform_real_distribution<double> by(-9, 9);
+    std::uniform_real_distribution<double> w(1.5, 6);
+    for (const DepthFormat format : {DepthFormat::q32, DepthFormat::z24, DepthFormat::z16}) {
+        for (const double units : {0.0, -300.0}) {
+            Sheet sheet(format, 0.4);
+            for (int at = 30; at < 60; ++at)
+                std::fill_n(sheet.depth.bits().row(at) + 40, 30, 0U);
+            for (int i = 0; i < 4000; ++i) {
+                const glm::dvec3 from{x(random), y(random), w(random)};
+                // Some at the wall's own depth, where a step decides.
+                const double w_to = i % 3 == 0 ? 2.5 : from.z + 0.05 * by(random);
+                sheet.add(from, {from.x + by(random), from.y + by(random), w_to});
+            }
+            LineInput input = sheet.input();
+            input.width_px = 3;
+            input.offset = {-1, units};
+            const LineCounts counts = sheet.draw(input);
+            EXPECT_GT(counts.hidden, 500U);
+            const auto quick = sheet.out;
+            sheet.out.fill(0);
+            input.skips_hidden = false;
+            EXPECT_EQ(sheet.draw(input).hidden, 0U);
+            EXPECT_TRUE(sheet.out == quick);
+        }
+    }
+}
+
 TEST(LinePass, RoundsItsWidthAsOpenGlDoes) {
     EXPECT_EQ(line_width_px(0), 1);
     EXPECT_EQ(line_width_px(1.49), 1);

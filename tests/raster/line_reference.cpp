@@ -71,29 +71,54 @@ bool meets_diamond(const Point& a, const Point& b, const Point& at) {
     return is_less(low, high) || (!is_low_open && !is_high_open && !is_less(high, low));
 }
 
+/// Pixels [x0, x1] x [y0, y1].
+struct Box {
+    int x0;
+    int y0;
+    int x1;
+    int y1;
+};
+
+/// The fragments of width 1 within the box.
+std::set<Pixel> fragments(const Point& from, const Point& to, const Box& box) {
+    std::set<Pixel> result;
+    for (int y = box.y0; y <= box.y1; ++y) {
+        for (int x = box.x0; x <= box.x1; ++x) {
+            const Point at = centre({x, y});
+            if (meets_diamond(from, to, at) && !is_in_diamond(to, at)) result.insert({x, y});
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::set<Pixel> reference_line(const ScreenVertex& a, const ScreenVertex& b, int width_px) {
-    const bool is_x_major = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
-    const Wide moved = (width_px - 1) * kHalf;
-    const auto place = [&](const ScreenVertex& v) {
-        Point p{v.x * kUnit - kE, -v.y * kUnit - kE2};
-        (is_x_major ? p.y : p.x) -= moved;
-        return p;
-    };
-    const Point from = place(a);
-    const Point to = place(b);
+    const Wide dx = b.x - a.x;
+    const Wide dy = b.y - a.y;
+    if (dx == 0 && dy == 0) return {};
+    const bool is_x_major = size_of(dx) >= size_of(dy);
     const int reach = width_px + 2;
+    const Box box{std::min(a.x, b.x) / 256 - reach,
+                  std::min(a.y, b.y) / 256 - reach,
+                  std::max(a.x, b.x) / 256 + reach,
+                  std::max(a.y, b.y) / 256 + reach};
+    const auto place = [](Wide x, Wide y) { return Point{x * kUnit - kE, -y * kUnit - kE2}; };
+    const auto thin = fragments(place(a.x, a.y), place(b.x, b.y), box);
+
+    const Wide times = 512 / std::max(size_of(dx), size_of(dy)) + 1;  // 2 px at either end
+    Point from = place(a.x - times * dx, a.y - times * dy);
+    Point to = place(b.x + times * dx, b.y + times * dy);
+    for (Point* p : {&from, &to})
+        (is_x_major ? p->y : p->x) -= (width_px - 1) * kHalf;
     std::set<Pixel> result;
-    const int x1 = std::max(a.x, b.x) / 256 + reach;
-    const int y1 = std::max(a.y, b.y) / 256 + reach;
-    for (int y = std::min(a.y, b.y) / 256 - reach; y <= y1; ++y) {
-        for (int x = std::min(a.x, b.x) / 256 - reach; x <= x1; ++x) {
-            const Point at = centre({x, y});
-            if (!meets_diamond(from, to, at) || is_in_diamond(to, at)) continue;
-            for (int i = 0; i < width_px; ++i)
-                result.insert(is_x_major ? Pixel{x, y - i} : Pixel{x + i, y});
-        }
+    for (const Pixel& at : fragments(from, to, box)) {
+        const bool has_step = std::any_of(thin.begin(), thin.end(), [&](const Pixel& p) {
+            return is_x_major ? p.first == at.first : p.second == at.second;
+        });
+        for (int i = 0; has_step && i < width_px; ++i)
+            result.insert(is_x_major ? Pixel{at.first, at.second - i}
+                                     : Pixel{at.first + i, at.second});
     }
     return result;
 }

@@ -17,8 +17,11 @@ ScreenVertex at(std::int32_t x, std::int32_t y) {
 }
 
 /// What LineSteps tells, as pixels; every pixel must come once.
-std::set<Pixel> stepped_line(const ScreenVertex& a, const ScreenVertex& b, int width_px) {
-    LineSteps steps(a, b, width_px);
+std::set<Pixel> stepped_line(const ScreenVertex& a,
+                             const ScreenVertex& b,
+                             int width_px,
+                             bool is_both_ways = false) {
+    LineSteps steps(a, b, width_px, is_both_ways);
     std::set<Pixel> result;
     if (steps.begin() >= steps.end()) return result;
     steps.start(steps.begin());
@@ -35,6 +38,10 @@ void expect_as_reference(const ScreenVertex& a, const ScreenVertex& b) {
     for (int width_px = 1; width_px <= 5; ++width_px) {
         EXPECT_EQ(stepped_line(a, b, width_px), reference_line(a, b, width_px))
             << a.x << ',' << a.y << " to " << b.x << ',' << b.y << " width " << width_px;
+        auto both = reference_line(a, b, width_px);
+        both.merge(reference_line(b, a, width_px));
+        EXPECT_EQ(stepped_line(a, b, width_px, true), both)
+            << a.x << ',' << a.y << " and " << b.x << ',' << b.y << " width " << width_px;
     }
 }
 
