@@ -7,6 +7,8 @@
 #include "methods/back_faces/back_faces.h"
 #include "methods/canny/canny.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/edge_hash/edge_hash.h"
+#include "methods/edge_list/edge_list.h"
 #include "methods/ids/ids.h"
 #include "methods/inverted_hull/inverted_hull.h"
 #include "methods/jump_flood/jump_flood.h"
@@ -29,13 +31,15 @@ const std::vector<MethodInfo>& registry() {
         mote4(),
         mote16(),
         polygon_offset(),
+        edge_list(),
         back_faces(),
-        inverted_hull(),
+        edge_hash(),
         roberts(),
         sobel(),
         canny(),
         plane_distance(),
         ids(),
+        inverted_hull(),
         jump_flood(),
         auto_method(),
     };
