@@ -88,6 +88,9 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
     command.add_option("--up", options.up, "Up direction X,Y,Z")->capture_default_str();
     command.add_option("--fov", options.fov_deg, "Vertical field of view, degrees, with --eye")
         ->capture_default_str();
+    command.add_option(
+        "--time", options.time_s, "Seconds into an animated scene (unless said, as it rests)");
+    command.add_option("--frame", options.frame, "A stored frame's number instead of --time");
 }
 
 lab::ViewRequest view_request(const ViewOptions& options) {
@@ -105,6 +108,11 @@ lab::ViewRequest view_request(const ViewOptions& options) {
         }
         request.orbit_count = count;
     }
+    if (options.time_s && options.frame) {
+        throw core::Error("--time", "there is a --frame beside it", "one of the two");
+    }
+    request.time_s = options.time_s;
+    request.frame = options.frame;
     return request;
 }
 

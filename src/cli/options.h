@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,11 @@ struct ViewOptions {
     std::vector<std::string> targets;
     std::string up = "0,1,0";
     double fov_deg = 40;
+    std::optional<double> time_s;
+    std::optional<int> frame;
 };
 
-/// Adds --size, --views, --eye, --target, --up and --fov to a command.
+/// Adds --size, --views, --eye, --target, --up, --fov, --time and --frame to a command.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/param.h"
+#include "scene/animation.h"
 #include "scene/catalogue.h"
 
 namespace ink::lab {
@@ -49,7 +50,9 @@ std::vector<scene::Camera> asked_cameras(const ViewRequest& request, const scene
     return cameras;
 }
 
-std::vector<scene::Camera> choose_cameras(const scene::Scene& scene, const ViewRequest& request) {
+std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
+                                          const ViewRequest& request,
+                                          bool is_catalogue_scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double aspect = static_cast<double>(request.width_px) / request.height_px;
     if (!request.cameras.empty()) return asked_cameras(request, bounds);
@@ -59,8 +62,46 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene, const ViewR
                           "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
     if (request.orbit_count) return scene::orbit_cameras(bounds, *request.orbit_count, aspect);
-    if (request.file_cameras || is_catalogue_name(scene.name)) return scene.cameras;
+    if (request.file_cameras || is_catalogue_scene) return scene.cameras;
     return scene::orbit_cameras(bounds, kModelViews, aspect);
+}
+
+void check_moves(const scene::Scene& scene, const char* option) {
+    if (scene.animation) return;
+    throw core::Error(option,
+                      fmt::format("{} does not move", scene.name),
+                      "an animated scene: gear, or a model with keyframes, frames or bones");
+}
+
+/// Poses the scene at the moment asked for and says so in its name; else it stays at rest.
+void pose_as_asked(scene::Scene& scene, const ViewRequest& request) {
+    if (request.frame) {
+        check_moves(scene, "--frame");
+        const std::size_t frames = scene.animation->frame_count();
+        if (frames == 0) {
+            throw core::Error(
+                "--frame", fmt::format("{} stores no frames", scene.name), "--time SECONDS");
+        }
+        if (*request.frame < 0 || static_cast<std::size_t>(*request.frame) >= frames) {
+            throw core::Error("--frame",
+                              fmt::format("{} has no frame {}", scene.name, *request.frame),
+                              fmt::format("0..{}", frames - 1));
+        }
+        scene::pose_scene(scene,
+                          scene.animation->frame_time_s(static_cast<std::size_t>(*request.frame)));
+        scene.name += fmt::format(".frame{}", *request.frame);
+    } else if (request.time_s) {
+        check_moves(scene, "--time");
+        const double duration_s = scene.animation->duration_s;
+        if (!(*request.time_s >= 0 && *request.time_s <= duration_s)) {
+            throw core::Error(
+                "--time",
+                fmt::format("{} does not move at {:g} s", scene.name, *request.time_s),
+                fmt::format("0..{:g}", duration_s));
+        }
+        scene::pose_scene(scene, *request.time_s);
+        scene.name += fmt::format(".{:g}s", *request.time_s);
+    }
 }
 
 }  // namespace
@@ -93,7 +134,9 @@ scene::Scene load_scene(const std::string& what, const scene::ImportLimits& limi
 Subject make_subject(scene::Scene scene, const ViewRequest& request) {
     check_size(request.width_px, request.height_px);
     Subject subject{std::move(scene), {}};
-    for (scene::Camera& camera : choose_cameras(subject.scene, request)) {
+    const bool is_own = is_catalogue_name(subject.scene.name);
+    pose_as_asked(subject.scene, request);
+    for (scene::Camera& camera : choose_cameras(subject.scene, request, is_own)) {
         subject.views.push_back({std::move(camera), request.width_px, request.height_px});
     }
     return subject;

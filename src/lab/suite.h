@@ -26,6 +26,8 @@ struct ViewRequest {
     std::optional<int> orbit_count;      ///< this many round the scene, instead of its own views
     bool file_cameras = false;           ///< a model's own cameras (an error if it has none)
     std::vector<CameraRequest> cameras;  ///< these instead of all others
+    std::optional<double> time_s;  ///< when an animated scene is seen; as it rests unless said
+    std::optional<int> frame;      ///< by a stored frame's number instead
 };
 
 /// A scene with the views it is to be drawn from.
@@ -45,9 +47,10 @@ struct Subject {
 /// The views of `scene` that `request` asks for.
 ///
 /// Without a request: a catalogue scene's own, a model's three from all around. Two scenes of one
-/// name in a suite are the caller's to rename. Throws core::Error for a size outside 1..16384 a
-/// side or over 2^27 pixels, a field of view outside 1..170 degrees, or file cameras that are not
-/// there.
+/// name in a suite are the caller's to rename; one that is posed is called with its frame or time
+/// (`knight.frame12`, `gear.1.5s`). Throws core::Error for a size outside 1..16384 a side or over
+/// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, or a
+/// moment that the scene's animation does not have.
 [[nodiscard]] Subject make_subject(scene::Scene scene, const ViewRequest& request);
 
 /// The subjects that `names` name (see load_scene); no names: the whole catalogue.

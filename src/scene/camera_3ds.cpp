@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
@@ -99,6 +101,19 @@ std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file) {
         while (const auto chunk = take_chunk(section->body)) {
             if (chunk->id == kNamedObject) collect_cameras(chunk->body, cameras);
         }
+    }
+    return cameras;
+}
+
+std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
+                                             const glm::dmat4& world_from_file) {
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+    std::vector<ImportedCamera> cameras = read_3ds_cameras(std::as_bytes(std::span(bytes)));
+    for (ImportedCamera& camera : cameras) {
+        camera.eye_world = world_from_file * glm::dvec4(camera.eye_world, 1);
+        camera.target_world = world_from_file * glm::dvec4(camera.target_world, 1);
+        camera.up_world = glm::dmat3(world_from_file) * camera.up_world;
     }
     return cameras;
 }

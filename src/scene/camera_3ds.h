@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
 #include <span>
 #include <vector>
 
@@ -16,5 +18,9 @@ namespace ink::scene {
 /// pictures of its time. Up is the z axis, leant by the camera's roll. Damaged chunks end the
 /// search: what was found until then is returned.
 [[nodiscard]] std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file);
+
+/// The same of the file at `path`, turned and scaled as `world_from_file` turns the model.
+[[nodiscard]] std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
+                                                           const glm::dmat4& world_from_file);
 
 }  // namespace ink::scene

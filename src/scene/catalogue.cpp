@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/param.h"
+#include "scene/animation.h"
 #include "scene/catalogue_scenes.h"
 
 namespace ink::scene {
@@ -13,6 +14,7 @@ Scene CatalogueEntry::make() const {
     scene.name = name;
     scene.split = split;
     check_scene(scene);
+    if (scene.animation) check_animation(scene, *scene.animation);
     return scene;
 }
 
@@ -53,7 +55,7 @@ const std::vector<CatalogueEntry>& catalogue() {
          make_soup_scene},
         {"gear",
          train,
-         "two gears in mesh, hub, shafts and bolts: many short creases",
+         "two gears in mesh that turn, hub, shafts and bolts: many short creases",
          make_gear_scene},
         {"figure",
          train,

@@ -1,6 +1,9 @@
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
+#include "scene/animation.h"
 #include "scene/catalogue_scenes.h"
 #include "scene/catalogue_stage.h"
 #include "scene/shapes.h"
@@ -105,12 +108,50 @@ Mesh rook() {
                   {0, 1.25}});
 }
 
+/// A node that turns about the y axis of `at` by `turn_rad` in `duration_s`, under a node that
+/// stands at `at`.
+void add_turning(const glm::dmat4& at, double turn_rad, double duration_s, Animation& animation) {
+    constexpr int kSteps = 8;  // of less than half a turn each
+    animation.nodes.push_back({kNoNode, at, {}, {}, {}});
+    AnimatedNode axle;
+    axle.parent = static_cast<std::uint32_t>(animation.nodes.size() - 1);
+    axle.translations.push_back({0, glm::dvec3(0)});
+    axle.scales.push_back({0, glm::dvec3(1)});
+    for (int i = 0; i <= kSteps; ++i) {
+        const double half_rad = turn_rad / 2 * i / kSteps;
+        const glm::dvec3 turn = snapped({std::cos(half_rad), std::sin(half_rad), 0});
+        const glm::dquat q(turn.x, 0, turn.y, 0);
+        axle.rotations.push_back({duration_s * i / kSteps, q * (1 / glm::length(turn))});
+    }
+    animation.nodes.push_back(axle);
+}
+
+/// The wheel turns half round, the pinion by the same way along its rim the other way. At time 0
+/// all is as placed, to the last bit.
+void turn_gears(const glm::dmat4& wheel, const glm::dmat4& pinion, Scene& scene) {
+    Animation animation;
+    animation.duration_s = 4;
+    const double turn_rad = std::numbers::pi;
+    add_turning(wheel, turn_rad, animation.duration_s, animation);
+    add_turning(pinion, -turn_rad * 16 / 10, animation.duration_s, animation);
+    for (const Instance& instance : scene.instances) {
+        const bool is_on_pinion = instance.name == "pinion" || instance.name == "axle";
+        const std::uint32_t node = is_on_pinion ? 3 : 1;
+        const glm::dmat4& at = is_on_pinion ? pinion : wheel;
+        animation.node_of_instance.push_back(static_cast<std::uint32_t>(animation.nodes.size()));
+        animation.nodes.push_back(
+            {node, glm::inverse(at) * instance.world_from_object, {}, {}, {}});
+    }
+    scene.animation = std::make_shared<const Animation>(std::move(animation));
+}
+
 }  // namespace
 
 Scene make_gear_scene() {
     Stage stage;
     const glm::dmat4 wheel = placed({{-1.3, 0, 0}, {90, 0, 0}});
-    const glm::dmat4 pinion = placed({{1.3, 0, 0}, {90, 0, 0}}) * placed({{}, {0, 18, 0}});
+    const glm::dmat4 pinion_axle = placed({{1.3, 0, 0}, {90, 0, 0}});
+    const glm::dmat4 pinion = pinion_axle * placed({{}, {0, 18, 0}});
     stage.place(stage.mesh("wheel", spur_gear(16, 0.4375, 0.5)), "wheel", wheel);
     stage.place(stage.mesh("pinion", spur_gear(10, 0.3125, 0.5)), "pinion", pinion);
     const glm::dvec2 hub[] = {
@@ -126,7 +167,9 @@ Scene make_gear_scene() {
     stage.view(Shot{"front", 0, 0});
     stage.view(Shot{"three_quarter", 34, 24});
     stage.view(EyeShot{"mesh", {1.5, 1, 3}, {0.25, -0.05, 0.25}, 36});
-    return stage.finish();
+    Scene scene = stage.finish();
+    turn_gears(wheel, pinion_axle, scene);
+    return scene;
 }
 
 Scene make_teapot_scene() {

@@ -201,6 +201,8 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
             complain(fmt::format("cannot be read as a model; Assimp says \"{}\"",
                                  printable(reply.reason, kMostReasonChars)),
                      kWholeFile);
+        case ImportStatus::damaged:
+            complain("is damaged; " + printable(reply.reason, kMostReasonChars), kWholeFile);
         case ImportStatus::out_of_memory:
         case ImportStatus::scene:
             break;

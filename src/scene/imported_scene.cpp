@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -64,10 +65,11 @@ void check_counts(const Scene& scene, std::uint64_t most_triangles, const std::s
     }
 }
 
-/// check_scene, with the path in front of what it says, and a look at the whole extent.
-void check_numbers(const Scene& scene, const std::string& where) {
+/// Calls `check`, with the path in front of what it says of the scene.
+template <class Check>
+void check_at(const std::string& where, const Scene& scene, Check check) {
     try {
-        check_scene(scene);
+        check();
     } catch (const core::Error& error) {
         // "name, mesh 3" without the name, for the path stands there already.
         const std::size_t name_end = std::min(error.where().size(), scene.name.size() + 2);
@@ -76,12 +78,32 @@ void check_numbers(const Scene& scene, const std::string& where) {
                           (place.empty() ? place : place + ": ") + error.what_happened(),
                           error.accepted());
     }
+}
+
+/// check_scene, and a look at the whole extent.
+void check_numbers(const Scene& scene, const std::string& where) {
+    check_at(where, scene, [&] { check_scene(scene); });
     const double radius = bounding_sphere(scene).radius;
     if (!(radius < kMostExtent)) {
         throw core::Error(where,
                           fmt::format("its extent is {:g}", radius),
                           fmt::format("less than {:g}", kMostExtent));
     }
+}
+
+/// Gives the scene its motion, if that is sound; what has bones is put where they are at rest.
+void take_animation(std::optional<Animation>&& animation, Scene& scene, const std::string& where) {
+    if (!animation) return;
+    // A mesh that lost its normals must not get them back with a frame.
+    for (std::size_t m = 0; m < std::min(scene.meshes.size(), animation->vertex_frames.size());
+         ++m) {
+        if (scene.meshes[m].normals.empty()) animation->vertex_frames[m].normals.clear();
+    }
+    check_at(where, scene, [&] { check_animation(scene, *animation); });
+    const bool is_moving = animation->duration_s > 0;
+    scene.animation = std::make_shared<const Animation>(std::move(*animation));
+    if (!scene.animation->skins.empty()) rest_scene(scene);
+    if (!is_moving) scene.animation.reset();
 }
 
 /// A camera's name as a word fit for tables and file names, not yet in `taken`.
@@ -163,6 +185,7 @@ Scene scene_from_reply(ImportReply&& reply,
         scene.meshes[m].normals = std::move(normals[m]);
         tidy_normals(scene.meshes[m]);
     }
+    take_animation(std::move(reply.animation), scene, path.string());
     scene.cameras = usable_cameras(reply.cameras, bounding_sphere(scene));
     return scene;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "scene/mesh.h"
 
 namespace ink::scene {
+
+struct Animation;
 
 /// A placed mesh. Its index in `Scene::instances` is its object id.
 struct Instance {
@@ -47,6 +50,8 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Camera> cameras;  ///< the scene's own views, near and far fitted
     std::vector<OmniLight> lights;
+    std::shared_ptr<const Animation>
+        animation{};  ///< how it moves (animation.h); null: it does not
 };
 
 /// The number of triangles over all instances (a mesh placed twice counts twice).

@@ -2,13 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "scene/animation.h"
+#include "scene/byte_stream.h"
 #include "scene/scene.h"
 
 namespace ink::scene {
@@ -19,6 +20,7 @@ enum class ImportStatus : std::uint32_t {
     not_readable,    ///< no reader takes it; `reason` is the library's own
     wrong_content,   ///< no reader recognises it, though its extension is known
     unknown_format,  ///< no reader takes it, and its extension is not known either
+    damaged,         ///< a reader of ours found a fault; `reason` says where and what
     out_of_memory,
 };
 
@@ -40,10 +42,8 @@ struct ImportReply {
     std::vector<Mesh> meshes;  ///< each of one material
     std::vector<Instance> instances;
     std::vector<ImportedCamera> cameras;
+    std::optional<Animation> animation{};
 };
-
-/// Takes the next bytes of a stream.
-using ByteSink = std::function<void(const void* data, std::size_t size)>;
 
 /// Writes `reply` as one binary stream: magic, version, counts, arrays, end mark; native byte
 /// order, for it never leaves the machine.

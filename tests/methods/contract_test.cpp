@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "methods/registry.h"
 #include "names.h"
+#include "scene/animation.h"
 #include "small_scenes.h"
 
 namespace ink::methods {
@@ -82,6 +83,59 @@ TEST_P(Contract, DrawsTheSameAfterTheSceneMovedAndCameBack) {
     EXPECT_EQ(there, drawn(GetParam(), {}, moved, {view_, 1}));
     EXPECT_EQ(back, draw({}));
     EXPECT_NE(there, back);
+}
+
+/// The cube turns and grows on the floor, which moves away below it; its vertices move, too: it
+/// becomes a wedge, so that bends, patches and clusters change with the pose.
+scene::Scene moving_cube_on_floor() {
+    scene::Scene scene = cube_on_floor();
+    scene::Animation motion;
+    motion.duration_s = 2;
+    motion.frames_per_s = 1;
+    scene::AnimatedNode turner;
+    turner.translations = {{0, {0, 0, 0}}, {2, {0.5, 0.25, 0}}};
+    turner.rotations = {{0, {1, 0, 0, 0}}, {2, {0.8, 0, 0.6, 0}}};
+    turner.scales = {{0, {1, 1, 1}}, {2, {1, 1.5, 1}}};
+    scene::AnimatedNode sinker;
+    sinker.parent_from_node = scene.instances[1].world_from_object;
+    sinker.translations = {{0, {0, -1, 0}}, {2, {0, -1.25, 0}}};
+    sinker.rotations = {{0, {1, 0, 0, 0}}};
+    sinker.scales = {{0, {1, 1, 1}}};
+    motion.nodes = {turner, sinker};
+    motion.node_of_instance = {0, 1};
+    motion.vertex_frames.resize(2);
+    scene::VertexFrames& frames = motion.vertex_frames[0];
+    frames.frame_count = 3;
+    for (const float squeeze : {1.0F, 0.75F, 0.125F}) {
+        for (glm::vec3 p : scene.meshes[0].positions) {
+            if (p.y > 0) p.x *= squeeze;
+            frames.positions.push_back(p);
+        }
+    }
+    scene.animation = std::make_shared<const scene::Animation>(motion);
+    scene::check_animation(scene, motion);
+    return scene;
+}
+
+TEST_P(Contract, AnAnimatedSceneIsDrawnAsIfPreparedInEveryPose) {
+    scene::Scene moving = moving_cube_on_floor();
+    const auto method = info().make({});
+    method->prepare(moving);
+    method->pose(moving);
+    const auto at = [&](double time_s) {
+        scene::pose_scene(moving, time_s);
+        edge::EdgeImage picture(view_.width_px, view_.height_px);
+        method->pose(moving);
+        method->draw({view_, 1}, picture);
+        EXPECT_EQ(picture, drawn(GetParam(), {}, moving, {view_, 1})) << time_s << " s";
+        return picture;
+    };
+    const auto first = at(0);
+    EXPECT_EQ(first, draw({})) << "it rests in its first pose";
+    EXPECT_NE(at(0.5), first);
+    EXPECT_NE(at(1.9), first);
+    EXPECT_NE(at(2), first);
+    EXPECT_EQ(at(0), first) << "posed back";
 }
 
 TEST_P(Contract, AnEmptySceneGivesZeros) {

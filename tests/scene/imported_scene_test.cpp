@@ -66,6 +66,26 @@ TEST(ImportedScene, RefusesAbsurdNumbers) {
     EXPECT_EQ(complaint(cube_reply(), 12), "");
 }
 
+TEST(ImportedScene, RefusesMotionThatDoesNotFit) {
+    ImportReply reply = cube_reply();
+    Animation motion;
+    motion.duration_s = 1;
+    motion.node_of_instance = {3};
+    reply.animation = motion;
+    EXPECT_EQ(complaint(reply), "animation: an instance hangs on node 3");
+    reply.animation->node_of_instance = {kNoNode};
+    EXPECT_EQ(complaint(reply), "");
+    reply.animation->vertex_frames.resize(7);
+    EXPECT_EQ(complaint(reply), "animation: 7 lists of frames for 1 meshes");
+}
+
+TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {
+    ImportReply reply = cube_reply();
+    reply.animation = Animation{};
+    reply.animation->node_of_instance = {kNoNode};
+    EXPECT_EQ(scene_from_reply(std::move(reply), "cube.obj", kMany).animation, nullptr);
+}
+
 TEST(ImportedScene, WrongNumberOfNormalsCountsAsNone) {
     ImportReply reply = cube_reply();
     reply.meshes[0].normals = {{0, 0, 1}};

@@ -22,6 +22,20 @@ ImportReply sample_reply() {
     reply.meshes = {mesh, Mesh{}};
     reply.instances = {{.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node"}};
     reply.cameras = {{.name = "eye", .eye_world = {1, 2, 3}, .fov_y_rad = 0.5}};
+    Animation motion;
+    motion.duration_s = 3;
+    motion.frames_per_s = 10;
+    AnimatedNode node;
+    node.translations = {{0, {1, 2, 3}}, {1, {4, 5, 6}}};
+    node.rotations = {{0.5, {0, 1, 0, 0}}};
+    node.scales = {{0, {1, 1, 1}}};
+    motion.nodes = {node, AnimatedNode{}};
+    motion.node_of_instance = {1};
+    motion.vertex_frames = {{2, mesh.positions, mesh.normals}, {}};
+    Skin skin{1, mesh.positions, {}, {{1, glm::dmat4(3)}}, {}, {}};
+    set_weights({{{0, 0.5F}}, {}, {{0, 1}}}, skin);
+    motion.skins = {skin};
+    reply.animation = motion;
     return reply;
 }
 
@@ -54,6 +68,30 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->cameras[0].name, "eye");
     EXPECT_EQ(reply->cameras[0].eye_world, glm::dvec3(1, 2, 3));
     EXPECT_EQ(reply->cameras[0].fov_y_rad, 0.5);
+}
+
+TEST(SceneStream, GivesBackTheMotion) {
+    const auto reply = read_reply(stream_of(sample_reply()));
+    ASSERT_TRUE(reply.has_value() && reply->animation.has_value());
+    const Animation& motion = *reply->animation;
+    EXPECT_EQ(motion.duration_s, 3);
+    EXPECT_EQ(motion.frames_per_s, 10);
+    ASSERT_EQ(motion.nodes.size(), 2U);
+    ASSERT_EQ(motion.nodes[0].translations.size(), 2U);
+    EXPECT_EQ(motion.nodes[0].translations[1].value, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(motion.nodes[0].rotations.at(0).time_s, 0.5);
+    EXPECT_EQ(motion.nodes[0].rotations.at(0).value, glm::dquat(0, 1, 0, 0));
+    EXPECT_EQ(motion.nodes[0].scales.size(), 1U);
+    EXPECT_FALSE(motion.nodes[1].has_keys());
+    EXPECT_EQ(motion.node_of_instance, std::vector<std::uint32_t>{1});
+    ASSERT_EQ(motion.vertex_frames.size(), 2U);
+    EXPECT_EQ(motion.vertex_frames[0].frame_count, 2U);
+    EXPECT_EQ(motion.vertex_frames[0].positions, sample_reply().meshes[0].positions);
+    ASSERT_EQ(motion.skins.size(), 1U);
+    EXPECT_EQ(motion.skins[0].mesh, 1U);
+    EXPECT_EQ(motion.skins[0].bones.at(0).node_from_mesh, glm::dmat4(3));
+    EXPECT_EQ(motion.skins[0].first_weight, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+    EXPECT_EQ(motion.skins[0].weights.at(1).weight, 1);
 }
 
 TEST(SceneStream, CutAnywhereIsNoReply) {

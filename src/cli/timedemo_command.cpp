@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "core/error.h"
+#include "lab/skip_switches.h"
+#include "lab/timedemo.h"
+
+namespace ink::cli {
+namespace {
+
+struct TimedemoArgs {
+    std::string scene;
+    std::string view;
+    std::string methods;
+    std::vector<std::string> settings;
+    ViewOptions views;
+    int frames = 60;
+    int threads = 1;
+    std::string seed = "0";
+    std::string no_skip;
+    std::string out;
+};
+
+void run_timedemo(const TimedemoArgs& args) {
+    lab::TimedemoOptions options;
+    options.entrants = lab::make_entrants(args.methods, args.settings);
+    options.threads = checked_threads(args.threads);
+    options.skips = lab::without_skips({}, args.no_skip);
+    options.seed = parse_seed(args.seed);
+    options.frames = args.frames;
+    if (args.frames < 2 || args.frames > 10000) {
+        throw core::Error("--frames", fmt::format("{} is not possible", args.frames), "2..10000");
+    }
+    const lab::ViewRequest request = view_request(args.views);
+    if (request.time_s || request.frame) {
+        throw core::Error(
+            "--time", "a time demo shows all of an animation", "no --time or --frame");
+    }
+    const lab::Subject subject = lab::load_one_view(args.scene, args.view, request);
+    const auto frames = lab::run_timedemo(subject, options);
+    fmt::print("{}\n", lab::timedemo_heading(subject, options));
+    fmt::print("{}", lab::timedemo_table(frames));
+    if (args.out.empty()) return;
+    std::filesystem::create_directories(args.out);
+    const auto path = std::filesystem::path(args.out) / "timedemo.csv";
+    lab::write_timedemo(subject, frames, path);
+    fmt::print("{}\n", path.string());
+}
+
+}  // namespace
+
+void add_timedemo_command(CLI::App& app) {
+    auto args = std::make_shared<TimedemoArgs>();
+    auto* command = app.add_subcommand(
+        "timedemo", "Time an animation: frames per second plain, shaded and with lines");
+    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
+    command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
+    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command->add_option("--frames", args->frames, "Frames of each camera path")
+        ->capture_default_str();
+    command->add_option("--view", args->view, "Where the camera starts (the first unless given)");
+    add_view_options(*command, args->views);
+    command->add_option("--threads", args->threads, "Threads")->capture_default_str();
+    command->add_option("--seed", args->seed, "Of the shaking camera")->capture_default_str();
+    command->add_option("--no-skip", args->no_skip, "Skips a,b to do without, or all");
+    command->add_option("--out", args->out, "Folder for timedemo.csv");
+    command->footer("Example: inkbench timedemo gear --methods mote4,decaudin --frames 30");
+    command->callback([args] { run_timedemo(*args); });
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace ink::scene {
+
+inline constexpr std::uint32_t kNoNode = ~0U;
+
+/// A value that is reached at a time. Times of a list never fall.
+struct VectorKey {
+    double time_s = 0;
+    glm::dvec3 value{0};
+};
+struct RotationKey {
+    double time_s = 0;
+    glm::dquat value{1, 0, 0, 0};  ///< of length 1
+};
+
+/// A node of the tree that carries instances and bones.
+struct AnimatedNode {
+    std::uint32_t parent = kNoNode;  ///< an earlier node
+    glm::dmat4 parent_from_node{1};  ///< at rest; the whole truth of a node without keys
+    /// Keys of moving nodes, none of the three lists empty: scaled, then turned, then moved.
+    std::vector<VectorKey> translations;
+    std::vector<RotationKey> rotations;
+    std::vector<VectorKey> scales;
+
+    [[nodiscard]] bool has_keys() const { return !translations.empty(); }
+    /// parent_from_node at a time; before the first key as there, after the last likewise.
+    [[nodiscard]] glm::dmat4 at(double time_s) const;
+};
+
+/// All places of a mesh's vertices, as Quake's models store motion.
+struct VertexFrames {
+    std::size_t frame_count = 0;       ///< 0: the mesh keeps its shape
+    std::vector<glm::vec3> positions;  ///< frame after frame, each with all vertices
+    std::vector<glm::vec3> normals;    ///< likewise, unit; or empty
+};
+
+/// How much of a vertex follows a bone.
+struct BoneWeight {
+    std::uint32_t bone = 0;
+    float weight = 0;
+};
+
+/// A mesh whose vertices follow nodes. Posed, its vertices are in world space.
+struct Skin {
+    struct Bone {
+        std::uint32_t node = 0;
+        glm::dmat4 node_from_mesh{1};  ///< as they were bound
+    };
+    std::uint32_t mesh = 0;
+    std::vector<glm::vec3> positions;  ///< as bound, mesh space
+    std::vector<glm::vec3> normals;    ///< likewise, or empty
+    std::vector<Bone> bones;
+    /// Vertex v follows weights[first_weight[v] .. first_weight[v + 1]); none: it stays as bound.
+    std::vector<std::uint32_t> first_weight;
+    std::vector<BoneWeight> weights;
+};
+
+/// Writes what each vertex follows into `skin`.
+void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin);
+
+/// How a scene moves: its instances with their nodes, its vertices by frames or with bones. The
+/// topology stays.
+struct Animation {
+    double duration_s = 0;
+    double frames_per_s = 0;                      ///< of stored vertex frames; 0 without any
+    std::vector<AnimatedNode> nodes;              ///< parents first
+    std::vector<std::uint32_t> node_of_instance;  ///< per instance; kNoNode: it stands still
+    std::vector<VertexFrames> vertex_frames;      ///< per mesh, or empty
+    std::vector<Skin> skins;
+
+    /// The most frames that a mesh stores; 0 where motion is by keys alone.
+    [[nodiscard]] std::size_t frame_count() const;
+    /// When stored frame `frame` is shown, exactly.
+    [[nodiscard]] double frame_time_s(std::size_t frame) const;
+};
+
+/// What is shown between two stored frames; keys are always blended.
+enum class Between {
+    blended,  ///< the straight way from one to the next
+    whole,    ///< the earlier one, nodes included: as Quake drew them
+};
+
+/// Sets the instances' transforms and the meshes' vertices to those at `time_s`, held to
+/// 0 .. duration_s. At a key or a stored frame they equal it bit for bit; a part with fewer frames
+/// than others keeps its last. Same bits on every machine. A scene without animation stays as it
+/// is.
+void pose_scene(Scene& scene, double time_s, Between between = Between::blended);
+
+/// Each node's place in the world at a time; without one, at rest.
+[[nodiscard]] std::vector<glm::dmat4> world_from_nodes(const Animation& animation,
+                                                       std::optional<double> time_s);
+
+/// Sets it as the file has it without its motion: every node at rest, vertices in their first
+/// frame.
+void rest_scene(Scene& scene);
+
+/// The rotation a share `share` (0..1) of the way from `from` to `to` along the shorter arc at even
+/// speed (Shoemake 1985), both of length 1. By halving the arc, so that only square roots are
+/// taken.
+[[nodiscard]] glm::dquat slerp(const glm::dquat& from, const glm::dquat& to, double share);
+
+/// Throws Error (where = the scene's name) unless `animation` fits the scene: indices and lengths,
+/// finite numbers, parents before children, times in order, rotations of length 1, and no pose that
+/// could reach out of all bounds.
+void check_animation(const Scene& scene, const Animation& animation);
+
+}  // namespace ink::scene

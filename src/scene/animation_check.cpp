@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "core/error.h"
+#include "scene/animation.h"
+
+namespace ink::scene {
+namespace {
+
+// Positions are floats, and products of three of them are formed in double.
+constexpr double kMostReach = 1e30;
+constexpr double kUnitSlack = 1e-6;
+
+/// Throws about the motion of one scene.
+class Complaint {
+  public:
+    explicit Complaint(const Scene& scene) : where_(scene.name + ", animation") {}
+    void unless(bool is_good, const std::string& what, const std::string& accepted = {}) const {
+        if (!is_good) throw core::Error(where_, what, accepted);
+    }
+
+  private:
+    std::string where_;
+};
+
+bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_finite(const glm::dmat4& m) {
+    for (int column = 0; column < 4; ++column) {
+        if (!is_finite(glm::dvec3(m[column])) || !std::isfinite(m[column].w)) return false;
+    }
+    return true;
+}
+
+bool is_good_value(const glm::dvec3& v) {
+    return is_finite(v);
+}
+
+bool is_good_value(const glm::dquat& q) {
+    return std::abs(glm::dot(q, q) - 1) < kUnitSlack;
+}
+
+template <class Key>
+void check_keys(const std::vector<Key>& keys, const std::string& name, const Complaint& complain) {
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        complain.unless(std::isfinite(keys[k].time_s) && is_good_value(keys[k].value),
+                        fmt::format("{}, key {} is not finite or no rotation", name, k),
+                        "finite times and values, rotations of length 1");
+        complain.unless(k == 0 || keys[k - 1].time_s <= keys[k].time_s,
+                        fmt::format("{}, key {} goes back in time", name, k),
+                        "times in order");
+    }
+}
+
+void check_nodes(const Animation& animation, const Complaint& complain) {
+    for (std::size_t n = 0; n < animation.nodes.size(); ++n) {
+        const AnimatedNode& node = animation.nodes[n];
+        const std::string name = fmt::format("node {}", n);
+        complain.unless(node.parent == kNoNode || node.parent < n,
+                        fmt::format("{} has the parent {}", name, node.parent),
+                        "an earlier node");
+        complain.unless(is_finite(node.parent_from_node),
+                        name + " has a transform that is not finite",
+                        "finite numbers");
+        const bool is_moving = node.has_keys();
+        complain.unless(node.rotations.empty() != is_moving && node.scales.empty() != is_moving,
+                        name + " has keys of one kind only",
+                        "translations, rotations and scales");
+        check_keys(node.translations, name, complain);
+        check_keys(node.rotations, name, complain);
+        check_keys(node.scales, name, complain);
+    }
+}
+
+void check_vectors(const std::vector<glm::vec3>& vectors,
+                   const std::string& name,
+                   const Complaint& complain) {
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        complain.unless(is_finite(glm::dvec3(vectors[i])),
+                        fmt::format("{}, vector {} is not finite", name, i),
+                        "finite numbers");
+    }
+}
+
+void check_frames(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    const auto& all = animation.vertex_frames;
+    complain.unless(
+        all.empty() || all.size() == scene.meshes.size(),
+        fmt::format("{} lists of frames for {} meshes", all.size(), scene.meshes.size()),
+        "none, or one per mesh");
+    for (std::size_t m = 0; m < all.size(); ++m) {
+        const std::size_t vertices = scene.meshes[m].positions.size();
+        const std::size_t frames = all[m].frame_count;
+        const std::string name = fmt::format("the frames of mesh {}", m);
+        // Division, for the product may be more than a number holds.
+        const bool fits = frames == 0 || vertices == 0
+                              ? all[m].positions.empty()
+                              : all[m].positions.size() / vertices == frames &&
+                                    all[m].positions.size() % vertices == 0;
+        complain.unless(fits,
+                        fmt::format("{}: {} positions for {} frames of {} vertices",
+                                    name,
+                                    all[m].positions.size(),
+                                    frames,
+                                    vertices),
+                        "one per vertex and frame");
+        const bool has_normals = !scene.meshes[m].normals.empty();
+        complain.unless(all[m].normals.empty() ||
+                            (has_normals && all[m].normals.size() == all[m].positions.size()),
+                        fmt::format("{}: {} normals", name, all[m].normals.size()),
+                        "none, or one per position of a mesh with normals");
+        check_vectors(all[m].positions, name, complain);
+        check_vectors(all[m].normals, name, complain);
+    }
+    complain.unless(animation.frame_count() == 0 ||
+                        (std::isfinite(animation.frames_per_s) && animation.frames_per_s > 0),
+                    fmt::format("{:g} frames a second", animation.frames_per_s),
+                    "more than 0");
+}
+
+void check_weights(const Skin& skin, const std::string& name, const Complaint& complain) {
+    const auto& first = skin.first_weight;
+    complain.unless(first.size() == skin.positions.size() + 1 && first.front() == 0 &&
+                        std::is_sorted(first.begin(), first.end()) &&
+                        first.back() == skin.weights.size(),
+                    name + " does not say which weights are whose",
+                    "a place in the list for every vertex");
+    for (const BoneWeight& weight : skin.weights) {
+        complain.unless(weight.bone < skin.bones.size(),
+                        fmt::format("{} follows bone {}", name, weight.bone),
+                        fmt::format("one of {} bones", skin.bones.size()));
+        complain.unless(std::isfinite(weight.weight) && weight.weight >= 0 && weight.weight <= 1e6F,
+                        fmt::format("{} has the weight {:g}", name, weight.weight),
+                        "0 or more");
+    }
+}
+
+void check_skins(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    std::vector<bool> is_taken(scene.meshes.size(), false);
+    for (std::size_t s = 0; s < animation.skins.size(); ++s) {
+        const Skin& skin = animation.skins[s];
+        const std::string name = fmt::format("skin {}", s);
+        complain.unless(skin.mesh < scene.meshes.size() && !is_taken[skin.mesh],
+                        fmt::format("{} is of mesh {}", name, skin.mesh),
+                        "a mesh without another skin");
+        is_taken[skin.mesh] = true;
+        complain.unless(
+            animation.vertex_frames.empty() || animation.vertex_frames[skin.mesh].frame_count == 0,
+            name + " is of a mesh that has frames, too");
+        const std::size_t vertices = scene.meshes[skin.mesh].positions.size();
+        complain.unless(skin.positions.size() == vertices &&
+                            (skin.normals.empty() || skin.normals.size() == vertices),
+                        fmt::format("{} has {} positions and {} normals",
+                                    name,
+                                    skin.positions.size(),
+                                    skin.normals.size()),
+                        fmt::format("{} each", vertices));
+        check_vectors(skin.positions, name, complain);
+        check_vectors(skin.normals, name, complain);
+        for (const Skin::Bone& bone : skin.bones) {
+            complain.unless(bone.node < animation.nodes.size() && is_finite(bone.node_from_mesh),
+                            fmt::format("{} has a bone at node {}", name, bone.node),
+                            fmt::format("one of {} nodes, finite", animation.nodes.size()));
+        }
+        check_weights(skin, name, complain);
+    }
+}
+
+/// How far a transform can carry what lies within `radius` of its origin: moved + grows * radius.
+struct Reach {
+    double moved = 0;
+    double grows = 1;
+    [[nodiscard]] double of(double radius) const { return moved + grows * radius; }
+};
+
+double largest(const std::vector<VectorKey>& keys) {
+    double most = 0;
+    for (const VectorKey& key : keys)
+        most = std::max(most, glm::length(key.value));
+    return most;
+}
+
+double growth(const glm::dmat4& m) {
+    return glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]);
+}
+
+std::vector<Reach> reaches(const Animation& animation) {
+    std::vector<Reach> all;
+    for (const AnimatedNode& node : animation.nodes) {
+        Reach own{glm::length(glm::dvec3(node.parent_from_node[3])), growth(node.parent_from_node)};
+        if (node.has_keys()) {
+            own.moved = std::max(own.moved, largest(node.translations));
+            own.grows = std::max(own.grows, largest(node.scales));
+        }
+        const Reach parent = node.parent == kNoNode ? Reach{} : all[node.parent];
+        all.push_back({parent.of(own.moved), parent.grows * own.grows});
+    }
+    return all;
+}
+
+double radius_of(const std::vector<glm::vec3>& points) {
+    double most = 0;
+    for (const glm::vec3& p : points)
+        most = std::max(most, glm::length(glm::dvec3(p)));
+    return most;
+}
+
+void check_reach(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    const std::vector<Reach> reach = reaches(animation);
+    const auto check = [&](double extent) {
+        complain.unless(extent < kMostReach,
+                        fmt::format("it may reach {:g}", extent),
+                        fmt::format("less than {:g}", kMostReach));
+    };
+    std::vector<double> radius;
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        radius.push_back(radius_of(scene.meshes[m].positions));
+        if (animation.vertex_frames.empty()) continue;
+        radius.back() = std::max(radius.back(), radius_of(animation.vertex_frames[m].positions));
+    }
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const std::uint32_t node = animation.node_of_instance[i];
+        if (node != kNoNode) check(reach[node].of(radius[scene.instances[i].mesh]));
+    }
+    for (const Skin& skin : animation.skins) {
+        for (const Skin::Bone& bone : skin.bones) {
+            const Reach bound{glm::length(glm::dvec3(bone.node_from_mesh[3])),
+                              growth(bone.node_from_mesh)};
+            check(reach[bone.node].of(bound.of(radius_of(skin.positions))));
+        }
+    }
+}
+
+}  // namespace
+
+void check_animation(const Scene& scene, const Animation& animation) {
+    const Complaint complain(scene);
+    complain.unless(std::isfinite(animation.duration_s) && animation.duration_s >= 0,
+                    fmt::format("it lasts {:g} s", animation.duration_s),
+                    "0 or more");
+    check_nodes(animation, complain);
+    const auto& node_of = animation.node_of_instance;
+    complain.unless(
+        node_of.size() == scene.instances.size(),
+        fmt::format("it moves {} instances of {}", node_of.size(), scene.instances.size()),
+        "as many as there are");
+    for (const std::uint32_t node : node_of) {
+        complain.unless(node == kNoNode || node < animation.nodes.size(),
+                        fmt::format("an instance hangs on node {}", node),
+                        fmt::format("one of {} nodes", animation.nodes.size()));
+    }
+    check_frames(scene, animation, complain);
+    check_skins(scene, animation, complain);
+    check_reach(scene, animation, complain);
+}
+
+}  // namespace ink::scene

@@ -1,0 +1,123 @@
+#include "lab/timedemo.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+#include "core/error.h"
+#include "scene/animation.h"
+
+namespace ink::lab {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(MedianRange, IsMadeOfOrderStatistics) {
+    std::vector<std::int64_t> values(100);
+    std::iota(values.rbegin(), values.rend(), 1);
+    // Ranks 41 and 60 hold the median of 100 with 95 %, as tables have it.
+    const MedianRange of_100 = median_range(values);
+    EXPECT_EQ(of_100.median, 50);
+    EXPECT_EQ(of_100.low, 41);
+    EXPECT_EQ(of_100.high, 60);
+    const MedianRange of_one = median_range({7});
+    EXPECT_EQ(of_one.median, 7);
+    EXPECT_EQ(of_one.low, 7);
+    EXPECT_EQ(of_one.high, 7);
+}
+
+TEST(TimedemoTable, AddsUpWhatAFrameTakes) {
+    DemoFrame frame;
+    frame.path = "orbit";
+    frame.method = "mote4";
+    frame.fill_ns = 1'000'000;
+    frame.shade_ns = 4'000'000;
+    frame.pose_ns = 4'000'000;
+    frame.draw_ns = 1'000'000;
+    frame.compose_ns = 1'000'000;
+    DemoFrame cached = frame;
+    cached.pass = 1;
+    cached.pose_ns = 1'000'000;
+    const std::string table = timedemo_table({frame, cached});
+    EXPECT_THAT(table, HasSubstr("1000 [1000, 1000]")) << "plain: 1 ms";
+    EXPECT_THAT(table, HasSubstr("250 [250, 250]")) << "shading: 4 ms";
+    EXPECT_THAT(table, HasSubstr("125 [125, 125]")) << "no edges, first: 8 ms";
+    EXPECT_THAT(table, HasSubstr("100 [100, 100]")) << "full, first: 10 ms";
+    EXPECT_THAT(table, HasSubstr("200 [200, 200]")) << "no edges, cached: 5 ms";
+    EXPECT_THAT(table, HasSubstr("143 [143, 143]")) << "full, cached: 7 ms";
+    EXPECT_EQ(timedemo_table({}), "");
+}
+
+TEST(Timedemo, DrawsEveryFrameOfEveryPassAlongThreePaths) {
+    ViewRequest request;
+    request.width_px = 96;
+    request.height_px = 64;
+    const Subject gear = make_subject(load_scene("gear"), request);
+    TimedemoOptions options;
+    options.entrants = make_entrants("mote4,decaudin", {});
+    options.frames = 3;
+    options.cached_passes = 1;
+    const auto frames = run_timedemo(gear, options);
+    EXPECT_EQ(frames.size(), 3U * 2 * 3 * 2) << "paths, passes, frames, methods";
+    std::set<std::string> paths;
+    std::set<std::string> pictures;
+    for (const DemoFrame& frame : frames) {
+        paths.insert(frame.path);
+        if (frame.method == "mote4" && frame.path == "orbit") pictures.insert(frame.image_hash);
+        EXPECT_EQ(frame.time_s, 4.0 * frame.frame / 3);
+        EXPECT_GT(frame.draw_ns, 0);
+    }
+    EXPECT_EQ(paths, (std::set<std::string>{"orbit", "dolly", "shake"}));
+    EXPECT_EQ(pictures.size(), 3U) << "it moves, and comes out the same again";
+    EXPECT_THAT(timedemo_heading(gear, options), HasSubstr("gear, 4 s of keys, 3 drawn"));
+}
+
+TEST(Timedemo, AnEyeInsideLooksAbout) {
+    ViewRequest request;
+    request.width_px = 64;
+    request.height_px = 48;
+    request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0), {0, 1, 0}, std::nullopt});
+    TimedemoOptions options;
+    options.entrants = make_entrants("mote4", {});
+    options.frames = 2;
+    options.cached_passes = 0;
+    std::set<std::string> paths;
+    for (const DemoFrame& frame : run_timedemo(make_subject(load_scene("gear"), request), options))
+        paths.insert(frame.path);
+    EXPECT_EQ(paths, (std::set<std::string>{"pan", "roll", "shake"}));
+}
+
+/// What make_subject says of a request for `scene`.
+std::string complaint(const std::string& scene, const ViewRequest& request) {
+    try {
+        (void)make_subject(load_scene(scene), request);
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PosedSubject, IsCalledAndHashedAsItIsPosed) {
+    ViewRequest request;
+    request.time_s = 1.5;
+    const Subject posed = make_subject(load_scene("gear"), request);
+    EXPECT_EQ(posed.scene.name, "gear.1.5s");
+    EXPECT_EQ(posed.views.size(), posed.scene.cameras.size()) << "the catalogue's own views";
+    EXPECT_NE(scene::scene_hash(posed.scene), scene::scene_hash(load_scene("gear")));
+}
+
+TEST(PosedSubject, OnlyAtMomentsThatThereAre) {
+    ViewRequest late;
+    late.time_s = 4.5;
+    EXPECT_EQ(complaint("gear", late), "--time: gear does not move at 4.5 s (accepted: 0..4)");
+    EXPECT_THAT(complaint("cube", late), HasSubstr("--time: cube does not move (accepted: "));
+    ViewRequest frame;
+    frame.frame = 3;
+    EXPECT_EQ(complaint("gear", frame),
+              "--frame: gear stores no frames (accepted: --time SECONDS)");
+}
+
+}  // namespace
+}  // namespace ink::lab
