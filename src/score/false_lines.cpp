@@ -101,14 +101,17 @@ std::vector<std::int64_t> life_counts(std::span<const FalseLine> lines) {
     return counts;
 }
 
-std::optional<double> median_life(std::span<const FalseLine> lines) {
-    if (lines.empty()) return std::nullopt;
-    std::vector<int> lives;
-    for (const FalseLine& line : lines)
-        lives.push_back(line.life());
-    std::sort(lives.begin(), lives.end());
-    const std::size_t n = lives.size();
-    return (lives[(n - 1) / 2] + lives[n / 2]) / 2.0;
+std::optional<double> median_life(std::span<const std::int64_t> lives) {
+    const std::int64_t n = std::accumulate(lives.begin(), lives.end(), std::int64_t{0});
+    if (n == 0) return std::nullopt;
+    // The life of the line that has `below` others before it, from short to long.
+    const auto life_of = [&](std::int64_t below) {
+        std::size_t i = 0;
+        for (std::int64_t seen = lives[0]; seen <= below; seen += lives[i])
+            ++i;
+        return static_cast<double>(i + 1);
+    };
+    return (life_of((n - 1) / 2) + life_of(n / 2)) / 2;
 }
 
 }  // namespace ink::score

@@ -79,9 +79,9 @@ struct FalseLine {
 /// How many lines lived 1, 2, .. frames: entry i is a life of i + 1. As long as the longest life.
 [[nodiscard]] std::vector<std::int64_t> life_counts(std::span<const FalseLine> lines);
 
-/// The median life in frames, of an even number of lines the mean of the two in the middle; nothing
-/// if there are no lines. Cut lives count as long as they were seen.
-[[nodiscard]] std::optional<double> median_life(std::span<const FalseLine> lines);
+/// The median life in frames of lines counted so, of an even number of lines the mean of the two in
+/// the middle; nothing if there are no lines. Cut lives count as long as they were seen.
+[[nodiscard]] std::optional<double> median_life(std::span<const std::int64_t> lives);
 
 /// What makes a line of one frame the same line in another: its class and its mesh edge, or, for an
 /// intersection, its two triangles (lower first). What is not used is kNoEdge and kNoTriangle.
@@ -97,7 +97,7 @@ struct Feature {
 /// A feature in one frame: how much of it is to be seen, and how much of that is drawn.
 struct FeatureSight {
     Feature feature;
-    double length_px = 0;   ///< visible, outside the band and not ignored
+    double length_px = 0;   ///< visible and asked for
     double covered_px = 0;  ///< of that, with a drawn pixel in reach
 
     /// covered / length; 0 for no length.
@@ -106,8 +106,10 @@ struct FeatureSight {
 
 /// The features of a frame's curves, each once, ascending; those without any length left out.
 ///
-/// Curves are looked at in pieces of at most half a pixel, each in the pixel that holds its
-/// middle. `thinned` and `truth` as motion_frame() takes them.
+/// Curves are looked at in pieces of at most half a pixel, each in the pixel that holds its middle.
+/// It is asked for outside the band, where it is not ignored, and where the truth has a pixel in
+/// reach: thinning takes some from where lines crowd, and what the truth itself does not draw is
+/// not dropped by others. `thinned` and `truth` as motion_frame() takes them.
 [[nodiscard]] std::vector<FeatureSight> see_features(std::span<const truth::Curve> curves,
                                                      const edge::Mask& thinned,
                                                      const ScoringTruth& truth,

@@ -19,17 +19,17 @@ Feature feature_of(const truth::Curve& curve) {
     return feature;
 }
 
-/// 1 for each pixel with a drawn one in reach.
-edge::Mask reach_of(const edge::Mask& thinned, const Disk& disk) {
-    edge::Mask reach(thinned.width_px(), thinned.height_px());
-    for (int y = 0; y < thinned.height_px(); ++y) {
-        for (int x = 0; x < thinned.width_px(); ++x) {
-            if (thinned.at(x, y) == 0) continue;
+/// 1 for each pixel with one of `lines` (not 0) in reach.
+edge::Mask reach_of(const core::Image<std::uint8_t>& lines, const Disk& disk) {
+    edge::Mask reach(lines.width_px(), lines.height_px());
+    for (int y = 0; y < lines.height_px(); ++y) {
+        for (int x = 0; x < lines.width_px(); ++x) {
+            if (lines.at(x, y) == 0) continue;
             for (int dy = -disk.radius_px(); dy <= disk.radius_px(); ++dy) {
                 const int half = disk.half_width_px(dy);
-                if (y + dy < 0 || y + dy >= thinned.height_px()) continue;
+                if (y + dy < 0 || y + dy >= lines.height_px()) continue;
                 const int first = std::max(0, x - half);
-                const int last = std::min(thinned.width_px() - 1, x + half);
+                const int last = std::min(lines.width_px() - 1, x + half);
                 std::fill(reach.row(y + dy) + first, reach.row(y + dy) + last + 1, std::uint8_t{1});
             }
         }
@@ -39,7 +39,7 @@ edge::Mask reach_of(const edge::Mask& thinned, const Disk& disk) {
 
 /// 1 for each pixel in which a line is asked for.
 edge::Mask asked_pixels(const ScoringTruth& truth, const ScoreOptions& options) {
-    edge::Mask asked(truth.labels.width_px(), truth.labels.height_px(), 1);
+    edge::Mask asked = reach_of(truth.labels, Disk(options.tolerance_px));
     clear_band(asked, options.band_px);
     for (std::size_t i = 0; i < asked.size() && !truth.ignore.is_empty(); ++i) {
         if (truth.ignore.data()[i] != 0) asked.data()[i] = 0;

@@ -190,8 +190,9 @@ TEST(FalseLines, LivesAreCountedAndHaveAMedian) {
                                                  {.first_frame = 4, .last_frame = 4},
                                                  {.first_frame = 1, .last_frame = 5}};
     EXPECT_EQ(score::life_counts(lines), (std::vector<std::int64_t>{2, 1, 0, 0, 1}));
-    EXPECT_EQ(score::median_life(lines), 1.5);
-    EXPECT_EQ(score::median_life(std::span(lines).first(3)), 1.0);
+    EXPECT_EQ(score::median_life(score::life_counts(lines)), 1.5);
+    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).first(3))), 1.0);
+    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).subspan(3))), 5.0);
     EXPECT_EQ(score::median_life({}), std::nullopt);
     EXPECT_TRUE(score::life_counts({}).empty());
 }
@@ -237,7 +238,7 @@ TEST_F(MotionMutation, AFalseLineThatStaysDoesNotFlickerAndLivesLong) {
     for (int t = 0; t < kFrames; ++t)
         drawn(t) = lines_at({8 + t / 4, 25, 34});
     EXPECT_EQ(sequence_.flicker().share(), 0.0);
-    EXPECT_EQ(score::median_life(sequence_.false_lines()), kFrames);
+    EXPECT_EQ(score::median_life(score::life_counts(sequence_.false_lines())), kFrames);
 }
 
 TEST_F(MotionMutation, AJitterOfAPixelIsNeither) {

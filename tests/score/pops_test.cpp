@@ -15,8 +15,14 @@ using score::PopCount;
 constexpr int kSize_px = 40;
 constexpr score::ScoreOptions kOptions{.tolerance_px = 2, .threshold = 1, .band_px = 6};
 
-score::ScoringTruth no_truth() {
-    return score::prepare_truth(Picture(kSize_px, kSize_px), {.threshold = 1}, true);
+/// A truth with level lines in `rows`, those of the curves unless said.
+score::ScoringTruth truth_in(const std::vector<int>& rows = {10, 12, 20, 30}) {
+    Picture labels(kSize_px, kSize_px);
+    for (const int y : rows) {
+        for (int x = 0; x < kSize_px; ++x)
+            labels.at(x, y) = 1;
+    }
+    return score::prepare_truth(labels, {.threshold = 1}, true);
 }
 
 /// A crease of mesh edge `edge` across the whole picture, 28 px of it outside the band.
@@ -28,7 +34,7 @@ truth::Curve level(double y_px, std::uint32_t edge) {
 
 TEST(Features, AreMeasuredOutsideTheBand) {
     const auto sights = score::see_features(
-        Curves{level(20.5, 3)}, Picture(kSize_px, kSize_px), no_truth(), kOptions);
+        Curves{level(20.5, 3)}, Picture(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 1U);
     EXPECT_EQ(sights[0].feature,
               (score::Feature{.line_class = truth::LineClass::crease, .edge = 3}));
@@ -43,15 +49,15 @@ TEST(Features, AreCoveredWithinTheTolerance) {
     const Picture far = drawn_where(kSize_px, kSize_px, [](double, double y) { return y == 23.5; });
     const Curves curves{level(20.5, 3)};
     // Straight below only: a pixel to the side is further than 2.
-    EXPECT_DOUBLE_EQ(score::see_features(curves, near, no_truth(), kOptions)[0].share(), 0.5);
-    EXPECT_EQ(score::see_features(curves, far, no_truth(), kOptions)[0].share(), 0);
+    EXPECT_DOUBLE_EQ(score::see_features(curves, near, truth_in(), kOptions)[0].share(), 0.5);
+    EXPECT_EQ(score::see_features(curves, far, truth_in(), kOptions)[0].share(), 0);
 }
 
 TEST(Features, PiecesOfOneEdgeAreOneFeatureAndClassesAreNot) {
     Curves curves{level(20.5, 9), level(10.5, 2), level(12.5, 9), level(30.5, 9)};
     curves[3].line_class = truth::LineClass::contour;
     const auto sights =
-        score::see_features(curves, Picture(kSize_px, kSize_px), no_truth(), kOptions);
+        score::see_features(curves, Picture(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 3U);
     EXPECT_EQ(sights[0].feature.line_class, truth::LineClass::contour);
     EXPECT_EQ(sights[1].feature.edge, 2U);
@@ -68,7 +74,7 @@ TEST(Features, AnIntersectionIsKnownByItsTrianglesInEitherOrder) {
     curves[1].face0 = 5;
     curves[1].face1 = 8;
     const auto sights =
-        score::see_features(curves, Picture(kSize_px, kSize_px), no_truth(), kOptions);
+        score::see_features(curves, Picture(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 1U);
     EXPECT_EQ(sights[0].feature.face0, 5U);
     EXPECT_EQ(sights[0].feature.face1, 8U);
@@ -79,8 +85,11 @@ TEST(Features, IgnoredAndInvisiblePiecesAreNotThere) {
         Picture(kSize_px, kSize_px, 7), {.threshold = 1, .ignore_label = 7}, true);
     const Picture empty(kSize_px, kSize_px);
     EXPECT_TRUE(score::see_features(Curves{level(20.5, 3)}, empty, ignored, kOptions).empty());
-    EXPECT_TRUE(score::see_features(Curves{level(2.5, 3)}, empty, no_truth(), kOptions).empty());
-    EXPECT_TRUE(score::see_features({}, empty, no_truth(), kOptions).empty());
+    const auto elsewhere = truth_in({23});
+    EXPECT_TRUE(score::see_features(Curves{level(20.5, 3)}, empty, elsewhere, kOptions).empty());
+    EXPECT_FALSE(score::see_features(Curves{level(21.5, 3)}, empty, elsewhere, kOptions).empty());
+    EXPECT_TRUE(score::see_features(Curves{level(2.5, 3)}, empty, truth_in(), kOptions).empty());
+    EXPECT_TRUE(score::see_features({}, empty, truth_in(), kOptions).empty());
 }
 
 /// A sequence of one feature: S shown, D dropped, h half shown, '.' not there, s too short.
