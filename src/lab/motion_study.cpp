@@ -38,13 +38,6 @@ struct Picture {
     Record& record;
 };
 
-/// What a frame's pictures are scored against: the truth without a band, see score::motion_frame.
-score::ScoringTruth unbanded(const truth::Truth& traced) {
-    score::ScoreOptions options = score_options(1);
-    options.band_px = 0;
-    return score::prepare_truth(traced.labels, options, true);
-}
-
 void take(const Picture& picture, const truth::Truth& traced, const score::ScoringTruth& scoring) {
     const score::ScoreOptions options = score_options(picture.threshold);
     const score::Strokes strokes =
@@ -117,7 +110,7 @@ class Run {
             fail("too_large: no memory to trace the truth");
             return;
         }
-        const score::ScoringTruth scoring = unbanded(traced);
+        const score::ScoringTruth scoring = unbanded_truth(traced);
         std::vector<edge::EdgeImage> drawn;
         const std::vector<DrawTimes> times = draw_in_turns(methods_, view, options_.measure, drawn);
         std::vector<Picture> pictures;
@@ -180,6 +173,12 @@ Sequence sequence_of(const std::string& name, scene::PathKind kind, scene::View 
 }
 
 }  // namespace
+
+score::ScoringTruth unbanded_truth(const truth::Truth& traced) {
+    score::ScoreOptions options = score_options(1);
+    options.band_px = 0;
+    return score::prepare_truth(traced.labels, options, true);
+}
 
 std::vector<MotionRow> study_sequence(const std::vector<Entrant>& entrants,
                                       Sequence& sequence,

@@ -28,6 +28,10 @@ struct MotionOptions {
     TraceOptions trace;      ///< truths go through the cache like those of any view
 };
 
+/// A truth as motion is scored against: ignored pixels taken out and thinned again as everywhere,
+/// but with no band (see score::motion_frame).
+[[nodiscard]] score::ScoringTruth unbanded_truth(const truth::Truth& traced);
+
 /// Draws every frame of a sequence with every entrant and scores them against their truths and each
 /// other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per entrant,
 /// then the brackets `sampled` and `oracle`.

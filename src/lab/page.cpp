@@ -162,6 +162,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.motion.empty()) link("motion", "In motion");
     if (!m.skips.empty()) link("skips", "Skips");
     if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");

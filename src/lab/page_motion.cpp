@@ -118,6 +118,11 @@ std::string angle(double angle_rad) {
     return fmt::format("{:.1f}°", angle_rad * 180 / std::numbers::pi);
 }
 
+/// What is left of a crease at an angle where no whole frame lost it.
+std::string there(const Vanishing& at) {
+    return at.recall_there ? fmt::format("recall {:.2f} there", *at.recall_there) : "not drawn";
+}
+
 std::string vanishing_cell(const RollCurve& curve) {
     if (!curve.is_predicted) return "<td>–</td>";
     if (curve.vanishing.empty()) {
@@ -131,7 +136,7 @@ std::string vanishing_cell(const RollCurve& curve) {
         text += fmt::format("{}{}<small>{}</small>",
                             text.empty() ? "" : " ",
                             angle(at.predicted_rad),
-                            at.measured_rad ? "at " + angle(*at.measured_rad) : "between frames");
+                            at.measured_rad ? "at " + angle(*at.measured_rad) : there(at));
     }
     return fmt::format("<td>{}</td>", text);
 }
@@ -176,7 +181,8 @@ std::string roll_html(const std::vector<RollCurve>& rolls) {
                "make "
                "both sides of a crease equal, worked out from weights and geometry alone. Shaded: "
                "where "
-               "the change is too small for its threshold.</p>",
+               "the change is too small for its threshold. Dots: recall in a frame at the very "
+               "angle.</p>",
                rolls.front().samples.size()) +
            chart(roll_chart(rolls), "Recall of a cube's creases against the camera's roll") +
            roll_table(rolls);

@@ -81,6 +81,12 @@ void draw_curve(Svg& svg, const Panel& panel, const RollCurve& curve) {
                  x,
                  panel.y_at(0) + 4,
                  fmt::format(R"(stroke="{}" stroke-width="1.2" stroke-dasharray="4 3")", colour));
+        if (at.recall_there) {
+            svg.circle(x,
+                       panel.y_at(*at.recall_there),
+                       3.2,
+                       fmt::format(R"(fill="{}" stroke="#fff")", colour));
+        }
         svg.raw("</g>");
     }
     std::vector<double> xy;

@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "lab/interrupt.h"
+#include "lab/motion_study.h"
 #include "lab/roll_prediction.h"
 #include "scene/shapes.h"
 #include "scene/surface.h"
@@ -96,54 +97,137 @@ Entry make_entry(PreparedMethod& prepared,
     return entry;
 }
 
-/// Adds a frame's sample to each crease of an entry.
-void take(const edge::EdgeImage& picture,
-          int threshold,
-          const truth::Truth& truth,
-          const std::vector<Crease>& creases,
-          double roll_rad,
-          Entry& entry) {
+/// What a picture shows of each crease, by its place in `creases`.
+std::vector<RollSample> see_creases(const edge::EdgeImage& picture,
+                                    int threshold,
+                                    const truth::Truth& truth,
+                                    const std::vector<Crease>& creases) {
     const score::ScoreOptions options = score_options(threshold);
     const score::Strokes strokes = score::make_strokes(picture, threshold, options);
-    const auto scoring = score::prepare_truth(truth.labels, options, true);
-    const auto sights = score::see_features(truth.curves, strokes.thinned, scoring, options);
-    for (std::size_t i = 0; i < creases.size(); ++i) {
-        RollSample sample{.roll_rad = roll_rad};
-        for (const score::FeatureSight& sight : sights) {
-            const bool is_crease = sight.feature.line_class == truth::LineClass::crease;
-            if (!is_crease || sight.feature.edge != creases[i].edge) continue;
-            sample.length_px = sight.length_px;
-            sample.covered_px = sight.covered_px;
+    std::vector<RollSample> samples(creases.size());
+    for (const score::FeatureSight& sight :
+         score::see_features(truth.curves, strokes.thinned, unbanded_truth(truth), options)) {
+        if (sight.feature.line_class != truth::LineClass::crease) continue;
+        for (std::size_t i = 0; i < creases.size(); ++i) {
+            if (creases[i].edge != sight.feature.edge) continue;
+            samples[i].length_px = sight.length_px;
+            samples[i].covered_px = sight.covered_px;
         }
-        if (entry.predictions[i]) {
-            sample.step = entry.predictions[i]->step(roll_rad);
-            sample.is_blind = entry.predictions[i]->is_blind(roll_rad, threshold);
-        }
-        entry.curves[i].samples.push_back(sample);
     }
+    return samples;
 }
 
-/// From one angle to another the short way, -pi..pi.
-double turn_between(double from_rad, double to_rad) {
-    return std::remainder(to_rad - from_rad, kTurn_rad);
-}
+/// The study under way: everything that does not depend on the angle.
+class Roll {
+  public:
+    Roll(const std::vector<Entrant>& entrants, const RollOptions& options)
+        : options_(options),
+          scene_(roll_scene()),
+          path_(roll_path(scene_, options)),
+          model_(scene_, truth_options()) {
+        options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
+        for (const Entrant& entrant : entrants)
+            methods_.push_back(std::make_unique<PreparedMethod>(entrant, scene_));
+        creases_ = creases_of(trace(0), scene_);
+        for (const auto& method : methods_)
+            entries_.push_back(make_entry(*method, scene_, creases_, path_.start.camera));
+    }
+
+    void turn_round() {
+        core::Progress progress("cube roll", path_.frame_count);
+        for (int frame = 0; frame < path_.frame_count && !is_interrupted(); ++frame) {
+            progress.report(frame, "");
+            const double roll_rad = frame * path_.turn_rad;
+            draw(roll_rad, [&](Entry& entry, std::size_t i, const RollSample& sample) {
+                entry.curves[i].samples.push_back(sample);
+            });
+        }
+    }
+
+    /// Draws the very angles at which something must vanish.
+    void visit_predictions() {
+        std::set<double> angles_rad;
+        for (Entry& entry : entries_) {
+            for (std::size_t i = 0; i < entry.curves.size(); ++i) {
+                RollCurve& curve = entry.curves[i];
+                if (!entry.predictions[i]) continue;
+                for (const double angle_rad : entry.predictions[i]->vanishing_rad()) {
+                    curve.vanishing.push_back(
+                        {angle_rad, measured_vanishing(curve.samples, angle_rad)});
+                    angles_rad.insert(angle_rad);
+                }
+            }
+        }
+        for (const double angle_rad : angles_rad) {
+            if (is_interrupted()) return;
+            draw(angle_rad, [&](Entry& entry, std::size_t i, const RollSample& sample) {
+                for (Vanishing& at : entry.curves[i].vanishing) {
+                    if (at.predicted_rad == angle_rad) at.recall_there = sample.recall();
+                }
+            });
+        }
+    }
+
+    [[nodiscard]] std::vector<RollCurve> curves() const {
+        std::vector<RollCurve> curves;
+        for (const Entry& entry : entries_) {
+            if (entry.has_failed) continue;
+            curves.insert(curves.end(), entry.curves.begin(), entry.curves.end());
+        }
+        return curves;
+    }
+
+  private:
+    static truth::TruthOptions truth_options() {
+        truth::TruthOptions options;
+        options.threads = core::hardware_threads();
+        options.layers = false;
+        return options;
+    }
+
+    [[nodiscard]] scene::View view_at(double roll_rad) const {
+        scene::CameraPath path = path_;
+        path.turn_rad = roll_rad;
+        return scene::frame_at(path, 1).view;
+    }
+    [[nodiscard]] truth::Truth trace(double roll_rad) {
+        return truth::cached_truth(model_, view_at(roll_rad), options_.cache);
+    }
+
+    /// Draws one angle with every method and gives `take` a sample of each crease.
+    template <class Take>
+    void draw(double roll_rad, Take take) {
+        const truth::Truth truth = trace(roll_rad);
+        std::vector<edge::EdgeImage> pictures;
+        const std::vector<DrawTimes> times =
+            draw_in_turns(methods_, view_at(roll_rad), options_.measure, pictures);
+        core::parallel_for(entries_.size(), core::hardware_threads(), [&](std::size_t m) {
+            Entry& entry = entries_[m];
+            entry.has_failed = entry.has_failed || !times[m].failure.empty();
+            if (entry.has_failed) return;
+            const int threshold = methods_[m]->threshold();
+            auto samples = see_creases(pictures[m], threshold, truth, creases_);
+            for (std::size_t i = 0; i < samples.size(); ++i) {
+                samples[i].roll_rad = roll_rad;
+                if (const auto& prediction = entry.predictions[i]) {
+                    samples[i].step = prediction->step(roll_rad);
+                    samples[i].is_blind = prediction->is_blind(roll_rad, threshold);
+                }
+                take(entry, i, samples[i]);
+            }
+        });
+    }
+
+    RollOptions options_;
+    scene::Scene scene_;
+    scene::CameraPath path_;
+    truth::SceneModel model_;
+    std::vector<std::unique_ptr<PreparedMethod>> methods_;
+    std::vector<Crease> creases_;
+    std::vector<Entry> entries_;
+};
 
 }  // namespace
-
-double RollCurve::least_recall() const {
-    double least = 1;
-    for (const RollSample& sample : samples)
-        least = std::min(least, sample.recall());
-    return least;
-}
-
-double RollCurve::mean_recall() const {
-    if (samples.empty()) return 1;
-    double sum = 0;
-    for (const RollSample& sample : samples)
-        sum += sample.recall();
-    return sum / static_cast<double>(samples.size());
-}
 
 scene::Scene roll_scene() {
     scene::Scene scene;
@@ -167,79 +251,12 @@ scene::CameraPath roll_path(const scene::Scene& scene, const RollOptions& option
     return path;
 }
 
-std::optional<double> measured_vanishing(const std::vector<RollSample>& samples,
-                                         double predicted_rad) {
-    constexpr double kNear_rad = 15 * std::numbers::pi / 180;
-    const std::size_t n = samples.size();
-    const auto is_lost = [&](std::size_t i) { return samples[i % n].recall() < 0.5; };
-    std::optional<double> nearest;
-    for (std::size_t first = 0; first < n; ++first) {
-        if (!is_lost(first) || is_lost(first + n - 1)) continue;
-        std::size_t last = first;
-        while (is_lost(last + 1))
-            ++last;
-        const double width = static_cast<double>(last - first) * kTurn_rad / static_cast<double>(n);
-        const double middle = samples[first].roll_rad + width / 2;
-        const double off = std::abs(turn_between(predicted_rad, middle));
-        if (off > kNear_rad + width / 2) continue;
-        if (!nearest || off < std::abs(turn_between(predicted_rad, *nearest))) nearest = middle;
-    }
-    if (nearest) *nearest = std::fmod(*nearest, kTurn_rad);
-    return nearest;
-}
-
 std::vector<RollCurve> study_roll(const std::vector<Entrant>& entrants,
                                   const RollOptions& options) {
-    const scene::Scene scene = roll_scene();
-    const scene::CameraPath path = roll_path(scene, options);
-    std::vector<std::unique_ptr<PreparedMethod>> methods;
-    for (const Entrant& entrant : entrants)
-        methods.push_back(std::make_unique<PreparedMethod>(entrant, scene));
-    truth::TruthOptions truth_options;
-    truth_options.threads = core::hardware_threads();
-    truth_options.layers = false;
-    truth::SceneModel model(scene, truth_options);
-    MeasureOptions once = options.measure;
-    once.max_repetitions = 0;  // the first round draws, and is not timed
-
-    core::Progress progress("cube roll", path.frame_count);
-    std::vector<Crease> creases;
-    std::vector<Entry> entries;
-    for (int frame = 0; frame < path.frame_count; ++frame) {
-        if (is_interrupted()) return {};
-        progress.report(frame, "");
-        const scene::View view = scene::frame_at(path, frame).view;
-        const truth::Truth truth = truth::cached_truth(model, view, options.cache);
-        if (frame == 0) {
-            creases = creases_of(truth, scene);
-            for (const auto& method : methods)
-                entries.push_back(make_entry(*method, scene, creases, path.start.camera));
-        }
-        std::vector<edge::EdgeImage> pictures;
-        const std::vector<DrawTimes> times = draw_in_turns(methods, view, once, pictures);
-        core::parallel_for(entries.size(), core::hardware_threads(), [&](std::size_t i) {
-            entries[i].has_failed = entries[i].has_failed || !times[i].failure.empty();
-            if (entries[i].has_failed) return;
-            const int threshold = methods[i]->threshold();
-            take(pictures[i], threshold, truth, creases, frame * path.turn_rad, entries[i]);
-        });
-    }
-
-    std::vector<RollCurve> curves;
-    for (Entry& entry : entries) {
-        if (entry.has_failed) continue;
-        for (std::size_t i = 0; i < entry.curves.size(); ++i) {
-            RollCurve& curve = entry.curves[i];
-            if (entry.predictions[i]) {
-                for (const double angle_rad : entry.predictions[i]->vanishing_rad()) {
-                    curve.vanishing.push_back(
-                        {angle_rad, measured_vanishing(curve.samples, angle_rad)});
-                }
-            }
-            curves.push_back(std::move(curve));
-        }
-    }
-    return curves;
+    Roll roll(entrants, options);
+    roll.turn_round();
+    roll.visit_predictions();
+    return is_interrupted() ? std::vector<RollCurve>{} : roll.curves();
 }
 
 }  // namespace ink::lab

@@ -29,7 +29,10 @@ struct Vanishing {
     double predicted_rad = 0;
     /// The middle of the angles at which less than half of the crease was drawn; nothing if there
     /// are none near the prediction.
-    std::optional<double> measured_rad;
+    std::optional<double> measured_rad = {};
+    /// Recall in a frame at the very angle: what else than the step shows there, such as depth's
+    /// kink; nothing if it was not drawn.
+    std::optional<double> recall_there = {};
 };
 
 /// How one method draws one crease of the cube while the camera rolls once round.
@@ -48,10 +51,10 @@ struct RollCurve {
 
 /// The cube roll: a cube whose three seen faces turn round the gaze.
 struct RollOptions {
-    MeasureOptions measure;
-    std::filesystem::path cache;  ///< of truths; empty: none
-    int frame_count = 180;        ///< over one whole turn
-    int size_px = 320;            ///< of the square picture
+    MeasureOptions measure = {};
+    std::filesystem::path cache = {};  ///< of truths; empty: none
+    int frame_count = 180;             ///< over one whole turn
+    int size_px = 320;                 ///< of the square picture
 };
 
 /// The scene of the roll and its path.
