@@ -159,6 +159,12 @@ TEST(FalseLines, LiveFromTheirFirstFrameToTheirLast) {
         (score::FalseLine{.first_frame = 5, .last_frame = 5, .n_px = kSize_px, .is_cut = true}));
 }
 
+TEST(FalseLines, ThereInTheFirstFrameMayHaveBegunBefore) {
+    const auto lines = upright({30, 30, -1, -1}, {5, 5, 5, 5}).false_lines();
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].is_cut);
+}
+
 TEST(FalseLines, AJumpBeyondTheToleranceIsAnotherLine) {
     EXPECT_EQ(upright({20, 22}, {5, 5}).false_lines().size(), 1U);
     EXPECT_EQ(upright({20, 23}, {5, 5}).false_lines().size(), 2U);
@@ -173,6 +179,8 @@ TEST(FalseLines, TouchingPixelsAreOneLineAndOthersAreTwo) {
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines[0].n_px, 3);
     EXPECT_EQ(lines[1].n_px, 1);
+    sequence.drawn = {picture_of({"#.#..", ".....", ".....", ".....", "....."})};
+    EXPECT_EQ(sequence.false_lines().size(), 2U) << "a pixel between them";
 }
 
 TEST(FalseLines, ThatMergeAreOneLine) {

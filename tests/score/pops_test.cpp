@@ -80,6 +80,16 @@ TEST(Features, AnIntersectionIsKnownByItsTrianglesInEitherOrder) {
     EXPECT_EQ(sights[0].feature.face1, 8U);
 }
 
+TEST(Features, ArePartlyIgnored) {
+    Picture labels(kSize_px, kSize_px);
+    for (int x = 0; x < kSize_px; ++x)
+        labels.at(x, 20) = x < 20 ? 7 : 1;
+    const auto truth = score::prepare_truth(labels, {.threshold = 1, .ignore_label = 7}, true);
+    const Picture empty(kSize_px, kSize_px);
+    const auto sights = score::see_features(Curves{level(20.5, 3)}, empty, truth, kOptions);
+    EXPECT_DOUBLE_EQ(sights[0].length_px, 14);  // columns 20 to 33
+}
+
 TEST(Features, IgnoredAndInvisiblePiecesAreNotThere) {
     const auto ignored = score::prepare_truth(
         Picture(kSize_px, kSize_px, 7), {.threshold = 1, .ignore_label = 7}, true);
