@@ -151,7 +151,7 @@ std::string roll_table(const std::vector<RollCurve>& rolls) {
     for (int crease = 0; crease < 3; ++crease)
         head += heading(crease_swatch(crease) + "<small>least, mean recall</small>");
     for (int crease = 0; crease < 3; ++crease)
-        head += heading(crease_swatch(crease) + "<small>must vanish, vanished</small>");
+        head += heading(crease_swatch(crease) + "<small>no step at, lost at</small>");
     std::string body;
     for (std::size_t i = 0; i < rolls.size();) {
         std::size_t end = i;
@@ -182,7 +182,7 @@ std::string roll_html(const std::vector<RollCurve>& rolls) {
                "both sides of a crease equal, worked out from weights and geometry alone. Shaded: "
                "where "
                "the change is too small for its threshold. Dots: recall in a frame at the very "
-               "angle.</p>",
+               "angle; what is seen there is the kink of depth.</p>",
                rolls.front().samples.size()) +
            chart(roll_chart(rolls), "Recall of a cube's creases against the camera's roll") +
            roll_table(rolls);

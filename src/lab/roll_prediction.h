@@ -25,7 +25,8 @@ struct CreaseNormals {
 ///                                         C = wz dz / 2
 ///
 /// with w the code's weights and d the change of the normal at r = 0. Where the step is 0 (or a
-/// whole turn of a code that wraps) the crease is not in the buffer at all, whatever the filter.
+/// whole turn of a code that wraps) nothing but depth's kink is left of the crease: a threshold
+/// above that must lose it.
 class RollPrediction {
   public:
     RollPrediction(const methods::LinearCode& code, const CreaseNormals& normals);

