@@ -1,0 +1,396 @@
+// Pixels of a whole triangle in vectors, per SIMD target: included by whole_fill.cpp inside its
+// HWY_NAMESPACE, after `hn`.
+
+// Sixteen pixels of a row where the target has them, one on SCALAR. Planes are doubles and 64-bit
+// integers, as set_up left them: two vectors of half as many pixels.
+using DI = hn::CappedTag<std::int32_t, 16>;
+using VI = hn::Vec<DI>;
+using MI = hn::Mask<DI>;
+using DU = hn::RebindToUnsigned<DI>;
+using DF = hn::Rebind<float, DI>;
+using VF = hn::Vec<DF>;
+#if HWY_TARGET == HWY_SCALAR
+constexpr int kParts = 1;
+using DIPart = DI;
+#else
+constexpr int kParts = 2;
+using DIPart = hn::Half<DI>;
+#endif
+using DUPart = hn::RebindToUnsigned<DIPart>;
+using DFPart = hn::Rebind<float, DIPart>;
+using DD = hn::Rebind<double, DIPart>;
+using VD = hn::Vec<DD>;
+using DL = hn::Rebind<std::int64_t, DIPart>;
+using VL = hn::Vec<DL>;
+
+/// Pixels of a vector, from its first.
+alignas(64) constexpr std::int32_t kRamp[16] = {
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
+/// A vector of pixels with 64 bits each, in the order of the row.
+template <class V>
+struct Wide {
+    V part[kParts];
+
+    template <class F>
+    HWY_INLINE Wide map(const F& f) const {
+        Wide result;
+        for (int i = 0; i < kParts; ++i)
+            result.part[i] = f(part[i]);
+        return result;
+    }
+};
+using Doubles = Wide<VD>;
+using Longs = Wide<VL>;
+
+/// The parts of a vector of 32 bits, each made wide by D.
+template <class D>
+HWY_INLINE Wide<hn::Vec<D>> Widen(D d, VI v) {
+    Wide<hn::Vec<D>> wide;
+#if HWY_TARGET == HWY_SCALAR
+    wide.part[0] = hn::PromoteTo(d, v);
+#else
+    wide.part[0] = hn::PromoteTo(d, hn::LowerHalf(DIPart(), v));
+    wide.part[1] = hn::PromoteTo(d, hn::UpperHalf(DIPart(), v));
+#endif
+    return wide;
+}
+
+/// One vector of what `narrow` makes of each part.
+template <class D, class V, class F>
+HWY_INLINE hn::Vec<D> Join([[maybe_unused]] D d, const Wide<V>& v, const F& narrow) {
+#if HWY_TARGET == HWY_SCALAR
+    return narrow(v.part[0]);
+#else
+    return hn::Combine(d, narrow(v.part[1]), narrow(v.part[0]));
+#endif
+}
+
+/// Each rounded to float once.
+HWY_INLINE VF ToFloats(const Doubles& v) {
+    return Join(DF(), v, [](VD part) { return hn::DemoteTo(DFPart(), part); });
+}
+
+/// What a plane holds at the reference column, row by row: each row's bits are those of the sum
+/// that the plain loop forms.
+class RowStarts {
+  public:
+    void fill(const Plane& plane, int first_row_from_ref, int rows) {
+        const DD d;
+        const DIPart di;
+        const auto at_ref = hn::Set(d, plane.at_ref);
+        const auto dy = hn::Set(d, plane.dy);
+        const int lanes = static_cast<int>(hn::Lanes(d));
+        for (int row = 0; row < rows; row += lanes) {
+            const auto from_ref =
+                hn::Add(hn::Load(di, kRamp), hn::Set(di, first_row_from_ref + row));
+            hn::Store(hn::Add(at_ref, hn::Mul(dy, hn::PromoteTo(d, from_ref))), d, at_ + row);
+        }
+    }
+    [[nodiscard]] HWY_INLINE VD at(int row) const { return hn::Set(DD(), at_[row]); }
+
+  private:
+    static constexpr int kRoom = (kTileRows + 15) / 16 * 16;
+    alignas(64) double at_[kRoom];
+};
+
+/// The part of a plane that runs along a row.
+HWY_INLINE Doubles Ramp(const Plane& plane, const Doubles& from_ref) {
+    const auto dx = hn::Set(DD(), plane.dx);
+    return from_ref.map([&](VD part) { return hn::Mul(dx, part); });
+}
+
+HWY_INLINE void Put(VI v, MI mask, std::int32_t* to) {
+    const DI d;
+    hn::StoreU(hn::IfThenElse(mask, v, hn::LoadU(d, to)), d, to);
+}
+
+/// What a triangle leaves in a tile.
+struct WholeTriangle {
+    const PassFormat& format;
+    const Batch& batch;
+    std::uint32_t index;
+    int y0;  ///< the rows of the tile that it may touch
+    int rows;
+    std::uint32_t constant;
+
+    [[nodiscard]] const SetupTriangle& setup() const { return batch.triangles[index]; }
+    [[nodiscard]] int first_row() const { return y0 - setup().ref_y; }
+    template <class P>
+    [[nodiscard]] const P* planes(const std::vector<P>& all) const {
+        return all.data() + index * static_cast<std::size_t>(format.interpolants);
+    }
+};
+
+// Stores of depth: Test writes what is nearer where `mask` allows it, and returns where it was.
+
+class FloatDepthLanes {
+  public:
+    using Value = float;
+    FloatDepthLanes(const SetupTriangle& t, const QuantisedDepth&)
+        // Rounding keeps order: limited after it is as good as before.
+        : low_(hn::Set(DF(), static_cast<float>(t.q_min))),
+          high_(hn::Set(DF(), static_cast<float>(t.q_max))) {}
+    HWY_INLINE MI Test(const Doubles& q, MI mask, float* row) const {
+        const DF d;
+        const auto limited = hn::Min(hn::Max(ToFloats(q), low_), high_);
+        const auto seen = hn::IfThenElseZero(hn::RebindMask(d, mask), limited);
+        const auto old = hn::LoadU(d, row);
+        hn::StoreU(hn::Max(seen, old), d, row);
+        return hn::RebindMask(DI(), hn::Gt(seen, old));
+    }
+
+  private:
+    VF low_, high_;
+};
+
+class StepDepthLanes {
+  public:
+    using Value = std::uint32_t;
+    StepDepthLanes(const SetupTriangle& t, const QuantisedDepth& depth)
+        : scale_(hn::Set(DD(), depth.scale())),
+          offset_(hn::Set(DD(), depth.offset())),
+          low_(hn::Set(DI(), static_cast<std::int32_t>(depth.of(t.q_min)))),
+          high_(hn::Set(DI(), static_cast<std::int32_t>(depth.of(t.q_max)))) {}
+    HWY_INLINE MI Test(const Doubles& q, MI mask, std::uint32_t* row) const {
+        const DI d;
+        // Steps of q's limits limit steps, and lie within 1 .. 2^24 - 1 themselves.
+        const auto most = hn::Set(DD(), 0x1p24);
+        const auto steps = Join(d, q, [&](VD part) {
+            const auto z = hn::Add(hn::Mul(part, scale_), offset_);
+            return hn::DemoteTo(DIPart(), hn::Min(hn::Max(z, hn::Zero(DD())), most));
+        });
+        const auto limited = hn::Min(hn::Max(steps, low_), high_);
+        const auto seen = hn::IfThenElseZero(mask, limited);
+        auto* const to = reinterpret_cast<std::int32_t*>(row);  // at most 2^24 - 1
+        const auto old = hn::LoadU(d, to);
+        hn::StoreU(hn::Max(seen, old), d, to);
+        return hn::Gt(seen, old);
+    }
+
+  private:
+    VD scale_, offset_;
+    VI low_, high_;
+};
+
+// Stores of values: told each column of vectors and the row where a run of rows starts, then asked
+// to write row after row. `at` is the pixel's place in a plane.
+
+struct NoValues {
+    NoValues(const WholeTriangle&, TileBuffer&) {}
+    HWY_INLINE void StartColumn(VI, const Doubles&) {}
+    HWY_INLINE void StartRows(int) {}
+    HWY_INLINE void Write(std::ptrdiff_t, const Doubles&, MI) {}
+};
+
+class ConstantValues {
+  public:
+    ConstantValues(const WholeTriangle& t, TileBuffer& to)
+        : plane_(reinterpret_cast<std::int32_t*>(to.code_row(0, 0))),
+          constant_(hn::Set(DI(), static_cast<std::int32_t>(t.constant))) {}
+    HWY_INLINE void StartColumn(VI, const Doubles&) {}
+    HWY_INLINE void StartRows(int) {}
+    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+        Put(constant_, mask, plane_ + at);
+    }
+
+  private:
+    std::int32_t* plane_;
+    VI constant_;
+};
+
+/// Codes whose planes' low 32 bits say all: those that wrap, and those that stay within their store
+/// all over the triangle.
+template <int kCount>
+class CodeValues {
+  public:
+    CodeValues(const WholeTriangle& t, TileBuffer& to)
+        : first_row_(t.first_row()),
+          most_(hn::Set(DI(), t.format.store == Store::u8 ? 0xff : 0xffff)),
+          planes_(t.planes(t.batch.code_planes)) {
+        for (int k = 0; k < kCount; ++k) {
+            to_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
+            step_[k] = hn::Set(DI(), static_cast<std::int32_t>(planes_[k].dy));
+        }
+    }
+    HWY_INLINE void StartColumn(VI from_ref, const Doubles&) {
+        for (int k = 0; k < kCount; ++k)
+            ramp_[k] = hn::Mul(hn::Set(DI(), static_cast<std::int32_t>(planes_[k].dx)), from_ref);
+    }
+    HWY_INLINE void StartRows(int row) {
+        for (int k = 0; k < kCount; ++k) {
+            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (first_row_ + row);
+            at_[k] = hn::Add(hn::Set(DI(), static_cast<std::int32_t>(at_row)), ramp_[k]);
+        }
+    }
+    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+        for (int k = 0; k < kCount; ++k) {
+            const auto code = hn::ShiftRight<kCodeFractionBits>(hn::BitCast(DU(), at_[k]));
+            Put(hn::And(hn::BitCast(DI(), code), most_), mask, to_[k] + at);
+            at_[k] = hn::Add(at_[k], step_[k]);
+        }
+    }
+
+  private:
+    int first_row_;
+    VI most_;
+    const CodePlane* planes_;
+    std::int32_t* to_[kCount];
+    VI ramp_[kCount], at_[kCount], step_[kCount];
+};
+
+/// Codes that may leave a store that saturates, or belong to a thin triangle.
+template <int kCount>
+class LimitedCodeValues {
+  public:
+    LimitedCodeValues(const WholeTriangle& t, TileBuffer& to)
+        : first_row_(t.first_row()), planes_(t.planes(t.batch.code_planes)) {
+        const std::int64_t most = t.format.store == Store::u8 ? 0xff : 0xffff;
+        const bool saturates = t.format.overflow == Overflow::saturate;
+        low_ = saturates ? 0 : std::numeric_limits<std::int64_t>::min();
+        high_ = saturates ? most : std::numeric_limits<std::int64_t>::max();
+        most_ = most;
+        for (int k = 0; k < kCount; ++k) {
+            to_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
+            const bool is_thin = t.setup().is_thin;
+            lowest_[k] = is_thin ? planes_[k].lowest : std::numeric_limits<std::int64_t>::min();
+            highest_[k] = is_thin ? planes_[k].highest : std::numeric_limits<std::int64_t>::max();
+        }
+    }
+    HWY_INLINE void StartColumn(VI from_ref, const Doubles&) {
+        const DL d;
+        for (int k = 0; k < kCount; ++k) {
+            ramp_[k] = Widen(d, from_ref).map([&](VL part) {
+                return hn::Mul(hn::Set(d, planes_[k].dx), part);
+            });
+        }
+    }
+    HWY_INLINE void StartRows(int row) { row_ = row; }
+    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+        const DL d;
+        for (int k = 0; k < kCount; ++k) {
+            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (first_row_ + row_);
+            const auto codes = Join(DU(), ramp_[k], [&](VL part) {
+                const auto v = hn::Add(hn::Set(d, at_row), part);
+                const auto limited =
+                    hn::Min(hn::Max(v, hn::Set(d, lowest_[k])), hn::Set(d, highest_[k]));
+                const auto code = hn::ShiftRight<kCodeFractionBits>(limited);
+                const auto kept = hn::And(
+                    hn::Min(hn::Max(code, hn::Set(d, low_)), hn::Set(d, high_)), hn::Set(d, most_));
+                return hn::TruncateTo(DUPart(), hn::BitCast(hn::RebindToUnsigned<DL>(), kept));
+            });
+            Put(hn::BitCast(DI(), codes), mask, to_[k] + at);
+        }
+        ++row_;
+    }
+
+  private:
+    int first_row_;
+    int row_ = 0;
+    const CodePlane* planes_;
+    std::int64_t low_, high_, most_;
+    std::int64_t lowest_[kCount], highest_[kCount];
+    std::int32_t* to_[kCount];
+    Longs ramp_[kCount];
+};
+
+/// kCount planes of doubles, followed row by row.
+template <int kCount, bool kPerspective>
+class DoublePlanes {
+  public:
+    explicit DoublePlanes(const WholeTriangle& t) : planes_(t.planes(t.batch.float_planes)) {
+        for (int k = 0; k < kCount; ++k)
+            starts_[k].fill(planes_[k].plane, t.first_row(), t.rows);
+    }
+    HWY_INLINE void StartColumn(const Doubles& from_ref) {
+        for (int k = 0; k < kCount; ++k)
+            ramp_[k] = Ramp(planes_[k].plane, from_ref);
+    }
+    HWY_INLINE VF At(int k, int row, const Doubles& q) const {
+        const auto start = starts_[k].at(row);
+        Doubles v;
+        for (int i = 0; i < kParts; ++i) {
+            v.part[i] = hn::Add(start, ramp_[k].part[i]);
+            if (kPerspective) v.part[i] = hn::Div(v.part[i], q.part[i]);
+        }
+        return ToFloats(v);
+    }
+    HWY_INLINE VF Limited(int k, VF v) const {
+        const DF d;
+        return hn::Min(hn::Max(v, hn::Set(d, planes_[k].lowest)), hn::Set(d, planes_[k].highest));
+    }
+
+  private:
+    const FloatPlane* planes_;
+    RowStarts starts_[kCount];
+    Doubles ramp_[kCount];
+};
+
+/// Four floats.
+template <bool kPerspective>
+class NumberValues {
+  public:
+    NumberValues(const WholeTriangle& t, TileBuffer& to)
+        : is_limited_(kPerspective || t.setup().is_thin), planes_(t) {
+        for (int k = 0; k < kMaxPlanes; ++k)
+            to_[k] = to.plane_row<float>(k, 0);
+    }
+    HWY_INLINE void StartColumn(VI, const Doubles& from_ref) { planes_.StartColumn(from_ref); }
+    HWY_INLINE void StartRows(int row) { row_ = row; }
+    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles& q, MI mask) {
+        const DF d;
+        const auto kept = hn::RebindMask(d, mask);
+        for (int k = 0; k < kMaxPlanes; ++k) {
+            auto v = planes_.At(k, row_, q);
+            if (is_limited_) v = planes_.Limited(k, v);
+            hn::StoreU(hn::IfThenElse(kept, v, hn::LoadU(d, to_[k] + at)), d, to_[k] + at);
+        }
+        ++row_;
+    }
+
+  private:
+    bool is_limited_;
+    int row_ = 0;
+    DoublePlanes<kMaxPlanes, kPerspective> planes_;
+    float* to_[kMaxPlanes];
+};
+
+/// Codes that run linearly on the surface.
+template <int kCount>
+class PerspectiveCodeValues {
+  public:
+    PerspectiveCodeValues(const WholeTriangle& t, TileBuffer& to)
+        : wraps_(t.format.overflow == Overflow::wrap),
+          most_(t.format.store == Store::u8 ? 0xff : 0xffff),
+          planes_(t) {
+        for (int k = 0; k < kCount; ++k)
+            to_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
+    }
+    HWY_INLINE void StartColumn(VI, const Doubles& from_ref) { planes_.StartColumn(from_ref); }
+    HWY_INLINE void StartRows(int row) { row_ = row; }
+    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles& q, MI mask) {
+        for (int k = 0; k < kCount; ++k)
+            Put(Code(hn::Floor(planes_.Limited(k, planes_.At(k, row_, q)))), mask, to_[k] + at);
+        ++row_;
+    }
+
+  private:
+    /// Every step is exact, however large the whole number.
+    HWY_INLINE VI Code(VF whole) const {
+        const DF d;
+        const auto most = hn::Set(d, static_cast<float>(most_));
+        if (!wraps_) return hn::ConvertTo(DI(), hn::Min(hn::Max(whole, hn::Zero(d)), most));
+        const auto size = hn::Set(d, 0x1p16F);
+        const auto farthest = hn::Set(d, 0x1p44F);  // as the plain loop's 48.16 ends
+        const auto v = hn::Min(hn::Max(whole, hn::Neg(farthest)), farthest);
+        const auto turns = hn::Floor(hn::Mul(v, hn::Set(d, 0x1p-16F)));
+        const auto left = hn::ConvertTo(DI(), hn::Sub(v, hn::Mul(turns, size)));
+        return hn::And(left, hn::Set(DI(), most_));
+    }
+
+    bool wraps_;
+    std::int32_t most_;
+    int row_ = 0;
+    DoublePlanes<kCount, true> planes_;
+    std::int32_t* to_[kCount];
+};
