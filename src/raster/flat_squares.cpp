@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace ink::raster {
 namespace {
+
+constexpr int kFewSquares = 4;
 
 struct FloatRange {
     float least;
@@ -79,7 +82,7 @@ bool FlatProof::is_unlimited(const Listed& listed, const PixelRect& rect) const 
 
 bool FlatProof::is_flat(const PixelRect& rect) const {
     const auto owner = std::find_if(triangles_.begin(), triangles_.end(), [&](const Listed& l) {
-        return covers(l.triangle(), rect) &&
+        return holds(l.triangle().bounds, rect) && covers(l.triangle(), rect) &&
                std::all_of(triangles_.begin(), triangles_.end(), [&](const Listed& other) {
                    return (other.batch == l.batch && other.index == l.index) ||
                           !touches(other.triangle(), rect) ||
@@ -91,6 +94,13 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
 }
 
 std::uint16_t FlatProof::flat_squares(const TileBuffer& tile, int halo_px) const {
+    const int least_px = kFlatSquare_px + 2 * halo_px;
+    const bool some_may_be =
+        std::any_of(triangles_.begin(), triangles_.end(), [&](const Listed& listed) {
+            const PixelRect& b = listed.triangle().bounds;
+            return b.x1 - b.x0 >= least_px && b.y1 - b.y0 >= least_px;
+        });
+    if (!some_may_be) return 0;
     std::uint16_t flat = 0;
     for (int square = 0; square < kFlatSquares * kFlatSquares; ++square) {
         const PixelRect rect = square_of(tile.own(), square);
@@ -99,7 +109,7 @@ std::uint16_t FlatProof::flat_squares(const TileBuffer& tile, int halo_px) const
         if (holds(tile.drawn(), wide) && is_flat(wide))
             flat = static_cast<std::uint16_t>(flat | (1U << square));
     }
-    return flat;
+    return std::popcount(flat) <= kFewSquares ? std::uint16_t{0} : flat;
 }
 
 std::vector<PixelRect> needed_rects(const TileBuffer& tile, std::uint16_t flat, int halo_px) {

@@ -30,7 +30,8 @@ HWY_INLINE std::int32_t Along(std::int32_t at, std::int32_t d, std::int32_t n) {
 /// Nothing besides depth.
 class NoLanes {
   public:
-    NoLanes(const LaneTriangles&, std::size_t, TileBuffer&) {}
+    NoLanes(const LaneTriangles&, TileBuffer&) {}
+    HWY_INLINE void StartTriangle(std::size_t) {}
     HWY_INLINE void StartColumn(VI, VF, int) {}
     template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
@@ -40,10 +41,11 @@ class NoLanes {
 template <int kCount, int kFraction>
 class CodeLanes {
   public:
-    CodeLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) : t_(t), i_(i) {
+    CodeLanes(const LaneTriangles& t, TileBuffer& to) : t_(t) {
         for (int k = 0; k < kCount; ++k)
             plane_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
     }
+    HWY_INLINE void StartTriangle(std::size_t i) { i_ = i; }
     HWY_INLINE void StartColumn(VI from_ref, VF, int dy) {
         const DI d;
         for (int k = 0; k < kCount; ++k) {
@@ -69,7 +71,7 @@ class CodeLanes {
 
   private:
     const LaneTriangles& t_;
-    std::size_t i_;
+    std::size_t i_ = 0;
     std::int32_t* plane_[kCount];
     VI at_[kCount], step_[kCount], low_[kCount], high_[kCount];
 };
@@ -77,11 +79,14 @@ class CodeLanes {
 /// Four floats.
 class NumberLanes {
   public:
-    NumberLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+    NumberLanes(const LaneTriangles& t, TileBuffer& to) : t_(t) {
+        for (int k = 0; k < kMaxPlanes; ++k)
+            plane_[k] = to.plane_row<float>(k, 0);
+    }
+    HWY_INLINE void StartTriangle(std::size_t i) {
         const DF df;
         for (int k = 0; k < kMaxPlanes; ++k) {
-            const LaneTriangles::Numbers& n = t.numbers[k];
-            plane_[k] = to.plane_row<float>(k, 0);
+            const LaneTriangles::Numbers& n = t_.numbers[k];
             at_ref_[k] = hn::Set(df, n.at_ref[i]);
             dx_[k] = hn::Set(df, n.dx[i]);
             dy_[k] = hn::Set(df, n.dy[i]);
@@ -107,13 +112,14 @@ class NumberLanes {
     }
 
   private:
+    const LaneTriangles& t_;
     float* plane_[kMaxPlanes];
     VF at_ref_[kMaxPlanes], dx_[kMaxPlanes], dy_[kMaxPlanes];
     VF low_[kMaxPlanes], high_[kMaxPlanes], ramp_[kMaxPlanes];
 };
 
-template <class Values, bool kLimits>
-HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+template <bool kLimits, class Values>
+HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, float* depth, Values& values) {
     const DI d;
     const DF df;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -129,8 +135,7 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
     const auto step1 = hn::Set(d, t.edge_dy[1][i]);
     const auto step2 = hn::Set(d, t.edge_dy[2][i]);
     const auto minus_one = hn::Set(d, -1);
-    float* const depth = to.depth_row<float>(0);
-    Values values(t, i, to);
+    values.StartTriangle(i);
     int x = t.x0[i] & -lanes;
     // What fits one vector is not cut in two for the sake of alignment.
     if (t.x1[i] - x > lanes && t.x1[i] - t.x0[i] <= lanes) x = t.x1[i] - lanes;
@@ -168,9 +173,11 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
 
 template <class Values>
 void Fill(const LaneTriangles& triangles, TileBuffer& to) {
+    float* const depth = to.depth_row<float>(0);
+    Values values(triangles, to);
     for (std::size_t i = 0; i < triangles.count; ++i)
-        triangles.needs_limits[i] != 0 ? FillTriangle<Values, true>(triangles, i, to)
-                                       : FillTriangle<Values, false>(triangles, i, to);
+        triangles.needs_limits[i] != 0 ? FillTriangle<true>(triangles, i, depth, values)
+                                       : FillTriangle<false>(triangles, i, depth, values);
 }
 
 void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {

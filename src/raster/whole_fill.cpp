@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/whole_fill.cpp"
@@ -80,84 +81,95 @@ ColumnRows RowsOf(const Area& area, int first, int last) {
     return r;
 }
 
-/// One triangle in one tile, column of vectors by column of vectors.
-template <class Depth, class Values>
-class WholeFill {
-  public:
-    WholeFill(const FillJob& job, const WholeTriangle& triangle, const Area& area, TileBuffer& to)
-        : t_(triangle.setup()),
-          area_(area),
-          depth_(t_, QuantisedDepth(job.format.depth, job.input.near, job.input.far)),
-          values_(triangle, to),
-          depth_plane_(to.depth_row<typename Depth::Value>(0)) {
-        q_.fill(t_.q, triangle.first_row(), triangle.rows);
-        // Vectors start where cache lines do.
-        const int origin = to.own().x0 - kTileMargin_px;
-        for (int x = area.rect.x0 - (area.rect.x0 - origin) % kLanes; x < area.rect.x1; x += kLanes)
-            Column(x);
+/// One column of vectors, from its top left pixel.
+struct Column {
+    std::ptrdiff_t at;  ///< of the area's first row
+    MI in_rect;
+    VI edge[3];
+    Doubles q;  ///< what runs along a row
+};
+
+/// Everything here is a local of the one function that it is inlined into: what a row changes stays
+/// in registers.
+template <bool kTestsEdges, class Depth, class Values>
+HWY_INLINE void FillRows(const Area& area,
+                         const Column& column,
+                         const RowStarts& q_starts,
+                         int begin,
+                         int end,
+                         const Depth& depth,
+                         Values& values,
+                         typename Depth::Value* plane) {
+    if (begin >= end) return;
+    const DI d;
+    const auto start = [&](int k) {
+        return hn::Add(column.edge[k], hn::Set(d, area.dy[k] * begin));
+    };
+    auto e0 = start(0);
+    auto e1 = start(1);
+    auto e2 = start(2);
+    const auto step0 = hn::Set(d, area.dy[0]);
+    const auto step1 = hn::Set(d, area.dy[1]);
+    const auto step2 = hn::Set(d, area.dy[2]);
+    const auto minus_one = hn::Set(d, -1);
+    values.StartRows(begin);
+    std::ptrdiff_t at = column.at + std::ptrdiff_t{kTileStride} * begin;
+    for (int row = begin; row < end; ++row, at += kTileStride) {
+        auto mask = column.in_rect;
+        if (kTestsEdges) {
+            mask = hn::And(mask, hn::Gt(hn::Or3(e0, e1, e2), minus_one));
+            e0 = hn::Add(e0, step0);
+            e1 = hn::Add(e1, step1);
+            e2 = hn::Add(e2, step2);
+        }
+        const auto q_row = q_starts.at(row);
+        const auto q = column.q.map([&](VD part) { return hn::Add(q_row, part); });
+        values.Write(at, row, q, depth.Test(q, mask, plane + at));
     }
+}
 
-  private:
-    static constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
-
-    HWY_INLINE void Column(int x) {
-        const DI d;
-        const PixelRect& r = area_.rect;
+/// One triangle in one tile, column by column.
+template <class Depth, class Values>
+void FillArea(const FillJob& job, const WholeTriangle& triangle, const Area& area, TileBuffer& to) {
+    const DI d;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
+    const SetupTriangle& t = triangle.setup();
+    const PixelRect& r = area.rect;
+    const Depth depth(t, QuantisedDepth(job.format.depth, job.input.near, job.input.far));
+    auto* const plane = to.depth_row<typename Depth::Value>(0);
+    RowStarts q_starts;
+    q_starts.fill(t.q, triangle.first_row(), triangle.rows);
+    typename Values::Tables tables;
+    Values values(triangle, tables, to);
+    // Vectors start where cache lines do.
+    const int origin = to.own().x0 - kTileMargin_px;
+    for (int x = r.x0 - (r.x0 - origin) % kLanes; x < r.x1; x += kLanes) {
         const int first = x - r.x0;
         const ColumnRows rows =
-            RowsOf(area_, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1);
-        if (rows.begin >= rows.end) return;
+            RowsOf(area, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1);
+        if (rows.begin >= rows.end) continue;
         const auto ramp = hn::Load(d, kRamp);
         const auto across = hn::Add(ramp, hn::Set(d, first));
-        const auto in_rect =
+        const auto from_ref = hn::Add(ramp, hn::Set(d, x - t.ref_x));
+        const auto from_ref_wide = Widen(DD(), from_ref);
+        Column column;
+        column.at = static_cast<std::ptrdiff_t>(r.y0) * kTileStride + x;
+        column.in_rect =
             hn::And(hn::Gt(across, hn::Set(d, -1)), hn::Lt(across, hn::Set(d, r.x1 - r.x0)));
         for (int k = 0; k < 3; ++k)
-            edge_[k] = hn::Add(hn::Set(d, area_.at[k]), hn::Mul(hn::Set(d, area_.dx[k]), across));
-        const auto from_ref = hn::Add(ramp, hn::Set(d, x - t_.ref_x));
-        const auto from_ref_wide = Widen(DD(), from_ref);
-        q_ramp_ = Ramp(t_.q, from_ref_wide);
-        values_.StartColumn(from_ref, from_ref_wide);
-        x_ = x;
-        Rows<true>(rows.begin, rows.inside_begin, in_rect);
-        Rows<false>(rows.inside_begin, rows.inside_end, in_rect);
-        Rows<true>(rows.inside_end, rows.end, in_rect);
+            column.edge[k] =
+                hn::Add(hn::Set(d, area.at[k]), hn::Mul(hn::Set(d, area.dx[k]), across));
+        column.q = Ramp(t.q, from_ref_wide);
+        values.StartColumn(from_ref, from_ref_wide);
+        const auto fill = [&](auto tests_edges, int begin, int end) HWY_ATTR {
+            FillRows<decltype(tests_edges)::value>(
+                area, column, q_starts, begin, end, depth, values, plane);
+        };
+        fill(std::true_type(), rows.begin, rows.inside_begin);
+        fill(std::false_type(), rows.inside_begin, rows.inside_end);
+        fill(std::true_type(), rows.inside_end, rows.end);
     }
-
-    template <bool kTestsEdges>
-    HWY_INLINE void Rows(int begin, int end, MI in_rect) {
-        if (begin >= end) return;
-        const DI d;
-        VI edge[3], step[3];
-        for (int k = 0; kTestsEdges && k < 3; ++k) {
-            edge[k] = hn::Add(edge_[k], hn::Set(d, area_.dy[k] * begin));
-            step[k] = hn::Set(d, area_.dy[k]);
-        }
-        values_.StartRows(begin);
-        std::ptrdiff_t at = static_cast<std::ptrdiff_t>(area_.rect.y0 + begin) * kTileStride + x_;
-        for (int row = begin; row < end; ++row, at += kTileStride) {
-            auto mask = in_rect;
-            if (kTestsEdges) {
-                mask = hn::And(mask, hn::Gt(hn::Or3(edge[0], edge[1], edge[2]), hn::Set(d, -1)));
-                for (int k = 0; k < 3; ++k)
-                    edge[k] = hn::Add(edge[k], step[k]);
-            }
-            const auto q_row = q_.at(row);
-            const auto q = q_ramp_.map([&](VD part) { return hn::Add(q_row, part); });
-            const auto is_nearer = depth_.Test(q, mask, depth_plane_ + at);
-            values_.Write(at, q, is_nearer);
-        }
-    }
-
-    const SetupTriangle& t_;
-    const Area& area_;
-    Depth depth_;
-    Values values_;
-    typename Depth::Value* depth_plane_;
-    RowStarts q_;
-    Doubles q_ramp_;
-    VI edge_[3];
-    int x_ = 0;
-};
+}
 
 template <class Values>
 bool FillWith(const FillJob& job, const BinEntry& entry, const Area& area, TileBuffer& to) {
@@ -167,9 +179,9 @@ bool FillWith(const FillJob& job, const BinEntry& entry, const Area& area, TileB
     const WholeTriangle triangle{
         job.format, batch, entry.index, area.rect.y0, area.rect.y1 - area.rect.y0, constant};
     if (job.format.depth == DepthFormat::q32) {
-        WholeFill<FloatDepthLanes, Values>(job, triangle, area, to);
+        FillArea<FloatDepthLanes, Values>(job, triangle, area, to);
     } else {
-        WholeFill<StepDepthLanes, Values>(job, triangle, area, to);
+        FillArea<StepDepthLanes, Values>(job, triangle, area, to);
     }
     return true;
 }

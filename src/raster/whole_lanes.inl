@@ -176,21 +176,26 @@ class StepDepthLanes {
 // Stores of values: told each column of vectors and the row where a run of rows starts, then asked
 // to write row after row. `at` is the pixel's place in a plane.
 
+/// For those that need none.
+struct NoTables {};
+
 struct NoValues {
-    NoValues(const WholeTriangle&, TileBuffer&) {}
+    using Tables = NoTables;
+    NoValues(const WholeTriangle&, Tables&, TileBuffer&) {}
     HWY_INLINE void StartColumn(VI, const Doubles&) {}
     HWY_INLINE void StartRows(int) {}
-    HWY_INLINE void Write(std::ptrdiff_t, const Doubles&, MI) {}
+    HWY_INLINE void Write(std::ptrdiff_t, int, const Doubles&, MI) {}
 };
 
 class ConstantValues {
   public:
-    ConstantValues(const WholeTriangle& t, TileBuffer& to)
+    using Tables = NoTables;
+    ConstantValues(const WholeTriangle& t, Tables&, TileBuffer& to)
         : plane_(reinterpret_cast<std::int32_t*>(to.code_row(0, 0))),
           constant_(hn::Set(DI(), static_cast<std::int32_t>(t.constant))) {}
     HWY_INLINE void StartColumn(VI, const Doubles&) {}
     HWY_INLINE void StartRows(int) {}
-    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+    HWY_INLINE void Write(std::ptrdiff_t at, int, const Doubles&, MI mask) {
         Put(constant_, mask, plane_ + at);
     }
 
@@ -204,7 +209,8 @@ class ConstantValues {
 template <int kCount>
 class CodeValues {
   public:
-    CodeValues(const WholeTriangle& t, TileBuffer& to)
+    using Tables = NoTables;
+    CodeValues(const WholeTriangle& t, Tables&, TileBuffer& to)
         : first_row_(t.first_row()),
           most_(hn::Set(DI(), t.format.store == Store::u8 ? 0xff : 0xffff)),
           planes_(t.planes(t.batch.code_planes)) {
@@ -223,7 +229,7 @@ class CodeValues {
             at_[k] = hn::Add(hn::Set(DI(), static_cast<std::int32_t>(at_row)), ramp_[k]);
         }
     }
-    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+    HWY_INLINE void Write(std::ptrdiff_t at, int, const Doubles&, MI mask) {
         for (int k = 0; k < kCount; ++k) {
             const auto code = hn::ShiftRight<kCodeFractionBits>(hn::BitCast(DU(), at_[k]));
             Put(hn::And(hn::BitCast(DI(), code), most_), mask, to_[k] + at);
@@ -243,7 +249,8 @@ class CodeValues {
 template <int kCount>
 class LimitedCodeValues {
   public:
-    LimitedCodeValues(const WholeTriangle& t, TileBuffer& to)
+    using Tables = NoTables;
+    LimitedCodeValues(const WholeTriangle& t, Tables&, TileBuffer& to)
         : first_row_(t.first_row()), planes_(t.planes(t.batch.code_planes)) {
         const std::int64_t most = t.format.store == Store::u8 ? 0xff : 0xffff;
         const bool saturates = t.format.overflow == Overflow::saturate;
@@ -265,11 +272,11 @@ class LimitedCodeValues {
             });
         }
     }
-    HWY_INLINE void StartRows(int row) { row_ = row; }
-    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles&, MI mask) {
+    HWY_INLINE void StartRows(int) {}
+    HWY_INLINE void Write(std::ptrdiff_t at, int row, const Doubles&, MI mask) {
         const DL d;
         for (int k = 0; k < kCount; ++k) {
-            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (first_row_ + row_);
+            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (first_row_ + row);
             const auto codes = Join(DU(), ramp_[k], [&](VL part) {
                 const auto v = hn::Add(hn::Set(d, at_row), part);
                 const auto limited =
@@ -281,12 +288,10 @@ class LimitedCodeValues {
             });
             Put(hn::BitCast(DI(), codes), mask, to_[k] + at);
         }
-        ++row_;
     }
 
   private:
     int first_row_;
-    int row_ = 0;
     const CodePlane* planes_;
     std::int64_t low_, high_, most_;
     std::int64_t lowest_[kCount], highest_[kCount];
@@ -298,9 +303,13 @@ class LimitedCodeValues {
 template <int kCount, bool kPerspective>
 class DoublePlanes {
   public:
-    explicit DoublePlanes(const WholeTriangle& t) : planes_(t.planes(t.batch.float_planes)) {
+    struct Tables {
+        RowStarts starts[kCount];
+    };
+    DoublePlanes(const WholeTriangle& t, Tables& tables)
+        : planes_(t.planes(t.batch.float_planes)), starts_(tables.starts) {
         for (int k = 0; k < kCount; ++k)
-            starts_[k].fill(planes_[k].plane, t.first_row(), t.rows);
+            tables.starts[k].fill(planes_[k].plane, t.first_row(), t.rows);
     }
     HWY_INLINE void StartColumn(const Doubles& from_ref) {
         for (int k = 0; k < kCount; ++k)
@@ -322,56 +331,59 @@ class DoublePlanes {
 
   private:
     const FloatPlane* planes_;
-    RowStarts starts_[kCount];
+    const RowStarts* starts_;
     Doubles ramp_[kCount];
 };
 
 /// Four floats.
 template <bool kPerspective>
 class NumberValues {
+    using Planes = DoublePlanes<kMaxPlanes, kPerspective>;
+
   public:
-    NumberValues(const WholeTriangle& t, TileBuffer& to)
-        : is_limited_(kPerspective || t.setup().is_thin), planes_(t) {
+    using Tables = typename Planes::Tables;
+    NumberValues(const WholeTriangle& t, Tables& tables, TileBuffer& to)
+        : is_limited_(kPerspective || t.setup().is_thin), planes_(t, tables) {
         for (int k = 0; k < kMaxPlanes; ++k)
             to_[k] = to.plane_row<float>(k, 0);
     }
     HWY_INLINE void StartColumn(VI, const Doubles& from_ref) { planes_.StartColumn(from_ref); }
-    HWY_INLINE void StartRows(int row) { row_ = row; }
-    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles& q, MI mask) {
+    HWY_INLINE void StartRows(int) {}
+    HWY_INLINE void Write(std::ptrdiff_t at, int row, const Doubles& q, MI mask) {
         const DF d;
         const auto kept = hn::RebindMask(d, mask);
         for (int k = 0; k < kMaxPlanes; ++k) {
-            auto v = planes_.At(k, row_, q);
+            auto v = planes_.At(k, row, q);
             if (is_limited_) v = planes_.Limited(k, v);
             hn::StoreU(hn::IfThenElse(kept, v, hn::LoadU(d, to_[k] + at)), d, to_[k] + at);
         }
-        ++row_;
     }
 
   private:
     bool is_limited_;
-    int row_ = 0;
-    DoublePlanes<kMaxPlanes, kPerspective> planes_;
+    Planes planes_;
     float* to_[kMaxPlanes];
 };
 
 /// Codes that run linearly on the surface.
 template <int kCount>
 class PerspectiveCodeValues {
+    using Planes = DoublePlanes<kCount, true>;
+
   public:
-    PerspectiveCodeValues(const WholeTriangle& t, TileBuffer& to)
+    using Tables = typename Planes::Tables;
+    PerspectiveCodeValues(const WholeTriangle& t, Tables& tables, TileBuffer& to)
         : wraps_(t.format.overflow == Overflow::wrap),
           most_(t.format.store == Store::u8 ? 0xff : 0xffff),
-          planes_(t) {
+          planes_(t, tables) {
         for (int k = 0; k < kCount; ++k)
             to_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
     }
     HWY_INLINE void StartColumn(VI, const Doubles& from_ref) { planes_.StartColumn(from_ref); }
-    HWY_INLINE void StartRows(int row) { row_ = row; }
-    HWY_INLINE void Write(std::ptrdiff_t at, const Doubles& q, MI mask) {
+    HWY_INLINE void StartRows(int) {}
+    HWY_INLINE void Write(std::ptrdiff_t at, int row, const Doubles& q, MI mask) {
         for (int k = 0; k < kCount; ++k)
-            Put(Code(hn::Floor(planes_.Limited(k, planes_.At(k, row_, q)))), mask, to_[k] + at);
-        ++row_;
+            Put(Code(hn::Floor(planes_.Limited(k, planes_.At(k, row, q)))), mask, to_[k] + at);
     }
 
   private:
@@ -390,7 +402,6 @@ class PerspectiveCodeValues {
 
     bool wraps_;
     std::int32_t most_;
-    int row_ = 0;
-    DoublePlanes<kCount, true> planes_;
+    Planes planes_;
     std::int32_t* to_[kCount];
 };
