@@ -7,7 +7,9 @@
 namespace ink::raster {
 namespace {
 
-constexpr int kFewSquares = 4;
+// Found by the times of spheres of 20 to 10 000 triangles at 2 to 33 million pixels.
+constexpr std::size_t kMostForSquares = 2;
+constexpr int kFewSquares = 8;
 
 struct FloatRange {
     float least;
@@ -94,6 +96,7 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
 }
 
 std::uint16_t FlatProof::flat_squares(const TileBuffer& tile, int halo_px) const {
+    if (triangles_.size() > kMostForSquares) return 0;
     const int least_px = kFlatSquare_px + 2 * halo_px;
     const bool some_may_be =
         std::any_of(triangles_.begin(), triangles_.end(), [&](const Listed& listed) {
