@@ -15,6 +15,7 @@ namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #include "raster/whole_lanes.inl"
+#include "raster/whole_values.inl"
 
 /// What of a triangle's box is drawn, and the edges that cross it, in 32 bits from (x0, y0).
 struct Area {
