@@ -6,6 +6,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "raster/lane_steps.h"
 #include "scene/predicates.h"
 
 namespace ink::raster {
@@ -136,6 +137,14 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     const SkipSet& skips = job.input.skips;
     if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
         return false;
+    if (job.format.depth != DepthFormat::q32) {
+        const scene::Camera& camera = job.input.view.camera;
+        const QuantisedDepth depth(job.format.depth, camera.near, camera.far);
+        const StepRange steps = make_steps(depth, lanes_.inv_w, cluster.vertex_count, lanes_.q);
+        if (!lanes_can_step(depth, steps)) return false;
+        lanes_.q_least = static_cast<float>(std::max(steps.least, 1.0));
+        lanes_.q_most = static_cast<float>(std::max(steps.greatest, 1.0));
+    }
     triage_cluster(mesh,
                    index,
                    lanes_,

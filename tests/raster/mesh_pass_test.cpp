@@ -61,6 +61,8 @@ std::vector<Shot> shots() {
     result.push_back(make(Store::u8, 1, 250));
     result.back().format.depth = DepthFormat::z16;
     result.push_back(make(Store::f32, 4, 1));
+    result.back().format.depth = DepthFormat::z24;
+    result.push_back(make(Store::f32, 4, 1));
     result.back().format.interpolation = Interpolation::perspective;
     result.push_back(make(Store::u32, 0, 0));
     result.back().format.constant = true;
@@ -277,6 +279,39 @@ TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
             EXPECT_GT(covered_px, 1000) << name;
             // Faces of equal depth and faces turned away are told apart by order alone.
             EXPECT_LE(unlike_px, covered_px / 100) << name << ' ' << nearer;
+        }
+    }
+}
+
+/// Lanes interpolate steps as floats from corners rounded to 1/65536 px: on a slope of many steps a
+/// pixel that shows in the last bits of z24.
+TEST(MeshPass, StepsAreThoseOfThePlainPassButForTheLastBits) {
+    for (const std::string& name : kScenes) {
+        const Stage stage(name);
+        for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::z16}) {
+            Shot shot = shots().front();
+            shot.format.depth = depth;
+            const Drawn lanes = stage.draw(shot, 1, {});
+            const Drawn plain = draw_plainly(stage, shot.format);
+            const int few = depth == DepthFormat::z24 ? 4 : 1;
+            const int many = depth == DepthFormat::z24 ? 64 : 1;
+            int covered_px = 0;
+            int beyond_few_px = 0;
+            int beyond_many_px = 0;
+            for (int y = 0; y < kHeight_px; ++y) {
+                for (int x = 0; x < kWidth_px; ++x) {
+                    const auto step = static_cast<int>(lanes.steps.at(x, y));
+                    const auto expected = static_cast<int>(plain.steps.at(x, y));
+                    EXPECT_EQ(step > 0, expected > 0) << name << ' ' << x << ' ' << y;
+                    EXPECT_LE(step, depth == DepthFormat::z24 ? 0xffffff : 0xffff);
+                    covered_px += expected > 0 ? 1 : 0;
+                    beyond_few_px += std::abs(step - expected) > few ? 1 : 0;
+                    beyond_many_px += std::abs(step - expected) > many ? 1 : 0;
+                }
+            }
+            EXPECT_GT(covered_px, 1000) << name;
+            EXPECT_LE(beyond_few_px, covered_px / 80) << name;
+            EXPECT_LE(beyond_many_px, covered_px / 500) << name;
         }
     }
 }
