@@ -11,6 +11,8 @@ void add_filter_benchmarks();
 /// Passes and frames are run exactly `draws` times a repetition; 0 lets the library choose.
 void add_raster_benchmarks(int draws);
 void add_frame_benchmarks(int draws);
+/// Builders of edge lists, and what a cache of edges saves.
+void add_edge_benchmarks();
 void add_embree_benchmarks();
 void add_truth_benchmarks();
 void add_score_benchmarks();

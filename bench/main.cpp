@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
     bench::add_filter_benchmarks();
     bench::add_raster_benchmarks(options.draws);
     bench::add_frame_benchmarks(options.draws);
+    bench::add_edge_benchmarks();
     bench::add_embree_benchmarks();
     bench::add_truth_benchmarks();
     bench::add_score_benchmarks();

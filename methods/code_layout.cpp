@@ -2,24 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <span>
 
 namespace ink::methods {
 
 Packer::Packer(CodeLayout layout, DepthSign sign, Quantise quantise, raster::Overflow overflow)
-    : layout_(std::move(layout)), sign_(sign), quantise_(quantise), overflow_(overflow) {}
+    : layout_(std::move(layout)), sign_(sign), quantise_(quantise), overflow_(overflow) {
+    for (const Field& field : layout_.fields) {
+        PackField& added = kernel_fields_.emplace_back();
+        added.depth = static_cast<float>(field.ranges.depth);
+        for (int i = 0; i < 3; ++i)
+            added.normal[i] = static_cast<float>(field.ranges.normal[i]);
+        added.bits = field.bits;
+        added.shift = field.shift;
+    }
+}
 
 /// The sum before it is rounded, or of its rounded channels.
-template <class Real>
-Real Packer::value(const Ranges& ranges, Real depth, const Real* n) const {
-    const Real d = sign_ == DepthSign::near_high ? depth : 1 - depth;
-    const Real half = Real(0.5);
-    Real terms[4] = {static_cast<Real>(ranges.depth) * d};
+double Packer::value(const Ranges& ranges, double depth, const glm::dvec3& n) const {
+    const double d = sign_ == DepthSign::near_high ? depth : 1 - depth;
+    double terms[4] = {ranges.depth * d};
     for (int i = 0; i < 3; ++i)
-        terms[i + 1] = static_cast<Real>(ranges.normal[i]) * (n[i] + 1) * half;
+        terms[i + 1] = ranges.normal[i] * (n[i] + 1) * 0.5;
     if (quantise_ == Quantise::each) {
-        for (Real& term : terms)
-            term = std::floor(term + half);
+        for (double& term : terms)
+            term = std::floor(term + 0.5);
     }
     return terms[0] + terms[1] + terms[2] + terms[3];
 }
@@ -31,11 +38,10 @@ int Packer::limited(long value, int bits) const {
 }
 
 double Packer::at_vertex(int plane, double depth, const glm::dvec3& n_view) const {
-    const double n[3] = {n_view.x, n_view.y, n_view.z};
     double code = 0;
     for (const Field& field : layout_.fields) {
         if (field.plane != plane) continue;
-        double v = value(field.ranges, depth, n);
+        double v = value(field.ranges, depth, n_view);
         if (layout_.has_bit_fields()) v = limited(std::lround(v), field.bits) << field.shift;
         code += v;
     }
@@ -44,26 +50,18 @@ double Packer::at_vertex(int plane, double depth, const glm::dvec3& n_view) cons
 
 template <class T>
 void Packer::pack_row(int plane, const PixelRow& row, T* codes) const {
-    for (int x = 0; x < row.count; ++x) {
-        if (row.depth[x] == kNothingDrawn) {
-            codes[x] = static_cast<T>(row.sky);
-            continue;
-        }
-        float n[3] = {row.nx[x], row.ny[x], row.nz[x]};
-        if (row.renormalise) {
-            const float square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-            const float scale = square > 0 ? 1 / std::sqrt(square) : 1;
-            for (float& component : n)
-                component *= scale;
-        }
-        int code = 0;
-        for (const Field& field : layout_.fields) {
-            if (field.plane != plane) continue;
-            const float v = value(field.ranges, row.depth[x], n);
-            code |= limited(static_cast<long>(std::floor(v + 0.5F)), field.bits) << field.shift;
-        }
-        codes[x] = static_cast<T>(code);
-    }
+    const auto in_plane = [&](const Field& field) { return field.plane == plane; };
+    const auto& fields = layout_.fields;
+    const auto first = std::find_if(fields.begin(), fields.end(), in_plane);
+    const auto last = std::find_if_not(first, fields.end(), in_plane);
+    const std::span<const PackField> all(kernel_fields_);
+    pack_pixels(all.subspan(static_cast<std::size_t>(first - fields.begin()),
+                            static_cast<std::size_t>(last - first)),
+                {.is_near_high = sign_ == DepthSign::near_high,
+                 .rounds_each = quantise_ == Quantise::each,
+                 .wraps = overflow_ == raster::Overflow::wrap},
+                row,
+                codes);
 }
 
 template void Packer::pack_row(int, const PixelRow&, std::uint8_t*) const;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "methods/depth_code.h"
+#include "methods/pack_kernel.h"
 #include "methods/surface_inputs.h"
 #include "raster/pass.h"
 
@@ -53,29 +54,19 @@ class Packer {
     /// that is the pass's business. Several fields are each rounded and limited to their bits.
     [[nodiscard]] double at_vertex(int plane, double depth, const glm::dvec3& n_view) const;
 
-    /// One row of pixels: encoded depth (kNothingDrawn: `sky`) and interpolated normal.
-    struct PixelRow {
-        const float* depth;
-        const float* nx;
-        const float* ny;
-        const float* nz;
-        int count;
-        bool renormalise;
-        int sky;
-    };
-    /// Their codes in plane `plane`; T is the layout's store.
+    /// The codes of a row of pixels in plane `plane`; T is the layout's store.
     template <class T>
     void pack_row(int plane, const PixelRow& row, T* codes) const;
 
   private:
-    template <class Real>
-    [[nodiscard]] Real value(const Ranges& ranges, Real depth, const Real* n) const;
+    [[nodiscard]] double value(const Ranges& ranges, double depth, const glm::dvec3& n) const;
     [[nodiscard]] int limited(long value, int bits) const;
 
     CodeLayout layout_;
     DepthSign sign_;
     Quantise quantise_;
     raster::Overflow overflow_;
+    std::vector<PackField> kernel_fields_;  ///< those of the layout, in its order
 };
 
 }  // namespace ink::methods

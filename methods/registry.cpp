@@ -4,10 +4,21 @@
 
 #include "core/error.h"
 #include "methods/auto/auto.h"
+#include "methods/back_faces/back_faces.h"
+#include "methods/canny/canny.h"
 #include "methods/decaudin/decaudin.h"
+#include "methods/edge_hash/edge_hash.h"
+#include "methods/edge_list/edge_list.h"
+#include "methods/ids/ids.h"
+#include "methods/inverted_hull/inverted_hull.h"
+#include "methods/jump_flood/jump_flood.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
+#include "methods/plane_distance/plane_distance.h"
+#include "methods/polygon_offset/polygon_offset.h"
+#include "methods/roberts/roberts.h"
+#include "methods/sobel/sobel.h"
 
 namespace ink::methods {
 
@@ -19,6 +30,17 @@ const std::vector<MethodInfo>& registry() {
         mote2(),
         mote4(),
         mote16(),
+        polygon_offset(),
+        edge_list(),
+        back_faces(),
+        edge_hash(),
+        roberts(),
+        sobel(),
+        canny(),
+        plane_distance(),
+        ids(),
+        inverted_hull(),
+        jump_flood(),
         auto_method(),
     };
     return methods;

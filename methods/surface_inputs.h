@@ -29,20 +29,10 @@ struct InputParams {
     raster::DepthFormat depth_format = raster::DepthFormat::q32;
 };
 
-/// Appends the rows of InputParams to a table whose struct derives from it.
+/// Appends the rows of InputParams that say what the surface gives, whatever depth is made of.
 template <class P>
-core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
+core::ParamTable<P>& add_surface_params(core::ParamTable<P>& table) {
     return table
-        .choice(&P::depth_encoding,
-                "depth_encoding",
-                {"inverse", "linear", "log", "zbuffer24", "zbuffer16", "reversed_float"},
-                "How distance becomes a number; only 1/w is flat on a plane.")
-        .choice(&P::depth_range,
-                "depth_range",
-                {"fit", "camera"},
-                "What depth 0..1 spans: the scene's bounding sphere, or the camera's near and far.")
-        .choice(
-            &P::depth_sign, "depth_sign", {"near_high", "far_high"}, "Which end of the range is 1.")
         .choice(&P::normals,
                 "normals",
                 {"file", "patch", "facet"},
@@ -61,6 +51,25 @@ core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
               "Scale interpolated normals to length 1 at every pixel.")
         .choice(
             &P::depth_format, "depth_format", {"q32", "z24", "z16"}, "Format of the depth test.");
+}
+
+/// Appends the rows of InputParams to a table whose struct derives from it.
+template <class P>
+core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
+    table
+        .choice(&P::depth_encoding,
+                "depth_encoding",
+                {"inverse", "linear", "log", "zbuffer24", "zbuffer16", "reversed_float"},
+                "How distance becomes a number; only 1/w is flat on a plane.")
+        .choice(&P::depth_range,
+                "depth_range",
+                {"fit", "camera"},
+                "What depth 0..1 spans: the scene's bounding sphere, or the camera's near and far.")
+        .choice(&P::depth_sign,
+                "depth_sign",
+                {"near_high", "far_high"},
+                "Which end of the range is 1.");
+    return add_surface_params(table);
 }
 
 /// Depth and the view-space normal's components as linear values: what a linear code adds up.

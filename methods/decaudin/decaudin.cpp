@@ -2,29 +2,12 @@
 
 #include "methods/decaudin/decaudin.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "methods/packed_sink.h"
-#include "methods/surface_values.h"
 
 namespace ink::methods {
 namespace {
-
-constexpr int kChannels = 4;  // depth, nx, ny, nz
-constexpr int kSpan = raster::kTileSize_px + 2 * raster::kMaxHalo_px;
-
-/// A tile of floats with halo; row(y)[x] in tile-local coordinates.
-class FloatBuffer {
-  public:
-    float* row(int y) {
-        return pixels_.data() + (y + raster::kMaxHalo_px) * kSpan + raster::kMaxHalo_px;
-    }
-
-  private:
-    std::array<float, static_cast<std::size_t>(kSpan) * kSpan> pixels_;
-};
 
 class DecaudinSink : public raster::TileSink {
   public:
@@ -34,54 +17,12 @@ class DecaudinSink : public raster::TileSink {
     void finish(const raster::Tile& tile) override;
 
   private:
-    [[nodiscard]] edge::DecaudinChannel depth_channel(const raster::Tile& tile,
-                                                      FloatBuffer& buffer) const;
-    void renormalise(const raster::Tile& tile, std::array<FloatBuffer, 3>& to) const;
     [[nodiscard]] edge::DecaudinJoin join() const;
 
     const Decaudin::Params& params_;
     const DepthCarrier& carrier_;
     edge::EdgeImage& out_;
 };
-
-/// The depth channel: the tile's own plane where that holds it already.
-edge::DecaudinChannel DecaudinSink::depth_channel(const raster::Tile& tile,
-                                                  FloatBuffer& buffer) const {
-    const edge::DecaudinK k{static_cast<float>(params_.k_depth), params_.k_place};
-    const bool near_high = params_.depth_sign == DepthSign::near_high;
-    if (carrier_.is_encoded() && near_high) return {tile.row<float>(0, 0), tile.stride, k};
-    const int halo = tile.halo_px;
-    const int width = tile.width_px + 2 * halo;
-    for (int y = -halo; y < tile.height_px + halo; ++y) {
-        const float* carried = tile.row<float>(0, y) - halo;
-        float* out = buffer.row(y) - halo;
-        if (carrier_.is_encoded()) {
-            std::copy_n(carried, width, out);
-        } else {
-            carrier_.encode_row(carried, static_cast<float>(params_.sky), out, width);
-        }
-        for (int x = 0; !near_high && x < width; ++x)
-            out[x] = 1 - out[x];
-    }
-    return {buffer.row(0), kSpan, k};
-}
-
-void DecaudinSink::renormalise(const raster::Tile& tile, std::array<FloatBuffer, 3>& to) const {
-    const int halo = tile.halo_px;
-    for (int y = -halo; y < tile.height_px + halo; ++y) {
-        for (int x = -halo; x < tile.width_px + halo; ++x) {
-            float n[3];
-            float square = 0;
-            for (int i = 0; i < 3; ++i) {
-                n[i] = tile.row<float>(i + 1, y)[x];
-                square += n[i] * n[i];
-            }
-            const float scale = square > 0 ? 1 / std::sqrt(square) : 0;
-            for (int i = 0; i < 3; ++i)
-                to[static_cast<std::size_t>(i)].row(y)[x] = n[i] * scale;
-        }
-    }
-}
 
 edge::DecaudinJoin DecaudinSink::join() const {
     switch (params_.join) {
@@ -97,32 +38,23 @@ edge::DecaudinJoin DecaudinSink::join() const {
 
 void DecaudinSink::finish(const raster::Tile& tile) {
     if (tile.is_empty) return clear_tile(tile, out_);
-    FloatBuffer depth;
-    std::array<FloatBuffer, 3> normals;
-    std::array<edge::DecaudinChannel, kChannels> channels;
-    channels[0] = depth_channel(tile, depth);
-    if (params_.renormalise) renormalise(tile, normals);
+    TileFloats depth_buffer;
+    std::array<TileFloats, 3> normal_buffers;
+    const TilePlane depth = encoded_depth(
+        tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
+    const std::array<TilePlane, 3> normals =
+        view_normals(tile, params_.renormalise, normal_buffers);
+    const edge::DecaudinK k_depth{static_cast<float>(params_.k_depth), params_.k_place};
     const edge::DecaudinK k_normal{static_cast<float>(params_.k_normal), params_.k_place};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float* plane = tile.row<float>(static_cast<int>(i) + 1, 0);
-        channels[i + 1] = params_.renormalise
-                              ? edge::DecaudinChannel{normals[i].row(0), kSpan, k_normal}
-                              : edge::DecaudinChannel{plane, tile.stride, k_normal};
-    }
+    const std::array<edge::DecaudinChannel, 4> channels = {
+        edge::DecaudinChannel{depth.origin, depth.stride, k_depth},
+        {normals[0].origin, normals[0].stride, k_normal},
+        {normals[1].origin, normals[1].stride, k_normal},
+        {normals[2].origin, normals[2].stride, k_normal}};
     edge::decaudin(
         channels,
         join(),
         {out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()});
-}
-
-raster::PassFormat pass_format(const Decaudin::Params& params) {
-    raster::PassFormat format;
-    format.interpolants = kChannels;
-    format.store = raster::Store::f32;
-    format.interpolation = params.interpolation;
-    format.depth = params.depth_format;
-    format.halo_px = 2;
-    return format;
 }
 
 /// From the fastest to the most exact, the method as it comes among them. Thresholds go with their
@@ -190,23 +122,14 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
                 "Strength from which on a pixel is a line.");
 }
 
-Decaudin::Decaudin(const Params& params)
-    : params_(params), format_(pass_format(params)), inputs_(params) {}
+Decaudin::Decaudin(const Params& params) : params_(params), buffers_(params, 2) {}
 
 void Decaudin::draw(const Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
-    if (inputs_.is_empty()) return out.fill(0);
-    inputs_.see(frame);
-    const DepthCarrier carrier(params_.depth_encoding, params_.interpolation, inputs_.range());
-    const ChannelValues values(inputs_, carrier);
-    raster::MeshInput input = inputs_.mesh_input(frame);
-    input.values = &values;
-    const float sky = carrier.is_encoded() ? static_cast<float>(params_.sky) : kNothingDrawn;
-    input.sky_f32 = {sky, 0, 0, 0};
+    if (buffers_.is_empty()) return out.fill(0);
+    const DepthCarrier carrier = buffers_.see(frame);
     DecaudinSink sink(params_, carrier, out);
-    const raster::MeshResult result = pass_.draw(format_, input, sink);
-    inputs_.finish(result, out);
-    skip_counts_ = result.skips;
+    skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
 }
 
 MethodInfo decaudin() {

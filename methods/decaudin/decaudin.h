@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "edge/decaudin_filter.h"
+#include "methods/full_buffers.h"
 #include "methods/method.h"
-#include "methods/surface_inputs.h"
 
 namespace ink::methods {
 
@@ -29,18 +29,16 @@ class Decaudin : public Method {
 
     explicit Decaudin(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
+    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
-    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    raster::PassFormat format_;
-    SurfaceInputs inputs_;
-    raster::MeshPass pass_;
+    FullBuffers buffers_;
     raster::SkipCounts skip_counts_{};
 };
 

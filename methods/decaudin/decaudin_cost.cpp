@@ -31,14 +31,7 @@ double join_operations(Decaudin::Join join) {
 }  // namespace
 
 Cost Decaudin::cost() const {
-    Cost cost;
-    cost.passes = 1;
-    cost.interpolants = format_.interpolants;
-    cost.values_per_vertex = format_.interpolants;
-    cost.shares_vertices = params_.normals != scene::NormalSource::facet;
-    cost.buffer_bytes_per_px = format_.bytes_per_px();
-    cost.fill = fill_work(format_);
-
+    Cost cost = buffers_.cost();
     PixelWork depth = encode_work(params_.depth_encoding, params_.interpolation);
     if (params_.depth_sign == DepthSign::far_high) depth.operations += 1;
     if (depth.operations > 0) depth = depth + PixelWork{kFloat_bytes, kFloat_bytes, 0};

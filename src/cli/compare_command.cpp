@@ -34,6 +34,7 @@ struct CompareArgs {
     bool scaling = false;
     std::string no_skip;
     bool skip_study = false;
+    bool motion = false;
 };
 
 std::vector<std::string> names_of(const CompareArgs& args) {
@@ -69,6 +70,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     options.trace.truth.threads = core::hardware_threads();
     options.trace.witness = !args.no_witness;
     options.study_scaling = args.scaling;
+    options.study_motion = args.motion;
     options.out = args.out;
     options.trace.cache = cache_folder(args.cache);
     options.seed = parse_seed(args.seed);
@@ -110,7 +112,7 @@ void add_compare_command(CLI::App& app) {
         ->add_option("--out",
                      args->out,
                      "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
-                     "skips.csv, "
+                     "skips.csv, motion.csv, "
                      "report.html, verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
@@ -134,6 +136,11 @@ void add_compare_command(CLI::App& app) {
                       args->scaling,
                       "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: "
                       "scaling.csv and plots, about a minute");
+    command->add_flag("--motion",
+                      args->motion,
+                      "Also draw sequences in which the camera moves slowly, and a cube before a "
+                      "camera that rolls: flicker, pops, lives of false lines; motion.csv, "
+                      "roll.csv, vanishing.csv and plots, about a minute");
     command->add_option("--no-skip",
                         args->no_skip,
                         "Skips a,b to do without, or all (see inkbench list skips): other times, "

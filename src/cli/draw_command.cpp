@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/draw_options.h"
 #include "cli/options.h"
 #include "core/error.h"
+#include "lab/drawing.h"
 #include "lab/exr_layers.h"
 #include "lab/picture.h"
 #include "lab/skip_switches.h"
@@ -18,43 +20,34 @@ struct DrawArgs {
     std::string method = "mote4";
     std::vector<std::string> settings;
     ViewOptions views;
+    LookOptions looks;
     std::string file;
-    std::string shading = "none";
     bool strength = false;
     int threads = 1;
     std::string no_skip;
 };
 
-lab::Shading parse_shading(const std::string& text) {
-    if (text == "none") return lab::Shading::none;
-    if (text == "gouraud") return lab::Shading::gouraud;
-    throw core::Error("--shading",
-                      fmt::format("there is no shading '{}'", text),
-                      core::known_names({"none", "gouraud"}, text));
-}
-
 void run_draw(const DrawArgs& args) {
-    const lab::Shading shading = parse_shading(args.shading);
+    lab::DrawOptions options = drawing_looks(args.looks);
     if (lab::split_list(args.method).size() != 1) {
         throw core::Error("--method",
                           fmt::format("'{}' is not one method", args.method),
                           "one name of inkbench list methods");
     }
     const lab::Entrant entrant = lab::make_entrants(args.method, args.settings).front();
-    const auto skips = lab::without_skips({}, args.no_skip);
-    const int threads = checked_threads(args.threads);
+    options.skips = lab::without_skips({}, args.no_skip);
+    options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
-    const auto strengths = lab::draw_strengths(subject, entrant, threads, skips);
+    const lab::Drawing drawing = lab::make_drawing(subject, entrant, options);
     const std::filesystem::path path = args.file;
     if (path.extension() == ".exr") {
-        const auto picture = lab::compose_drawing(subject, entrant, strengths, shading);
-        lab::write_drawing_exr(subject, entrant, strengths, picture, path);
+        lab::write_drawing_exr(subject, entrant, drawing, path);
     } else if (args.strength) {
-        lab::write_strengths(strengths, path);
+        lab::write_strengths(drawing.strengths, path);
     } else {
-        lab::write_drawing(subject, entrant, strengths, shading, path);
+        lab::write_drawing(drawing.picture, path);
     }
     fmt::print("{}\n", args.file);
 }
@@ -67,17 +60,16 @@ void add_draw_command(CLI::App& app) {
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")->required();
     command->add_option("--method,--methods", args->method, "Method")->capture_default_str();
-    command->add_option("--set", args->settings, "A parameter: key=value")
+    command->add_option("--set", args->settings, "A parameter of the method: key=value")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
-    command->add_option("--shading", args->shading, "Under the lines: none, gouraud")
-        ->capture_default_str();
+    add_look_options(*command, args->looks);
     command->add_flag(
         "--strength",
         args->strength,
-        "Write the strengths (grey) instead of black lines, for inkbench score; an EXR "
+        "Write the strengths (grey) instead of the picture, for inkbench score; an EXR "
         "has both anyway");
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
     command->add_option("--no-skip",
@@ -85,7 +77,7 @@ void add_draw_command(CLI::App& app) {
                         "Skips a,b to do without, or all (see inkbench list skips); the picture "
                         "is the same");
     command->footer(
-        "Example: inkbench draw torus --method decaudin --shading gouraud -o torus.png");
+        "Example: inkbench draw torus --method decaudin --shading toon --antialias 4 -o torus.png");
     command->callback([args] { run_draw(*args); });
 }
 

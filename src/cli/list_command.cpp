@@ -9,9 +9,9 @@ namespace ink::cli {
 
 void add_list_command(CLI::App& app) {
     auto* command =
-        app.add_subcommand("list", "List methods, scenes, parameters, metrics and skips");
+        app.add_subcommand("list", "List methods, scenes, parameters, metrics, skips and shadings");
     auto what = std::make_shared<std::string>("all");
-    command->add_option("what", *what, "all, methods, scenes, params, metrics or skips")
+    command->add_option("what", *what, "all, methods, scenes, params, metrics, skips or shadings")
         ->capture_default_str();
     command->footer("Example: inkbench list params");
     command->callback([what] { fmt::print("{}", lab::listing(*what)); });

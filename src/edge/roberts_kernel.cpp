@@ -3,8 +3,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cassert>
-
 #include "edge/roberts.h"
 #include "edge/row_bands.h"
 #include "edge/vector_loops.inl"
@@ -63,18 +61,6 @@ HWY_AFTER_NAMESPACE();
 namespace ink::edge {
 namespace {
 
-template <class T, class Kernel>
-void filter(const core::ImageView<const T>& values,
-            const core::ImageView<T>& out,
-            int threads,
-            Kernel kernel) {
-    assert(values.width_px == out.width_px && values.height_px == out.height_px);
-    for_row_bands(out.height_px, threads, [&](int y0, int y1) {
-        kernel(core::ImageView<const T>{values.row(y0), out.width_px, y1 - y0, values.stride},
-               core::ImageView<T>{out.row(y0), out.width_px, y1 - y0, out.stride});
-    });
-}
-
 HWY_EXPORT(cross_u8);
 HWY_EXPORT(cross_u16);
 HWY_EXPORT(cross_f32);
@@ -84,19 +70,19 @@ HWY_EXPORT(cross_f32);
 void roberts(const core::ImageView<const std::uint8_t>& values,
              const core::ImageView<std::uint8_t>& out,
              int threads) {
-    filter(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_u8));
+    filter_row_bands(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_u8));
 }
 
 void roberts(const core::ImageView<const std::uint16_t>& values,
              const core::ImageView<std::uint16_t>& out,
              int threads) {
-    filter(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_u16));
+    filter_row_bands(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_u16));
 }
 
 void roberts(const core::ImageView<const float>& values,
              const core::ImageView<float>& out,
              int threads) {
-    filter(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_f32));
+    filter_row_bands(values, out, threads, HWY_DYNAMIC_DISPATCH(cross_f32));
 }
 
 }  // namespace ink::edge

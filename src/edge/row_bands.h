@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "core/image.h"
 #include "core/parallel.h"
 
 namespace ink::edge {
@@ -23,6 +24,20 @@ void for_row_bands(int height_px, int threads, Body body) {
     core::parallel_for(static_cast<std::size_t>(bands), threads, [&](std::size_t band) {
         const int y0 = static_cast<int>(band) * rows;
         body(y0, std::min(y0 + rows, height_px));
+    });
+}
+
+/// Calls `kernel(from, to)` for bands of the rows of two pictures of one size: the face of a filter
+/// from pixels to pixels.
+template <class T, class Kernel>
+void filter_row_bands(const core::ImageView<const T>& values,
+                      const core::ImageView<T>& out,
+                      int threads,
+                      Kernel kernel) {
+    assert(values.width_px == out.width_px && values.height_px == out.height_px);
+    for_row_bands(out.height_px, threads, [&](int y0, int y1) {
+        kernel(core::ImageView<const T>{values.row(y0), out.width_px, y1 - y0, values.stride},
+               core::ImageView<T>{out.row(y0), out.width_px, y1 - y0, out.stride});
     });
 }
 

@@ -3,8 +3,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <cassert>
-
 #include "edge/row_bands.h"
 #include "edge/sobel.h"
 #include "edge/vector_loops.inl"
@@ -120,20 +118,6 @@ HWY_AFTER_NAMESPACE();
 namespace ink::edge {
 namespace {
 
-template <class T, class Kernel>
-void filter(const core::ImageView<const T>& values,
-            Differential differential,
-            const core::ImageView<T>& out,
-            const Kernel& kernel,
-            int threads) {
-    assert(values.width_px == out.width_px && values.height_px == out.height_px);
-    for_row_bands(out.height_px, threads, [&](int y0, int y1) {
-        kernel(core::ImageView<const T>{values.row(y0), out.width_px, y1 - y0, values.stride},
-               differential,
-               core::ImageView<T>{out.row(y0), out.width_px, y1 - y0, out.stride});
-    });
-}
-
 HWY_EXPORT(sobel_u8);
 HWY_EXPORT(sobel_u16);
 HWY_EXPORT(sobel_f32);
@@ -144,21 +128,30 @@ void sobel(const core::ImageView<const std::uint8_t>& values,
            Differential differential,
            const core::ImageView<std::uint8_t>& out,
            int threads) {
-    filter(values, differential, out, HWY_DYNAMIC_DISPATCH(sobel_u8), threads);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sobel_u8);
+    filter_row_bands(values, out, threads, [&](const auto& from, const auto& to) {
+        kernel(from, differential, to);
+    });
 }
 
 void sobel(const core::ImageView<const std::uint16_t>& values,
            Differential differential,
            const core::ImageView<std::uint16_t>& out,
            int threads) {
-    filter(values, differential, out, HWY_DYNAMIC_DISPATCH(sobel_u16), threads);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sobel_u16);
+    filter_row_bands(values, out, threads, [&](const auto& from, const auto& to) {
+        kernel(from, differential, to);
+    });
 }
 
 void sobel(const core::ImageView<const float>& values,
            Differential differential,
            const core::ImageView<float>& out,
            int threads) {
-    filter(values, differential, out, HWY_DYNAMIC_DISPATCH(sobel_f32), threads);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(sobel_f32);
+    filter_row_bands(values, out, threads, [&](const auto& from, const auto& to) {
+        kernel(from, differential, to);
+    });
 }
 
 }  // namespace ink::edge

@@ -13,6 +13,7 @@
 #include "lab/figures.h"
 #include "lab/interrupt.h"
 #include "lab/miss_prediction.h"
+#include "lab/motion_study.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
 #include "lab/verdict.h"
@@ -65,6 +66,8 @@ class Comparison {
             forget("sweep.csv");
         }
         forget("skips.csv");
+        for (const char* file : {"motion.csv", "roll.csv", "vanishing.csv"})
+            forget(file);
         if (!options.study_scaling) forget("scaling.csv");
     }
 
@@ -101,6 +104,18 @@ class Comparison {
             void_reasons_.push_back(std::move(difference));
     }
 
+    void run_motion_study() {
+        const MotionOptions motion{options_.measure, options_.trace};
+        motion_ = study_motion(options_.entrants, motion);
+        rolls_ = study_roll(options_.entrants,
+                            {.measure = options_.measure, .cache = options_.trace.cache});
+        core::write_whole_file(options_.out / "motion.csv", motion_csv(motion_));
+        core::write_whole_file(options_.out / "roll.csv", roll_csv(rolls_));
+        core::write_whole_file(options_.out / "vanishing.csv", vanishing_csv(rolls_));
+        for (std::string& fault : motion_faults(motion_))
+            void_reasons_.push_back(std::move(fault));
+    }
+
     CompareResult finish(double elapsed_s) {
         rows_.finish();
         curves_.finish();
@@ -120,7 +135,9 @@ class Comparison {
                         std::move(sweep_rows_),
                         cost_fit,
                         std::move(scaling_),
-                        std::move(skip_study_)};
+                        std::move(skip_study_),
+                        std::move(motion_),
+                        std::move(rolls_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
@@ -233,6 +250,8 @@ class Comparison {
     std::vector<ScalingPoint> scaling_;
     std::vector<ShownView> shown_;
     std::vector<SkipTime> skip_study_;
+    std::vector<MotionRow> motion_;
+    std::vector<RollCurve> rolls_;
     std::vector<std::string> void_reasons_;
 };
 
@@ -266,6 +285,7 @@ CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions
         });
     }
     if (options.study_scaling && !is_interrupted()) comparison.study_scaling();
+    if (options.study_motion && !is_interrupted()) comparison.run_motion_study();
     if (options.skip_study && total > 0 && !is_interrupted()) {
         comparison.run_skip_study(subjects.front().views.front());
     }

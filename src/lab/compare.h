@@ -21,11 +21,13 @@ struct CompareOptions {
     TraceOptions trace;
     bool study_scaling = false;  ///< also lab/scaling.h, on scenes of its own
     /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, scaling.csv, skips.csv,
+    /// motion.csv, roll.csv, vanishing.csv,
     /// verdict.md, report.html, figures.
     std::filesystem::path out;
-    std::uint64_t seed = 0;   ///< of chance pictures and of drawing scenes again
-    bool skip_study = false;  ///< measure too what each skip is worth
-    std::string command;      ///< as the user typed it, for the report
+    std::uint64_t seed = 0;     ///< of chance pictures and of drawing scenes again
+    bool skip_study = false;    ///< measure too what each skip is worth
+    bool study_motion = false;  ///< also lab/motion_study.h and the cube roll
+    std::string command;        ///< as the user typed it, for the report
 };
 
 /// What came of a comparison.

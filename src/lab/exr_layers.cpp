@@ -10,6 +10,7 @@
 #include "core/provenance.h"
 #include "image_io/exr_file.h"
 #include "lab/cell.h"
+#include "lab/error_picture.h"
 #include "truth/cracks.h"
 
 namespace ink::lab {
@@ -35,14 +36,15 @@ core::Image<To> mapped(const core::Image<From>& image, Map map) {
     return result;
 }
 
-void add_colours(const RgbImage& picture, ExrFile& file) {
+/// `layer` is "" for the picture itself, else a name with its dot.
+void add_colours(const RgbImage& picture, const std::string& layer, ExrFile& file) {
     std::array<float, 256> light{};
     for (std::size_t v = 0; v < light.size(); ++v)
         light[v] = linear_light(static_cast<std::uint8_t>(v));
     constexpr std::array<const char*, 3> kNames = {"R", "G", "B"};
     for (int c = 0; c < 3; ++c) {
         const auto channel = [&](const glm::u8vec3& rgb) { return light[rgb[c]]; };
-        file.channels.push_back({kNames[static_cast<std::size_t>(c)],
+        file.channels.push_back({layer + kNames[static_cast<std::size_t>(c)],
                                  HalfImage{mapped<glm::u8vec3, float>(picture, channel)}});
     }
 }
@@ -91,7 +93,7 @@ void write_truth_exr(const Subject& subject,
                      const truth::Truth& truth,
                      const std::filesystem::path& path) {
     ExrFile file;
-    add_colours(truth_picture(truth.labels), file);
+    add_colours(truth_picture(truth.labels), "", file);
     if (!truth.layers.w.is_empty()) {
         file.channels.push_back({"Z", truth.layers.w});
         file.channels.push_back({"id.triangle", truth.layers.triangle});
@@ -114,12 +116,12 @@ void write_truth_exr(const Subject& subject,
 
 void write_drawing_exr(const Subject& subject,
                        const Entrant& entrant,
-                       const edge::EdgeImage& strengths,
-                       const RgbImage& picture,
+                       const Drawing& drawing,
                        const std::filesystem::path& path) {
     ExrFile file;
-    add_colours(picture, file);
-    file.channels.push_back({"strength.Y", shares(strengths)});
+    add_colours(drawing.picture, "", file);
+    if (!drawing.shading.is_empty()) add_colours(drawing.shading, "shading.", file);
+    file.channels.push_back({"strength.Y", shares(drawing.strengths)});
     file.attributes = origin(subject);
     file.attributes.push_back({"ink:method", entrant.info->name});
     file.attributes.push_back(

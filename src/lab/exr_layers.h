@@ -2,9 +2,8 @@
 
 #include <filesystem>
 
-#include "edge/edge_image.h"
+#include "lab/drawing.h"
 #include "lab/entrants.h"
-#include "lab/error_picture.h"
 #include "lab/suite.h"
 #include "truth/truth.h"
 
@@ -26,12 +25,12 @@ void write_truth_exr(const Subject& subject,
                      const std::filesystem::path& path);
 
 /// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished
-/// picture and `strength.Y` (HALF, k/255) the method's strengths; the header as above, and the
+/// picture, `shading.R shading.G shading.B` (the same) what lies under the lines, unless that is
+/// paper, and `strength.Y` (HALF, k/255) the strengths of the lines; the header as above, and the
 /// method with its parameters.
 void write_drawing_exr(const Subject& subject,
                        const Entrant& entrant,
-                       const edge::EdgeImage& strengths,
-                       const RgbImage& picture,
+                       const Drawing& drawing,
                        const std::filesystem::path& path);
 
 }  // namespace ink::lab

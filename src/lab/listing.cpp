@@ -10,6 +10,8 @@
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "scene/catalogue.h"
+#include "shade/hand_lines.h"
+#include "shade/shading.h"
 
 namespace ink::lab {
 namespace {
@@ -41,21 +43,37 @@ std::string list_scenes() {
     return text;
 }
 
+std::string list_knobs(const std::string& owner, const std::vector<core::Param>& params) {
+    std::string text = fmt::format("  {}\n", owner);
+    for (const core::Param& param : params) {
+        text += fmt::format("    {:<16} {:<10} {}{}{}  {}\n",
+                            param.name,
+                            core::format_param(param, param.default_value),
+                            core::accepted_values(param),
+                            param.unit.empty() ? "" : ", ",
+                            param.unit,
+                            param.doc);
+    }
+    return text;
+}
+
 std::string list_params() {
     std::string text;
     text += fmt::format("parameters (--set key=value, or --set method.key=value)\n");
-    for (const methods::MethodInfo& info : methods::registry()) {
-        text += fmt::format("  {}\n", info.name);
-        for (const core::Param& param : info.params) {
-            text += fmt::format("    {:<16} {:<10} {}{}{}  {}\n",
-                                param.name,
-                                core::format_param(param, param.default_value),
-                                core::accepted_values(param),
-                                param.unit.empty() ? "" : ", ",
-                                param.unit,
-                                param.doc);
-        }
+    for (const methods::MethodInfo& info : methods::registry())
+        text += list_knobs(info.name, info.params);
+    return text;
+}
+
+std::string list_shadings() {
+    std::string text = "shadings (inkbench draw --shading NAME --set-shade key=value)\n";
+    for (const shade::ShadingInfo& info : shade::shadings()) {
+        text += fmt::format(
+            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text += list_knobs("knobs of " + info.name, info.params);
     }
+    text += "lines by hand (inkbench draw --hand-drawn --set-hand key=value)\n";
+    text += list_knobs("knobs of the hand", shade::hand_table().params());
     return text;
 }
 
@@ -78,7 +96,7 @@ std::string list_skips() {
 
 std::string listing(const std::string& what) {
     const std::vector<std::string> known = {
-        "all", "methods", "scenes", "params", "metrics", "skips"};
+        "all", "methods", "scenes", "params", "metrics", "skips", "shadings"};
     if (std::find(known.begin(), known.end(), what) == known.end()) {
         throw core::Error(
             "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
@@ -89,6 +107,7 @@ std::string listing(const std::string& what) {
     if (what == "all" || what == "params") text += list_params();
     if (what == "all" || what == "metrics") text += list_metrics();
     if (what == "all" || what == "skips") text += list_skips();
+    if (what == "all" || what == "shadings") text += list_shadings();
     return text;
 }
 

@@ -5,8 +5,8 @@
 namespace ink::lab {
 
 /// What the program knows, as text for a terminal: "methods", "scenes", "params", "metrics",
-/// "skips" or "all", with units, ranges and defaults. Throws core::Error that lists these for
-/// another word.
+/// "skips", "shadings" or "all", with units, ranges and defaults. Throws core::Error that lists
+/// these for another word.
 [[nodiscard]] std::string listing(const std::string& what);
 
 }  // namespace ink::lab

@@ -13,6 +13,7 @@
 #include "lab/page_assets.h"
 #include "lab/page_causes.h"
 #include "lab/page_cost.h"
+#include "lab/page_motion.h"
 #include "lab/page_place.h"
 #include "lab/page_scenes.h"
 #include "lab/page_skips.h"
@@ -38,10 +39,11 @@ struct Material {
     std::string failures;
     std::string witness = {};  ///< HTML, "" if no truth was held against it
     Fronts fronts;
-    std::string leads;       ///< HTML, "" with fewer than two methods
-    std::string statistics;  ///< HTML, "" if there are none
-    std::string cost = {};   ///< HTML, "" if no method declares any
-    std::string skips = {};  ///< HTML, "" if no row says what was skipped
+    std::string leads;        ///< HTML, "" with fewer than two methods
+    std::string statistics;   ///< HTML, "" if there are none
+    std::string cost = {};    ///< HTML, "" if no method declares any
+    std::string skips = {};   ///< HTML, "" if no row says what was skipped
+    std::string motion = {};  ///< HTML, "" if no sequence was studied
 };
 
 const MethodSummary* find_summary(const std::vector<MethodSummary>& summaries,
@@ -160,6 +162,7 @@ std::string nav_html(const Material& m) {
     }
     link("by-scene", "By scene");
     link("pictures", "Pictures");
+    if (!m.motion.empty()) link("motion", "In motion");
     if (!m.skips.empty()) link("skips", "Skips");
     if (!m.witness.empty()) link("witness", "Witness");
     if (!m.failures.empty()) link("failed", "Failed cells");
@@ -281,6 +284,7 @@ std::string main_html(const Material& m) {
         "One view per scene. Drag across a picture, or move the divider below it with "
         "the arrow keys: truth to the left, the method to the right.",
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
+    if (!m.motion.empty()) html += section("motion", "In motion", motion_intro(), m.motion);
     if (!m.skips.empty()) html += section("skips", "Skips", skips_intro(), m.skips);
     if (!m.witness.empty()) {
         html += section("witness",
@@ -313,6 +317,7 @@ std::string report_page(const ReportData& data) {
     Material material{data, summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
     material.witness = witness_html(data.rows);
     material.skips = skips_html(data.rows, data.skip_study);
+    material.motion = motion_html(data.motion, data.rolls);
     add_curves(data.curves, material.summaries);
     material.fronts = summarise_fronts(data.rows, data.sweep);
     material.leads = leads_html(data.rows);

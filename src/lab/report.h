@@ -7,7 +7,9 @@
 #include "core/image.h"
 #include "edge/edge_image.h"
 #include "lab/cost_model.h"
+#include "lab/motion_rows.h"
 #include "lab/ods.h"
+#include "lab/roll_study.h"
 #include "lab/row.h"
 #include "lab/scaling.h"
 #include "lab/skip_study.h"
@@ -41,7 +43,9 @@ struct ReportData {
     std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
     CostFit cost_fit = {};               ///< what the rows' predicted times were made from
     std::vector<ScalingPoint> scaling = {};  ///< how times grow, if that was asked for
-    std::vector<SkipTime> skip_study = {};  ///< what skips are worth, if that was asked
+    std::vector<SkipTime> skip_study = {};   ///< what skips are worth, if that was asked
+    std::vector<MotionRow> motion = {};      ///< of sequences, if that was asked
+    std::vector<RollCurve> rolls = {};       ///< of the cube roll, with them
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

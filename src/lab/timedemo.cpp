@@ -15,7 +15,7 @@
 #include "scene/animation.h"
 #include "scene/camera_path.h"
 #include "shade/compose.h"
-#include "shade/gouraud.h"
+#include "shade/shading.h"
 
 namespace ink::lab {
 namespace {
@@ -163,9 +163,8 @@ class Demo {
         });
         core::Image<shade::Rgb> shaded;
         line.shade_ns = time_ns([&] {
-            shade::GouraudOptions gouraud;
-            gouraud.threads = options_.threads;
-            shaded = shade::to_8_bit(shade::draw_gouraud(scene_, view, gouraud));
+            if (scene_.animation || is_new_) shader_.prepare(scene_);
+            shaded = shader_.draw({view, {}, 1, options_.threads});
         });
         for (Player& player : players_) {
             draw(player, view, shaded, line);
@@ -206,6 +205,7 @@ class Demo {
     const TimedemoOptions& options_;
     std::vector<Player> players_;
     PlainFill fill_;
+    shade::Shader shader_{shade::GouraudParams{}};
     core::Image<shade::Rgb> picture_;
     bool is_new_ = true;
 };

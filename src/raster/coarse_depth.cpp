@@ -1,6 +1,7 @@
 #include "raster/coarse_depth.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -13,14 +14,23 @@ namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The least of 16 columns over `rows` rows.
-float LeastOf(const float* depth, int rows) {
-    const hn::CappedTag<float, CoarseDepth::kSquare_px> d;
-    auto least = hn::Set(d, std::numeric_limits<float>::max());
+template <class T>
+T LeastIn(const T* depth, int rows) {
+    const hn::CappedTag<T, CoarseDepth::kSquare_px> d;
+    auto least = hn::Set(d, std::numeric_limits<T>::max());
     for (int y = 0; y < rows; ++y, depth += kTileStride) {
         for (int x = 0; x < CoarseDepth::kSquare_px; x += static_cast<int>(hn::Lanes(d)))
             least = hn::Min(least, hn::LoadU(d, depth + x));
     }
     return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+float LeastNumber(const float* depth, int rows) {
+    return LeastIn(depth, rows);
+}
+
+float LeastStep(const std::uint32_t* depth, int rows) {
+    return static_cast<float>(LeastIn(depth, rows));  // at most 2^24 - 1: exact
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE
@@ -29,7 +39,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ink::raster {
 
-HWY_EXPORT(LeastOf);
+HWY_EXPORT(LeastNumber);
+HWY_EXPORT(LeastStep);
 
 namespace {
 
@@ -42,6 +53,14 @@ std::pair<int, int> squares(int begin, int end, int origin) {
             std::clamp((end - 1 - origin) / CoarseDepth::kSquare_px, 0, kLast)};
 }
 
+float least_of(const float* depth, int rows) {
+    return HWY_DYNAMIC_DISPATCH(LeastNumber)(depth, rows);
+}
+
+float least_of(const std::uint32_t* depth, int rows) {
+    return HWY_DYNAMIC_DISPATCH(LeastStep)(depth, rows);
+}
+
 }  // namespace
 
 void CoarseDepth::start(TileBuffer& buffer) {
@@ -52,6 +71,11 @@ void CoarseDepth::start(TileBuffer& buffer) {
 }
 
 void CoarseDepth::refresh() {
+    is_in_steps_ ? refresh_as<std::uint32_t>() : refresh_as<float>();
+}
+
+template <class T>
+void CoarseDepth::refresh_as() {
     // Each look costs as much as ten triangles: the seldomer, the more there are.
     pause_ += pause_ / 4;
     drawn_ = 0;
@@ -66,17 +90,15 @@ void CoarseDepth::refresh() {
             auto& least = least_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
             const int x0 = own.x0 + column * kSquare_px;
             const bool is_whole = y0 < y1 && x0 + kSquare_px <= own.x1;
-            least = is_whole
-                        ? HWY_DYNAMIC_DISPATCH(LeastOf)(buffer_->depth_row<float>(y0) + x0, y1 - y0)
-                        : 0;
+            least = is_whole ? least_of(buffer_->depth_row<T>(y0) + x0, y1 - y0) : 0;
         }
         auto& line = least_[static_cast<std::size_t>(row)];
         for (int y = y0; y < y1; ++y) {
-            const float* depth = buffer_->depth_row<float>(y);
+            const T* depth = buffer_->depth_row<T>(y);
             for (int x = drawn.x0; x < own.x0; ++x)
-                line.front() = std::min(line.front(), depth[x]);
+                line.front() = std::min(line.front(), static_cast<float>(depth[x]));
             for (int x = own.x1; x < drawn.x1; ++x)
-                line.back() = std::min(line.back(), depth[x]);
+                line.back() = std::min(line.back(), static_cast<float>(depth[x]));
         }
     }
 }

@@ -17,6 +17,8 @@ class CoarseDepth {
     static constexpr int kSquare_px = 16;
     static constexpr int kSquares = kTileSize_px / kSquare_px;
 
+    explicit CoarseDepth(DepthFormat format) : is_in_steps_(format != DepthFormat::q32) {}
+
     /// Knows nothing of a new tile.
     void start(TileBuffer& buffer);
     /// Says that so many triangles are drawn next.
@@ -26,10 +28,15 @@ class CoarseDepth {
     /// Reads it: all that was announced is drawn.
     void refresh();
     /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
-    /// coordinates; only what lies in the tile counts.
+    /// coordinates; only what lies in the tile counts. A step, at least 1, where the format has
+    /// them.
     [[nodiscard]] bool hides(const PixelRect& bounds, float q_most) const;
 
   private:
+    template <class T>
+    void refresh_as();
+
+    bool is_in_steps_;
     TileBuffer* buffer_ = nullptr;
     std::size_t drawn_ = 0;  ///< since the last refresh
     std::size_t pause_ = 0;  ///< triangles until the next

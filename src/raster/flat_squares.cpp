@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace ink::raster {
 namespace {
+
+// Found by the times of spheres of 20 to 10 000 triangles at 2 to 33 million pixels.
+constexpr std::size_t kMostForSquares = 2;
+constexpr int kFewSquares = 8;
 
 struct FloatRange {
     float least;
@@ -79,7 +84,7 @@ bool FlatProof::is_unlimited(const Listed& listed, const PixelRect& rect) const 
 
 bool FlatProof::is_flat(const PixelRect& rect) const {
     const auto owner = std::find_if(triangles_.begin(), triangles_.end(), [&](const Listed& l) {
-        return covers(l.triangle(), rect) &&
+        return holds(l.triangle().bounds, rect) && covers(l.triangle(), rect) &&
                std::all_of(triangles_.begin(), triangles_.end(), [&](const Listed& other) {
                    return (other.batch == l.batch && other.index == l.index) ||
                           !touches(other.triangle(), rect) ||
@@ -91,6 +96,14 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
 }
 
 std::uint16_t FlatProof::flat_squares(const TileBuffer& tile, int halo_px) const {
+    if (triangles_.size() > kMostForSquares) return 0;
+    const int least_px = kFlatSquare_px + 2 * halo_px;
+    const bool some_may_be =
+        std::any_of(triangles_.begin(), triangles_.end(), [&](const Listed& listed) {
+            const PixelRect& b = listed.triangle().bounds;
+            return b.x1 - b.x0 >= least_px && b.y1 - b.y0 >= least_px;
+        });
+    if (!some_may_be) return 0;
     std::uint16_t flat = 0;
     for (int square = 0; square < kFlatSquares * kFlatSquares; ++square) {
         const PixelRect rect = square_of(tile.own(), square);
@@ -99,7 +112,7 @@ std::uint16_t FlatProof::flat_squares(const TileBuffer& tile, int halo_px) const
         if (holds(tile.drawn(), wide) && is_flat(wide))
             flat = static_cast<std::uint16_t>(flat | (1U << square));
     }
-    return flat;
+    return std::popcount(flat) <= kFewSquares ? std::uint16_t{0} : flat;
 }
 
 std::vector<PixelRect> needed_rects(const TileBuffer& tile, std::uint16_t flat, int halo_px) {

@@ -21,8 +21,8 @@ inline constexpr int kFlatSquares = kTileSize_px / kFlatSquare_px;  ///< each wa
 /// drawing it: a 5-point Laplacian of at most 2.
 class FlatProof {
   public:
-    /// More triangles than this in a tile, and nobody looks.
-    static constexpr std::size_t kMostTriangles = 16;
+    /// More triangles than this in a tile, and nobody looks at it.
+    static constexpr std::size_t kMostTriangles = 8;
 
     explicit FlatProof(const PassFormat& format) : format_(format) {}
 
@@ -34,7 +34,8 @@ class FlatProof {
 
     /// The squares of a tile of which that holds with `halo_px` more on every side: bit row *
     /// kFlatSquares + column. Squares at the picture's frame are never flat: beyond it, pixels are
-    /// copies.
+    /// copies. 0 where it holds of a few only, and where there are more triangles than two: to find
+    /// such squares, and to draw a tile in pieces, takes longer than what they spare.
     [[nodiscard]] std::uint16_t flat_squares(const TileBuffer& tile, int halo_px) const;
 
   private:

@@ -27,10 +27,39 @@ HWY_INLINE std::int32_t Along(std::int32_t at, std::int32_t d, std::int32_t n) {
                                      static_cast<std::uint32_t>(d) * static_cast<std::uint32_t>(n));
 }
 
+/// Depth as a float.
+struct FloatDepthLanes {
+    using Value = float;
+    static constexpr bool kIsLimited = false;  ///< at every triangle
+    /// Writes what is nearer where `mask` allows it; returns where that was.
+    static HWY_INLINE MI Test(VF q, MI mask, float* to) {
+        const DF df;
+        const auto seen = hn::IfThenElseZero(hn::RebindMask(df, mask), q);
+        const auto old = hn::LoadU(df, to);
+        hn::StoreU(hn::Max(seen, old), df, to);
+        return hn::RebindMask(DI(), hn::Gt(seen, old));
+    }
+};
+
+/// Depth as a whole step: between those of the corners, which the format has.
+struct StepDepthLanes {
+    using Value = std::uint32_t;
+    static constexpr bool kIsLimited = true;
+    static HWY_INLINE MI Test(VF step, MI mask, std::uint32_t* row) {
+        const DI d;
+        const auto seen = hn::IfThenElseZero(mask, hn::ConvertTo(d, step));
+        auto* const to = reinterpret_cast<std::int32_t*>(row);  // at most 2^24 - 1
+        const auto old = hn::LoadU(d, to);
+        hn::StoreU(hn::Max(seen, old), d, to);
+        return hn::Gt(seen, old);
+    }
+};
+
 /// Nothing besides depth.
 class NoLanes {
   public:
-    NoLanes(const LaneTriangles&, std::size_t, TileBuffer&) {}
+    NoLanes(const LaneTriangles&, TileBuffer&) {}
+    HWY_INLINE void StartTriangle(std::size_t) {}
     HWY_INLINE void StartColumn(VI, VF, int) {}
     template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
@@ -40,10 +69,11 @@ class NoLanes {
 template <int kCount, int kFraction>
 class CodeLanes {
   public:
-    CodeLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) : t_(t), i_(i) {
+    CodeLanes(const LaneTriangles& t, TileBuffer& to) : t_(t) {
         for (int k = 0; k < kCount; ++k)
             plane_[k] = reinterpret_cast<std::int32_t*>(to.code_row(k, 0));
     }
+    HWY_INLINE void StartTriangle(std::size_t i) { i_ = i; }
     HWY_INLINE void StartColumn(VI from_ref, VF, int dy) {
         const DI d;
         for (int k = 0; k < kCount; ++k) {
@@ -69,7 +99,7 @@ class CodeLanes {
 
   private:
     const LaneTriangles& t_;
-    std::size_t i_;
+    std::size_t i_ = 0;
     std::int32_t* plane_[kCount];
     VI at_[kCount], step_[kCount], low_[kCount], high_[kCount];
 };
@@ -77,11 +107,14 @@ class CodeLanes {
 /// Four floats.
 class NumberLanes {
   public:
-    NumberLanes(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+    NumberLanes(const LaneTriangles& t, TileBuffer& to) : t_(t) {
+        for (int k = 0; k < kMaxPlanes; ++k)
+            plane_[k] = to.plane_row<float>(k, 0);
+    }
+    HWY_INLINE void StartTriangle(std::size_t i) {
         const DF df;
         for (int k = 0; k < kMaxPlanes; ++k) {
-            const LaneTriangles::Numbers& n = t.numbers[k];
-            plane_[k] = to.plane_row<float>(k, 0);
+            const LaneTriangles::Numbers& n = t_.numbers[k];
             at_ref_[k] = hn::Set(df, n.at_ref[i]);
             dx_[k] = hn::Set(df, n.dx[i]);
             dy_[k] = hn::Set(df, n.dy[i]);
@@ -107,13 +140,17 @@ class NumberLanes {
     }
 
   private:
+    const LaneTriangles& t_;
     float* plane_[kMaxPlanes];
     VF at_ref_[kMaxPlanes], dx_[kMaxPlanes], dy_[kMaxPlanes];
     VF low_[kMaxPlanes], high_[kMaxPlanes], ramp_[kMaxPlanes];
 };
 
-template <class Values, bool kLimits>
-HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& to) {
+template <class Depth, bool kLimits, class Values>
+HWY_INLINE void FillTriangle(const LaneTriangles& t,
+                             std::size_t i,
+                             typename Depth::Value* depth,
+                             Values& values) {
     const DI d;
     const DF df;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -129,8 +166,7 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
     const auto step1 = hn::Set(d, t.edge_dy[1][i]);
     const auto step2 = hn::Set(d, t.edge_dy[2][i]);
     const auto minus_one = hn::Set(d, -1);
-    float* const depth = to.depth_row<float>(0);
-    Values values(t, i, to);
+    values.StartTriangle(i);
     int x = t.x0[i] & -lanes;
     // What fits one vector is not cut in two for the sake of alignment.
     if (t.x1[i] - x > lanes && t.x1[i] - t.x0[i] <= lanes) x = t.x1[i] - lanes;
@@ -151,13 +187,10 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
         for (int row = 0; row < rows; ++row, offset += kTileStride) {
             const auto q_row = hn::Add(q_ref, hn::Mul(q_dy, row_from_ref));
             auto q = hn::Add(q_row, q_ramp);
-            if (kLimits) q = hn::Min(hn::Max(q, q_low), q_high);
+            if (kLimits || Depth::kIsLimited) q = hn::Min(hn::Max(q, q_low), q_high);
             const auto is_inside = hn::Gt(hn::Or3(e0, e1, e2), minus_one);
-            const auto seen = hn::IfThenElseZero(hn::RebindMask(df, is_inside), q);
-            const auto old = hn::LoadU(df, depth + offset);
-            hn::StoreU(hn::Max(seen, old), df, depth + offset);
             values.template Write<kLimits>(
-                offset, row_from_ref, hn::RebindMask(d, hn::Gt(seen, old)));
+                offset, row_from_ref, Depth::Test(q, is_inside, depth + offset));
             e0 = hn::Add(e0, step0);
             e1 = hn::Add(e1, step1);
             e2 = hn::Add(e2, step2);
@@ -166,25 +199,33 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
     }
 }
 
-template <class Values>
+template <class Depth, class Values>
 void Fill(const LaneTriangles& triangles, TileBuffer& to) {
+    auto* const depth = to.depth_row<typename Depth::Value>(0);
+    Values values(triangles, to);
     for (std::size_t i = 0; i < triangles.count; ++i)
-        triangles.needs_limits[i] != 0 ? FillTriangle<Values, true>(triangles, i, to)
-                                       : FillTriangle<Values, false>(triangles, i, to);
+        triangles.needs_limits[i] != 0 ? FillTriangle<Depth, true>(triangles, i, depth, values)
+                                       : FillTriangle<Depth, false>(triangles, i, depth, values);
+}
+
+template <class Depth>
+void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    switch (format.store) {
+        case Store::u8:
+            return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(triangles, to)
+                                            : Fill<Depth, CodeLanes<2, 16>>(triangles, to);
+        case Store::u16:
+            return Fill<Depth, CodeLanes<1, 14>>(triangles, to);
+        case Store::f32:
+            return Fill<Depth, NumberLanes>(triangles, to);
+        default:
+            return Fill<Depth, NoLanes>(triangles, to);
+    }
 }
 
 void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
-    switch (format.store) {
-        case Store::u8:
-            return format.interpolants == 1 ? Fill<CodeLanes<1, 16>>(triangles, to)
-                                            : Fill<CodeLanes<2, 16>>(triangles, to);
-        case Store::u16:
-            return Fill<CodeLanes<1, 14>>(triangles, to);
-        case Store::f32:
-            return Fill<NumberLanes>(triangles, to);
-        default:
-            return Fill<NoLanes>(triangles, to);
-    }
+    format.depth == DepthFormat::q32 ? FillStore<FloatDepthLanes>(format, triangles, to)
+                                     : FillStore<StepDepthLanes>(format, triangles, to);
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE

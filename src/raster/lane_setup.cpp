@@ -325,9 +325,7 @@ namespace ink::raster {
 HWY_EXPORT(SetUpLanes);
 
 bool lanes_can_draw(const PassFormat& format) {
-    if (format.depth != DepthFormat::q32 || format.interpolation != Interpolation::affine ||
-        format.constant)
-        return false;
+    if (format.interpolation != Interpolation::affine || format.constant) return false;
     switch (format.store) {
         case Store::none:
             return format.interpolants == 0;

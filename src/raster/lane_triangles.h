@@ -16,7 +16,7 @@ struct LaneSlot {
     std::uint32_t cluster = 0;
     std::uint32_t front = 0;  ///< first record
     std::uint32_t back = 0;   ///< the same vertices as triangles seen from their back have them
-    float q_most = 0;         ///< of its vertices
+    float q_most = 0;         ///< of its vertices; a step where depth is one
     PixelRect bounds;         ///< of the centres its triangles may cover
 };
 
@@ -37,7 +37,7 @@ struct LaneSource {
     const std::int32_t* more = nullptr;  ///< the second list; null for one value or none
 };
 
-/// Whether lanes can draw a format: affine, tested by q32, and of a store that is used.
+/// Whether lanes can draw a format: affine, and of a store that is used.
 [[nodiscard]] bool lanes_can_draw(const PassFormat& format);
 
 /// Bits after the point of a code in 32-bit lanes: as many as leave room for what a corner may

@@ -67,6 +67,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     assert(view.camera.near > 0 && std::isfinite(view.camera.near));
     assert(format.halo_px >= 0 && format.halo_px <= kMaxHalo_px);
     assert(format.interpolants == 0 || input.values != nullptr);
+    assert(!format.constant || input.constants.size() == input.mesh->surface().triangles.size());
     if (view.width_px == 0 || view.height_px == 0) return result;
 
     const TileGrid grid{view.width_px, view.height_px, format.halo_px};
@@ -76,7 +77,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
                       ViewTransform(view),
                       view_solids(input),
                       front_to_back(input),
-                      lanes_can_draw(format)};
+                      lanes_can_draw(format) && !input.offset.is_any()};
     const std::size_t clusters = input.mesh->clusters().clusters.size();
     std::vector<MeshRun>& runs = scratch_->runs;
     runs.resize(run_count(clusters, input.threads));

@@ -3,24 +3,40 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "raster/corner_values.h"
 #include "raster/lane_mesh.h"
 #include "raster/pass.h"
+#include "raster/polygon_offset.h"
 #include "raster/skips.h"
 #include "scene/camera.h"
 
 namespace ink::raster {
 
+/// Which triangles are left out, by the side that the eye sees, exactly; an edge-on one counts as
+/// seen from its front.
+enum class Cull {
+    none,
+    back,   ///< those seen from their back
+    front,  ///< those seen from their front
+};
+
 /// A frame of a surface that was laid out in clusters. Borrowed for the length of the draw.
 struct MeshInput {
     const LaneMesh* mesh = nullptr;
     const CornerValues* values = nullptr;  ///< null where the format interpolates nothing
+    /// Per triangle of the surface, if the format has a constant; empty otherwise.
+    std::span<const std::uint32_t> constants;
     scene::View view;
     scene::Sphere bounds;  ///< holds all vertices; near planes are fitted to it
     int threads = 1;
     SkipSet skips;
+    Cull cull = Cull::none;
+    /// Moves every triangle's depth. Faces turned away of sealed solids are then drawn, too: they
+    /// may be pulled out in front of others.
+    PolygonOffset offset;
     std::array<float, kMaxPlanes> sky_f32{};
     std::array<std::uint32_t, kMaxPlanes> sky_code{};
     /// Whether a tile inside one plane, or a stencil inside one triangle, certainly gives 0 in

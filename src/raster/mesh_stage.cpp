@@ -6,6 +6,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "raster/lane_steps.h"
 #include "scene/predicates.h"
 
 namespace ink::raster {
@@ -17,6 +18,11 @@ PixelRect picture_of(const TileGrid& grid) {
 
 std::uint64_t object_bit(const MeshJob& job, const scene::Cluster& cluster) {
     return std::uint64_t{1} << (job.input.mesh->clusters().solids[cluster.solid].object % 64);
+}
+
+/// Whether triangles seen from their back are to be left out, for whichever reason.
+bool drops_backs(const MeshJob& job, bool hides_backs) {
+    return job.input.cull == Cull::back || (hides_backs && job.input.skips.has(Skip::backs));
 }
 
 }  // namespace
@@ -60,7 +66,7 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
         return;
     }
     const bool hides_backs = job.solids[cluster.solid].hides_backs;
-    if (hides_backs && skips.has(Skip::backs) &&
+    if (drops_backs(job, hides_backs) && skips.has(Skip::backs) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
         return;
@@ -75,7 +81,8 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
     const scene::Surface& surface = job.input.mesh->surface();
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const scene::Cluster& cluster = clusters.clusters[index];
-    const bool drops = hides_backs && job.input.skips.has(Skip::backs);
+    const bool drops = drops_backs(job, hides_backs);
+    const bool drops_fronts = job.input.cull == Cull::front;
     bool has_back = false;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < triage_.count; ++i) {
@@ -88,7 +95,7 @@ bool MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool hides_bac
             side = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world);
         }
         const bool is_back = side < 0;
-        if (is_back && drops) continue;
+        if (is_back ? drops : drops_fronts) continue;
         has_back = has_back || is_back;
         triage_.triangle[kept] = triage_.triangle[i] | (is_back ? kBackSide : 0U);
         if (kept++ == i) continue;
@@ -130,7 +137,14 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     const SkipSet& skips = job.input.skips;
     if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
         return false;
-    const bool drops_backs = hides_backs && skips.has(Skip::backs);
+    if (job.format.depth != DepthFormat::q32) {
+        const scene::Camera& camera = job.input.view.camera;
+        const QuantisedDepth depth(job.format.depth, camera.near, camera.far);
+        const StepRange steps = make_steps(depth, lanes_.inv_w, cluster.vertex_count, lanes_.q);
+        if (!lanes_can_step(depth, steps)) return false;
+        lanes_.q_least = static_cast<float>(std::max(steps.least, 1.0));
+        lanes_.q_most = static_cast<float>(std::max(steps.greatest, 1.0));
+    }
     triage_cluster(mesh,
                    index,
                    lanes_,
@@ -138,7 +152,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                     job.grid.halo_px,
                     job.grid.columns(),
                     job.grid.rows(),
-                    drops_backs,
+                    drops_backs(job, hides_backs),
                     skips.has(Skip::no_sample)},
                    triage_);
     if (triage_.has_large) return false;
@@ -219,7 +233,8 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     const scene::Cluster& cluster = clusters.clusters[index];
     const scene::Surface& surface = mesh.surface();
     const scene::Camera& camera = job.input.view.camera;
-    const bool drops = hides_backs && job.input.skips.has(Skip::backs);
+    const bool drops = drops_backs(job, hides_backs);
+    const bool drops_fronts = job.input.cull == Cull::front;
 
     cut_vertices_.p_clip.clear();
     cut_vertices_.n.clear();
@@ -233,15 +248,17 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     }
     corners_.clear();
     facing_.clear();
+    triangle_ids_.clear();
     for (std::size_t t = 0; t < cluster.triangle_count; ++t) {
         const auto& c = clusters.triangles[cluster.first_triangle + t];
         const auto p = [&](std::size_t k) {
             return surface.p_world[clusters.vertices[cluster.first_vertex + c[k]]];
         };
         const int side = scene::facing(p(0), p(1), p(2), camera.eye_world);
-        if (side < 0 && drops) continue;
+        if (side < 0 ? drops : drops_fronts) continue;
         corners_.push_back({c[0], c[1], c[2]});
         facing_.push_back(static_cast<std::int8_t>(side));
+        triangle_ids_.push_back(clusters.triangle_ids[cluster.first_triangle + t]);
     }
     PassInput input;
     input.triangles = corners_;
@@ -250,6 +267,15 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
         cut_triangles(corners_, facing_, camera.near, cut_vertices_, cut_triangles_);
         input.triangles = cut_triangles_.triangles;
         input.facing = cut_triangles_.facing;
+        for (std::uint32_t& source : cut_triangles_.source)
+            source = triangle_ids_[source];
+    }
+    const std::vector<std::uint32_t>& ids = is_whole ? triangle_ids_ : cut_triangles_.source;
+    if (job.format.constant) {
+        constants_.clear();
+        for (const std::uint32_t id : ids)
+            constants_.push_back(job.input.constants[id]);
+        input.constants = constants_;
     }
     input.p_clip = cut_vertices_.p_clip;
     input.near = camera.near;
@@ -266,8 +292,20 @@ void MeshRun::add_whole(const MeshJob& job, std::size_t index, bool hides_backs)
     count.of += corners_.size();
     if (job.input.skips.has(Skip::no_sample))
         count.skipped += whole().stats.triangles_no_sample - no_sample;
+    if (job.input.offset.is_any()) pull_whole(job, from);
     if (hides_backs && !drops) silence_backs(input, from);
+    // From here on by their index in the surface: that is what a tile's fill finds constants by.
+    for (std::size_t i = from; i < whole().triangles.size(); ++i)
+        whole().triangles[i].triangle = ids[whole().triangles[i].triangle];
     bin_whole(job, from, object_bit(job, cluster));
+}
+
+/// Polygon offset.
+void MeshRun::pull_whole(const MeshJob& job, std::size_t from) {
+    const scene::Camera& camera = job.input.view.camera;
+    const OffsetRule rule(job.input.offset, job.format.depth, camera.near, camera.far);
+    for (std::size_t i = from; i < whole().triangles.size(); ++i)
+        rule.apply(whole().triangles[i]);
 }
 
 /// The same values as lanes would have, vertex by vertex, in the order that triangle_stage reads.

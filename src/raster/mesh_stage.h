@@ -58,6 +58,7 @@ class MeshRun {
     [[nodiscard]] bool settle_sides(const MeshJob& job, std::size_t cluster, bool hides_backs);
     std::uint32_t store_records(std::size_t count, int side, int values, bool is_silent);
     void compute_whole_values(const MeshJob& job);
+    void pull_whole(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
     void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
@@ -76,10 +77,12 @@ class MeshRun {
     CutTriangles cut_triangles_;
     std::vector<scene::Triangle> corners_;
     std::vector<std::int8_t> facing_;
-    std::vector<double> whole_w_;      ///< w, then 1/w
-    std::vector<float> whole_n_;       ///< x, y, z
-    std::vector<float> whole_planes_;  ///< front planes, then back ones
-    std::vector<float> values_[2];     ///< front, back; vertex by vertex
+    std::vector<std::uint32_t> triangle_ids_;  ///< of corners_, in the surface
+    std::vector<std::uint32_t> constants_;     ///< of what is set up
+    std::vector<double> whole_w_;              ///< w, then 1/w
+    std::vector<float> whole_n_;               ///< x, y, z
+    std::vector<float> whole_planes_;          ///< front planes, then back ones
+    std::vector<float> values_[2];             ///< front, back; vertex by vertex
 };
 
 }  // namespace ink::raster

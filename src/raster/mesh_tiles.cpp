@@ -8,6 +8,13 @@
 namespace ink::raster {
 namespace {
 
+/// The depth of 1/w as the format has it.
+float depth_of(const MeshJob& job, double q) {
+    if (job.format.depth == DepthFormat::q32) return static_cast<float>(q);
+    const scene::Camera& camera = job.input.view.camera;
+    return static_cast<float>(QuantisedDepth(job.format.depth, camera.near, camera.far).of(q));
+}
+
 /// Whole triangles are large: one is worth this many small ones.
 constexpr std::size_t kWholeWeight = 24;
 
@@ -18,6 +25,7 @@ PassInput make_input(const MeshJob& job) {
     input.far = job.input.view.camera.far;
     input.sky_f32 = job.input.sky_f32;
     input.sky_code = job.input.sky_code;
+    input.constants = job.input.constants;
     return input;
 }
 
@@ -30,7 +38,8 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& r
       near_far_(make_input(job)),
       buffer_(job.format, near_far_, job.grid),
       proof_(job.format),
-      tests_hidden_(job.input.skips.has(Skip::hidden) && job.format.depth == DepthFormat::q32) {}
+      tests_hidden_(job.input.skips.has(Skip::hidden)),
+      coarse_(job.format.depth) {}
 
 void MeshTileWorker::draw(int tile, TileSink& sink) {
     const bool is_empty = std::all_of(
@@ -158,7 +167,7 @@ void MeshTileWorker::draw_lanes(const LaneSource& source) {
 
 void MeshTileWorker::draw_whole(const std::vector<Batch>& batches, std::uint32_t index) {
     const SetupTriangle& t = batches.front().triangles[index];
-    if (is_hidden(t.bounds, static_cast<float>(t.q_max))) {
+    if (is_hidden(t.bounds, depth_of(job_, t.q_max))) {
         ++count_of(skips_, Skip::hidden).skipped;
         return;
     }

@@ -18,6 +18,8 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     const bool is_all_uncut =
         input.bounds.radius > 0 &&
         depth_of(input.bounds) - input.bounds.radius >= camera.near - 1e-9 * input.bounds.radius;
+    // A front hides the back behind it only if it is drawn, and neither is moved.
+    const bool keeps_order = input.cull != Cull::front && !input.offset.is_any();
     for (std::size_t i = 0; i < solids.size(); ++i) {
         const scene::Sphere& ball = solids[i].bounds;
         const glm::dvec3 way = ball.center_world - camera.eye_world;
@@ -25,7 +27,8 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
         const double depth = depth_of(ball);
         const bool is_uncut =
             is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
-        views[i].hides_backs = solids[i].is_sealed && glm::length(way) > radius && is_uncut;
+        views[i].hides_backs =
+            keeps_order && solids[i].is_sealed && glm::length(way) > radius && is_uncut;
     }
     return views;
 }

@@ -30,7 +30,12 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
 }
 
 void fill_words(AlignedArray<std::byte>& memory, std::uint32_t word) {
-    std::fill_n(reinterpret_cast<std::uint32_t*>(memory.data()), memory.size() / 4, word);
+    const auto byte = static_cast<int>(word & 0xffU);
+    if (word == 0x01010101U * (word & 0xffU)) {  // nearly always: the library has wider stores
+        std::memset(memory.data(), byte, memory.size());
+    } else {
+        std::fill_n(reinterpret_cast<std::uint32_t*>(memory.data()), memory.size() / 4, word);
+    }
 }
 
 }  // namespace

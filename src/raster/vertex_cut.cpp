@@ -64,6 +64,7 @@ void cut_triangles(std::span<const scene::Triangle> triangles,
                    CutTriangles& out) {
     out.triangles.clear();
     out.facing.clear();
+    out.source.clear();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         Polygon polygon;
         bool is_whole = true;
@@ -78,6 +79,7 @@ void cut_triangles(std::span<const scene::Triangle> triangles,
             out.triangles.push_back(
                 {polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]});
             out.facing.push_back(facing[t]);
+            out.source.push_back(static_cast<std::uint32_t>(t));
         }
     }
 }

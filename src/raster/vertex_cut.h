@@ -19,6 +19,7 @@ struct CutVertices {
 struct CutTriangles {
     std::vector<scene::Triangle> triangles;
     std::vector<std::int8_t> facing;
+    std::vector<std::uint32_t> source;  ///< which of the given triangles each is a piece of
 };
 
 /// How far outside the picture corners may lie, in px from its top left: well within what the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/whole_fill.cpp"
@@ -13,32 +14,18 @@ HWY_BEFORE_NAMESPACE();
 namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Planes are doubles and 64-bit integers, as set_up left them.
-using DD = hn::CappedTag<double, 8>;
-using VD = hn::Vec<DD>;
-using DL = hn::Rebind<std::int64_t, DD>;
-using VL = hn::Vec<DL>;
-using DF = hn::Rebind<float, DD>;
-using VF = hn::Vec<DF>;
-using DI = hn::Rebind<std::int32_t, DD>;
-using VI = hn::Vec<DI>;
-using MI = hn::Mask<DI>;
+#include "raster/whole_lanes.inl"
+#include "raster/whole_values.inl"
 
-alignas(64) constexpr std::int32_t kRamp[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-
-/// A square of pixels that a triangle covers in part or whole, edges relative to (x0, y0).
-struct Square {
+/// What of a triangle's box is drawn, and the edges that cross it, in 32 bits from (x0, y0).
+struct Area {
     PixelRect rect;
-    bool is_inside = false;  ///< every centre is
-    std::int32_t at[3] = {};
-    std::int32_t dx[3] = {};
-    std::int32_t dy[3] = {};
+    std::int32_t at[3], dx[3], dy[3];  ///< all 0 of an edge that has every centre inside
 };
 
 /// False where some edge has all of the rectangle outside.
-bool MakeSquare(const SetupTriangle& t, const PixelRect& rect, Square& square) {
-    square.rect = rect;
-    square.is_inside = true;
+bool MakeArea(const SetupTriangle& t, const PixelRect& rect, Area& area) {
+    area.rect = rect;
     for (int k = 0; k < 3; ++k) {
         const EdgeFunction& e = t.edges[static_cast<std::size_t>(k)];
         const int x_most = e.dx > 0 ? rect.x1 - 1 : rect.x0;
@@ -46,266 +33,156 @@ bool MakeSquare(const SetupTriangle& t, const PixelRect& rect, Square& square) {
         if (e.at(x_most, y_most) < 0) return false;
         const int x_least = e.dx > 0 ? rect.x0 : rect.x1 - 1;
         const int y_least = e.dy > 0 ? rect.y0 : rect.y1 - 1;
-        square.at[k] = square.dx[k] = square.dy[k] = 0;
+        area.at[k] = area.dx[k] = area.dy[k] = 0;
         if (e.at(x_least, y_least) >= 0) continue;
-        square.is_inside = false;
-        // It crosses the square, so the value fits; steps are whole multiples of 256.
-        square.at[k] = static_cast<std::int32_t>(e.at(rect.x0, rect.y0) >> kSubpixelBits);
-        square.dx[k] = static_cast<std::int32_t>(e.dx >> kSubpixelBits);
-        square.dy[k] = static_cast<std::int32_t>(e.dy >> kSubpixelBits);
+        // It crosses the area, so the value fits; steps are whole multiples of 256.
+        area.at[k] = static_cast<std::int32_t>(e.at(rect.x0, rect.y0) >> kSubpixelBits);
+        area.dx[k] = static_cast<std::int32_t>(e.dx >> kSubpixelBits);
+        area.dy[k] = static_cast<std::int32_t>(e.dy >> kSubpixelBits);
     }
     return true;
 }
 
-struct FloatDepthLanes {
-    explicit FloatDepthLanes(const FillJob&) {}
-    using Value = float;
-    /// Writes what is nearer; returns where.
-    HWY_INLINE MI Test(VD q, MI inside, float* row) const {
-        const DF df;
-        const auto seen = hn::IfThenElseZero(hn::RebindMask(df, inside), hn::DemoteTo(df, q));
-        const auto old = hn::LoadU(df, row);
-        hn::StoreU(hn::Max(seen, old), df, row);
-        return hn::RebindMask(DI(), hn::Gt(seen, old));
-    }
+/// Rows of a column of vectors, counted from the area's first: outside [begin, end) none of its
+/// centres is in the triangle, in [inside_begin, inside_end) all are.
+struct ColumnRows {
+    int begin = 0;
+    int inside_begin = 0;
+    int inside_end = 0;
+    int end = 0;
 };
 
-struct StepDepthLanes {
-    explicit StepDepthLanes(const FillJob& job)
-        : depth(job.format.depth, job.input.near, job.input.far) {}
-    using Value = std::uint32_t;
-    QuantisedDepth depth;
-    HWY_INLINE MI Test(VD q, MI inside, std::uint32_t* row) const {
-        const DD dd;
-        const DI di;
-        // As QuantisedDepth::of: below 1 (or no number) is 1, beyond the last step is the last.
-        const auto z = hn::Add(hn::Mul(q, hn::Set(dd, depth.scale())), hn::Set(dd, depth.offset()));
-        const auto one = hn::Set(dd, 1);
-        const auto some = hn::IfThenElse(hn::Ge(z, one), z, one);
-        const auto step = hn::DemoteTo(di, hn::Min(some, hn::Set(dd, depth.steps())));
-        const auto seen = hn::IfThenElseZero(inside, step);
-        auto* const to = reinterpret_cast<std::int32_t*>(row);  // at most 2^24 - 1
-        const auto old = hn::LoadU(di, to);
-        hn::StoreU(hn::Max(seen, old), di, to);
-        return hn::Gt(seen, old);
-    }
-};
+HWY_INLINE int FloorDiv(int a, int b) {
+    const int quotient = a / b;
+    return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
 
-struct NoValues {
-    NoValues(const FillJob&, const BinEntry&, TileBuffer&) {}
-    HWY_INLINE void StartColumn(VI) {}
-    HWY_INLINE void Write(int, int, VD, MI) {}
-};
-
-class ConstantValues {
-  public:
-    ConstantValues(const FillJob& job, const BinEntry& entry, TileBuffer& to) : to_(to) {
-        const std::uint32_t triangle = job.batches[entry.batch].triangles[entry.index].triangle;
-        constant_ = static_cast<std::int32_t>(job.input.constants[triangle]);
-    }
-    HWY_INLINE void StartColumn(VI) {}
-    HWY_INLINE void Write(int x, int y, VD, MI mask) {
-        const DI d;
-        auto* to = reinterpret_cast<std::int32_t*>(to_.plane_row<std::uint32_t>(0, y)) + x;
-        hn::StoreU(hn::IfThenElse(mask, hn::Set(d, constant_), hn::LoadU(d, to)), d, to);
-    }
-
-  private:
-    TileBuffer& to_;
-    std::int32_t constant_;
-};
-
-/// Codes that stay within their store all over the triangle: their planes' low 32 bits say all.
-template <int kCount>
-class InnerCodes {
-  public:
-    InnerCodes(const FillJob& job, const BinEntry& entry, TileBuffer& to)
-        : to_(to),
-          triangle_(job.batches[entry.batch].triangles[entry.index]),
-          planes_(job.batches[entry.batch].code_planes.data() + entry.index * kCount) {}
-
-    HWY_INLINE void StartColumn(VI from_ref) {
-        for (int k = 0; k < kCount; ++k) {
-            const auto dx = static_cast<std::int32_t>(planes_[k].dx);
-            ramp_[k] = hn::Mul(hn::Set(DI(), dx), from_ref);
+/// Of the area's columns first .. last.
+ColumnRows RowsOf(const Area& area, int first, int last) {
+    const int rows = area.rect.y1 - area.rect.y0;
+    ColumnRows r{0, 0, rows, rows};
+    for (int k = 0; k < 3; ++k) {
+        const int dx = area.dx[k];
+        const int dy = area.dy[k];
+        if ((dx | dy) == 0) continue;
+        const int most = area.at[k] + dx * (dx > 0 ? last : first);
+        const int least = area.at[k] + dx * (dx > 0 ? first : last);
+        if (dy > 0) {  // not negative from the row -v / dy on
+            r.begin = std::max(r.begin, -FloorDiv(most, dy));
+            r.inside_begin = std::max(r.inside_begin, -FloorDiv(least, dy));
+        } else if (dy < 0) {  // or up to the row v / -dy
+            r.end = std::min(r.end, FloorDiv(most, -dy) + 1);
+            r.inside_end = std::min(r.inside_end, FloorDiv(least, -dy) + 1);
+        } else {
+            if (most < 0) r.end = 0;
+            if (least < 0) r.inside_end = 0;
         }
     }
-    HWY_INLINE void Write(int x, int y, VD, MI mask) {
-        const DI d;
-        const hn::RebindToUnsigned<DI> du;
-        for (int k = 0; k < kCount; ++k) {
-            const auto at_row = static_cast<std::int32_t>(planes_[k].at_ref +
-                                                          planes_[k].dy * (y - triangle_.ref_y));
-            const auto v = hn::BitCast(du, hn::Add(hn::Set(d, at_row), ramp_[k]));
-            const auto code = hn::BitCast(d, hn::ShiftRight<kCodeFractionBits>(v));
-            auto* to = reinterpret_cast<std::int32_t*>(to_.code_row(k, y)) + x;
-            hn::StoreU(hn::IfThenElse(mask, code, hn::LoadU(d, to)), d, to);
-        }
-    }
+    if (r.inside_begin >= r.inside_end) r.inside_begin = r.inside_end = r.end;
+    return r;
+}
 
-  private:
-    TileBuffer& to_;
-    const SetupTriangle& triangle_;
-    const CodePlane* planes_;
-    VI ramp_[kCount];
+/// One column of vectors, from its top left pixel.
+struct Column {
+    std::ptrdiff_t at;  ///< of the area's first row
+    MI in_rect;
+    VI edge[3];
+    Doubles q;  ///< what runs along a row
 };
 
-/// Codes that may leave their store, or belong to a thin triangle.
-template <int kCount>
-class CodeValuesWhole {
-  public:
-    CodeValuesWhole(const FillJob& job, const BinEntry& entry, TileBuffer& to)
-        : to_(to), triangle_(job.batches[entry.batch].triangles[entry.index]) {
-        planes_ = job.batches[entry.batch].code_planes.data() + entry.index * kCount;
-        const std::int64_t most = job.format.store == Store::u8 ? 0xff : 0xffff;
-        const bool saturates = job.format.overflow == Overflow::saturate;
-        low_ = saturates ? 0 : std::numeric_limits<std::int64_t>::min();
-        high_ = saturates ? most : std::numeric_limits<std::int64_t>::max();
-        mask_ = most;
-    }
-    HWY_INLINE void StartColumn(VI from_ref) {
-        const DL dl;
-        for (int k = 0; k < kCount; ++k)
-            ramp_[k] = hn::Mul(hn::Set(dl, planes_[k].dx), hn::PromoteTo(dl, from_ref));
-    }
-    HWY_INLINE void Write(int x, int y, VD, MI mask) {
-        const DI d;
-        const DL dl;
-        for (int k = 0; k < kCount; ++k) {
-            const std::int64_t at_row = planes_[k].at_ref + planes_[k].dy * (y - triangle_.ref_y);
-            auto v = hn::Add(hn::Set(dl, at_row), ramp_[k]);
-            if (triangle_.is_thin) {
-                v = hn::Min(hn::Max(v, hn::Set(dl, planes_[k].lowest)),
-                            hn::Set(dl, planes_[k].highest));
-            }
-            const auto code = hn::ShiftRight<kCodeFractionBits>(v);
-            const auto kept = hn::And(hn::Min(hn::Max(code, hn::Set(dl, low_)), hn::Set(dl, high_)),
-                                      hn::Set(dl, mask_));
-            const auto narrow = hn::TruncateTo(hn::RebindToUnsigned<DI>(),
-                                               hn::BitCast(hn::RebindToUnsigned<DL>(), kept));
-            auto* to = reinterpret_cast<std::int32_t*>(to_.code_row(k, y)) + x;
-            hn::StoreU(hn::IfThenElse(mask, hn::BitCast(d, narrow), hn::LoadU(d, to)), d, to);
-        }
-    }
-
-  private:
-    TileBuffer& to_;
-    const SetupTriangle& triangle_;
-    const CodePlane* planes_;
-    std::int64_t low_, high_, mask_;
-    VL ramp_[kCount];
-};
-
-template <bool kPerspective>
-class NumberValuesWhole {
-  public:
-    NumberValuesWhole(const FillJob& job, const BinEntry& entry, TileBuffer& to)
-        : to_(to), triangle_(job.batches[entry.batch].triangles[entry.index]) {
-        planes_ = job.batches[entry.batch].float_planes.data() + entry.index * kMaxPlanes;
-    }
-    HWY_INLINE void StartColumn(VI from_ref) {
-        const DD dd;
-        for (int k = 0; k < kMaxPlanes; ++k)
-            ramp_[k] = hn::Mul(hn::Set(dd, planes_[k].plane.dx), hn::PromoteTo(dd, from_ref));
-    }
-    HWY_INLINE void Write(int x, int y, VD q, MI mask) {
-        const DD dd;
-        const DF df;
-        const auto kept = hn::RebindMask(df, mask);
-        for (int k = 0; k < kMaxPlanes; ++k) {
-            const FloatPlane& p = planes_[k];
-            const double at_row = p.plane.at_ref + p.plane.dy * (y - triangle_.ref_y);
-            auto v = hn::Add(hn::Set(dd, at_row), ramp_[k]);
-            if (kPerspective) v = hn::Div(v, q);
-            auto number = hn::DemoteTo(df, v);
-            if (kPerspective || triangle_.is_thin)
-                number = hn::Min(hn::Max(number, hn::Set(df, p.lowest)), hn::Set(df, p.highest));
-            float* to = to_.plane_row<float>(k, y) + x;
-            hn::StoreU(hn::IfThenElse(kept, number, hn::LoadU(df, to)), df, to);
-        }
-    }
-
-  private:
-    TileBuffer& to_;
-    const SetupTriangle& triangle_;
-    const FloatPlane* planes_;
-    VD ramp_[kMaxPlanes];
-};
-
-template <class Depth, class Values>
-void FillSquare(const SetupTriangle& t,
-                const Square& square,
-                const Depth& depth,
-                Values& values,
-                TileBuffer& buffer) {
+/// Everything here is a local of the one function that it is inlined into: what a row changes stays
+/// in registers.
+template <bool kTestsEdges, class Depth, class Values>
+HWY_INLINE void FillRows(const Area& area,
+                         const Column& column,
+                         const RowStarts& q_starts,
+                         int begin,
+                         int end,
+                         const Depth& depth,
+                         Values& values,
+                         typename Depth::Value* plane) {
+    if (begin >= end) return;
     const DI d;
-    const DD dd;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const auto ramp = hn::Load(d, kRamp);
-    const auto q_min = hn::Set(dd, t.q_min);
-    const auto q_max = hn::Set(dd, t.q_max);
-    const PixelRect& r = square.rect;
-    // Column by column, so that what runs along a row is multiplied out once for all rows.
-    for (int x = r.x0; x < r.x1; x += lanes) {
-        const auto in_rect = hn::FirstN(d, static_cast<std::size_t>(r.x1 - x));
-        const auto across = hn::Add(ramp, hn::Set(d, x - r.x0));
-        VI edge[3], step[3];
-        for (int k = 0; k < 3; ++k) {
-            edge[k] = hn::Add(hn::Set(d, square.at[k]), hn::Mul(hn::Set(d, square.dx[k]), across));
-            step[k] = hn::Set(d, square.dy[k]);
+    const auto start = [&](int k) {
+        return hn::Add(column.edge[k], hn::Set(d, area.dy[k] * begin));
+    };
+    auto e0 = start(0);
+    auto e1 = start(1);
+    auto e2 = start(2);
+    const auto step0 = hn::Set(d, area.dy[0]);
+    const auto step1 = hn::Set(d, area.dy[1]);
+    const auto step2 = hn::Set(d, area.dy[2]);
+    const auto minus_one = hn::Set(d, -1);
+    values.StartRows(begin);
+    std::ptrdiff_t at = column.at + std::ptrdiff_t{kTileStride} * begin;
+    for (int row = begin; row < end; ++row, at += kTileStride) {
+        auto mask = column.in_rect;
+        if (kTestsEdges) {
+            mask = hn::And(mask, hn::Gt(hn::Or3(e0, e1, e2), minus_one));
+            e0 = hn::Add(e0, step0);
+            e1 = hn::Add(e1, step1);
+            e2 = hn::Add(e2, step2);
         }
-        const auto from_ref = hn::Add(ramp, hn::Set(d, x - t.ref_x));
-        const auto q_ramp = hn::Mul(hn::Set(dd, t.q.dx), hn::PromoteTo(dd, from_ref));
-        values.StartColumn(from_ref);
-        for (int y = r.y0; y < r.y1; ++y) {
-            auto inside = in_rect;
-            if (!square.is_inside) {
-                const auto any = hn::Or3(edge[0], edge[1], edge[2]);
-                inside = hn::And(inside, hn::Gt(any, hn::Set(d, -1)));
-                for (int k = 0; k < 3; ++k)
-                    edge[k] = hn::Add(edge[k], step[k]);
-                if (hn::AllFalse(d, inside)) continue;
-            }
-            const auto q_row = hn::Set(dd, t.q.at_ref + t.q.dy * (y - t.ref_y));
-            const auto q = hn::Min(hn::Max(hn::Add(q_row, q_ramp), q_min), q_max);
-            auto* row = buffer.depth_row<typename Depth::Value>(y);
-            values.Write(x, y, q, depth.Test(q, inside, row + x));
-        }
+        const auto q_row = q_starts.at(row);
+        const auto q = column.q.map([&](VD part) { return hn::Add(q_row, part); });
+        values.Write(at, row, q, depth.Test(q, mask, plane + at));
     }
 }
 
+/// One triangle in one tile, column by column.
 template <class Depth, class Values>
-void FillRect(const FillJob& job,
-              const BinEntry& entry,
-              const PixelRect& rect,
-              TileBuffer& buffer) {
-    constexpr int kSquare_px = 16;
-    const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
-    const PixelRect area{std::max(rect.x0, t.bounds.x0),
-                         std::max(rect.y0, t.bounds.y0),
-                         std::min(rect.x1, t.bounds.x1),
-                         std::min(rect.y1, t.bounds.y1)};
-    const Depth depth(job);
-    Values values(job, entry, buffer);
-    Square square;
-    for (int y = area.y0; y < area.y1; y += kSquare_px) {
-        for (int x = area.x0; x < area.x1; x += kSquare_px) {
-            const PixelRect part{
-                x, y, std::min(x + kSquare_px, area.x1), std::min(y + kSquare_px, area.y1)};
-            if (MakeSquare(t, part, square)) FillSquare(t, square, depth, values, buffer);
-        }
+void FillArea(const FillJob& job, const WholeTriangle& triangle, const Area& area, TileBuffer& to) {
+    const DI d;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(DI()));
+    const SetupTriangle& t = triangle.setup();
+    const PixelRect& r = area.rect;
+    const Depth depth(t, QuantisedDepth(job.format.depth, job.input.near, job.input.far));
+    auto* const plane = to.depth_row<typename Depth::Value>(0);
+    RowStarts q_starts;
+    q_starts.fill(t.q, triangle.first_row(), triangle.rows);
+    typename Values::Tables tables;
+    Values values(triangle, tables, to);
+    // Vectors start where cache lines do.
+    const int origin = to.own().x0 - kTileMargin_px;
+    for (int x = r.x0 - (r.x0 - origin) % kLanes; x < r.x1; x += kLanes) {
+        const int first = x - r.x0;
+        const ColumnRows rows =
+            RowsOf(area, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1);
+        if (rows.begin >= rows.end) continue;
+        const auto ramp = hn::Load(d, kRamp);
+        const auto across = hn::Add(ramp, hn::Set(d, first));
+        const auto from_ref = hn::Add(ramp, hn::Set(d, x - t.ref_x));
+        const auto from_ref_wide = Widen(DD(), from_ref);
+        Column column;
+        column.at = static_cast<std::ptrdiff_t>(r.y0) * kTileStride + x;
+        column.in_rect =
+            hn::And(hn::Gt(across, hn::Set(d, -1)), hn::Lt(across, hn::Set(d, r.x1 - r.x0)));
+        for (int k = 0; k < 3; ++k)
+            column.edge[k] =
+                hn::Add(hn::Set(d, area.at[k]), hn::Mul(hn::Set(d, area.dx[k]), across));
+        column.q = Ramp(t.q, from_ref_wide);
+        values.StartColumn(from_ref, from_ref_wide);
+        const auto fill = [&](auto tests_edges, int begin, int end) HWY_ATTR {
+            FillRows<decltype(tests_edges)::value>(
+                area, column, q_starts, begin, end, depth, values, plane);
+        };
+        fill(std::true_type(), rows.begin, rows.inside_begin);
+        fill(std::false_type(), rows.inside_begin, rows.inside_end);
+        fill(std::true_type(), rows.inside_end, rows.end);
     }
 }
 
 template <class Values>
-bool FillWith(const FillJob& job,
-              const BinEntry& entry,
-              const PixelRect& rect,
-              TileBuffer& buffer) {
+bool FillWith(const FillJob& job, const BinEntry& entry, const Area& area, TileBuffer& to) {
+    const Batch& batch = job.batches[entry.batch];
+    const std::uint32_t constant =
+        job.format.constant ? job.input.constants[batch.triangles[entry.index].triangle] : 0;
+    const WholeTriangle triangle{
+        job.format, batch, entry.index, area.rect.y0, area.rect.y1 - area.rect.y0, constant};
     if (job.format.depth == DepthFormat::q32) {
-        FillRect<FloatDepthLanes, Values>(job, entry, rect, buffer);
+        FillArea<FloatDepthLanes, Values>(job, triangle, area, to);
     } else {
-        FillRect<StepDepthLanes, Values>(job, entry, rect, buffer);
+        FillArea<StepDepthLanes, Values>(job, triangle, area, to);
     }
     return true;
 }
@@ -315,6 +192,7 @@ bool FillWith(const FillJob& job,
 bool AreInner(const FillJob& job, const BinEntry& entry) {
     const Batch& batch = job.batches[entry.batch];
     if (batch.triangles[entry.index].is_thin) return false;
+    if (job.format.overflow == Overflow::wrap) return true;
     const auto count = static_cast<std::size_t>(job.format.interpolants);
     const std::int64_t most = (job.format.store == Store::u8 ? std::int64_t{0xff} : 0xffff)
                               << kCodeFractionBits;
@@ -327,27 +205,37 @@ bool AreInner(const FillJob& job, const BinEntry& entry) {
     return true;
 }
 
+template <int kCount>
+bool FillCodes(const FillJob& job, const BinEntry& entry, const Area& area, TileBuffer& to) {
+    if (job.format.interpolation == Interpolation::perspective)
+        return FillWith<PerspectiveCodeValues<kCount>>(job, entry, area, to);
+    return AreInner(job, entry) ? FillWith<CodeValues<kCount>>(job, entry, area, to)
+                                : FillWith<LimitedCodeValues<kCount>>(job, entry, area, to);
+}
+
 bool FillWhole(const FillJob& job, const BinEntry& entry, const PixelRect& rect, TileBuffer& to) {
     const PassFormat& format = job.format;
     const bool is_affine = format.interpolation == Interpolation::affine;
+    const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
+    const PixelRect part{std::max(rect.x0, t.bounds.x0),
+                         std::max(rect.y0, t.bounds.y0),
+                         std::min(rect.x1, t.bounds.x1),
+                         std::min(rect.y1, t.bounds.y1)};
+    Area area;
+    if (part.is_empty() || !MakeArea(t, part, area)) return true;
     switch (format.store) {
         case Store::none:
-            return FillWith<NoValues>(job, entry, rect, to);
+            return FillWith<NoValues>(job, entry, area, to);
         case Store::u32:
-            return FillWith<ConstantValues>(job, entry, rect, to);
+            return FillWith<ConstantValues>(job, entry, area, to);
         case Store::f32:
-            return is_affine ? FillWith<NumberValuesWhole<false>>(job, entry, rect, to)
-                             : FillWith<NumberValuesWhole<true>>(job, entry, rect, to);
+            return is_affine ? FillWith<NumberValues<false>>(job, entry, area, to)
+                             : FillWith<NumberValues<true>>(job, entry, area, to);
         default:
             break;
     }
-    if (!is_affine) return false;
-    if (AreInner(job, entry)) {
-        return format.interpolants == 1 ? FillWith<InnerCodes<1>>(job, entry, rect, to)
-                                        : FillWith<InnerCodes<2>>(job, entry, rect, to);
-    }
-    return format.interpolants == 1 ? FillWith<CodeValuesWhole<1>>(job, entry, rect, to)
-                                    : FillWith<CodeValuesWhole<2>>(job, entry, rect, to);
+    return format.interpolants == 1 ? FillCodes<1>(job, entry, area, to)
+                                    : FillCodes<2>(job, entry, area, to);
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE
@@ -362,7 +250,9 @@ bool fill_whole(const FillJob& job,
                 const BinEntry& entry,
                 const PixelRect& rect,
                 TileBuffer& buffer) {
-    // Two steps over a square, and the value of an edge that crosses it, then fit 31 bits.
+    // A code that runs on the surface and has a constant is of no method.
+    if (job.format.interpolation == Interpolation::perspective && job.format.constant) return false;
+    // Steps over a tile, and the value of an edge that crosses it, then fit 31 bits.
     constexpr std::int64_t kLongest = std::int64_t{1} << (22 + kSubpixelBits);
     for (const EdgeFunction& e : job.batches[entry.batch].triangles[entry.index].edges) {
         if (std::abs(e.dx) > kLongest || std::abs(e.dy) > kLongest) return false;

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <utility>
+#include <vector>
 
 namespace ink::shade {
 namespace {
@@ -11,15 +12,36 @@ std::uint8_t to_8_bit(float brightness) {
     return brightness >= 1 ? 255 : static_cast<std::uint8_t>(brightness * 255 + 0.5F);
 }
 
-}  // namespace
-
-core::Image<Rgb> to_8_bit(const core::Image<glm::vec3>& picture) {
-    core::Image<Rgb> result(picture.width_px(), picture.height_px());
-    for (std::size_t i = 0; i < picture.size(); ++i) {
-        const glm::vec3& from = picture.data()[i];
-        result.data()[i] = {to_8_bit(from.r), to_8_bit(from.g), to_8_bit(from.b)};
+/// Averages images of `kChannels` bytes a pixel.
+template <int kChannels, class Pixel>
+core::Image<Pixel> average_bytes(const core::Image<Pixel>& picture, int n) {
+    static_assert(sizeof(Pixel) == kChannels);
+    assert(n >= 1 && picture.width_px() % n == 0 && picture.height_px() % n == 0);
+    core::Image<Pixel> result(picture.width_px() / n, picture.height_px() / n);
+    const int count = n * n;
+    std::vector<int> sums(static_cast<std::size_t>(result.width_px()) * kChannels);
+    for (int y = 0; y < result.height_px(); ++y) {
+        sums.assign(sums.size(), count / 2);
+        for (int j = 0; j < n; ++j) {
+            const auto* from = reinterpret_cast<const std::uint8_t*>(picture.row(y * n + j));
+            for (std::size_t x = 0; x < sums.size(); x += kChannels) {
+                for (int i = 0; i < n; ++i) {
+                    for (std::size_t c = 0; c < kChannels; ++c)
+                        sums[x + c] += *from++;
+                }
+            }
+        }
+        auto* to = reinterpret_cast<std::uint8_t*>(result.row(y));
+        for (const int sum : sums)
+            *to++ = static_cast<std::uint8_t>(sum / count);
     }
     return result;
+}
+
+}  // namespace
+
+Rgb to_8_bit(const glm::vec3& color) {
+    return {to_8_bit(color.r), to_8_bit(color.g), to_8_bit(color.b)};
 }
 
 core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
@@ -33,11 +55,12 @@ core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
     return picture;
 }
 
-core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
-                         const Rgb& paper,
-                         const Ink& ink) {
-    return compose(
-        strengths, core::Image<Rgb>(strengths.width_px(), strengths.height_px(), paper), ink);
+core::Image<Rgb> average(const core::Image<Rgb>& picture, int n) {
+    return average_bytes<3>(picture, n);
+}
+
+core::Image<std::uint8_t> average(const core::Image<std::uint8_t>& picture, int n) {
+    return average_bytes<1>(picture, n);
 }
 
 }  // namespace ink::shade

@@ -11,7 +11,7 @@ namespace ink::shade {
 using Rgb = glm::u8vec3;
 
 /// Brightness 0 .. 1 as 0 .. 255, rounded and limited; no gamma, as 1998 drew. NaN becomes 0.
-[[nodiscard]] core::Image<Rgb> to_8_bit(const core::Image<glm::vec3>& picture);
+[[nodiscard]] Rgb to_8_bit(const glm::vec3& color);
 
 /// What lines are drawn with.
 struct Ink {
@@ -24,9 +24,9 @@ struct Ink {
                                        core::Image<Rgb> picture,
                                        const Ink& ink);
 
-/// The same over plain paper.
-[[nodiscard]] core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
-                                       const Rgb& paper,
-                                       const Ink& ink);
+/// The mean of every n x n pixels, rounded to nearest per channel; width and height are multiples
+/// of n >= 1.
+[[nodiscard]] core::Image<Rgb> average(const core::Image<Rgb>& picture, int n);
+[[nodiscard]] core::Image<std::uint8_t> average(const core::Image<std::uint8_t>& picture, int n);
 
 }  // namespace ink::shade

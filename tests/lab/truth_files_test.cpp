@@ -108,21 +108,21 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     EXPECT_EQ(right->at(20, 24), 0U);
 }
 
-TEST(DrawingExr, HoldsPictureAndStrength) {
+TEST(DrawingExr, HoldsPictureShadingAndStrength) {
     const Subject subject = cube();
     const Entrant entrant = make_entrants("mote4", {}).front();
-    const edge::EdgeImage strengths = draw_strengths(subject, entrant, 1);
+    DrawOptions options;
+    options.shading = shade::GouraudParams{};
+    const Drawing drawing = make_drawing(subject, entrant, options);
+    const edge::EdgeImage& strengths = drawing.strengths;
     const fs::path path = fs::path(testing::TempDir()) / "drawing.exr";
-    write_drawing_exr(subject,
-                      entrant,
-                      strengths,
-                      compose_drawing(subject, entrant, strengths, Shading::gouraud),
-                      path);
+    write_drawing_exr(subject, entrant, drawing, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
     const auto* strength = channel<image_io::HalfImage>(file, "strength.Y");
     ASSERT_NE(strength, nullptr);
     ASSERT_NE(channel<image_io::HalfImage>(file, "G"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "shading.G"), nullptr);
     for (std::size_t i = 0; i < strengths.size(); ++i)
         EXPECT_EQ(std::lround(strength->pixels.data()[i] * 255), strengths.data()[i]);
     EXPECT_EQ(text_attribute(file, "ink:method"), "mote4");

@@ -95,6 +95,39 @@ TEST(DeclaredCost, FollowsTheSettings) {
                 156 + 2 + kSlowOperations + 2);
 }
 
+TEST(DeclaredCost, OfIdsIsAConstantAndItsNeighbours) {
+    const Cost cost = cost_of("ids");
+    EXPECT_EQ(cost.interpolants, 0);
+    EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 4);
+    expect_work(cost.fill, 4, 4 + 4, 6 + 2);
+    expect_work(cost.filter, 4 + 4, 1, 4 + 3);
+    EXPECT_EQ(cost_of("ids", {{"side", "both"}}).filter.bytes_read, 4);
+}
+
+TEST(DeclaredCost, OfJumpFloodGrowsByAPassWithEveryDoublingOfTheWidth) {
+    const auto work = [](const char* width_px) {
+        return cost_of("jump_flood", {{"width_px", width_px}}).filter;
+    };
+    // Nine seeds at seven operations; four bytes read and written. Steps 1; 2, 1; 4, 2, 1.
+    EXPECT_EQ(work("4").operations - work("2").operations, 63);
+    EXPECT_EQ(work("8").operations - work("4").operations, 63);
+    EXPECT_EQ(work("16").operations - work("8").operations, 63);
+    EXPECT_EQ(work("4").bytes_read - work("2").bytes_read, 4);
+    EXPECT_EQ(work("4").bytes_written - work("2").bytes_written, 4);
+}
+
+TEST(DeclaredCost, OfTheCrossesIsFourFloatsAndOneFilter) {
+    for (const char* method : {"roberts", "plane_distance"}) {
+        const Cost cost = cost_of(method);
+        EXPECT_EQ(cost.interpolants, 4);
+        EXPECT_EQ(cost.buffer_bytes_per_px, 4 + 16);
+        expect_work(cost.fill, 4, 4 + 16, 6 + 2 + 4);
+    }
+    // A root fewer a normal, a ramp's division more.
+    EXPECT_EQ(cost_of("roberts", {{"guard", "none"}}).filter.operations + 29,
+              cost_of("roberts").filter.operations);
+}
+
 TEST(DeclaredCost, IsThereForEveryMethodAndAllItsSettings) {
     for (const MethodInfo& info : registry()) {
         std::vector<core::ParamValues> settings = info.sweep;

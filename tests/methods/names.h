@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "methods/registry.h"
@@ -21,6 +24,18 @@ inline std::vector<std::string> scene_names() {
     for (const scene::CatalogueEntry& entry : scene::catalogue())
         names.push_back(entry.name);
     return names;
+}
+
+/// Whether a method draws creases, as most do; the others draw contours alone, from outside.
+inline bool draws_creases(std::string_view method) {
+    constexpr std::array<std::string_view, 3> kContoursOnly = {
+        "polygon_offset", "back_faces", "inverted_hull"};
+    return std::find(kContoursOnly.begin(), kContoursOnly.end(), method) == kContoursOnly.end();
+}
+
+/// Whether a method's picture hangs on which side of a face is its front.
+inline bool knows_sides(std::string_view method) {
+    return method == "back_faces" || method == "inverted_hull";
 }
 
 }  // namespace ink::methods

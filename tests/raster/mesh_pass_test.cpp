@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "core/simd.h"
 #include "gather_sink.h"
@@ -60,7 +61,11 @@ std::vector<Shot> shots() {
     result.push_back(make(Store::u8, 1, 250));
     result.back().format.depth = DepthFormat::z16;
     result.push_back(make(Store::f32, 4, 1));
+    result.back().format.depth = DepthFormat::z24;
+    result.push_back(make(Store::f32, 4, 1));
     result.back().format.interpolation = Interpolation::perspective;
+    result.push_back(make(Store::u32, 0, 0));
+    result.back().format.constant = true;
     return result;
 }
 
@@ -70,10 +75,11 @@ struct Drawn {
     std::vector<core::Image<std::uint16_t>> codes;
     core::Image<float> depth;
     core::Image<std::uint32_t> steps;
+    core::Image<std::uint32_t> constants;
     MeshResult result;
     friend bool operator==(const Drawn& a, const Drawn& b) {
         return a.numbers == b.numbers && a.codes == b.codes && a.depth == b.depth &&
-               a.steps == b.steps;
+               a.steps == b.steps && a.constants == b.constants;
     }
 };
 
@@ -82,7 +88,9 @@ class KeepSink : public TileSink {
   public:
     KeepSink(const PassFormat& format, Drawn& to) : format_(format), to_(to) {
         const auto planes = static_cast<std::size_t>(format.planes());
-        if (format.store == Store::f32) {
+        if (format.constant) {
+            to_.constants = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
+        } else if (format.store == Store::f32) {
             to_.numbers.assign(planes, core::Image<float>(kWidth_px, kHeight_px));
         } else {
             to_.codes.assign(planes, core::Image<std::uint16_t>(kWidth_px, kHeight_px));
@@ -111,6 +119,7 @@ class KeepSink : public TileSink {
         }
         for (int k = 0; k < format_.planes(); ++k) {
             const auto at = static_cast<std::size_t>(k);
+            if (format_.constant) to_.constants.at(u, v) = tile.row<std::uint32_t>(k, y)[x];
             if (format_.store == Store::f32) to_.numbers[at].at(u, v) = tile.row<float>(k, y)[x];
             if (format_.store == Store::u8)
                 to_.codes[at].at(u, v) = tile.row<std::uint8_t>(k, y)[x];
@@ -127,12 +136,15 @@ class KeepSink : public TileSink {
 struct Stage {
     scene::Surface surface;
     LaneMesh mesh;
+    std::vector<std::uint32_t> ids;  ///< 1 + index of each triangle: its constant
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
         const scene::Scene made = scene::make_catalogue_scene(name);
         surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
         mesh = LaneMesh(surface);
+        ids.resize(surface.triangles.size());
+        std::iota(ids.begin(), ids.end(), 1U);
         view.camera = made.cameras.front();
         const scene::Sphere bounds = scene::bounding_sphere(made);
         view.camera.eye_world =
@@ -147,6 +159,7 @@ struct Stage {
         MeshInput input;
         input.mesh = &mesh;
         input.values = &values;
+        if (shot.format.constant) input.constants = ids;
         input.view = view;
         input.threads = threads;
         input.skips = skips;
@@ -219,6 +232,7 @@ Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
     PassInput input;
     input.p_clip = p_clip;
     input.triangles = stage.surface.triangles;
+    if (format.constant) input.constants = stage.ids;
     input.near = stage.view.camera.near;
     input.far = stage.view.camera.far;
     Drawn drawn;
@@ -246,6 +260,59 @@ TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
         }
         EXPECT_GT(covered_px, 1000) << name;
         EXPECT_LE(unlike_px, covered_px / 500) << name;
+    }
+}
+
+TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
+    for (const std::string& name : kScenes) {
+        for (const double nearer : {1.0, 0.05}) {  // from within: triangles are cut
+            const Stage stage(name, nearer);
+            const Shot shot = shots().back();
+            const Drawn ours = stage.draw(shot, 1, {});
+            const Drawn plain = draw_plainly(stage, shot.format);
+            int covered_px = 0;
+            int unlike_px = 0;
+            for (std::size_t i = 0; i < plain.constants.size(); ++i) {
+                covered_px += plain.constants.data()[i] != 0 ? 1 : 0;
+                unlike_px += ours.constants.data()[i] != plain.constants.data()[i] ? 1 : 0;
+            }
+            EXPECT_GT(covered_px, 1000) << name;
+            // Faces of equal depth and faces turned away are told apart by order alone.
+            EXPECT_LE(unlike_px, covered_px / 100) << name << ' ' << nearer;
+        }
+    }
+}
+
+/// Lanes interpolate steps as floats from corners rounded to 1/65536 px: on a slope of many steps a
+/// pixel that shows in the last bits of z24.
+TEST(MeshPass, StepsAreThoseOfThePlainPassButForTheLastBits) {
+    for (const std::string& name : kScenes) {
+        const Stage stage(name);
+        for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::z16}) {
+            Shot shot = shots().front();
+            shot.format.depth = depth;
+            const Drawn lanes = stage.draw(shot, 1, {});
+            const Drawn plain = draw_plainly(stage, shot.format);
+            const int few = depth == DepthFormat::z24 ? 4 : 1;
+            const int many = depth == DepthFormat::z24 ? 64 : 1;
+            int covered_px = 0;
+            int beyond_few_px = 0;
+            int beyond_many_px = 0;
+            for (int y = 0; y < kHeight_px; ++y) {
+                for (int x = 0; x < kWidth_px; ++x) {
+                    const auto step = static_cast<int>(lanes.steps.at(x, y));
+                    const auto expected = static_cast<int>(plain.steps.at(x, y));
+                    EXPECT_EQ(step > 0, expected > 0) << name << ' ' << x << ' ' << y;
+                    EXPECT_LE(step, depth == DepthFormat::z24 ? 0xffffff : 0xffff);
+                    covered_px += expected > 0 ? 1 : 0;
+                    beyond_few_px += std::abs(step - expected) > few ? 1 : 0;
+                    beyond_many_px += std::abs(step - expected) > many ? 1 : 0;
+                }
+            }
+            EXPECT_GT(covered_px, 1000) << name;
+            EXPECT_LE(beyond_few_px, covered_px / 80) << name;
+            EXPECT_LE(beyond_many_px, covered_px / 500) << name;
+        }
     }
 }
 

@@ -8,12 +8,9 @@ namespace ink::shade {
 namespace {
 
 TEST(To8Bit, RoundsAndLimits) {
-    core::Image<glm::vec3> picture(2, 1);
-    picture.at(0, 0) = {0.5F, -3, 7};
-    picture.at(1, 0) = {1.0F / 255, std::numeric_limits<float>::quiet_NaN(), 254.4F / 255};
-    const auto result = to_8_bit(picture);
-    EXPECT_EQ(result.at(0, 0), Rgb(128, 0, 255));
-    EXPECT_EQ(result.at(1, 0), Rgb(1, 0, 254));
+    EXPECT_EQ(to_8_bit({0.5F, -3, 7}), Rgb(128, 0, 255));
+    const float nothing = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(to_8_bit({1.0F / 255, nothing, 254.4F / 255}), Rgb(1, 0, 254));
 }
 
 TEST(Compose, InkGoesWhereTheStrengthReachesTheThreshold) {
@@ -28,16 +25,33 @@ TEST(Compose, InkGoesWhereTheStrengthReachesTheThreshold) {
     EXPECT_EQ(result.at(2, 0), Rgb(1, 2, 3));
 }
 
-TEST(Compose, OverPlainPaper) {
-    core::Image<std::uint8_t> strengths(2, 1);
-    strengths.at(1, 0) = 200;
-    const auto result = compose(strengths, Rgb(255, 250, 240), {});
-    EXPECT_EQ(result.at(0, 0), Rgb(255, 250, 240));
-    EXPECT_EQ(result.at(1, 0), Rgb(0, 0, 0));
+TEST(Compose, NothingOverNothingIsNothing) {
+    EXPECT_TRUE(compose({}, {}, {}).is_empty());
 }
 
-TEST(Compose, NothingOverNothingIsNothing) {
-    EXPECT_TRUE(compose({}, Rgb(255, 255, 255), {}).is_empty());
+TEST(Average, IsTheRoundedMeanOfEverySquare) {
+    core::Image<Rgb> picture(4, 2);
+    picture.at(0, 0) = {255, 3, 8};
+    picture.at(1, 0) = {255, 4, 0};
+    picture.at(0, 1) = {0, 3, 0};
+    picture.at(1, 1) = {0, 3, 0};
+    picture.at(2, 0) = {100, 200, 40};
+    picture.at(3, 0) = {100, 200, 40};
+    picture.at(2, 1) = {100, 200, 40};
+    picture.at(3, 1) = {100, 200, 40};
+    const auto result = average(picture, 2);
+    ASSERT_EQ(result.width_px(), 2);
+    ASSERT_EQ(result.height_px(), 1);
+    EXPECT_EQ(result.at(0, 0), Rgb(128, 3, 2));  // 127.5, 3.25 and 2
+    EXPECT_EQ(result.at(1, 0), Rgb(100, 200, 40));
+}
+
+TEST(Average, OfStrengths) {
+    core::Image<std::uint8_t> strengths(3, 3);
+    strengths.at(1, 1) = 255;
+    EXPECT_EQ(average(strengths, 3).at(0, 0), 28);  // 255 / 9 = 28.3
+    EXPECT_EQ(average(strengths, 1), strengths);
+    EXPECT_TRUE(average(core::Image<std::uint8_t>{}, 4).is_empty());
 }
 
 }  // namespace

@@ -1,0 +1,186 @@
+// J. Canny, "A computational approach to edge detection", PAMI 8(6), 1986, as cv::Canny has it.
+
+#include "methods/canny/canny.h"
+
+#include <cassert>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "methods/surface_values.h"
+
+namespace ink::methods {
+namespace {
+
+/// Puts the tiles' codes together.
+class CodeSink : public raster::TileSink {
+  public:
+    explicit CodeSink(core::Image<std::uint8_t>& codes) : codes_(codes) {}
+
+    void finish(const raster::Tile& tile) override {
+        for (int y = 0; y < tile.height_px; ++y) {
+            std::memcpy(codes_.row(tile.y0_px + y) + tile.x0_px,
+                        tile.row<std::uint8_t>(0, y),
+                        static_cast<std::size_t>(tile.width_px));
+        }
+    }
+
+  private:
+    core::Image<std::uint8_t>& codes_;
+};
+
+/// OpenCV's own threads while it lives; as many as before afterwards.
+class OpenCvThreads {
+  public:
+    explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
+        cv::setNumThreads(threads == 1 ? 0 : threads);  // 0: none at all
+    }
+    ~OpenCvThreads() { cv::setNumThreads(before_); }
+    OpenCvThreads(const OpenCvThreads&) = delete;
+    OpenCvThreads& operator=(const OpenCvThreads&) = delete;
+
+  private:
+    int before_;
+};
+
+CodeLayout layout(const Canny::Params& params) {
+    const Field sum{.ranges = {.depth = params.range_depth,
+                               .normal = {params.range_nx, params.range_ny, params.range_nz}}};
+    return {.store = raster::Store::u8, .planes = 1, .fields = {sum}};
+}
+
+raster::PassFormat pass_format(const Canny::Params& params) {
+    raster::PassFormat format;
+    format.interpolants = 1;
+    format.store = raster::Store::u8;
+    format.interpolation = params.interpolation;
+    format.depth = params.depth_format;
+    return format;
+}
+
+/// From the fastest to the most exact, the method as it comes among them.
+std::vector<core::ParamValues> sweep() {
+    return {
+        {},
+        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        {{"depth_format", "z16"}},
+        // One threshold: no weak edges that hang on strong ones.
+        {{"low", "60"}},
+        // Weaker lines, and only the strongest.
+        {{"low", "20"}, {"high", "40"}},
+        {{"low", "50"}, {"high", "100"}},
+        // The sum of its components' sizes for the gradient's length.
+        {{"l2_gradient", "false"}},
+        // Smoothed first, as Canny's own paper does.
+        {{"blur", "true"}},
+        // Unlike weights, so that unlike turns of the normal do not cancel.
+        {{"range_depth", "75"}, {"range_nx", "90"}, {"range_ny", "60"}, {"range_nz", "30"}},
+        // No smooth normals: what adjacency buys.
+        {{"normals", "facet"}},
+    };
+}
+
+}  // namespace
+
+core::ParamTable<Canny::Params> Canny::table() {
+    core::ParamTable<Params> table;
+    const std::pair<double, double> range{0, 255};
+    const std::pair<double, double> gradient{1, 2040};
+    table.number(&Params::range_depth, "range_depth", range, "code", "Codes that depth 0..1 spans.")
+        .number(&Params::range_nx, "range_nx", range, "code", "Codes that the normal's x spans.")
+        .number(&Params::range_ny, "range_ny", range, "code", "Codes that the normal's y spans.")
+        .number(&Params::range_nz, "range_nz", range, "code", "Codes that the normal's z spans.")
+        .number(&Params::low,
+                "low",
+                gradient,
+                "",
+                "Gradient from which on a pixel may continue a line; a step of one code has 4.")
+        .number(&Params::high, "high", gradient, "", "Gradient from which on a pixel begins one.")
+        .choice(&Params::aperture, "aperture", {"3", "5", "7"}, "Side of the Sobel kernels, in px.")
+        .flag(&Params::l2_gradient,
+              "l2_gradient",
+              "Measure the gradient by its length, else by the sum of its components' sizes.")
+        .flag(&Params::blur, "blur", "Smooth the codes by a Gaussian of 5 x 5 px first.");
+    return add_input_params(table)
+        .number(&Params::sky, "sky", range, "code", "What empty pixels hold.")
+        .number(&Params::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Strength from which on a pixel is a line; it draws 0 and 255 alone.");
+}
+
+Canny::Canny(const Params& params)
+    : params_(params),
+      packer_(layout(params), params.depth_sign, Quantise::sum, raster::Overflow::saturate),
+      format_(pass_format(params)),
+      inputs_(params) {}
+
+std::unique_ptr<raster::CornerValues> Canny::corner_values() const {
+    if (params_.depth_encoding != raster::DepthEncoding::inverse)
+        return std::make_unique<CodeValues>(inputs_, packer_, params_.depth_encoding);
+    const Ranges& ranges = packer_.layout().fields.front().ranges;
+    std::vector<raster::LinearValue> values = {
+        linear_code(inputs_.linear_channels(), ranges, params_.depth_sign)};
+    return std::make_unique<LinearValues>(std::move(values), false);
+}
+
+void Canny::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
+    if (inputs_.is_empty() || out.is_empty()) return out.fill(0);
+    if (codes_.width_px() != out.width_px() || codes_.height_px() != out.height_px())
+        codes_ = core::Image<std::uint8_t>(out.width_px(), out.height_px());
+    inputs_.see(frame);
+    const auto values = corner_values();
+    raster::MeshInput input = inputs_.mesh_input(frame);
+    input.values = values.get();
+    input.sky_code = {static_cast<std::uint32_t>(params_.sky)};
+    // A weak edge may hang on a strong one anywhere: all tiles are drawn.
+    input.may_keep_still = false;
+    input.moved_objects = ~std::uint64_t{0};
+    CodeSink sink(codes_);
+    skip_counts_ = pass_.draw(format_, input, sink).skips;
+
+    const OpenCvThreads threads(frame.threads);
+    cv::Mat codes(out.height_px(), out.width_px(), CV_8U, codes_.data());
+    cv::Mat edges(out.height_px(), out.width_px(), CV_8U, out.data());
+    if (params_.blur) cv::GaussianBlur(codes, codes, {5, 5}, 0, 0, cv::BORDER_REPLICATE);
+    cv::Canny(codes, edges, params_.low, params_.high, kernel_px(), params_.l2_gradient);
+    assert(edges.data == out.data());
+}
+
+int Canny::bytes_per_px() const {
+    return format_.bytes_per_px() + 1;  // the whole picture of codes beside the tile's
+}
+
+Cost Canny::cost() const {
+    Cost cost;
+    cost.passes = 1;
+    cost.interpolants = 1;
+    cost.values_per_vertex = 1;
+    cost.shares_vertices = params_.normals != scene::NormalSource::facet;
+    cost.buffer_bytes_per_px = bytes_per_px();
+    cost.fill = fill_work(format_);
+    const PixelWork gather{1, 1, 0};
+    PixelWork blur;
+    if (params_.blur) blur = {2, 2, 2 * (5 + 4)};  // two passes of five
+    // Two separable derivatives of 16 bits, their sizes summed, kept; the largest along the
+    // gradient, by a slope's comparison; two thresholds; edges followed: a map read and written.
+    const double taps = kernel_px();
+    PixelWork gradient{1, 4 + 4, 2 * (2 * taps - 1) * 2 + 3};
+    if (params_.l2_gradient) gradient.operations += 1;
+    const PixelWork thin{4 + 4, 1, 4 + 2 + 2};
+    const PixelWork follow{1, 1, 2};
+    cost.filter = gather + blur + gradient + thin + follow;
+    return cost;
+}
+
+MethodInfo canny() {
+    MethodInfo info = method_info<Canny>("canny",
+                                         "Canny 1986, as OpenCV has it, on the buffer of mote4",
+                                         "OpenCV's Canny on depth and normal summed in one byte");
+    info.sweep = sweep();
+    return info;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "methods/code_layout.h"
+#include "methods/method.h"
+#include "methods/surface_inputs.h"
+
+namespace ink::methods {
+
+/// OpenCV's Canny detector over a byte of depth and normal summed: the textbook's edges of the
+/// packed picture.
+class Canny : public Method {
+  public:
+    /// Side of the Sobel kernels.
+    enum class Aperture { three, five, seven };
+    struct Params : InputParams {
+        double range_depth = 63;
+        double range_nx = 63;
+        double range_ny = 63;
+        double range_nz = 63;
+        int sky = 0;
+        // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
+        double low = 30;
+        double high = 60;
+        Aperture aperture = Aperture::three;
+        bool l2_gradient = true;
+        bool blur = false;
+        int threshold = 128;  ///< it draws 0 and 255 alone
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit Canny(const Params& params);
+
+    void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override;
+    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
+
+  private:
+    [[nodiscard]] std::unique_ptr<raster::CornerValues> corner_values() const;
+    [[nodiscard]] int kernel_px() const { return 3 + 2 * static_cast<int>(params_.aperture); }
+
+    Params params_;
+    Packer packer_;
+    raster::PassFormat format_;
+    SurfaceInputs inputs_;
+    raster::MeshPass pass_;
+    core::Image<std::uint8_t> codes_;
+    raster::SkipCounts skip_counts_{};
+};
+
+[[nodiscard]] MethodInfo canny();
+
+}  // namespace ink::methods

@@ -1,0 +1,95 @@
+#include "methods/edge_hash/soup_edges.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "core/hash.h"
+#include "methods/vertex_weld.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr std::uint32_t kFree = 0xffffffffU;
+
+/// The third level of the key: edges by their two places. Open addressing, linear probing; twice as
+/// many slots as there can be edges.
+class EdgeTable {
+  public:
+    EdgeTable(std::size_t most_edges, std::vector<SoupEdge>& edges)
+        : slots_(std::bit_ceil(std::max<std::size_t>(16, most_edges * 2)), kFree), edges_(edges) {}
+
+    /// The edge between two places, entered if it is new.
+    std::uint32_t find(std::uint32_t a, std::uint32_t b) {
+        const auto key = static_cast<std::uint64_t>(a) << 32 | b;
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = core::Hasher().value(key).result() & mask;
+        while (slots_[at] != kFree) {
+            const SoupEdge& edge = edges_[slots_[at]];
+            if (edge.a == a && edge.b == b) return slots_[at];
+            at = (at + 1) & mask;
+        }
+        slots_[at] = static_cast<std::uint32_t>(edges_.size());
+        edges_.push_back({a, b, 0, 0});
+        return slots_[at];
+    }
+
+  private:
+    std::vector<std::uint32_t> slots_;
+    std::vector<SoupEdge>& edges_;
+};
+
+/// Lists each edge's faces beside each other; `edge_of` is per side of a face.
+void list_faces(const std::vector<std::uint32_t>& edge_of, SoupEdges& soup) {
+    std::uint32_t first = 0;
+    for (SoupEdge& edge : soup.edges) {
+        edge.first = first;
+        first += edge.count;
+        edge.count = 0;
+    }
+    soup.faces_at.resize(first);
+    for (std::size_t side = 0; side < edge_of.size(); ++side) {
+        const scene::Triangle& face = soup.faces[side / 3];
+        const std::size_t i = side % 3;
+        SoupEdge& edge = soup.edges[edge_of[side]];
+        soup.faces_at[edge.first + edge.count++] = {
+            static_cast<std::uint32_t>(side / 3),
+            face[(i + 2) % 3],
+            static_cast<std::int8_t>(face[i] == edge.a ? 1 : -1)};
+    }
+}
+
+}  // namespace
+
+SoupEdges find_edges(const Soup& soup, double epsilon) {
+    VertexWeld weld = weld_vertices(soup.points, epsilon * diagonal_of(soup.points));
+    WeldedFaces welded = weld_faces(weld, soup.points, soup.triangles, DoubleFaces::drop);
+
+    SoupEdges found;
+    found.vertex_of = std::move(weld.first_of);
+    found.faces = std::move(welded.faces);
+    EdgeTable table(found.faces.size() * 3, found.edges);
+    std::vector<std::uint32_t> edge_of;
+    edge_of.reserve(found.faces.size() * 3);
+    for (const scene::Triangle& face : found.faces) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [a, b] = std::minmax(face[i], face[(i + 1) % 3]);
+            edge_of.push_back(table.find(a, b));
+            ++found.edges[edge_of.back()].count;
+        }
+    }
+    list_faces(edge_of, found);
+
+    found.counts = {.triangles = static_cast<std::uint32_t>(soup.triangles.size()),
+                    .degenerate = welded.degenerate,
+                    .duplicate = welded.duplicate,
+                    .places = static_cast<std::uint32_t>(found.vertex_of.size()),
+                    .edges = static_cast<std::uint32_t>(found.edges.size())};
+    for (const SoupEdge& edge : found.edges) {
+        if (edge.count == 1) ++found.counts.lone;
+        if (edge.count > 2) ++found.counts.crowded;
+    }
+    return found;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,168 @@
+#include "methods/edge_hash/soup_models.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/predicates.h"
+
+namespace ink::methods {
+namespace {
+
+/// The direction from the edge a-b to `opposite`, orthogonal to the edge.
+glm::dvec3 inward(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& opposite) {
+    const glm::dvec3 along = glm::normalize(b - a);
+    const glm::dvec3 across = opposite - a;
+    return across - along * glm::dot(along, across);
+}
+
+/// Of several faces on one side of an edge the one that the eye sees.
+class Nearest {
+  public:
+    Nearest(const std::vector<glm::dvec3>& p_world, const SoupEdge& edge, const glm::dvec3& eye)
+        : p_(p_world), edge_(edge), eye_(eye) {}
+
+    void offer(const EdgeFace& face) {
+        if (face_ == nullptr || hides(face, *face_)) face_ = &face;
+    }
+    [[nodiscard]] const EdgeFace* face() const { return face_; }
+
+  private:
+    /// Whether the eye and face `g` lie on opposite sides of the plane of `f`.
+    [[nodiscard]] bool hides(const EdgeFace& f, const EdgeFace& g) const {
+        const glm::dvec3 &a = p_[edge_.a], &b = p_[edge_.b], &c = p_[f.opposite];
+        return scene::orient3d(a, b, c, eye_) * scene::orient3d(a, b, c, p_[g.opposite]) < 0;
+    }
+
+    const std::vector<glm::dvec3>& p_;
+    const SoupEdge& edge_;
+    const glm::dvec3& eye_;
+    const EdgeFace* face_ = nullptr;
+};
+
+}  // namespace
+
+void SoupModels::prepare(const scene::Scene& scene) {
+    cache_.reset(options_.scope == ModelScope::object ? scene.meshes.size() : 1);
+    placed_.clear();
+}
+
+bool SoupModels::bends(const Placed& placed,
+                       const SoupEdge& edge,
+                       const EdgeFace& face0,
+                       const EdgeFace& face1) const {
+    const glm::dvec3 &a = placed.p_world[edge.a], &b = placed.p_world[edge.b];
+    const glm::dvec3 d0 = inward(a, b, placed.p_world[face0.opposite]);
+    const glm::dvec3 d1 = inward(a, b, placed.p_world[face1.opposite]);
+    // The bend is pi less the angle between the two.
+    return glm::dot(d0, d1) >= -std::cos(options_.crease_rad) * glm::length(d0) * glm::length(d1);
+}
+
+void SoupModels::find_creases(Placed& placed) const {
+    placed.is_crease.clear();
+    for (const SoupEdge& edge : placed.soup->edges) {
+        const auto faces = placed.soup->faces_of(edge);
+        placed.is_crease.push_back(faces.size() == 2 && bends(placed, edge, faces[0], faces[1]));
+    }
+}
+
+void SoupModels::pose_objects(const scene::Scene& scene) {
+    std::vector<std::shared_ptr<const SoupEdges>> soups;  // objects of one mesh share its frame
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const scene::Mesh& mesh = scene.meshes[m];
+        const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
+        soups.push_back(cache_.edges_of(m, {points, mesh.triangles}));
+    }
+    placed_.resize(scene.instances.size());
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        Placed& placed = placed_[i];
+        placed.soup = soups[instance.mesh];
+        placed.p_world.clear();
+        for (const std::uint32_t vertex : placed.soup->vertex_of)
+            placed.p_world.push_back(scene::to_world(instance, mesh.positions[vertex]));
+        find_creases(placed);
+    }
+}
+
+void SoupModels::pose_scene(const scene::Scene& scene) {
+    std::vector<glm::dvec3> points;
+    std::vector<scene::Triangle> triangles;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const auto first = static_cast<std::uint32_t>(points.size());
+        for (const glm::vec3& p_object : mesh.positions)
+            points.push_back(scene::to_world(instance, p_object));
+        for (const scene::Triangle& t : mesh.triangles)
+            triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    placed_.resize(1);
+    Placed& placed = placed_[0];
+    placed.soup = cache_.edges_of(0, {points, triangles});
+    placed.p_world.clear();
+    for (const std::uint32_t vertex : placed.soup->vertex_of)
+        placed.p_world.push_back(points[vertex]);
+    find_creases(placed);
+}
+
+void SoupModels::pose(const scene::Scene& scene) {
+    if (options_.scope == ModelScope::object) {
+        pose_objects(scene);
+    } else {
+        pose_scene(scene);
+    }
+}
+
+EdgeKind SoupModels::kind_of(const Placed& placed,
+                             std::size_t edge_index,
+                             const std::vector<std::int8_t>& facings,
+                             const glm::dvec3& eye_world) const {
+    const SoupEdge& edge = placed.soup->edges[edge_index];
+    const auto faces = placed.soup->faces_of(edge);
+    if (faces.size() == 1) return EdgeKind::lone;
+    // A face that the eye sees from the front lies on the left of a side that runs through it
+    // forwards; one that is edge-on lies on neither side.
+    Nearest left(placed.p_world, edge, eye_world), right = left;
+    for (const EdgeFace& face : faces) {
+        const int side = facings[face.face] * face.direction;
+        if (side > 0) left.offer(face);
+        if (side < 0) right.offer(face);
+    }
+    if (left.face() == nullptr && right.face() == nullptr) return EdgeKind::none;
+    if (left.face() == nullptr || right.face() == nullptr) return EdgeKind::contour;
+    const bool is_crease = faces.size() == 2 ? placed.is_crease[edge_index] != 0
+                                             : bends(placed, edge, *left.face(), *right.face());
+    return is_crease ? EdgeKind::crease : EdgeKind::none;
+}
+
+std::vector<KnownEdge> SoupModels::lines(const glm::dvec3& eye_world) const {
+    std::vector<KnownEdge> lines;
+    std::vector<std::int8_t> facings;
+    for (const Placed& placed : placed_) {
+        const auto& p = placed.p_world;
+        facings.clear();
+        for (const auto& [a, b, c] : placed.soup->faces)
+            facings.push_back(static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world)));
+        for (std::size_t e = 0; e < placed.soup->edges.size(); ++e) {
+            const EdgeKind kind = kind_of(placed, e, facings, eye_world);
+            const SoupEdge& edge = placed.soup->edges[e];
+            if (kind != EdgeKind::none) lines.push_back({p[edge.a], p[edge.b], kind});
+        }
+    }
+    return lines;
+}
+
+SoupTotals SoupModels::totals() const {
+    SoupTotals totals;
+    for (const Placed& placed : placed_) {
+        const SoupCounts& counts = placed.soup->counts;
+        totals.edges += counts.edges;
+        totals.lone += counts.lone;
+        totals.crowded += counts.crowded;
+        totals.degenerate += counts.degenerate;
+        totals.duplicate += counts.duplicate;
+    }
+    return totals;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "methods/edge_hash/edge_cache.h"
+#include "methods/known_edge.h"
+#include "scene/scene.h"
+
+namespace ink::methods {
+
+/// What is looked up together: the key's first level.
+enum class ModelScope {
+    object,  ///< each mesh is a model
+    scene,   ///< the whole scene is one, as it stands
+};
+
+/// What a scene's models are made of at the moment, over all objects.
+struct SoupTotals {
+    std::size_t edges = 0;
+    std::size_t lone = 0;
+    std::size_t crowded = 0;
+    std::size_t degenerate = 0;
+    std::size_t duplicate = 0;
+};
+
+/// The edges of a scene's models in their frames, where they are, and what each is from an eye.
+///
+/// Which side of an edge a face is on is asked for each face by itself, exactly, so that mixed
+/// orientation does no harm. An edge is a contour if its faces are all on one side; a crease if the
+/// two that are seen, the nearest on each side, bend by at least `crease_rad`.
+class SoupModels {
+  public:
+    struct Options {
+        ModelScope scope = ModelScope::object;
+        double epsilon = 0;           ///< of the weld, diagonals of the model's box
+        std::size_t most_frames = 1;  ///< kept of each model
+        double crease_rad = 0;
+    };
+    explicit SoupModels(const Options& options)
+        : options_(options), cache_(options.epsilon, options.most_frames) {}
+
+    /// Empties the cache and makes a place in it for each model; edges come with the first frame.
+    void prepare(const scene::Scene& scene);
+    /// Finds each model's frame, or builds it; world positions, creases.
+    void pose(const scene::Scene& scene);
+
+    /// The edges that are a line for an eye at `eye_world`, in no order that matters.
+    [[nodiscard]] std::vector<KnownEdge> lines(const glm::dvec3& eye_world) const;
+
+    [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return cache_.counts(); }
+    [[nodiscard]] SoupTotals totals() const;
+
+  private:
+    /// A model where one of its objects stands.
+    struct Placed {
+        std::shared_ptr<const SoupEdges> soup;
+        std::vector<glm::dvec3> p_world;
+        std::vector<std::uint8_t> is_crease;  ///< per edge of two faces; 0 for the others
+    };
+
+    void pose_objects(const scene::Scene& scene);
+    void pose_scene(const scene::Scene& scene);
+    void find_creases(Placed& placed) const;
+    [[nodiscard]] bool bends(const Placed& placed,
+                             const SoupEdge& edge,
+                             const EdgeFace& face0,
+                             const EdgeFace& face1) const;
+    [[nodiscard]] EdgeKind kind_of(const Placed& placed,
+                                   std::size_t edge,
+                                   const std::vector<std::int8_t>& facings,
+                                   const glm::dvec3& eye_world) const;
+
+    Options options_;
+    EdgeCache cache_;
+    std::vector<Placed> placed_;
+};
+
+}  // namespace ink::methods

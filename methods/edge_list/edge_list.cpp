@@ -1,0 +1,108 @@
+// CoRgi's comic renderer (about 2000): edges from a triangle description, thick where one face
+// turns to the viewer and one away, thin where they bend.
+
+#include "methods/edge_list/edge_list.h"
+
+#include <glm/trigonometric.hpp>
+
+namespace ink::methods {
+namespace {
+
+double lone_width_px(const EdgeList::Params& params) {
+    switch (params.lone_edges) {
+        case EdgeList::LoneEdges::thick:
+            return params.width_contour_px;
+        case EdgeList::LoneEdges::thin:
+            return params.width_crease_px;
+        case EdgeList::LoneEdges::none:
+            break;
+    }
+    return 0;
+}
+
+/// From the fastest to the most exact, the method as it comes among them.
+std::vector<core::ParamValues> sweep() {
+    return {
+        // Contours alone.
+        {{"crease_deg", "180"}, {"lone_edges", "none"}, {"width_contour_px", "1"}},
+        {{"depth_format", "q32"}, {"width_contour_px", "1"}},
+        {},
+        // As the source had it: the gaze decides, and only edges of two faces count.
+        {{"facing", "direction"}, {"lone_edges", "none"}},
+        {{"facing", "direction"}},
+        {{"edge_on", "leave_out"}},
+        {{"scope", "scene"}},
+        // What hides lines: more or less of it.
+        {{"offset_factor", "0"}},
+        {{"offset_factor", "1"}},
+        {{"depth_format", "z16"}},
+        {{"width_crease_px", "2"}},
+    };
+}
+
+}  // namespace
+
+core::ParamTable<EdgeList::Params> EdgeList::table() {
+    core::ParamTable<Params> table;
+    table
+        .choice(&Params::builder,
+                "builder",
+                {"all_pairs", "temp_list", "hash"},
+                "How edges are found: the same edges, another time (prepare).")
+        .choice(&Params::scope,
+                "scope",
+                {"object", "scene"},
+                "Edges among each object's own triangles, or over all that touch.")
+        .choice(&Params::facing,
+                "facing",
+                {"position", "direction"},
+                "Faces turn by the eye's position, exactly, or by the gaze alone, as CoRgi had it.")
+        .choice(&Params::edge_on,
+                "edge_on",
+                {"leave_out", "include"},
+                "Whether an edge of a face that is exactly edge-on is a contour.")
+        .choice(&Params::lone_edges,
+                "lone_edges",
+                {"thick", "thin", "none"},
+                "How an edge of one face is drawn; the source had none.");
+    return add_hidden_line_params(table).number(
+        &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+}
+
+EdgeList::EdgeList(const Params& params)
+    : params_(params),
+      models_(params.scope, params.builder, glm::radians(params.crease_deg)),
+      hidden_(params) {}
+
+void EdgeList::prepare(const scene::Scene& scene) {
+    models_.prepare(scene);
+    hidden_.prepare(scene);
+}
+
+void EdgeList::pose(const scene::Scene& scene) {
+    models_.pose(scene);
+    hidden_.pose(scene);
+}
+
+void EdgeList::draw(const Frame& frame, edge::EdgeImage& out) {
+    out.fill(0);
+    if (hidden_.is_empty()) return;
+    hidden_.fill(frame);
+    hidden_.draw(frame,
+                 models_.lines(frame.view.camera, params_.facing, params_.edge_on),
+                 {.contour_px = params_.width_contour_px,
+                  .crease_px = params_.width_crease_px,
+                  .lone_px = lone_width_px(params_)},
+                 out);
+}
+
+MethodInfo edge_list() {
+    MethodInfo info = method_info<EdgeList>(
+        "edge_list",
+        "CoRgi's comic renderer, a master's project, about 2000",
+        "a list of edges; contours thick, creases thin, hidden by the depth buffer");
+    info.sweep = sweep();
+    return info;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "methods/edge_list/listed_models.h"
+#include "methods/hidden_lines.h"
+#include "methods/method.h"
+
+namespace ink::methods {
+
+/// CoRgi's outlines: a list of edges, each drawn thick or thin by what its two faces do.
+class EdgeList : public Method {
+  public:
+    /// How an edge of one face is drawn; the source's lists had none.
+    enum class LoneEdges { thick, thin, none };
+    struct Params : HiddenLineParams {
+        EdgeBuilder builder = EdgeBuilder::hash;
+        EdgeScope scope = EdgeScope::object;
+        FacingRule facing = FacingRule::position;
+        EdgeOnRule edge_on = EdgeOnRule::include;
+        LoneEdges lone_edges = LoneEdges::thick;
+        int threshold = 128;  ///< it draws 0 and 255 only
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit EdgeList(const Params& params);
+
+    void prepare(const scene::Scene& scene) override;
+    void pose(const scene::Scene& scene) override;
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return hidden_.bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override { return hidden_.cost(); }
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return hidden_.skip_counts(); }
+
+  private:
+    Params params_;
+    ListedModels models_;
+    HiddenLines hidden_;
+};
+
+[[nodiscard]] MethodInfo edge_list();
+
+}  // namespace ink::methods

@@ -1,0 +1,183 @@
+#include "methods/edge_list/listed_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/error.h"
+#include "methods/vertex_weld.h"
+#include "scene/predicates.h"
+#include "scene/surface.h"
+
+namespace ink::methods {
+namespace {
+
+/// all_pairs makes 2e10 comparisons of so many sides: half a minute.
+constexpr std::size_t kMostPairedTriangles = 66'000;
+
+void check_size(EdgeBuilder builder, std::size_t triangles) {
+    if (builder != EdgeBuilder::all_pairs || triangles <= kMostPairedTriangles) return;
+    throw core::Error("edge_list",
+                      "builder all_pairs would compare every two sides of " +
+                          std::to_string(triangles) + " triangles",
+                      "at most " + std::to_string(kMostPairedTriangles) +
+                          " triangles in a list, or builder = temp_list | hash");
+}
+
+std::int8_t sign(double value) {
+    return static_cast<std::int8_t>((value > 0) - (value < 0));
+}
+
+EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule edge_on) {
+    const bool is_contour = facing0 * facing1 < 0 ||
+                            (edge_on == EdgeOnRule::include && (facing0 == 0) != (facing1 == 0));
+    if (is_contour) return EdgeKind::contour;
+    return is_crease ? EdgeKind::crease : EdgeKind::none;
+}
+
+}  // namespace
+
+std::shared_ptr<const ListedModels::List> ListedModels::make_list(
+    const std::vector<Corner>& corners,
+    const std::vector<glm::dvec3>& points,
+    const std::vector<scene::Triangle>& triangles) {
+    auto list = std::make_shared<List>();
+    const VertexWeld weld = weld_vertices(points, 0);
+    list->faces = weld_faces(weld, points, triangles, DoubleFaces::keep).faces;
+    check_size(builder_, list->faces.size());
+    EdgeListing listing = list_edges(list->faces, builder_);
+    list->edges = std::move(listing.edges);
+    for (const std::uint32_t vertex : weld.first_of)
+        list->places.push_back(corners[vertex]);
+    counts_.lookups += listing.counts.lookups;
+    counts_.comparisons += listing.counts.comparisons;
+    counts_.longest = std::max(counts_.longest, listing.counts.longest);
+    return list;
+}
+
+void ListedModels::prepare_objects(const scene::Scene& scene) {
+    std::vector<std::shared_ptr<const List>> lists;  // a mesh used twice is listed once
+    for (const scene::Mesh& mesh : scene.meshes) {
+        std::vector<Corner> corners(mesh.positions.size());
+        for (std::uint32_t v = 0; v < corners.size(); ++v)
+            corners[v].vertex = v;
+        const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
+        lists.push_back(make_list(corners, points, mesh.triangles));
+    }
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+        placed_.push_back({lists[scene.instances[i].mesh], i, {}, {}, {}});
+}
+
+void ListedModels::prepare_scene(const scene::Scene& scene) {
+    std::vector<Corner> corners;
+    std::vector<glm::dvec3> points;
+    std::vector<scene::Triangle> triangles;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        const auto first = static_cast<std::uint32_t>(points.size());
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+            corners.push_back({i, v});
+            points.push_back(scene::to_world(instance, mesh.positions[v]));
+        }
+        const bool is_mirrored = scene::is_mirrored(instance);
+        for (const scene::Triangle& t : mesh.triangles) {
+            scene::Triangle corner{first + t[0], first + t[1], first + t[2]};
+            if (is_mirrored) std::swap(corner[1], corner[2]);
+            triangles.push_back(corner);
+        }
+    }
+    placed_.push_back({make_list(corners, points, triangles), 0, {}, {}, {}});
+}
+
+void ListedModels::prepare(const scene::Scene& scene) {
+    placed_.clear();
+    counts_ = {};
+    listed_hash_ = scene::scene_hash(scene);
+    if (scope_ == EdgeScope::object) {
+        prepare_objects(scene);
+    } else {
+        prepare_scene(scene);
+    }
+}
+
+void ListedModels::place(Placed& placed, const scene::Scene& scene) const {
+    const List& list = *placed.list;
+    placed.p_world.clear();
+    for (const Corner& corner : list.places) {
+        const std::uint32_t i = scope_ == EdgeScope::object ? placed.instance : corner.instance;
+        const scene::Instance& instance = scene.instances[i];
+        const glm::vec3& p_object = scene.meshes[instance.mesh].positions[corner.vertex];
+        placed.p_world.push_back(scene::to_world(instance, p_object));
+    }
+    placed.normals.clear();
+    for (const scene::Triangle& face : list.faces) {
+        const glm::dvec3 a = placed.p_world[face[0]];
+        const glm::dvec3 across =
+            glm::cross(placed.p_world[face[1]] - a, placed.p_world[face[2]] - a);
+        const double length = glm::length(across);
+        placed.normals.push_back(length > 0 ? across / length : glm::dvec3(0));
+    }
+    const double least_cosine = std::cos(crease_rad_);
+    placed.is_crease.clear();
+    for (const ListedEdge& edge : list.edges) {
+        placed.is_crease.push_back(
+            !edge.is_lone() &&
+            glm::dot(placed.normals[edge.faces[0]], placed.normals[edge.faces[1]]) <= least_cosine);
+    }
+}
+
+void ListedModels::pose(const scene::Scene& scene) {
+    // What touched may have moved apart.
+    if (scope_ == EdgeScope::scene && scene::scene_hash(scene) != listed_hash_) prepare(scene);
+    for (Placed& placed : placed_)
+        place(placed, scene);
+}
+
+void ListedModels::append_lines(const Placed& placed,
+                                const std::vector<std::int8_t>& facings,
+                                EdgeOnRule edge_on,
+                                std::vector<KnownEdge>& lines) {
+    const auto& edges = placed.list->edges;
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const ListedEdge& edge = edges[e];
+        const EdgeKind kind = edge.is_lone() ? EdgeKind::lone
+                                             : kind_of(facings[edge.faces[0]],
+                                                       facings[edge.faces[1]],
+                                                       placed.is_crease[e] != 0,
+                                                       edge_on);
+        if (kind != EdgeKind::none)
+            lines.push_back({placed.p_world[edge.a], placed.p_world[edge.b], kind});
+    }
+}
+
+std::vector<KnownEdge> ListedModels::lines(const scene::Camera& camera,
+                                           FacingRule facing,
+                                           EdgeOnRule edge_on) const {
+    const glm::dvec3 back_world = glm::transpose(camera.view_from_world)[2];
+    std::vector<KnownEdge> lines;
+    std::vector<std::int8_t> facings;
+    for (const Placed& placed : placed_) {
+        facings.clear();
+        for (std::size_t f = 0; f < placed.list->faces.size(); ++f) {
+            const auto& [a, b, c] = placed.list->faces[f];
+            const auto& p = placed.p_world;
+            facings.push_back(
+                facing == FacingRule::position
+                    ? static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], camera.eye_world))
+                    : sign(glm::dot(placed.normals[f], back_world)));
+        }
+        append_lines(placed, facings, edge_on, lines);
+    }
+    return lines;
+}
+
+std::size_t ListedModels::edge_count() const {
+    std::size_t count = 0;
+    for (const Placed& placed : placed_)
+        count += placed.list->edges.size();
+    return count;
+}
+
+}  // namespace ink::methods

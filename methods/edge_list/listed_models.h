@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "methods/edge_list/edge_builders.h"
+#include "methods/known_edge.h"
+#include "scene/scene.h"
+
+namespace ink::methods {
+
+/// Which triangles find each other's edges.
+enum class EdgeScope {
+    object,  ///< those of one object, as a program that loads models one by one
+    scene,   ///< all of them, equal world positions being one place
+};
+
+/// Who says which way a face turns.
+enum class FacingRule {
+    position,   ///< the eye's position, exactly
+    direction,  ///< the gaze alone, as CoRgi had it: right at the picture's centre only
+};
+
+/// Whether an edge between what is in front and what is edge-on is a contour.
+enum class EdgeOnRule { leave_out, include };
+
+/// The edge lists of a scene, where its vertices are, and what each edge is in a view.
+class ListedModels {
+  public:
+    ListedModels(EdgeScope scope, EdgeBuilder builder, double crease_rad)
+        : scope_(scope), builder_(builder), crease_rad_(crease_rad) {}
+
+    /// Lists the edges: once per mesh, or over the whole scene.
+    ///
+    /// Throws core::Error (where = edge_list) if all_pairs would take minutes.
+    void prepare(const scene::Scene& scene);
+    /// World positions, normals and creases. With EdgeScope::scene a scene that moved is listed
+    /// anew.
+    void pose(const scene::Scene& scene);
+
+    /// The edges that are a line from this camera, in no order that matters.
+    [[nodiscard]] std::vector<KnownEdge> lines(const scene::Camera& camera,
+                                               FacingRule facing,
+                                               EdgeOnRule edge_on) const;
+
+    /// What the builder did, over all lists.
+    [[nodiscard]] const BuildCounts& counts() const { return counts_; }
+    [[nodiscard]] std::size_t edge_count() const;  ///< over all objects
+
+  private:
+    /// A vertex of the scene.
+    struct Corner {
+        std::uint32_t instance = 0;
+        std::uint32_t vertex = 0;
+    };
+    struct List {
+        std::vector<Corner> places;
+        std::vector<scene::Triangle> faces;
+        std::vector<ListedEdge> edges;
+    };
+    /// A list where one of its uses stands.
+    struct Placed {
+        std::shared_ptr<const List> list;
+        std::uint32_t instance = 0;  ///< not looked at with EdgeScope::scene
+        std::vector<glm::dvec3> p_world;
+        std::vector<glm::dvec3> normals;      ///< per face, unit, world
+        std::vector<std::uint8_t> is_crease;  ///< per edge
+    };
+
+    void prepare_objects(const scene::Scene& scene);
+    void prepare_scene(const scene::Scene& scene);
+    [[nodiscard]] std::shared_ptr<const List> make_list(
+        const std::vector<Corner>& corners,
+        const std::vector<glm::dvec3>& points,
+        const std::vector<scene::Triangle>& triangles);
+    void place(Placed& placed, const scene::Scene& scene) const;
+    static void append_lines(const Placed& placed,
+                             const std::vector<std::int8_t>& facings,
+                             EdgeOnRule edge_on,
+                             std::vector<KnownEdge>& lines);
+
+    EdgeScope scope_;
+    EdgeBuilder builder_;
+    double crease_rad_;
+    std::vector<Placed> placed_;
+    BuildCounts counts_;
+    std::uint64_t listed_hash_ = 0;  ///< of the scene as it was listed
+};
+
+}  // namespace ink::methods

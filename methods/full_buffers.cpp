@@ -1,0 +1,129 @@
+#include "methods/full_buffers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods/surface_values.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr int kChannels = 4;  // depth, nx, ny, nz
+
+raster::PassFormat pass_format(const InputParams& params, int halo_px) {
+    raster::PassFormat format;
+    format.interpolants = kChannels;
+    format.store = raster::Store::f32;
+    format.interpolation = params.interpolation;
+    format.depth = params.depth_format;
+    format.halo_px = halo_px;
+    return format;
+}
+
+}  // namespace
+
+FullBuffers::FullBuffers(const InputParams& params, int halo_px)
+    : params_(params), format_(pass_format(params, halo_px)), inputs_(params) {}
+
+DepthCarrier FullBuffers::see(const Frame& frame) {
+    inputs_.see(frame);
+    return {params_.depth_encoding, params_.interpolation, inputs_.range()};
+}
+
+raster::SkipCounts FullBuffers::draw(const Frame& frame,
+                                     const DepthCarrier& carrier,
+                                     float sky,
+                                     raster::TileSink& sink,
+                                     edge::EdgeImage& out) {
+    const ChannelValues values(inputs_, carrier);
+    raster::MeshInput input = inputs_.mesh_input(frame);
+    input.values = &values;
+    input.sky_f32 = {carrier.is_encoded() ? sky : kNothingDrawn, 0, 0, 0};
+    const raster::MeshResult result = pass_.draw(format_, input, sink);
+    inputs_.finish(result, out);
+    return result.skips;
+}
+
+Cost FullBuffers::cost() const {
+    Cost cost;
+    cost.passes = 1;
+    cost.interpolants = format_.interpolants;
+    cost.values_per_vertex = format_.interpolants;
+    cost.shares_vertices = params_.normals != scene::NormalSource::facet;
+    cost.buffer_bytes_per_px = format_.bytes_per_px();
+    cost.fill = fill_work(format_);
+    return cost;
+}
+
+TilePlane encoded_depth(const raster::Tile& tile,
+                        const DepthCarrier& carrier,
+                        DepthSign sign,
+                        float sky,
+                        TileFloats& buffer) {
+    const bool is_near_high = sign == DepthSign::near_high;
+    if (carrier.is_encoded() && is_near_high) return {tile.row<float>(0, 0), tile.stride};
+    const int halo = tile.halo_px;
+    const int width = tile.width_px + 2 * halo;
+    for (int y = -halo; y < tile.height_px + halo; ++y) {
+        const float* carried = tile.row<float>(0, y) - halo;
+        float* out = buffer.row(y) - halo;
+        if (carrier.is_encoded()) {
+            std::copy_n(carried, width, out);
+        } else {
+            carrier.encode_row(carried, sky, out, width);
+        }
+        for (int x = 0; !is_near_high && x < width; ++x)
+            out[x] = 1 - out[x];
+    }
+    return TilePlane(buffer);
+}
+
+TilePlane inverse_distance(const raster::Tile& tile,
+                           const DepthCarrier& carrier,
+                           const raster::DepthRange& range,
+                           TileFloats& buffer) {
+    const int halo = tile.halo_px;
+    const double q_far = 1 / range.far;
+    const double q_span = 1 / range.near - q_far;
+    const double w_span = range.far - range.near;
+    const auto of = [&](double carried) {
+        const double q = carrier.is_affine() ? carried * q_span + q_far
+                                             : 1 / std::max(range.far - carried * w_span, 1e-30);
+        return static_cast<float>(std::max(q, 1e-30));
+    };
+    for (int y = -halo; y < tile.height_px + halo; ++y) {
+        const float* carried = tile.row<float>(0, y);
+        float* out = buffer.row(y);
+        for (int x = -halo; x < tile.width_px + halo; ++x)
+            out[x] = carried[x] == kNothingDrawn ? 0 : of(carried[x]);
+    }
+    return TilePlane(buffer);
+}
+
+std::array<TilePlane, 3> view_normals(const raster::Tile& tile,
+                                      bool renormalise,
+                                      std::array<TileFloats, 3>& buffers) {
+    std::array<TilePlane, 3> planes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float* own = tile.row<float>(static_cast<int>(i) + 1, 0);
+        planes[i] = renormalise ? TilePlane(buffers[i]) : TilePlane(own, tile.stride);
+    }
+    if (!renormalise) return planes;
+    const int halo = tile.halo_px;
+    for (int y = -halo; y < tile.height_px + halo; ++y) {
+        for (int x = -halo; x < tile.width_px + halo; ++x) {
+            float n[3];
+            float square = 0;
+            for (int i = 0; i < 3; ++i) {
+                n[i] = tile.row<float>(i + 1, y)[x];
+                square += n[i] * n[i];
+            }
+            const float scale = square > 0 ? 1 / std::sqrt(square) : 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                buffers[i].row(y)[x] = n[i] * scale;
+        }
+    }
+    return planes;
+}
+
+}  // namespace ink::methods

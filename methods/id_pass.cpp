@@ -1,0 +1,77 @@
+#include "methods/id_pass.h"
+
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+namespace ink::methods {
+namespace {
+
+/// Normals are not read; those of patches leave corners shared.
+InputParams input_params(const IdParams& params) {
+    InputParams inputs;
+    inputs.normals = scene::NormalSource::patch;
+    inputs.crease_deg = params.crease_deg;
+    inputs.depth_format = params.depth_format;
+    return inputs;
+}
+
+raster::PassFormat pass_format(const IdParams& params, int halo_px) {
+    raster::PassFormat format;
+    format.constant = true;
+    format.store = raster::Store::u32;
+    format.depth = params.depth_format;
+    format.halo_px = halo_px;
+    return format;
+}
+
+}  // namespace
+
+IdPass::IdPass(const IdParams& params, int halo_px)
+    : params_(params), format_(pass_format(params, halo_px)), inputs_(input_params(params)) {}
+
+std::vector<std::uint32_t> IdPass::ids_of(const scene::Scene& scene) const {
+    return surface_ids(
+        scene,
+        params_.of,
+        {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
+}
+
+void IdPass::prepare(const scene::Scene& scene) {
+    inputs_.prepare(scene);
+    ids_ = ids_of(scene);
+    posed_hash_ = scene::scene_hash(scene);
+    have_ids_changed_ = true;
+}
+
+void IdPass::pose(const scene::Scene& scene) {
+    inputs_.pose(scene);
+    const bool bends_count =
+        params_.of == IdSource::patch || params_.of == IdSource::object_and_patch;
+    const std::uint64_t hash = scene::scene_hash(scene);
+    if (!bends_count || hash == posed_hash_) return;
+    posed_hash_ = hash;
+    std::vector<std::uint32_t> ids = ids_of(scene);
+    have_ids_changed_ = have_ids_changed_ || ids != ids_;
+    ids_ = std::move(ids);
+}
+
+raster::MeshResult IdPass::draw(const Frame& frame, bool may_keep_still, raster::TileSink& sink) {
+    inputs_.see(frame);
+    raster::MeshInput input = inputs_.mesh_input(frame);
+    input.constants = ids_;
+    input.sky_code = {kNoId};
+    input.may_keep_still = input.may_keep_still && may_keep_still;
+    if (have_ids_changed_ || !may_keep_still) input.moved_objects = ~std::uint64_t{0};
+    have_ids_changed_ = false;
+    return pass_.draw(format_, input, sink);
+}
+
+Cost IdPass::cost() const {
+    Cost cost;
+    cost.passes = 1;
+    cost.buffer_bytes_per_px = format_.bytes_per_px();
+    cost.fill = fill_work(format_);
+    return cost;
+}
+
+}  // namespace ink::methods

@@ -1,0 +1,134 @@
+#include "methods/ids/ids.h"
+
+#include "methods/packed_sink.h"
+
+namespace ink::methods {
+namespace {
+
+/// Three rows of ids and of depths, from the same column on.
+template <class Depth>
+struct Stencil {
+    const std::uint32_t* id[3];
+    const Depth* depth[3];
+
+    /// Whether the pixel owns a border with its neighbour: the nearer owns it, the lower id if they
+    /// are as near. Sky has depth 0, so it owns none.
+    [[nodiscard]] bool owns(int x, int row, int to) const {
+        const std::uint32_t mine = id[1][x];
+        const std::uint32_t other = id[row][to];
+        const Depth d = depth[1][x];
+        const Depth e = depth[row][to];
+        return mine != other && (d > e || (d == e && mine < other));
+    }
+    [[nodiscard]] bool differs(int x) const {
+        const std::uint32_t mine = id[1][x];
+        return mine != id[0][x] || mine != id[2][x] || mine != id[1][x - 1] || mine != id[1][x + 1];
+    }
+    [[nodiscard]] bool owns_any(int x) const {
+        return owns(x, 0, x) || owns(x, 2, x) || owns(x, 1, x - 1) || owns(x, 1, x + 1);
+    }
+};
+
+class IdSink : public raster::TileSink {
+  public:
+    IdSink(const Ids::Params& params, edge::EdgeImage& out) : params_(params), out_(out) {}
+
+    void finish(const raster::Tile& tile) override {
+        if (tile.is_empty) return clear_tile(tile, out_);
+        if (params_.depth_format == raster::DepthFormat::q32) return finish_as<float>(tile);
+        finish_as<std::uint32_t>(tile);
+    }
+
+  private:
+    template <class Depth>
+    void finish_as(const raster::Tile& tile) {
+        for (int y = 0; y < tile.height_px; ++y) {
+            Stencil<Depth> at{};
+            for (int row = 0; row < 3; ++row) {
+                at.id[row] = tile.row<std::uint32_t>(0, y + row - 1);
+                at.depth[row] = tile.depth_row<Depth>(y + row - 1);
+            }
+            std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x) {
+                // Most pixels lie inside: one test tells, and the loop stays one of comparisons.
+                bool is_line = at.differs(x);
+                if (is_line && params_.side == Ids::Side::nearer) is_line = at.owns_any(x);
+                to[x] = is_line ? 255 : 0;
+            }
+        }
+    }
+
+    const Ids::Params& params_;
+    edge::EdgeImage& out_;
+};
+
+/// From the fastest to the most exact, the method as it comes among them.
+std::vector<core::ParamValues> sweep() {
+    return {
+        // Contours of objects alone.
+        {{"of", "object"}},
+        {{"of", "object"}, {"side", "both"}},
+        // Half the bytes of the depth test.
+        {{"depth_format", "z16"}},
+        // What lies coplanar side by side in two objects is one.
+        {{"of", "patch"}},
+        {{"of", "patch"}, {"side", "both"}},
+        // Blunter creases only.
+        {{"crease_deg", "60"}},
+        // Nothing welded but what is bit-identical.
+        {{"weld_epsilon", "0"}},
+        // Two pixels wide, which no turn of a border makes thinner.
+        {{"side", "both"}},
+        {},
+    };
+}
+
+}  // namespace
+
+core::ParamTable<Ids::Params> Ids::table() {
+    core::ParamTable<Params> table;
+    return add_id_params(table)
+        .choice(&Params::side,
+                "side",
+                {"nearer", "both"},
+                "Where a border's line lies: one pixel on the nearer surface, or both sides of it.")
+        .choice(&Params::depth_format,
+                "depth_format",
+                {"q32", "z24", "z16"},
+                "Format of the depth test, which also tells the nearer side.")
+        .number(&Params::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Strength from which on a pixel is a line; it draws 0 and 255 alone.");
+}
+
+Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}
+
+void Ids::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
+    if (ids_.is_empty()) return out.fill(0);
+    IdSink sink(params_, out);
+    const raster::MeshResult result = ids_.draw(frame, true, sink);
+    ids_.finish(result, out);
+    skip_counts_ = result.skips;
+}
+
+Cost Ids::cost() const {
+    Cost cost = ids_.cost();
+    // Four comparisons, joined; on a border's side four more of depth, which few pixels reach.
+    cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
+    if (params_.side == Side::nearer) cost.filter.bytes_read += 4;
+    return cost;
+}
+
+MethodInfo ids() {
+    MethodInfo info = method_info<Ids>(
+        "ids",
+        "item buffers: Weghorst, Hooper and Greenberg 1984; borders of ids as engines draw them",
+        "a line wherever neighbours belong to other objects or smooth patches");
+    info.sweep = sweep();
+    return info;
+}
+
+}  // namespace ink::methods

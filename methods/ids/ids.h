@@ -1,0 +1,37 @@
+#pragma once
+
+#include "methods/id_pass.h"
+
+namespace ink::methods {
+
+/// Borders between ids of objects, patches or triangles: a line wherever two neighbours differ.
+class Ids : public Method {
+  public:
+    enum class Side {
+        nearer,  ///< one pixel wide, on the surface that is in front
+        both,    ///< two: each pixel that has another id beside it
+    };
+    struct Params : IdParams {
+        Side side = Side::nearer;
+        int threshold = 128;  ///< it draws 0 and 255 alone
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit Ids(const Params& params);
+
+    void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { ids_.pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return ids_.format().bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
+
+  private:
+    Params params_;
+    IdPass ids_;
+    raster::SkipCounts skip_counts_{};
+};
+
+[[nodiscard]] MethodInfo ids();
+
+}  // namespace ink::methods

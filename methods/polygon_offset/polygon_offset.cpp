@@ -1,0 +1,133 @@
+// "Inked": a fat black wireframe first, then fills that polygon offset pulls over it.
+
+#include "methods/polygon_offset/polygon_offset.h"
+
+#include "methods/line_cost.h"
+
+namespace ink::methods {
+namespace {
+
+/// From the fastest to the most exact, the method as it comes among them; factor and units span the
+/// plane over which its errors are drawn.
+std::vector<core::ParamValues> sweep() {
+    return {
+        // Half the triangles, half the lines.
+        {{"faces", "front"}, {"edges", "polygons"}},
+        {{"faces", "front"}},
+        {{"edges", "polygons"}},
+        {},
+        {{"depth_format", "z16"}},
+        // Along factor: from specks all over slopes to what lies behind showing through.
+        {{"factor", "0"}},
+        {{"factor", "-0.125"}},
+        {{"factor", "-0.25"}},
+        {{"factor", "-0.75"}},
+        {{"factor", "-1"}},
+        {{"factor", "-2"}},
+        {{"factor", "-4"}},
+        // Along units: from specks on level faces to the same.
+        {{"units", "0"}},
+        {{"units", "-16"}},
+        {{"units", "-256"}},
+        {{"units", "-4096"}},
+        // Against each other.
+        {{"factor", "0"}, {"units", "-16"}},
+        {{"factor", "0"}, {"units", "-256"}},
+        {{"factor", "0"}, {"units", "-4096"}},
+        {{"factor", "-0.25"}, {"units", "-256"}},
+        // Twice as fat: the page's offset grows with the width.
+        {{"width_px", "4"}},
+        {{"width_px", "3"}},
+    };
+}
+
+}  // namespace
+
+core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
+    core::ParamTable<Params> table;
+    table
+        .number(&Params::width_px,
+                "width_px",
+                {1, 16},
+                "px",
+                "Width of the wireframe's lines, to the nearest px; half of it is seen.")
+        .number(&Params::factor,
+                "factor",
+                {-8, 8},
+                "1/px",
+                "Polygon offset's factor over the width: below 0 pulls towards the eye.")
+        .number(&Params::units,
+                "units",
+                {-65536, 65536},
+                "steps",
+                "Polygon offset's units: below 0 pulls towards the eye.")
+        .choice(&Params::edges,
+                "edges",
+                {"all", "polygons"},
+                "Edges of all triangles, or without those inside a flat polygon.")
+        .choice(&Params::faces,
+                "faces",
+                {"both", "front"},
+                "Draw faces seen from both sides, or cull those seen from their back.")
+        .choice(&Params::depth_format,
+                "depth_format",
+                {"q32", "z24", "z16"},
+                "Format of the depth buffer: float 1/w, or whole steps of window depth.")
+        .number(&Params::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Strength from which on a pixel is a line.");
+    return table;
+}
+
+PolygonOffsetInk::PolygonOffsetInk(const Params& params) : params_(params), scene_(params.edges) {
+    format_.depth = params.depth_format;
+}
+
+void PolygonOffsetInk::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
+    out.fill(0);
+    if (scene_.is_empty() || out.is_empty()) return;
+    const bool is_culled = params_.faces == Faces::front;
+    const scene::Camera& camera = frame.view.camera;
+    depth_.start(
+        params_.depth_format, camera.near, camera.far, frame.view.width_px, frame.view.height_px);
+
+    raster::MeshInput fills = scene_.mesh_input(frame);
+    fills.cull = is_culled ? raster::Cull::back : raster::Cull::none;
+    // The page's width is a whole number; a factor of a width that is rounded must not be another.
+    fills.offset = {params_.factor * raster::line_width_px(params_.width_px), params_.units};
+    raster::DepthSink sink(depth_);
+    skip_counts_ = fills_.draw(format_, fills, sink).skips;
+
+    // The page draws its lines first. What is seen in the end is the nearest, and the line where
+    // both are equal: under GL_LESS the fill does not replace it, and here the line passes.
+    raster::LineInput lines;
+    lines.p_world = scene_.surface().p_world;
+    lines.lines = is_culled ? scene_.lines_of_side(1, frame) : scene_.lines();
+    lines.view = frame.view;
+    lines.width_px = params_.width_px;
+    lines.test = raster::LineTest::less_equal;
+    lines.threads = frame.threads;
+    lines.skips_hidden = frame.skips.has(raster::Skip::hidden);
+    const raster::LineCounts counts = lines_.draw(lines, depth_, out);
+    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::hidden);
+    hidden.skipped += counts.hidden;
+    hidden.of += counts.lines;
+}
+
+Cost PolygonOffsetInk::cost() const {
+    return filled_lines_cost(format_);
+}
+
+MethodInfo polygon_offset() {
+    MethodInfo info = method_info<PolygonOffsetInk>(
+        "polygon_offset",
+        "\"Inked\", a page on drawing outlines with polygon offset",
+        "a fat black wireframe, fills pulled over it by polygon offset");
+    info.sweep = sweep();
+    return info;
+}
+
+}  // namespace ink::methods

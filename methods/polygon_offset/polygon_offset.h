@@ -1,0 +1,47 @@
+#pragma once
+
+#include "methods/method.h"
+#include "methods/triangle_edges.h"
+
+namespace ink::methods {
+
+/// Ink by polygon offset: a fat black wireframe, and fills pulled towards the eye over it.
+class PolygonOffsetInk : public Method {
+  public:
+    enum class Faces {
+        both,   ///< nothing is culled
+        front,  ///< back faces are neither filled nor drawn as lines
+    };
+    struct Params {
+        double width_px = 2;
+        double factor = -0.5;
+        double units = -1;
+        WireEdges edges = WireEdges::all;
+        Faces faces = Faces::both;
+        raster::DepthFormat depth_format = raster::DepthFormat::z24;
+        int threshold = 128;  // it draws 0 and 255 only
+    };
+    [[nodiscard]] static core::ParamTable<Params> table();
+
+    explicit PolygonOffsetInk(const Params& params);
+
+    void prepare(const scene::Scene& scene) override { scene_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { scene_.pose(scene); }
+    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
+
+  private:
+    Params params_;
+    raster::PassFormat format_;
+    TriangleEdges scene_;
+    raster::MeshPass fills_;
+    raster::LinePass lines_;
+    raster::DepthImage depth_;
+    raster::SkipCounts skip_counts_{};
+};
+
+[[nodiscard]] MethodInfo polygon_offset();
+
+}  // namespace ink::methods

@@ -1,0 +1,217 @@
+// Saito and Takahashi, "Comprehensible rendering of 3-D shapes", SIGGRAPH 1990: the section on
+// discontinuities.
+
+#include "methods/sobel/sobel.h"
+
+#include <algorithm>
+
+#include "edge/decaudin_filter.h"
+#include "edge/sobel.h"
+#include "methods/packed_sink.h"
+
+namespace ink::methods {
+namespace {
+
+using Order = Sobel::Order;
+
+/// Sensitivities of one channel.
+struct Limits {
+    float first;
+    float second;
+};
+
+class SobelSink : public raster::TileSink {
+  public:
+    SobelSink(const Sobel::Params& params, const DepthCarrier& carrier, edge::EdgeImage& out)
+        : params_(params), carrier_(carrier), out_(out) {}
+
+    void finish(const raster::Tile& tile) override;
+
+  private:
+    void add_channel(const raster::Tile& tile,
+                     const TilePlane& plane,
+                     const Limits& limits,
+                     TileFloats& joined) const;
+
+    const Sobel::Params& params_;
+    const DepthCarrier& carrier_;
+    edge::EdgeImage& out_;
+};
+
+/// Joins the profile p = min((gmax - gmin) / k, 1)^2 of one plane, extremes over 3 x 3 pixels, by
+/// the larger. Saito and Takahashi's p is Decaudin's of another g.
+void join_profile(const raster::Tile& tile, const TilePlane& plane, float k, TileFloats& joined) {
+    TileFloats g;
+    const core::ImageView<const float> from{
+        plane.row(-1) - 1, tile.width_px + 2, tile.height_px + 2, plane.stride};
+    const core::ImageView<float> to{
+        g.row(-1) - 1, tile.width_px + 2, tile.height_px + 2, TileFloats::kSpan};
+    edge::sobel(from, edge::Differential::first, to);
+    std::array<float, raster::kTileSize_px> p;
+    for (int y = 0; y < tile.height_px; ++y) {
+        edge::decaudin_p_row(
+            g.row(y - 1), g.row(y), g.row(y + 1), p.data(), tile.width_px, {.k = k});
+        float* row = joined.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            row[x] = std::max(row[x], p[static_cast<std::size_t>(x)]);
+    }
+}
+
+/// The same with the internal edge e = min(|l| / k, 1)^2.
+void join_internal(const raster::Tile& tile, const TilePlane& plane, float k, TileFloats& joined) {
+    TileFloats l;
+    const core::ImageView<const float> from{
+        plane.row(0), tile.width_px, tile.height_px, plane.stride};
+    const core::ImageView<float> to{l.row(0), tile.width_px, tile.height_px, TileFloats::kSpan};
+    edge::sobel(from, edge::Differential::second, to);
+    for (int y = 0; y < tile.height_px; ++y) {
+        const float* strength = l.row(y);
+        float* row = joined.row(y);
+        for (int x = 0; x < tile.width_px; ++x) {
+            const float e = std::min(strength[x] / k, 1.0F);
+            row[x] = std::max(row[x], e * e);
+        }
+    }
+}
+
+void SobelSink::add_channel(const raster::Tile& tile,
+                            const TilePlane& plane,
+                            const Limits& limits,
+                            TileFloats& joined) const {
+    if (params_.order != Order::second) join_profile(tile, plane, limits.first, joined);
+    if (params_.order != Order::first) join_internal(tile, plane, limits.second, joined);
+}
+
+void SobelSink::finish(const raster::Tile& tile) {
+    if (tile.is_empty) return clear_tile(tile, out_);
+    TileFloats depth_buffer;
+    std::array<TileFloats, 3> normal_buffers;
+    TileFloats joined;
+    for (int y = 0; y < tile.height_px; ++y)
+        std::fill_n(joined.row(y), tile.width_px, 0.0F);
+    const TilePlane depth = encoded_depth(
+        tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
+    const Limits depth_limits{static_cast<float>(params_.k_first),
+                              static_cast<float>(params_.k_second)};
+    add_channel(tile, depth, depth_limits, joined);
+    if (params_.uses_normals) {
+        const auto k = static_cast<float>(params_.k_normal);
+        for (const TilePlane& normal : view_normals(tile, params_.renormalise, normal_buffers))
+            add_channel(tile, normal, {k, k}, joined);
+    }
+    for (int y = 0; y < tile.height_px; ++y) {
+        std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
+        const float* row = joined.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            to[x] = static_cast<std::uint8_t>(row[x] * 255 + 0.5F);
+    }
+}
+
+/// From the fastest to the most exact, the method as it comes among them.
+std::vector<core::ParamValues> sweep() {
+    return {
+        {},
+        // Depth alone: what the paper's own pictures are made of.
+        {{"uses_normals", "false"}},
+        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        {{"depth_format", "z16"}},
+        // Lines at smaller steps and bends of depth.
+        {{"k_second", "0.005"}},
+        // Lines at larger ones only.
+        {{"k_second", "0.05"}},
+        // Profiles: wide lines where depth jumps, and where the normal does.
+        {{"order", "first"}, {"threshold", "31"}},
+        // Both kinds of line.
+        {{"order", "both"}, {"threshold", "161"}},
+        // No smooth normals: what adjacency buys.
+        {{"normals", "facet"}},
+        // The most exact input there is.
+        {{"interpolation", "perspective"}, {"renormalise", "true"}},
+    };
+}
+
+}  // namespace
+
+core::ParamTable<Sobel::Params> Sobel::table() {
+    core::ParamTable<Params> table;
+    table
+        .choice(&Params::order,
+                "order",
+                {"first", "second", "both"},
+                "Profiles, internal edges, or the stronger of the two.")
+        .flag(&Params::uses_normals,
+              "uses_normals",
+              "The same operators over the normal's components, too.")
+        .number(&Params::k_first,
+                "k_first",
+                {1e-5, 10},
+                "",
+                "Spread of g at which a profile is full; depth's range is 1.")
+        .number(&Params::k_second,
+                "k_second",
+                {1e-5, 10},
+                "",
+                "Second differential at which an internal edge is full; depth's range is 1.")
+        .number(&Params::k_normal,
+                "k_normal",
+                {1e-3, 10},
+                "",
+                "Either of both at which a component of the normal makes a full line.");
+    return add_input_params(table)
+        .number(&Params::sky,
+                "sky",
+                {-1, 1},
+                "depth",
+                "Depth of empty pixels; -1 stands for infinity, a whole range beyond far.")
+        .number(&Params::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Strength from which on a pixel is a line.");
+}
+
+Sobel::Sobel(const Params& params) : params_(params), buffers_(params, 2) {}
+
+void Sobel::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
+    if (buffers_.is_empty()) return out.fill(0);
+    const DepthCarrier carrier = buffers_.see(frame);
+    SobelSink sink(params_, carrier, out);
+    skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
+}
+
+Cost Sobel::cost() const {
+    constexpr double kFloat_bytes = sizeof(float);
+    Cost cost = buffers_.cost();
+    PixelWork depth = encode_work(params_.depth_encoding, params_.interpolation);
+    if (params_.depth_sign == DepthSign::far_high) depth.operations += 1;
+    if (depth.operations > 0) depth = depth + PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    PixelWork normals;
+    if (params_.uses_normals && params_.renormalise)
+        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    PixelWork channel;
+    if (params_.order != Order::second) {
+        // g: four sums of three with the middle doubled, two differences and sizes, a sum, over 8;
+        // a picture of its own. p: extremes of columns and rows, difference, over k, squared, cut.
+        channel = channel + PixelWork{kFloat_bytes, kFloat_bytes, 4 * 3 + 4 + 1 + 1};
+        channel = channel + PixelWork{kFloat_bytes, 0, 2 * (2 + 2) + 4 + 1};
+    }
+    if (params_.order != Order::first) {
+        // Eight times the middle, less eight; its size, over 3 and over k, cut, squared, joined.
+        channel = channel + PixelWork{kFloat_bytes, 0, 1 + 8 + 1 + 2 * kSlowOperations + 3};
+    }
+    const PixelWork write{0, 1, 3};
+    cost.filter = depth + normals + (params_.uses_normals ? 4.0 : 1.0) * channel + write;
+    return cost;
+}
+
+MethodInfo sobel() {
+    MethodInfo info = method_info<Sobel>(
+        "sobel",
+        "Saito and Takahashi, Comprehensible rendering of 3-D shapes, SIGGRAPH 1990",
+        "first and second differentials of depth: profiles and internal edges");
+    info.sweep = sweep();
+    return info;
+}
+
+}  // namespace ink::methods

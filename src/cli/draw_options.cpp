@@ -1,0 +1,165 @@
+#include "cli/draw_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "cli/options.h"
+#include "core/error.h"
+#include "lab/entrants.h"
+
+namespace ink::cli {
+namespace {
+
+/// All of `text` as a whole number 0..255.
+std::optional<std::uint8_t> parse_byte(std::string_view text, int base) {
+    std::uint8_t value = 0;
+    const char* last = text.data() + text.size();
+    const auto [end, status] = std::from_chars(text.data(), last, value, base);
+    if (status != std::errc{} || end != last) return std::nullopt;
+    return value;
+}
+
+std::optional<glm::u8vec3> parse_hex_color(std::string_view text) {
+    if (text.size() != 7 || text[0] != '#') return std::nullopt;
+    glm::u8vec3 color{0};
+    for (int c = 0; c < 3; ++c) {
+        const auto byte = parse_byte(text.substr(static_cast<std::size_t>(1 + 2 * c), 2), 16);
+        if (!byte) return std::nullopt;
+        color[c] = *byte;
+    }
+    return color;
+}
+
+std::optional<glm::u8vec3> parse_listed_color(const std::string& text) {
+    const std::vector<std::string> parts = lab::split_list(text);
+    if (parts.size() != 3) return std::nullopt;
+    glm::u8vec3 color{0};
+    for (int c = 0; c < 3; ++c) {
+        const auto byte = parse_byte(parts[static_cast<std::size_t>(c)], 10);
+        if (!byte) return std::nullopt;
+        color[c] = *byte;
+    }
+    return color;
+}
+
+/// Nothing for text that was not given.
+std::optional<glm::u8vec3> parse_color(const std::string& text, const char* option) {
+    if (text.empty()) return std::nullopt;
+    const auto color = text[0] == '#' ? parse_hex_color(text) : parse_listed_color(text);
+    if (!color) {
+        throw core::Error(option,
+                          fmt::format("'{}' is no colour", text),
+                          "R,G,B with whole numbers 0..255, or #rrggbb");
+    }
+    return color;
+}
+
+core::ParamValues parse_settings(const std::vector<std::string>& settings, const char* option) {
+    core::ParamValues values;
+    for (const std::string& text : settings) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw core::Error(option, fmt::format("'{}' is no setting", text), "key=value");
+        }
+        values[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return values;
+}
+
+void refuse_unused(bool is_given, const char* option, const std::string& needs) {
+    if (is_given) throw core::Error(option, "it would do nothing here", needs);
+}
+
+std::optional<shade::Style> parse_style(const LookOptions& options) {
+    const core::ParamValues settings = parse_settings(options.shade_settings, "--set-shade");
+    if (options.shading != "none") return shade::find_shading(options.shading).make(settings);
+    const std::string needs = "--shading NAME with it";
+    refuse_unused(!settings.empty(), "--set-shade", needs);
+    refuse_unused(!options.surface.empty(), "--surface", needs);
+    return std::nullopt;
+}
+
+std::optional<shade::HandParams> parse_hand(const LookOptions& options) {
+    const core::ParamValues settings = parse_settings(options.hand_settings, "--set-hand");
+    if (options.hand_drawn) return shade::hand_table().read(settings, "--set-hand");
+    const std::string needs = "--hand-drawn with it";
+    refuse_unused(!settings.empty(), "--set-hand", needs);
+    refuse_unused(!options.seed.empty(), "--seed", needs);
+    return std::nullopt;
+}
+
+shade::DitherFormat parse_dither(const std::string& text) {
+    if (text == "none") return shade::DitherFormat::none;
+    if (text == "565") return shade::DitherFormat::rgb565;
+    if (text == "332") return shade::DitherFormat::rgb332;
+    throw core::Error("--dither", fmt::format("there is no dither '{}'", text), "none | 565 | 332");
+}
+
+}  // namespace
+
+void add_look_options(CLI::App& command, LookOptions& options) {
+    const auto add_settings = [&](const char* name, std::vector<std::string>& to, const char* doc) {
+        command.add_option(name, to, doc)
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    };
+    std::string names = "none";
+    for (const shade::ShadingInfo& info : shade::shadings())
+        names += ", " + info.name;
+    command.add_option("--shading", options.shading, "Under the lines: " + names)
+        ->capture_default_str();
+    add_settings("--set-shade",
+                 options.shade_settings,
+                 "A knob of the shading: key=value (see inkbench list shadings)");
+    const char* color_doc = ", R,G,B or #rrggbb";
+    command.add_option("--ink", options.ink, std::string("Colour of the lines") + color_doc);
+    command.add_option(
+        "--paper", options.paper, std::string("Colour where nothing is") + color_doc);
+    command.add_option(
+        "--surface", options.surface, std::string("Colour of shaded surfaces") + color_doc);
+    command.add_option("--line-width",
+                       options.line_width_px,
+                       "Thin the lines and draw them this wide, px; 0 leaves them as the method "
+                       "draws them (by hand: 2)");
+    command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines again by hand");
+    add_settings("--set-hand",
+                 options.hand_settings,
+                 "A knob of the hand: key=value (see inkbench list shadings)");
+    command.add_option("--seed", options.seed, "Seed of the hand, a whole number (0)");
+    command
+        .add_option("--antialias", options.antialias, "Draw at N x N the size and average, 1..8")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--dither", options.dither, "Ordered dither to a frame buffer's bits: none, 565, 332")
+        ->capture_default_str();
+}
+
+lab::DrawOptions drawing_looks(const LookOptions& options) {
+    lab::DrawOptions looks;
+    looks.shading = parse_style(options);
+    looks.ink = parse_color(options.ink, "--ink");
+    looks.paper = parse_color(options.paper, "--paper");
+    looks.surface = parse_color(options.surface, "--surface");
+    looks.hand = parse_hand(options);
+    if (!options.seed.empty()) looks.seed = parse_seed(options.seed);
+    looks.dither = parse_dither(options.dither);
+    if (!(options.line_width_px >= 0 && options.line_width_px <= lab::kMostLineWidth_px)) {
+        throw core::Error("--line-width",
+                          fmt::format("lines cannot be {:g} px wide", options.line_width_px),
+                          fmt::format("0..{:g}", lab::kMostLineWidth_px));
+    }
+    looks.line_width_px = options.line_width_px;
+    if (options.antialias < 1 || options.antialias > lab::kMostAntialias) {
+        throw core::Error("--antialias",
+                          fmt::format("{0} x {0} is not possible", options.antialias),
+                          fmt::format("1..{}", lab::kMostAntialias));
+    }
+    looks.antialias = options.antialias;
+    return looks;
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <numeric>
+
+#include "score/motion.h"
+
+namespace ink::score {
+namespace {
+
+/// Which of many things belong together (Tarjan's union-find); the least of each group is its root.
+class Groups {
+  public:
+    explicit Groups(std::size_t size) : parent_(size) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    [[nodiscard]] std::size_t root(std::size_t i) {
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+/// The false pixels of a frame, numbered on from those of the frames before.
+struct FalsePixels {
+    PixelList pixels;
+    std::size_t first = 0;
+};
+
+std::vector<FalsePixels> false_pixels(std::span<const MotionFrame> frames, const Disk& disk) {
+    std::vector<FalsePixels> result;
+    std::size_t first = 0;
+    for (const MotionFrame& frame : frames) {
+        PixelList pixels = frame.counted;
+        pixels.drop(within_reach(pixels, frame.truth, disk));
+        const std::size_t size = pixels.size();
+        result.push_back({std::move(pixels), first});
+        first += size;
+    }
+    return result;
+}
+
+/// Joins each pixel of `a` with those of `b` within `disk`.
+void join_reached(const FalsePixels& a, const FalsePixels& b, const Disk& disk, Groups& groups) {
+    visit_reach(a.pixels, b.pixels, disk, [&](std::size_t i, std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+            groups.join(a.first + i, b.first + k);
+    });
+}
+
+}  // namespace
+
+std::vector<FalseLine> false_lines(std::span<const MotionFrame> frames, double tolerance_px) {
+    if (frames.empty()) return {};
+    const Disk disk(tolerance_px);
+    const Disk touching(1.5);  // the 8 neighbours
+    const std::vector<FalsePixels> all = false_pixels(frames, disk);
+    const std::size_t count = all.back().first + all.back().pixels.size();
+    Groups groups(count);
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        join_reached(all[t], all[t], touching, groups);
+        if (t > 0) join_reached(all[t - 1], all[t], disk, groups);
+    }
+
+    std::vector<FalseLine> lines;
+    std::vector<std::size_t> line_of(count);
+    const int last = static_cast<int>(frames.size()) - 1;
+    for (int t = 0; t <= last; ++t) {
+        const FalsePixels& now = all[static_cast<std::size_t>(t)];
+        for (std::size_t i = now.first; i < now.first + now.pixels.size(); ++i) {
+            // A root is the first pixel of its line, so lines come in order.
+            const std::size_t root = groups.root(i);
+            if (root == i) {
+                line_of[i] = lines.size();
+                lines.push_back({.first_frame = t});
+            }
+            FalseLine& line = lines[line_of[root]];
+            line.last_frame = t;
+            line.is_cut = line.first_frame == 0 || t == last;
+            ++line.n_px;
+        }
+    }
+    return lines;
+}
+
+std::vector<std::int64_t> life_counts(std::span<const FalseLine> lines) {
+    std::vector<std::int64_t> counts;
+    for (const FalseLine& line : lines) {
+        const auto life = static_cast<std::size_t>(line.life());
+        if (counts.size() < life) counts.resize(life);
+        ++counts[life - 1];
+    }
+    return counts;
+}
+
+std::optional<double> median_life(std::span<const std::int64_t> lives) {
+    const std::int64_t n = std::accumulate(lives.begin(), lives.end(), std::int64_t{0});
+    if (n == 0) return std::nullopt;
+    // The life of the line that has `below` others before it, from short to long.
+    const auto life_of = [&](std::int64_t below) {
+        std::size_t i = 0;
+        for (std::int64_t seen = lives[0]; seen <= below; seen += lives[i])
+            ++i;
+        return static_cast<double>(i + 1);
+    };
+    return (life_of((n - 1) / 2) + life_of(n / 2)) / 2;
+}
+
+}  // namespace ink::score

@@ -1,0 +1,84 @@
+#include "methods/edge_hash/edge_hash.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scene/shapes.h"
+#include "small_scenes.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr std::pair<int, int> kSize_px{160, 120};
+
+EdgeHash posed(const scene::Scene& scene, const EdgeHash::Params& params = {}) {
+    EdgeHash method(params);
+    method.prepare(scene);
+    method.pose(scene);
+    return method;
+}
+
+edge::EdgeImage picture(EdgeHash& method, const scene::View& view) {
+    edge::EdgeImage out(view.width_px, view.height_px);
+    method.draw({view}, out);
+    return out;
+}
+
+TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
+    const scene::Scene scene = scene_of({scene::make_icosphere(1, 3)});
+    const scene::View here = view_from(scene, {0, 1, 5}, {0, 0, 0}, kSize_px);
+    const scene::View there = view_from(scene, {3, 1, 4}, {0, 0, 0}, kSize_px);
+    EdgeHash exact = posed(scene);
+    EdgeHash::Params old;
+    old.eye = EdgeHash::Eye::stale;
+    EdgeHash stale = posed(scene, old);
+    EXPECT_EQ(picture(stale, here), picture(exact, here));  // there was none before
+    EXPECT_EQ(picture(stale, here), picture(exact, here));
+    const auto late = picture(stale, there);
+    EXPECT_NE(late, picture(exact, there));
+    EXPECT_EQ(picture(stale, there), late);  // the same view again
+    stale.prepare(scene);
+    stale.pose(scene);
+    EXPECT_EQ(picture(stale, there), picture(exact, there));
+}
+
+std::size_t count(const DebugPicture& picture, const glm::u8vec3& color) {
+    return static_cast<std::size_t>(
+        std::count(picture.rgb.data(), picture.rgb.data() + picture.rgb.size(), color));
+}
+
+TEST(EdgeHash, ItsDebugPictureHasAColorForEachKind) {
+    const scene::Scene scene = cube_on_floor();
+    const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px);
+    EdgeHash method = posed(scene);
+    const DebugPicture picture = method.debug_picture({view});
+    EXPECT_EQ(picture.counts.silhouettes, 6U);
+    EXPECT_EQ(picture.counts.creases, 6U);
+    EXPECT_EQ(picture.counts.lone, 4U);
+    EXPECT_EQ(picture.counts.models.edges, 18U + 5);
+    EXPECT_GT(count(picture, {0, 0, 0}), 100U);
+    EXPECT_GT(count(picture, {255, 255, 255}), 50U);
+    EXPECT_GT(count(picture, {255, 0, 0}), 100U);
+}
+
+TEST(EdgeHash, ItsDebugPictureOfAClosedSolidHasNoRed) {
+    const scene::Scene scene = scene_of({cube_mesh()});
+    EdgeHash method = posed(scene);
+    const DebugPicture picture =
+        method.debug_picture({view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px)});
+    EXPECT_EQ(picture.counts.lone, 0U);
+    EXPECT_EQ(count(picture, {255, 0, 0}), 0U);
+}
+
+TEST(EdgeHash, TheDebugPictureOfNothingIsPaper) {
+    const scene::Scene empty;
+    EdgeHash method = posed(empty);
+    const scene::View view = view_from(cube_on_floor(), {4, 3, 6}, {0, 0, 0}, kSize_px);
+    const DebugPicture picture = method.debug_picture({view});
+    EXPECT_EQ(count(picture, picture.rgb.at(0, 0)), picture.rgb.size());
+    EXPECT_EQ(picture.counts.silhouettes + picture.counts.creases + picture.counts.lone, 0U);
+}
+
+}  // namespace
+}  // namespace ink::methods

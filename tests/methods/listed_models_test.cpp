@@ -1,0 +1,134 @@
+#include "methods/edge_list/listed_models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/error.h"
+#include "scene/shapes.h"
+#include "small_scenes.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr double kCrease_rad = 0.7;
+
+struct KindCounts {
+    std::ptrdiff_t contours = 0;
+    std::ptrdiff_t creases = 0;
+    std::ptrdiff_t lone = 0;
+    friend bool operator==(const KindCounts&, const KindCounts&) = default;
+};
+
+std::ostream& operator<<(std::ostream& out, const KindCounts& counts) {
+    return out << counts.contours << " contours, " << counts.creases << " creases, " << counts.lone
+               << " lone";
+}
+
+KindCounts count(const std::vector<KnownEdge>& edges) {
+    const auto of = [&](EdgeKind kind) {
+        return std::count_if(
+            edges.begin(), edges.end(), [&](const auto& edge) { return edge.kind == kind; });
+    };
+    return {of(EdgeKind::contour), of(EdgeKind::crease), of(EdgeKind::lone)};
+}
+
+ListedModels posed(const scene::Scene& scene, EdgeScope scope = EdgeScope::object) {
+    ListedModels models(scope, EdgeBuilder::temp_list, kCrease_rad);
+    models.prepare(scene);
+    models.pose(scene);
+    return models;
+}
+
+scene::Camera camera(const glm::dvec3& eye, const glm::dvec3& target) {
+    return scene::look_at(eye, target, {0, 1, 0}, 0.7);
+}
+
+KindCounts seen_from(const ListedModels& models,
+                     const scene::Camera& camera,
+                     FacingRule facing = FacingRule::position,
+                     EdgeOnRule edge_on = EdgeOnRule::include) {
+    return count(models.lines(camera, facing, edge_on));
+}
+
+TEST(ListedModels, ACubeHasTwelveLinesFromEverySide) {
+    const ListedModels models = posed(scene_of({cube_mesh()}));
+    EXPECT_EQ(models.edge_count(), 18U);
+    // Three faces seen: six edges round them; three between them and three between the others.
+    EXPECT_EQ(seen_from(models, camera({4, 3, 5}, {0, 0, 0})), (KindCounts{6, 6, 0}));
+    EXPECT_EQ(seen_from(models, camera({4, 0, 5}, {0, 0, 0})), (KindCounts{6, 6, 0}));
+    EXPECT_EQ(seen_from(models, camera({0, 0, 5}, {0, 0, 0})), (KindCounts{4, 8, 0}));
+    EXPECT_EQ(seen_from(models, camera({0, 0, 0.5}, {0, 0, 0})), (KindCounts{0, 12, 0}));
+}
+
+TEST(ListedModels, TheGazeTurnsFacesThatTheEyesPositionDoesNot) {
+    scene::Scene scene = scene_of({cube_mesh()});
+    scene.instances[0].world_from_object = glm::translate(glm::dmat4(1), {3, 0, 0});
+    const ListedModels models = posed(scene);
+    // The eye stands in front of x = 2 and z = 1. A gaze towards -x sees x = 2 from behind.
+    const glm::dvec3 eye(0, 0, 5);
+    const scene::Camera away = camera(eye, eye + glm::dvec3(-0.25, 0, -1));
+    EXPECT_EQ(seen_from(models, away), (KindCounts{6, 6, 0}));
+    const auto edge_between = [&](FacingRule facing) {
+        for (const KnownEdge& edge : models.lines(away, facing, EdgeOnRule::include)) {
+            if (edge.a_world + edge.b_world == glm::dvec3(4, 0, 2)) return edge.kind;
+        }
+        return EdgeKind::none;
+    };
+    EXPECT_EQ(edge_between(FacingRule::position), EdgeKind::crease);
+    EXPECT_EQ(edge_between(FacingRule::direction), EdgeKind::contour);
+}
+
+TEST(ListedModels, AnEdgeOnFaceIsAContoursOtherSideByOption) {
+    const ListedModels models = posed(scene_of({cube_mesh()}));
+    const scene::Camera in_plane = camera({1, 0, 5}, {1, 0, 0});  // of x = 1, which is edge-on
+    EXPECT_EQ(seen_from(models, in_plane), (KindCounts{3 + 4, 5, 0}));
+    EXPECT_EQ(seen_from(models, in_plane, FacingRule::position, EdgeOnRule::leave_out),
+              (KindCounts{3, 9, 0}));
+}
+
+TEST(ListedModels, AFaceAloneHasThreeLoneEdges) {
+    scene::Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    EXPECT_EQ(seen_from(posed(scene_of({mesh})), camera({0, 0, 3}, {0, 0, 0})),
+              (KindCounts{0, 0, 3}));
+}
+
+TEST(ListedModels, TilesThatTouchHaveEdgesOfTheirOwnUnlessTheSceneIsOneList) {
+    scene::Scene scene = scene_of({floor_mesh(1), floor_mesh(1)});
+    scene.instances[1].world_from_object = glm::translate(glm::dmat4(1), {2, 0, 0});
+    const scene::Camera above = camera({1, 5, 0.5}, {1, 0, 0});
+    EXPECT_EQ(seen_from(posed(scene), above), (KindCounts{0, 0, 8}));
+    ListedModels models = posed(scene, EdgeScope::scene);
+    EXPECT_EQ(seen_from(models, above), (KindCounts{0, 0, 6}));
+    scene.instances[1].world_from_object = glm::translate(glm::dmat4(1), {2.5, 0, 0});
+    models.pose(scene);
+    EXPECT_EQ(seen_from(models, above), (KindCounts{0, 0, 8}));
+}
+
+TEST(ListedModels, AMeshUsedTwiceIsListedOnce) {
+    scene::Scene scene = scene_of({cube_mesh()});
+    scene.instances.push_back({0, glm::translate(glm::dmat4(1), glm::dvec3(5, 0, 0)), "again"});
+    const ListedModels models = posed(scene);
+    EXPECT_EQ(models.counts().lookups, 36U);
+    EXPECT_EQ(models.edge_count(), 36U);
+}
+
+TEST(ListedModels, AllPairsOfALargeMeshIsRefused) {
+    ListedModels models(EdgeScope::object, EdgeBuilder::all_pairs, kCrease_rad);
+    const scene::Scene scene =
+        scene_of({scene::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {200, 200})});
+    try {
+        models.prepare(scene);
+        FAIL() << "no error";
+    } catch (const core::Error& error) {
+        EXPECT_EQ(error.where(), "edge_list");
+        EXPECT_NE(error.what_happened().find("80000 triangles"), std::string::npos);
+        EXPECT_NE(error.accepted().find("temp_list | hash"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace ink::methods

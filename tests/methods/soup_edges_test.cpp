@@ -1,0 +1,145 @@
+#include "methods/edge_hash/soup_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "methods/edge_hash/soup_models.h"
+#include "scene/catalogue.h"
+#include "scene/import.h"
+#include "scene/shapes.h"
+#include "tests/scene/small_meshes.h"
+#include "tests/shared_files.h"
+
+namespace ink::methods {
+namespace {
+
+SoupEdges found(const scene::Mesh& mesh, double epsilon = 0) {
+    const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
+    return find_edges({points, mesh.triangles}, epsilon);
+}
+
+/// Every triangle with three vertices of its own.
+scene::Mesh exploded(const scene::Mesh& mesh) {
+    scene::Mesh soup;
+    for (const scene::Triangle& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.positions.size());
+        for (const std::uint32_t v : t)
+            soup.positions.push_back(mesh.positions[v]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return soup;
+}
+
+TEST(SoupEdges, ClosedFormsComeTogetherFromLooseTriangles) {
+    const SoupEdges cube = found(exploded(scene::unit_cube()));
+    EXPECT_EQ(cube.counts.places, 8U);
+    EXPECT_EQ(cube.counts.edges, 18U);
+    EXPECT_EQ(cube.counts.lone, 0U);
+    const SoupEdges ball = found(exploded(scene::make_icosphere(1, 2)));
+    EXPECT_EQ(ball.counts.places, 10U * 16 + 2);
+    EXPECT_EQ(ball.counts.edges, 30U * 16);
+    EXPECT_EQ(ball.counts.lone + ball.counts.crowded, 0U);
+}
+
+TEST(SoupEdges, EachFaceStandsAtItsEdgesWithTheWayItRuns) {
+    const SoupEdges soup = found(scene::unit_cube());
+    for (const SoupEdge& edge : soup.edges) {
+        ASSERT_EQ(edge.count, 2U);
+        const auto faces = soup.faces_of(edge);
+        EXPECT_EQ(faces[0].direction + faces[1].direction, 0);  // consistently oriented
+        for (const EdgeFace& face : faces) {
+            const scene::Triangle& corners = soup.faces[face.face];
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (corners[i] != face.opposite) continue;
+                const bool runs_forward = corners[(i + 1) % 3] == edge.a;
+                EXPECT_EQ(corners[runs_forward ? (i + 2) % 3 : (i + 1) % 3], edge.b);
+                EXPECT_EQ(face.direction, runs_forward ? 1 : -1);
+            }
+        }
+    }
+}
+
+TEST(SoupEdges, CopesWithDoubleAndDegenerateFacesAndWithFins) {
+    scene::Mesh mesh;
+    mesh.positions = {{0, 0, -1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}};
+    mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 4}, {0, 1, 5}, {2, 2, 3}};
+    const SoupCounts counts = found(mesh).counts;
+    EXPECT_EQ(counts.triangles, 6U);
+    EXPECT_EQ(counts.duplicate, 1U);
+    EXPECT_EQ(counts.degenerate, 2U);
+    EXPECT_EQ(counts.edges, 7U);
+    EXPECT_EQ(counts.lone, 6U);
+    EXPECT_EQ(counts.crowded, 1U);
+    EXPECT_EQ(found({}).counts.edges, 0U);
+}
+
+TEST(SoupEdges, TheToleranceClosesCracks) {
+    // A torus of 64 x 32 quads, its triangles apart by millionths.
+    const scene::Scene scene = scene::make_catalogue_scene("soup");
+    const scene::Mesh& ring = scene.meshes[scene.instances[0].mesh];
+    ASSERT_EQ(ring.triangles.size(), 2U * 64 * 32);
+    EXPECT_GT(found(ring, 0).counts.lone, 12000U);  // of 12288 sides
+    const SoupCounts closed = found(ring, 1e-5).counts;
+    EXPECT_EQ(closed.places, 64U * 32);
+    EXPECT_EQ(closed.edges, 3U * 64 * 32);
+    EXPECT_EQ(closed.lone, 0U);
+    EXPECT_EQ(closed.degenerate, 0U);
+}
+
+/// Edges of one face by the file's own indices, without any weld.
+std::size_t lone_by_index(const scene::Mesh& mesh) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
+    for (const scene::Triangle& t : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i)
+            ++faces[std::minmax(t[i], t[(i + 1) % 3])];
+    }
+    std::size_t lone = 0;
+    for (const auto& [edge, count] : faces)
+        lone += count == 1;
+    return lone;
+}
+
+/// Lone edges of all models of a file: as it is indexed, welded exactly, welded within an epsilon,
+/// and the last again with all of its parts as one model.
+std::array<std::size_t, 4> lone_edges(const scene::Scene& scene, double epsilon) {
+    std::array<std::size_t, 4> lone{};
+    for (const scene::Mesh& mesh : scene.meshes) {
+        lone[0] += lone_by_index(mesh);
+        lone[1] += found(mesh, 0).counts.lone;
+        lone[2] += found(mesh, epsilon).counts.lone;
+    }
+    SoupModels whole({.scope = ModelScope::scene, .epsilon = epsilon});
+    whole.prepare(scene);
+    whole.pose(scene);
+    lone[3] = whole.totals().lone;
+    return lone;
+}
+
+TEST(SoupEdges, OfKnightComeToThis) {
+    const auto path = shared_file("models/knight.mdl");
+    INK_SKIP_WITHOUT(path);
+    // 511 loose triangles. Its vertices lie on a grid of 255 steps: equal ones are equal.
+    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+              (std::array<std::size_t, 4>{3 * 511, 89, 89, 89}));
+}
+
+TEST(SoupEdges, OfKyonshiComeToThis) {
+    const auto path = shared_file("models/kyonshi/lower.md3");
+    INK_SKIP_WITHOUT(path);
+    // 2530 loose triangles in ten surfaces of three parts, some of which touch.
+    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+              (std::array<std::size_t, 4>{3 * 2530, 260, 260, 224}));
+}
+
+TEST(SoupEdges, OfAModelWithCracksComeToThis) {
+    const auto path = shared_file("models/featuretype.stl");
+    INK_SKIP_WITHOUT(path);
+    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+              (std::array<std::size_t, 4>{3 * 3476, 576, 0, 0}));
+}
+
+}  // namespace
+}  // namespace ink::methods

@@ -1,0 +1,144 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/program/run_program.h"
+
+// Pictures as a user asks for them; what they hold is tested in tests/shade and tests/lab.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+using Words = std::vector<std::string>;
+
+/// Draws a small torus with these options more; the bytes of the file.
+std::string draw(const Desk& desk, const Words& more, const std::string& file = "a.png") {
+    Words words = {"draw", "torus", "--size", "160x90", "-o", file};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.err, "") << testing::PrintToString(words);
+    EXPECT_EQ(outcome.out, file + "\n");
+    return desk.read(file);
+}
+
+/// Expects exit 2, one line that names all of `words`, and no file.
+void expect_refused(const Words& more, const Words& words) {
+    const Desk desk;
+    Words all = {"draw", "torus", "--size", "160x90", "-o", "a.png"};
+    all.insert(all.end(), more.begin(), more.end());
+    const Outcome outcome = desk.run(all);
+    SCOPED_TRACE(testing::PrintToString(all));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& word : words)
+        EXPECT_THAT(outcome.err, HasSubstr(word));
+    EXPECT_TRUE(desk.inventory().empty());
+}
+
+TEST(Draw, EveryLookIsAnotherPicture) {
+    const Desk desk;
+    std::set<std::string> pictures;
+    const std::vector<Words> looks = {{},
+                                      {"--shading", "gouraud"},
+                                      {"--shading", "toon"},
+                                      {"--shading", "gooch"},
+                                      {"--shading", "strokes"},
+                                      {"--shading", "gouraud", "--dither", "565"},
+                                      {"--shading", "gouraud", "--dither", "332"},
+                                      {"--shading", "gooch", "--set-shade", "lit=warm"},
+                                      {"--shading", "toon", "--surface", "200,40,40"},
+                                      {"--ink", "#c02000"},
+                                      {"--paper", "250,240,220"},
+                                      {"--line-width", "1"},
+                                      {"--line-width", "4"},
+                                      {"--antialias", "4"},
+                                      {"--hand-drawn"},
+                                      {"--hand-drawn", "--seed", "2"},
+                                      {"--hand-drawn", "--set-hand", "passes=3"}};
+    for (const Words& look : looks)
+        pictures.insert(draw(desk, look));
+    EXPECT_EQ(pictures.size(), looks.size());
+}
+
+TEST(Draw, TheSameWordsGiveTheSamePicture) {
+    const Desk desk;
+    const Words words = {"--shading", "strokes", "--hand-drawn", "--seed", "5", "--antialias", "2"};
+    const std::string one = draw(desk, words);
+    Words threaded = words;
+    threaded.insert(threaded.end(), {"--threads", "3"});
+    EXPECT_EQ(draw(desk, words, "b.png"), one);
+    EXPECT_EQ(draw(desk, threaded, "c.png"), one);
+}
+
+TEST(Draw, AColourIsTheSameInBothSpellings) {
+    const Desk desk;
+    EXPECT_EQ(draw(desk, {"--ink", "#c02000"}), draw(desk, {"--ink", "192,32,0"}));
+}
+
+TEST(Draw, AntialiasedStrengthsHaveShadesOfGrey) {
+    const Desk desk;
+    EXPECT_NE(draw(desk, {"--strength", "--antialias", "4"}), draw(desk, {"--strength"}));
+}
+
+TEST(Draw, ShadingGoesToLayersOfAnExr) {
+    const Desk desk;
+    const std::string file = draw(desk, {"--shading", "toon"}, "a.exr");
+    EXPECT_THAT(file, AllOf(HasSubstr("shading.R"), HasSubstr("strength.Y")));
+    EXPECT_THAT(draw(desk, {}, "a.exr"), testing::Not(HasSubstr("shading.R")));
+}
+
+TEST(Draw, ShadingsAndTheirKnobsAreListed) {
+    const Outcome outcome = Desk().run({"list", "shadings"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha", "jitter_px"})
+        EXPECT_THAT(outcome.out, HasSubstr(word));
+}
+
+TEST(Draw, HelpNamesTheLooks) {
+    const std::string help = Desk().run({"draw", "--help"}).out;
+    for (const char* option : {"--shading",
+                               "--set-shade",
+                               "--ink",
+                               "--paper",
+                               "--surface",
+                               "--line-width",
+                               "--hand-drawn",
+                               "--set-hand",
+                               "--seed",
+                               "--antialias",
+                               "--dither",
+                               "none, gouraud, toon, gooch, strokes"})
+        EXPECT_THAT(help, HasSubstr(option));
+}
+
+TEST(Draw, ValuesThatMeanNothingAreRefused) {
+    expect_refused({"--shading", "tone"}, {"--shading", "'tone'", "gouraud"});
+    expect_refused({"--shading", "toon", "--set-shade", "steps=40"}, {"steps", "40", "1..32"});
+    expect_refused({"--shading", "toon", "--set-shade", "step=4"}, {"'step'", "steps"});
+    expect_refused({"--shading", "toon", "--set-shade", "steps"}, {"--set-shade", "key=value"});
+    expect_refused({"--ink", "black"}, {"--ink", "'black'", "#rrggbb"});
+    expect_refused({"--paper", "1,2,256"}, {"--paper", "1,2,256", "0..255"});
+    expect_refused({"--shading", "toon", "--surface", "#12345"}, {"--surface", "#12345"});
+    expect_refused({"--dither", "444"}, {"--dither", "444", "565"});
+    expect_refused({"--line-width", "-1"}, {"--line-width", "0..64"});
+    expect_refused({"--line-width", "nan"}, {"--line-width", "0..64"});
+    expect_refused({"--antialias", "9"}, {"--antialias", "1..8"});
+    expect_refused({"--hand-drawn", "--set-hand", "passes=0"}, {"passes", "1..8"});
+    expect_refused({"--hand-drawn", "--seed", "x"}, {"--seed", "'x'"});
+}
+
+TEST(Draw, OptionsThatWouldDoNothingAreRefused) {
+    expect_refused({"--set-shade", "ambient=1"}, {"--set-shade", "--shading"});
+    expect_refused({"--surface", "1,2,3"}, {"--surface", "--shading"});
+    expect_refused({"--set-hand", "passes=2"}, {"--set-hand", "--hand-drawn"});
+    expect_refused({"--seed", "2"}, {"--seed", "--hand-drawn"});
+}
+
+}  // namespace
+}  // namespace ink::program

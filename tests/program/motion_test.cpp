@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/program/run_program.h"
+
+namespace ink::program {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
+    const Desk desk;
+    std::vector<std::string> words = {"compare", "--scenes", "cube", "--methods", "mote4"};
+    words.insert(words.end(), {"--size", "64x36", "--repetitions", "1", "--no-sweep"});
+    words.insert(words.end(), {"--no-witness", "--out", "out", "--motion"});
+    ASSERT_EQ(desk.run(words).exit_code, 0);
+
+    std::set<std::string> scenes;
+    for (const auto& line : parse_csv(desk.read("out/motion.csv"))) {
+        EXPECT_EQ(line.at("status"), "ok");
+        scenes.insert(line.at("scene"));
+        if (line.at("method") != "oracle") continue;
+        EXPECT_EQ(std::stod(line.at("flicker")), 0) << line.at("scene");
+        EXPECT_EQ(line.at("pops"), "0");
+        EXPECT_EQ(line.at("false_lines"), "0");
+    }
+    EXPECT_EQ(scenes, (std::set<std::string>{"cube", "figure", "gear", "torus", "tree"}));
+
+    const auto angles = parse_csv(desk.read("out/vanishing.csv"));
+    EXPECT_EQ(angles.size(), 6U) << "three creases, each twice a turn";
+    for (const auto& line : angles)
+        EXPECT_LT(std::abs(std::stod(line.at("error_deg"))), 2);
+    EXPECT_EQ(parse_csv(desk.read("out/roll.csv")).size(), 3U * 180U);
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("<section id=\"motion\">"));
+
+    words.pop_back();
+    ASSERT_EQ(desk.run(words).exit_code, 0);
+    for (const char* file : {"out/motion.csv", "out/roll.csv", "out/vanishing.csv"})
+        EXPECT_EQ(desk.read(file), "") << "an older one must not pass for this run's";
+    EXPECT_THAT(desk.read("out/report.html"), Not(HasSubstr("<section id=\"motion\">")));
+}
+
+}  // namespace
+}  // namespace ink::program

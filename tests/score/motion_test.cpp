@@ -1,0 +1,292 @@
+// Made-up sequences whose scores are known, then faults planted in a perfect one.
+
+#include "score/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "tests/score/pictures.h"
+
+namespace {
+
+using namespace ink;
+using score::Flicker;
+
+constexpr int kSize_px = 40;
+constexpr double kTolerance_px = 2;
+constexpr score::ScoreOptions kOptions{.tolerance_px = kTolerance_px, .threshold = 1};
+
+/// Where an upright line stands from the top to the bottom; -1 for none.
+using Columns = std::vector<int>;
+
+Picture lines_at(const Columns& columns) {
+    Picture picture(kSize_px, kSize_px);
+    for (const int x : columns) {
+        for (int y = 0; y < kSize_px && x >= 0; ++y)
+            picture.at(x, y) = 1;
+    }
+    return picture;
+}
+
+/// A sequence: what is drawn and what is true, frame by frame.
+struct Sequence {
+    std::vector<Picture> drawn;
+    std::vector<Picture> truth;
+
+    [[nodiscard]] std::vector<score::MotionFrame> frames(
+        const score::ScoreOptions& options = kOptions) const {
+        score::ScoreOptions unbanded = options;
+        unbanded.band_px = 0;
+        std::vector<score::MotionFrame> frames;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const auto scoring = score::prepare_truth(truth[i], unbanded, true);
+            frames.push_back(score::motion_frame(drawn[i], scoring, options));
+        }
+        return frames;
+    }
+    [[nodiscard]] Flicker flicker() const { return score::flicker(frames(), kTolerance_px); }
+    [[nodiscard]] std::vector<score::FalseLine> false_lines() const {
+        return score::false_lines(frames(), kTolerance_px);
+    }
+};
+
+/// One drawn and one true line a frame.
+Sequence upright(const Columns& drawn, const Columns& truth) {
+    Sequence sequence;
+    for (const int x : drawn)
+        sequence.drawn.push_back(lines_at({x}));
+    for (const int x : truth)
+        sequence.truth.push_back(lines_at({x}));
+    return sequence;
+}
+
+TEST(Flicker, OfTheTruthItselfIsNoneHoweverItMoves) {
+    EXPECT_EQ(upright({5, 5, 9, -1, 20}, {5, 5, 9, -1, 20}).flicker().share(), 0.0);
+}
+
+TEST(Flicker, OfAStillPictureIsNoneEvenIfItIsWrong) {
+    EXPECT_EQ(upright({30, 30, 30}, {5, 6, 7}).flicker().share(), 0.0);
+}
+
+TEST(Flicker, OfStepsWithinTheToleranceIsNoneAndBeyondItIsAll) {
+    EXPECT_EQ(upright({10, 12, 10, 11}, {10, 10, 10, 10}).flicker().share(), 0.0);
+    const Flicker jumps = upright({10, 13, 10}, {10, 10, 10}).flicker();
+    EXPECT_EQ(jumps.share(), 1.0);
+    EXPECT_EQ(jumps.appeared, 2 * kSize_px);
+    EXPECT_EQ(jumps.disappeared, 2 * kSize_px);
+    EXPECT_EQ(jumps.n_counted, 4 * kSize_px);
+    EXPECT_EQ(jumps.excused, 0);
+}
+
+TEST(Flicker, OfALineDroppedForAFrameIsAllOfIt) {
+    EXPECT_EQ(upright({10, -1, 10}, {10, 10, 10}).flicker(),
+              (Flicker{.appeared = kSize_px, .disappeared = kSize_px, .n_counted = 2 * kSize_px}));
+}
+
+TEST(Flicker, ALineThatComesWithTheTruthIsExcused) {
+    const Flicker comes = upright({-1, 11}, {-1, 10}).flicker();
+    EXPECT_EQ(comes, (Flicker{.excused = kSize_px, .n_counted = kSize_px}));
+    EXPECT_EQ(comes.share(), 0.0);
+}
+
+TEST(Flicker, ALineThatComesLateIsNot) {
+    EXPECT_EQ(upright({-1, -1, 10}, {-1, 10, 10}).flicker().appeared, kSize_px);
+}
+
+TEST(Flicker, ALineThatTheTruthShowsElsewhereIsNot) {
+    const Flicker elsewhere = upright({-1, 14}, {-1, 10}).flicker();
+    EXPECT_EQ(elsewhere.appeared, kSize_px);
+    EXPECT_EQ(elsewhere.excused, 0);
+}
+
+TEST(Flicker, OfNothingDrawnOrOfOneFrameIsNothing) {
+    EXPECT_EQ(upright({-1, -1}, {10, 10}).flicker().share(), std::nullopt);
+    EXPECT_EQ(upright({10}, {10}).flicker().share(), std::nullopt);
+    EXPECT_EQ(score::flicker({}, kTolerance_px), Flicker{});
+}
+
+TEST(Flicker, OfPicturesDrawnByChanceIsHigh) {
+    std::mt19937 random(7);
+    Sequence sequence;
+    for (int t = 0; t < 6; ++t) {
+        sequence.drawn.push_back(random_picture(kSize_px, kSize_px, 0.02, 1, random));
+        sequence.truth.push_back(lines_at({10, 30}));
+    }
+    // 13 pixels are in reach, each empty with 0.98: 0.98^13 = 0.77.
+    EXPECT_NEAR(*sequence.flicker().share(), 0.77, 0.08);
+}
+
+TEST(Flicker, APixelInTheBandIsSeenButNotCounted) {
+    // The line goes from column 5, in the band, to 6 and back.
+    const Sequence sequence = upright({5, 6, 5}, {5, 6, 5});
+    score::ScoreOptions banded = kOptions;
+    banded.band_px = 6;
+    const Flicker flicker = score::flicker(sequence.frames(banded), kTolerance_px);
+    EXPECT_EQ(flicker, (Flicker{.n_counted = 2 * (kSize_px - 12)}));
+}
+
+TEST(Flicker, IgnoredPixelsAreNotCounted) {
+    Sequence sequence = upright({10, -1, 10}, {-1, -1, -1});
+    for (Picture& truth : sequence.truth)
+        truth = Picture(kSize_px, kSize_px, 7);
+    score::ScoreOptions ignoring = kOptions;
+    ignoring.ignore_label = 7;
+    EXPECT_EQ(score::flicker(sequence.frames(ignoring), kTolerance_px), Flicker{});
+    EXPECT_TRUE(score::false_lines(sequence.frames(ignoring), kTolerance_px).empty());
+}
+
+TEST(Flicker, PicturesOfTwoSizesAreAnError) {
+    const auto truth = score::prepare_truth(lines_at({10}), kOptions, true);
+    EXPECT_THROW((void)score::motion_frame(Picture(8, 8), truth, kOptions), core::Error);
+}
+
+TEST(FalseLines, OfTheTruthThereAreNone) {
+    EXPECT_TRUE(upright({5, 9, 20}, {5, 9, 20}).false_lines().empty());
+    EXPECT_TRUE(upright({7}, {5}).false_lines().empty());  // in reach
+    EXPECT_TRUE(score::false_lines({}, kTolerance_px).empty());
+}
+
+TEST(FalseLines, LiveFromTheirFirstFrameToTheirLast) {
+    const auto lines = upright({-1, 30, 31, 33, -1, 30}, {5, 5, 5, 5, 5, 5}).false_lines();
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0],
+              (score::FalseLine{.first_frame = 1, .last_frame = 3, .n_px = 3 * kSize_px}));
+    EXPECT_EQ(lines[0].life(), 3);
+    EXPECT_EQ(
+        lines[1],
+        (score::FalseLine{.first_frame = 5, .last_frame = 5, .n_px = kSize_px, .is_cut = true}));
+}
+
+TEST(FalseLines, ThereInTheFirstFrameMayHaveBegunBefore) {
+    const auto lines = upright({30, 30, -1, -1}, {5, 5, 5, 5}).false_lines();
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].is_cut);
+}
+
+TEST(FalseLines, AJumpBeyondTheToleranceIsAnotherLine) {
+    EXPECT_EQ(upright({20, 22}, {5, 5}).false_lines().size(), 1U);
+    EXPECT_EQ(upright({20, 23}, {5, 5}).false_lines().size(), 2U);
+}
+
+TEST(FalseLines, TouchingPixelsAreOneLineAndOthersAreTwo) {
+    const Rows diagonal = {"#....", ".#...", "..#..", ".....", "....#"};
+    Sequence sequence;
+    sequence.drawn = {picture_of(diagonal)};
+    sequence.truth = {Picture(5, 5)};
+    const auto lines = sequence.false_lines();
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].n_px, 3);
+    EXPECT_EQ(lines[1].n_px, 1);
+    sequence.drawn = {picture_of({"#.#..", ".....", ".....", ".....", "....."})};
+    EXPECT_EQ(sequence.false_lines().size(), 2U) << "a pixel between them";
+}
+
+TEST(FalseLines, ThatMergeAreOneLine) {
+    Sequence sequence;
+    sequence.drawn = {lines_at({20, 24}), lines_at({22})};
+    sequence.truth = {lines_at({5}), lines_at({5})};
+    const auto lines = sequence.false_lines();
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].n_px, 3 * kSize_px);
+}
+
+TEST(FalseLines, LivesAreCountedAndHaveAMedian) {
+    const std::vector<score::FalseLine> lines = {{.first_frame = 0, .last_frame = 0},
+                                                 {.first_frame = 2, .last_frame = 3},
+                                                 {.first_frame = 4, .last_frame = 4},
+                                                 {.first_frame = 1, .last_frame = 5}};
+    EXPECT_EQ(score::life_counts(lines), (std::vector<std::int64_t>{2, 1, 0, 0, 1}));
+    EXPECT_EQ(score::median_life(score::life_counts(lines)), 1.5);
+    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).first(3))), 1.0);
+    EXPECT_EQ(score::median_life(score::life_counts(std::span(lines).subspan(3))), 5.0);
+    EXPECT_EQ(score::median_life({}), std::nullopt);
+    EXPECT_TRUE(score::life_counts({}).empty());
+}
+
+/// Faults planted in twelve perfect frames of two lines that drift slowly, and what sees them.
+class MotionMutation : public testing::Test {
+  protected:
+    static constexpr int kFrames = 12;
+
+    MotionMutation() {
+        for (int t = 0; t < kFrames; ++t) {
+            const Picture truth = lines_at({8 + t / 4, 25});
+            sequence_.truth.push_back(truth);
+            sequence_.drawn.push_back(truth);
+        }
+    }
+    [[nodiscard]] Picture& drawn(int t) { return sequence_.drawn[static_cast<std::size_t>(t)]; }
+
+    Sequence sequence_;
+};
+
+TEST_F(MotionMutation, NoneScoresPerfect) {
+    EXPECT_EQ(sequence_.flicker().share(), 0.0);
+    EXPECT_TRUE(sequence_.false_lines().empty());
+}
+
+TEST_F(MotionMutation, ALineMissingFromOneFrameFlickers) {
+    drawn(5) = lines_at({25});
+    const Flicker flicker = sequence_.flicker();
+    EXPECT_EQ(flicker.appeared, kSize_px);
+    EXPECT_EQ(flicker.disappeared, kSize_px);
+    EXPECT_TRUE(sequence_.false_lines().empty());
+}
+
+TEST_F(MotionMutation, ASpeckInOneFrameFlickersAndLivesOneFrame) {
+    drawn(5).at(35, 20) = 1;
+    EXPECT_EQ(sequence_.flicker().appeared, 1);
+    EXPECT_EQ(sequence_.flicker().disappeared, 1);
+    EXPECT_EQ(score::life_counts(sequence_.false_lines()), std::vector<std::int64_t>{1});
+}
+
+TEST_F(MotionMutation, AFalseLineThatStaysDoesNotFlickerAndLivesLong) {
+    for (int t = 0; t < kFrames; ++t)
+        drawn(t) = lines_at({8 + t / 4, 25, 34});
+    EXPECT_EQ(sequence_.flicker().share(), 0.0);
+    EXPECT_EQ(score::median_life(score::life_counts(sequence_.false_lines())), kFrames);
+}
+
+TEST_F(MotionMutation, AJitterOfAPixelIsNeither) {
+    for (int t = 0; t < kFrames; ++t)
+        drawn(t) = lines_at({8 + t / 4 + t % 2, 25 - t % 2});
+    EXPECT_EQ(sequence_.flicker().share(), 0.0);
+    EXPECT_TRUE(sequence_.false_lines().empty());
+}
+
+TEST_F(MotionMutation, AHoleOfFivePixelsIsTheFirstThatFlickers) {
+    for (int y = 10; y < 14; ++y)
+        drawn(5).at(25, y) = 0;
+    EXPECT_EQ(sequence_.flicker().disappeared, 0);
+    drawn(5).at(25, 14) = 0;
+    EXPECT_EQ(sequence_.flicker().disappeared, 1);
+}
+
+/// What time does to a sequence must not depend on its direction.
+TEST(Motion, RunsBackwardsWithTheSameScores) {
+    std::mt19937 random(11);
+    for (int round = 0; round < 20; ++round) {
+        Sequence forwards;
+        for (int t = 0; t < 5; ++t) {
+            forwards.drawn.push_back(random_picture(kSize_px, kSize_px, 0.03, 1, random));
+            forwards.truth.push_back(random_picture(kSize_px, kSize_px, 0.02, 1, random));
+        }
+        Sequence backwards = forwards;
+        std::reverse(backwards.drawn.begin(), backwards.drawn.end());
+        std::reverse(backwards.truth.begin(), backwards.truth.end());
+
+        const Flicker there = forwards.flicker();
+        const Flicker back = backwards.flicker();
+        EXPECT_EQ(there.appeared, back.disappeared);
+        EXPECT_EQ(there.disappeared, back.appeared);
+        EXPECT_EQ(there.excused, back.excused);
+        EXPECT_EQ(there.n_counted, back.n_counted);
+        EXPECT_GT(there.excused, 0);
+        EXPECT_EQ(score::life_counts(forwards.false_lines()),
+                  score::life_counts(backwards.false_lines()));
+    }
+}
+
+}  // namespace
