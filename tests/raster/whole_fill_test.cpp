@@ -39,6 +39,11 @@ std::vector<Case> cases() {
         add(Store::u16, 1, 60000).overflow = Overflow::wrap;
         add(Store::f32, 4, 1);
         add(Store::f32, 4, 1).interpolation = Interpolation::perspective;
+        add(Store::u8, 1, 300).interpolation = Interpolation::perspective;
+        PassFormat& wrapped = add(Store::u8, 2, 3000);
+        wrapped.interpolation = Interpolation::perspective;
+        wrapped.overflow = Overflow::wrap;
+        add(Store::u16, 1, 80000).interpolation = Interpolation::perspective;
     }
     return result;
 }
