@@ -55,8 +55,10 @@ class MeshRun {
     void add_cluster(const MeshJob& job, std::size_t cluster);
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    [[nodiscard]] bool settle_sides(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    std::uint32_t store_records(std::size_t count, int side, int values, bool is_silent);
+    void settle_sides(const MeshJob& job, std::size_t cluster, bool drops_backs);
+    [[nodiscard]] bool compute_values(const MeshJob& job,
+                                      std::size_t cluster,
+                                      const LaneSlot& slot);
     void compute_whole_values(const MeshJob& job);
     void silence_backs(const PassInput& input, std::size_t from);
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
@@ -65,9 +67,7 @@ class MeshRun {
     ClusterLanes lanes_;
     TriageResult triage_;
     std::vector<LaneSlot> slots_;
-    AlignedArray<std::int32_t> records_;
-    AlignedArray<std::int32_t> more_;
-    std::size_t record_count_ = 0;
+    AlignedArray<std::byte> records_;  ///< per slot
     std::vector<Batch> whole_batches_ = std::vector<Batch>(1);
     std::vector<EntryList> lists_;
     std::vector<std::uint64_t> objects_;
