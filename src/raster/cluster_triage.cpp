@@ -126,9 +126,10 @@ void Triage(const std::int32_t* corners,
     std::size_t unsure = 0;
     std::size_t no_sample = 0;
     std::size_t outside = 0;
-    auto* triangle = reinterpret_cast<std::int32_t*>(result.triangle);
+    auto* kept_corners = reinterpret_cast<std::int32_t*>(result.corners);
     for (std::size_t at = 0; at < count; at += n) {
-        const Corners c = vertices.Of(hn::Load(d, corners + at));
+        const auto indices = hn::Load(d, corners + at);
+        const Corners c = vertices.Of(indices);
         const auto area = Area(c);
         const auto first = [&](VI low, VI origin) {
             return hn::ShiftRight<kSubpixelBits>(hn::Add(hn::Add(low, origin), to_centre));
@@ -176,9 +177,9 @@ void Triage(const std::int32_t* corners,
         const std::size_t more = hn::CountTrue(d, keep);
         if (more == 0) continue;
         has_back = has_back || !hn::AllFalse(d, hn::And(is_back, keep));
-        const auto side = hn::IfThenElseZero(is_back, hn::Set(d, kBackSide));
-        const auto number = hn::Iota(d, static_cast<std::int32_t>(at));
-        Append(hn::Or(number, side), keep, triangle + kept);
+        const auto side =
+            hn::IfThenElseZero(is_back, hn::Set(d, static_cast<std::int32_t>(kBackSide)));
+        Append(hn::Or(indices, side), keep, kept_corners + kept);
         Append(hn::Or(x0, hn::ShiftLeft<16>(x1)), keep, result.x_span + kept);
         Append(hn::Or(y0, hn::ShiftLeft<16>(y1)), keep, result.y_span + kept);
         const auto is_unsure = hn::AndNot(is_sure, keep);
@@ -222,27 +223,22 @@ std::size_t ListTriangles(const TriageResult& result,
         return hn::And(hn::Lt(hn::And(span, low_half), hn::Set(d, end)),
                        hn::Gt(hn::ShiftRight<16>(span), hn::Set(d, begin)));
     };
-    const auto* triangles = reinterpret_cast<const std::int32_t*>(result.triangle);
     std::size_t listed = 0;
     for (std::size_t i = 0; i < result.count; i += hn::Lanes(d)) {
         const auto here = hn::And(hn::FirstN(d, result.count - i),
                                   hn::And(meets(hn::Load(d, result.x_span + i), rect.x0, rect.x1),
                                           meets(hn::Load(d, result.y_span + i), rect.y0, rect.y1)));
-        const auto entry = hn::Or(hn::Load(d, triangles + i), entry_base);
+        const auto entry = hn::Or(hn::Iota(d, static_cast<std::int32_t>(i)), entry_base);
         Append(entry, here, reinterpret_cast<std::int32_t*>(to) + listed);
         listed += hn::CountTrue(d, here);
     }
     return listed;
 }
 
-void ListAllTriangles(const TriageResult& result, std::uint32_t base, std::uint32_t* to) {
-    const DI d;
-    const auto entry_base = hn::Set(d, static_cast<std::int32_t>(base));
-    const auto* triangles = reinterpret_cast<const std::int32_t*>(result.triangle);
-    for (std::size_t i = 0; i < result.count; i += hn::Lanes(d)) {
-        const auto entry = hn::Or(hn::Load(d, triangles + i), entry_base);
-        hn::StoreU(entry, d, reinterpret_cast<std::int32_t*>(to) + i);
-    }
+void ListAllTriangles(std::size_t count, std::uint32_t base, std::uint32_t* to) {
+    const hn::RebindToUnsigned<DI> d;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+        hn::StoreU(hn::Iota(d, base + static_cast<std::uint32_t>(i)), d, to + i);
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE
@@ -274,7 +270,7 @@ std::size_t list_triangles(const TriageResult& result,
 }
 
 void list_all_triangles(const TriageResult& result, std::uint32_t base, EntryList& to) {
-    HWY_DYNAMIC_DISPATCH(ListAllTriangles)(result, base, to.room(result.count + kLanePad));
+    HWY_DYNAMIC_DISPATCH(ListAllTriangles)(result.count, base, to.room(result.count + kLanePad));
     to.grow(result.count);
 }
 

@@ -25,8 +25,8 @@ struct TriageJob {
 struct TriageResult {
     /// Up to a whole vector more is written.
     static constexpr std::size_t kCapacity = 128 + kLanePad;
-    /// Within the cluster, with kBackSide where they are seen from their back.
-    alignas(64) std::uint32_t triangle[kCapacity];
+    /// As LaneMesh::corners has them, with kBackSide where they are seen from their back.
+    alignas(64) std::uint32_t corners[kCapacity];
     /// Pixel centres that may be inside: first | end << 16.
     alignas(64) std::int32_t x_span[kCapacity];
     alignas(64) std::int32_t y_span[kCapacity];
@@ -49,8 +49,8 @@ void triage_cluster(const LaneMesh& mesh,
                     const TriageJob& job,
                     TriageResult& result);
 
-/// Appends those triangles of a result whose centres lie in one of the columns and rows of `rect`,
-/// each with `base` in its upper bits; returns how many.
+/// Appends the numbers of those triangles of a result whose centres lie in one of the columns and
+/// rows of `rect`, each with `base` in its upper bits; returns how many.
 std::size_t list_triangles(const TriageResult& result,
                            const PixelRect& rect,
                            std::uint32_t base,

@@ -1,7 +1,5 @@
 #include "raster/lane_collect.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <cstring>
 
@@ -20,11 +18,6 @@ using DF = hn::Rebind<float, DI>;
 
 #include "raster/lane_tables.inl"
 
-/// Where a slot's records begin.
-const std::int32_t* Records(const LaneSource& source, const LaneSlot& slot) {
-    return reinterpret_cast<const std::int32_t*>(source.records + slot.first_byte);
-}
-
 /// Numbers of the corners of triangles of one slot.
 class CornerLookup {
   public:
@@ -33,14 +26,14 @@ class CornerLookup {
                             const LaneSlot& slot,
                             VI entries,
                             hn::Mask<DI> is_real)
-        : records_(Records(source, slot)), slot_(slot) {
+        : records_(reinterpret_cast<const std::int32_t*>(source.records + slot.first_byte)),
+          slot_(slot) {
         const DI d;
-        const auto triangle =
-            hn::IfThenElseZero(is_real, hn::And(entries, hn::Set(d, kBackSide - 1)));
-        const auto corners = hn::GatherIndex(d, source.mesh->corners(slot.cluster), triangle);
+        const auto triangle = hn::IfThenElseZero(is_real, hn::And(entries, hn::Set(d, 0xff)));
+        const auto corners = hn::GatherIndex(d, records_ + slot.corners * slot.stride, triangle);
         for (int k = 0; k < 3; ++k)
             index_[k] = CornerOf(corners, k);
-        is_back_ = hn::And(is_real, hn::TestBit(entries, hn::Set(d, kBackSide)));
+        is_back_ = hn::And(is_real, hn::Lt(corners, hn::Zero(d)));
         has_front_ = hn::CountTrue(d, is_back_) != hn::CountTrue(d, is_real);
         has_back_ = !hn::AllFalse(d, is_back_);
     }
@@ -107,17 +100,6 @@ void Collect(const LaneSource& source,
     alignas(64) std::uint32_t padded[LaneTriangles::kPadded];
     std::memcpy(padded, entries.data(), entries.size_bytes());
     std::fill_n(padded + entries.size(), kLanePad, 0U);
-    std::uint32_t last = ~0U;
-    for (const std::uint32_t entry :
-         entries) {  // all clusters on their way before the first is used
-        if (entry >> 8 == last) continue;
-        last = entry >> 8;
-        const LaneSlot& slot = source.slots[last];
-        const std::byte* from = source.records + slot.first_byte;
-        const std::size_t end = (3 + values) * slot.stride * sizeof(float);
-        for (std::size_t byte = 0; byte < end; byte += 64)
-            hwy::Prefetch(from + byte);
-    }
     for (std::size_t at = 0; at < entries.size();)
         at += CollectSome(source, values, padded, at, entries.size(), out);
 }

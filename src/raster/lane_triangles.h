@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,29 +32,40 @@ struct LaneRecords {
     [[nodiscard]] float* q() const { return array(2); }
 };
 
-/// A drawn cluster.
+/// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it.
 struct LaneSlot {
-    std::uint32_t cluster = 0;
+    std::size_t first_byte = 0;  ///< of its records and its triangles' corners
+    std::uint32_t byte_count = 0;
     std::uint32_t stride = 0;
-    std::size_t first_byte = 0;  ///< of its records
     /// Arrays of its records that triangles seen from their front and from their back have q in,
     /// and their first value.
     std::uint8_t q[2] = {2, 2};
     std::uint8_t values[2] = {3, 3};
-    float q_most = 0;  ///< of its vertices
-    PixelRect bounds;  ///< of the centres its triangles may cover
+    std::uint8_t corners = 3;  ///< the array that its triangles' corners begin in
+    float q_most = 0;          ///< of its vertices
+    PixelRect bounds;          ///< of the centres its triangles may cover
 };
 
-/// A triangle in a tile's list is one number: slot << 8 | kBackSide or 0 | triangle of the cluster;
-/// or, with kWholeTriangle set, the index of one that was set up by itself.
+/// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
+/// kWholeTriangle set, the index of one that was set up by itself.
 inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
-inline constexpr std::uint32_t kBackSide = 1U << 7;
+/// The corners of a slot's triangle are what LaneMesh::corners has, with this set where it is seen
+/// from its back.
+inline constexpr std::uint32_t kBackSide = 1U << 31;
 
 /// Where lanes find a list's triangles; borrowed.
 struct LaneSource {
-    const LaneMesh* mesh = nullptr;
     const LaneSlot* slots = nullptr;
     const std::byte* records = nullptr;
+
+    /// Asks for what a triangle's slot holds ahead of its use.
+    void prefetch(std::uint32_t entry) const {
+        if ((entry & kWholeTriangle) != 0) return;
+        constexpr std::size_t kLineBytes = 64;
+        const LaneSlot& slot = slots[entry >> 8];
+        for (std::size_t byte = 0; byte < slot.byte_count; byte += kLineBytes)
+            hwy::Prefetch(records + slot.first_byte + byte);
+    }
 };
 
 /// Whether lanes can draw a format: affine, tested by q32, and of a store that is used.

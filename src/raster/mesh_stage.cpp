@@ -21,10 +21,6 @@ std::uint64_t object_bit(const MeshJob& job, const scene::Cluster& cluster) {
 
 }  // namespace
 
-LaneSource MeshRun::source(const LaneMesh& mesh) const {
-    return {&mesh, slots_.data(), records_.data()};
-}
-
 void MeshRun::start(const MeshJob& job) {
     const auto tiles = static_cast<std::size_t>(job.grid.count());
     lists_.resize(tiles);
@@ -78,20 +74,21 @@ void MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool drops_bac
     // From the last, so that those before keep their places.
     for (std::size_t i = triage_.unsure_count; i-- > 0;) {
         const std::size_t at = triage_.unsure[i];
-        const auto& corners = clusters.triangles[cluster.first_triangle + triage_.triangle[at]];
-        const auto p = [&](std::size_t k) {
-            return surface.p_world[clusters.vertices[cluster.first_vertex + corners[k]]];
+        const std::uint32_t corners = triage_.corners[at];
+        const auto p = [&](int k) {
+            const std::uint32_t vertex = corners >> 8 * k & 0xff;
+            return surface.p_world[clusters.vertices[cluster.first_vertex + vertex]];
         };
         if (scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) >= 0) continue;
         if (!drops_backs) {
-            triage_.triangle[at] |= kBackSide;
+            triage_.corners[at] |= kBackSide;
             triage_.has_back = true;
             continue;
         }
         const auto take_out = [&](auto* list) {
             std::copy(list + at + 1, list + triage_.count, list + at);
         };
-        take_out(triage_.triangle);
+        take_out(triage_.corners);
         take_out(triage_.x_span);
         take_out(triage_.y_span);
         --triage_.count;
@@ -107,7 +104,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     const std::size_t stride = lane_padded(cluster.vertex_count);
     constexpr std::size_t kNumber = sizeof(float);
     constexpr std::size_t kMost =
-        (LaneRecords::kMostArrays + 1) * scene::kMaxClusterVertices * kNumber;
+        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + TriageResult::kCapacity) * kNumber;
     records_.reserve(first_byte + kMost);
     LaneRecords& records = lanes_.records;
     records = {records_.data() + first_byte, stride};
@@ -139,7 +136,6 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
         arrays += values;
     }
     if (!compute_values(job, index, slot)) return false;
-    slot.cluster = static_cast<std::uint32_t>(index);
     slot.stride = static_cast<std::uint32_t>(stride);
     slot.first_byte = first_byte;
     // A centre of a snapped triangle may lie 1/256 px outside the true one, which is at least 1.25
@@ -150,7 +146,11 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    lanes_.y0 >> kSubpixelBits,
                    (lanes_.x1 >> kSubpixelBits) + 1,
                    (lanes_.y1 >> kSubpixelBits) + 1};
-    records_.resize(first_byte + arrays * stride * kNumber);
+    const std::size_t corners_byte = first_byte + arrays * stride * kNumber;
+    slot.corners = static_cast<std::uint8_t>(arrays);
+    std::memcpy(records_.data() + corners_byte, triage_.corners, triage_.count * kNumber);
+    records_.resize(corners_byte + lane_padded(triage_.count) * kNumber);
+    slot.byte_count = static_cast<std::uint32_t>(records_.size() - first_byte);
     slots_.push_back(slot);
     bin_lanes(job, slots_.size() - 1, object_bit(job, cluster));
     return true;

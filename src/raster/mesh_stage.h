@@ -40,7 +40,7 @@ class MeshRun {
         const EntryList& list = lists_[static_cast<std::size_t>(tile)];
         return {list.data(), list.size()};
     }
-    [[nodiscard]] LaneSource source(const LaneMesh& mesh) const;
+    [[nodiscard]] LaneSource source() const { return {slots_.data(), records_.data()}; }
     /// The triangles set up by themselves: one batch.
     [[nodiscard]] const std::vector<Batch>* whole_batches() const { return &whole_batches_; }
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }

@@ -103,7 +103,7 @@ bool MeshTileWorker::prove_flat(int tile, std::uint16_t& flat) {
 
 /// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
 void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
-    const LaneSource source = run.source(*job_.input.mesh);
+    const LaneSource source = run.source();
     SkipCount& hidden = count_of(skips_, Skip::hidden);
     hidden.of += list.size();
     while (!list.empty()) {
@@ -116,6 +116,7 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         } else {
             while (count < list.size() && list[count] >> 8 == slot)
                 ++count;
+            if (count < list.size()) source.prefetch(list[count]);
             look_again(source);
             if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
                 hidden.skipped += count;
