@@ -1,3 +1,4 @@
+#include "raster/lane_dots.h"
 #include "raster/lane_triangles.h"
 #include "raster/tile_buffer.h"
 
@@ -167,23 +168,27 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t, std::size_t i, TileBuffer& 
 }
 
 template <class Values>
-void Fill(const LaneTriangles& triangles, TileBuffer& to) {
-    for (std::size_t i = 0; i < triangles.count; ++i)
+void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    DotRun dots(format, triangles, to);
+    for (std::size_t i = 0; i < triangles.count; ++i) {
+        if (dots.takes(i)) continue;
         triangles.needs_limits[i] != 0 ? FillTriangle<Values, true>(triangles, i, to)
                                        : FillTriangle<Values, false>(triangles, i, to);
+    }
+    dots.finish();
 }
 
 void FillLanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     switch (format.store) {
         case Store::u8:
-            return format.interpolants == 1 ? Fill<CodeLanes<1, 16>>(triangles, to)
-                                            : Fill<CodeLanes<2, 16>>(triangles, to);
+            return format.interpolants == 1 ? Fill<CodeLanes<1, 16>>(format, triangles, to)
+                                            : Fill<CodeLanes<2, 16>>(format, triangles, to);
         case Store::u16:
-            return Fill<CodeLanes<1, 14>>(triangles, to);
+            return Fill<CodeLanes<1, 14>>(format, triangles, to);
         case Store::f32:
-            return Fill<NumberLanes>(triangles, to);
+            return Fill<NumberLanes>(format, triangles, to);
         default:
-            return Fill<NoLanes>(triangles, to);
+            return Fill<NoLanes>(format, triangles, to);
     }
 }
 

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "raster/lane_collect.h"
+#include "raster/lane_dots.h"
 #include "raster/lane_triangles.h"
 #include "raster/screen_vertex.h"
 
@@ -325,6 +326,7 @@ void set_up_lanes(const PassFormat& format,
                   const PixelRect& drawn,
                   LaneTriangles& out) {
     HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, out);
+    find_dots(format, out);
 }
 
 }  // namespace ink::raster

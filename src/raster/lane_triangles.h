@@ -58,11 +58,9 @@ struct LaneSource {
     const LaneSlot* slots = nullptr;
     const std::byte* records = nullptr;
 
-    /// Asks for what a triangle's slot holds ahead of its use.
-    void prefetch(std::uint32_t entry) const {
-        if ((entry & kWholeTriangle) != 0) return;
+    /// Asks for what a slot holds ahead of its use.
+    void prefetch(const LaneSlot& slot) const {
         constexpr std::size_t kLineBytes = 64;
-        const LaneSlot& slot = slots[entry >> 8];
         for (std::size_t byte = 0; byte < slot.byte_count; byte += kLineBytes)
             hwy::Prefetch(records + slot.first_byte + byte);
     }
@@ -116,6 +114,19 @@ struct LaneTriangles {
         alignas(64) float values[kMaxPlanes][kPadded];
     };
     Corners corners[3];
+
+    /// Pixels of triangles that touch at most 2 x 2, in the order of the triangles: found a vector
+    /// of triangles at a time.
+    struct Dots {
+        /// Four a triangle, and a vector's worth more.
+        static constexpr std::size_t kCapacity = 4 * kCount + kLanePad;
+        /// Per triangle, how many of the dots are its; -1: it is drawn otherwise.
+        alignas(64) Ints counts;
+        alignas(64) std::int32_t offset[kCapacity];  ///< y * kTileStride + x
+        alignas(64) float q[kCapacity];
+        alignas(64) std::uint32_t values[kMaxPlanes][kCapacity];  ///< codes, or floats' bits
+    };
+    Dots dots;
 };
 
 /// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels

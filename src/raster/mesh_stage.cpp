@@ -27,6 +27,7 @@ void MeshRun::start(const MeshJob& job) {
     for (EntryList& list : lists_)
         list.clear();
     objects_.assign(job.input.may_keep_still ? tiles : 0, 0);
+    sides_ = PictureSides(job.transform, job.input.view);
     slots_.clear();
     records_.resize(0);
     whole().triangles.clear();
@@ -51,7 +52,7 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
     SkipCount& backs = count_of(skips_, Skip::backs);
     ++frustum.of;
     ++backs.of;
-    if (skips.has(Skip::frustum) && is_outside(cluster.bounds, job.transform, job.input.view)) {
+    if (skips.has(Skip::frustum) && sides_.has_outside(cluster.bounds)) {
         ++frustum.skipped;
         return;
     }

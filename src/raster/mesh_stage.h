@@ -64,6 +64,7 @@ class MeshRun {
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
     void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
 
+    PictureSides sides_;
     ClusterLanes lanes_;
     TriageResult triage_;
     std::vector<LaneSlot> slots_;

@@ -116,7 +116,7 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         } else {
             while (count < list.size() && list[count] >> 8 == slot)
                 ++count;
-            if (count < list.size()) source.prefetch(list[count]);
+            if (count < list.size()) prefetch(source, list[count]);
             look_again(source);
             if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
                 hidden.skipped += count;
@@ -128,6 +128,13 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         list = list.subspan(count);
     }
     draw_lanes(source);
+}
+
+/// Has what the next stretch reads on its way, unless it is hidden already.
+void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) const {
+    if ((entry & kWholeTriangle) != 0) return;
+    const LaneSlot& slot = source.slots[entry >> 8];
+    if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
 }
 
 /// Reads the coarse depth again if it is time: between clusters only, and with all before them

@@ -29,6 +29,7 @@ class MeshTileWorker {
   private:
     [[nodiscard]] bool prove_flat(int tile, std::uint16_t& flat);
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
+    void prefetch(const LaneSource& source, std::uint32_t entry) const;
     void look_again(const LaneSource& source);
     [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
         return tests_hidden_ && coarse_.hides(bounds, q_most);
