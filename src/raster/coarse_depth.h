@@ -17,6 +17,8 @@ class CoarseDepth {
     static constexpr int kSquare_px = 16;
     static constexpr int kSquares = kTileSize_px / kSquare_px;
 
+    using Squares = std::array<std::array<float, kSquares>, kSquares>;
+
     /// Knows nothing of a new tile.
     void start(TileBuffer& buffer);
     /// Says that so many triangles are drawn next.
@@ -25,6 +27,8 @@ class CoarseDepth {
     [[nodiscard]] bool wants_refresh() const { return drawn_ >= pause_; }
     /// Reads it: all that was announced is drawn.
     void refresh();
+    /// What it read, row by row.
+    [[nodiscard]] const Squares& least() const { return least_; }
     /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
     /// coordinates; only what lies in the tile counts.
     [[nodiscard]] bool hides(const PixelRect& bounds, float q_most) const;
@@ -34,7 +38,7 @@ class CoarseDepth {
     std::size_t drawn_ = 0;  ///< since the last refresh
     std::size_t pause_ = 0;  ///< triangles until the next
     bool is_known_ = false;
-    std::array<std::array<float, kSquares>, kSquares> least_{};
+    Squares least_{};
 };
 
 }  // namespace ink::raster

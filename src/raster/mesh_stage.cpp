@@ -1,5 +1,7 @@
 #include "raster/mesh_stage.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,15 +39,20 @@ void MeshRun::start(const MeshJob& job) {
     skips_ = {};
 }
 
-void MeshRun::process(const MeshJob& job, std::size_t first, std::size_t last) {
+void MeshRun::process(const MeshJob& job,
+                      std::size_t first,
+                      std::size_t last,
+                      const FrontDepth* front) {
     start(job);
-    for (std::size_t cluster = first; cluster < last; ++cluster) {
-        if (cluster + 1 < last && job.uses_lanes) job.input.mesh->prefetch(job.order[cluster + 1]);
-        add_cluster(job, job.order[cluster]);
+    const LaneMesh& mesh = *job.input.mesh;
+    for (std::size_t i = first; i < last; ++i) {
+        if (i + 3 < last) hwy::Prefetch(&mesh.clusters().clusters[job.order[i + 3]]);
+        if (i + 1 < last && job.uses_lanes) mesh.prefetch(job.order[i + 1]);
+        add_cluster(job, job.order[i], front);
     }
 }
 
-void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
+void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDepth* front) {
     const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
     const SkipSet& skips = job.input.skips;
     SkipCount& frustum = count_of(skips_, Skip::frustum);
@@ -60,6 +67,12 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
     if (hides_backs && skips.has(Skip::backs) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
+        return;
+    }
+    if (front != nullptr && front->hides(cluster.bounds)) {
+        SkipCount& hidden = count_of(skips_, Skip::hidden);
+        hidden.of += cluster.triangle_count;
+        hidden.skipped += cluster.triangle_count;
         return;
     }
     if (job.uses_lanes && add_in_lanes(job, index, hides_backs)) return;

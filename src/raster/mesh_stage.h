@@ -7,6 +7,7 @@
 #include "raster/bin.h"
 #include "raster/cluster_stage.h"
 #include "raster/cluster_triage.h"
+#include "raster/front_depth.h"
 #include "raster/lane_triangles.h"
 #include "raster/mesh_pass.h"
 #include "raster/mesh_view.h"
@@ -33,8 +34,12 @@ struct MeshJob {
 /// that no frame allocates what an earlier one had.
 class MeshRun {
   public:
-    /// Does clusters [first, last) of the order.
-    void process(const MeshJob& job, std::size_t first, std::size_t last);
+    /// Does clusters [first, last) of the order. Those that `front` hides are passed over; null:
+    /// none is.
+    void process(const MeshJob& job,
+                 std::size_t first,
+                 std::size_t last,
+                 const FrontDepth* front = nullptr);
 
     [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
         const EntryList& list = lists_[static_cast<std::size_t>(tile)];
@@ -52,7 +57,7 @@ class MeshRun {
   private:
     [[nodiscard]] Batch& whole() { return whole_batches_.front(); }
     void start(const MeshJob& job);
-    void add_cluster(const MeshJob& job, std::size_t cluster);
+    void add_cluster(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void settle_sides(const MeshJob& job, std::size_t cluster, bool drops_backs);

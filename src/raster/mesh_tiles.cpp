@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "raster/whole_fill.h"
 
@@ -23,16 +24,57 @@ PassInput make_input(const MeshJob& job) {
 
 }  // namespace
 
-MeshTileWorker::MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& runs)
+MeshTileWorker::MeshTileWorker(const MeshJob& job,
+                               const std::vector<MeshRun>& runs,
+                               std::size_t fronts,
+                               FrontDepth& front)
     : job_(job),
       runs_(runs),
+      fronts_(fronts),
+      front_(front),
       fill_(fill_function(job.format)),
       near_far_(make_input(job)),
       buffer_(job.format, near_far_, job.grid),
       proof_(job.format),
       tests_hidden_(job.input.skips.has(Skip::hidden) && job.format.depth == DepthFormat::q32) {}
 
+void MeshTileWorker::draw_front(int tile) {
+    const auto has_lanes = [tile](const MeshRun& run) {
+        const auto list = run.of(tile);
+        return std::any_of(list.begin(), list.end(), [](std::uint32_t entry) {
+            return (entry & kWholeTriangle) == 0;
+        });
+    };
+    const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
+    if (std::none_of(runs_.begin(), end, has_lanes)) return;
+    buffer_.start(tile);
+    rects_ = needed_rects(buffer_, 0, job_.grid.halo_px);
+    buffer_.touch();
+    coarse_.start(buffer_);
+    for (auto run = runs_.begin(); run != end; ++run)
+        draw_list(*run, run->of(tile));
+    coarse_.refresh();
+    FrontDepth::Tile& kept = front_.tile(tile);
+    kept.least = coarse_.least();
+    buffer_.put_aside(kept.pixels);
+    kept.is_drawn = true;
+}
+
 void MeshTileWorker::draw(int tile, TileSink& sink) {
+    if (fronts_ > 0 && front_.tile(tile).is_drawn) {
+        buffer_.resume(tile, front_.tile(tile).pixels);
+        ++count_of(skips_, Skip::empty_tiles).of;
+        std::uint16_t flat = 0;  // and stays it: there are triangles in lanes
+        [[maybe_unused]] const bool is_flat = job_.input.flat_gives_zero && prove_flat(tile, flat);
+        assert(!is_flat);
+        rects_ = needed_rects(buffer_, flat, job_.grid.halo_px);
+        coarse_.start(buffer_);
+        coarse_.refresh();
+        for (std::size_t i = fronts_; i < runs_.size(); ++i)
+            draw_list(runs_[i], runs_[i].of(tile));
+        finish(flat, sink);
+        return;
+    }
     const bool is_empty = std::all_of(
         runs_.begin(), runs_.end(), [&](const MeshRun& run) { return run.of(tile).empty(); });
     SkipCount& empty = count_of(skips_, Skip::empty_tiles);
@@ -56,6 +98,10 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
     coarse_.start(buffer_);
     for (const MeshRun& run : runs_)
         draw_list(run, run.of(tile));
+    finish(flat, sink);
+}
+
+void MeshTileWorker::finish(std::uint16_t flat, TileSink& sink) {
     buffer_.finish();
     buffer_.extend_frame();
     Tile finished = buffer_.view(false);
