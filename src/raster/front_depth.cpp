@@ -64,15 +64,21 @@ bool FrontDepth::hides(const scene::Sphere& ball) const {
     return true;
 }
 
-std::size_t front_clusters(const PassFormat& format, const MeshInput& input, const TileGrid& grid) {
+std::size_t front_clusters(const PassFormat& format,
+                           const MeshInput& input,
+                           const TileGrid& grid,
+                           const std::vector<SolidView>& solids) {
     // Below that, tiles are drawn in two goes for too little.
     constexpr std::size_t kClustersPerTile = 8;
-    const std::size_t clusters = input.mesh->clusters().clusters.size();
+    const auto& clusters = input.mesh->clusters().clusters;
+    const std::size_t least = kClustersPerTile * static_cast<std::size_t>(grid.count());
     const bool may_pass_over = input.skips.has(Skip::hidden) && lanes_can_draw(format) &&
                                !input.may_keep_still;  // all that touches a tile is noted there
-    if (!may_pass_over || clusters < kClustersPerTile * static_cast<std::size_t>(grid.count()))
-        return 0;
-    return clusters / 2;
+    if (!may_pass_over || clusters.size() < least) return 0;
+    const auto open = std::count_if(clusters.begin(), clusters.end(), [&](const auto& cluster) {
+        return !solids[cluster.solid].hides_backs;
+    });
+    return static_cast<std::size_t>(open) < least ? 0 : clusters.size() / 2;
 }
 
 }  // namespace ink::raster

@@ -84,7 +84,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     // In two goes where that pays: the nearest clusters and their pixels, then those of the others
     // that these do not hide.
     const std::size_t clusters = job.order.size();
-    const std::size_t nearest = front_clusters(format, input, grid);
+    const std::size_t nearest = front_clusters(format, input, grid, job.solids);
     const std::size_t fronts = nearest == 0 ? 0 : run_count(nearest, input.threads);
     const std::size_t others = run_count(clusters - nearest, input.threads);
     runs.resize(fronts + others);
