@@ -28,7 +28,9 @@ constexpr int kLetter_px = 9;  // mean advance at that scale
 constexpr int kGap_px = 12;
 constexpr int kCaptionHeight_px = 30;
 constexpr int kLegendHeight_px = 26;
+constexpr int kLineCells = 7;  // pictures side by side; a strip of more goes on below
 constexpr std::size_t kOverviewStrips = 8;
+constexpr std::size_t kOverviewCells = 72;  // with many methods, fewer strips
 
 int shrink_factor(int width_px, int cell_px) {
     return std::max(1, (width_px + cell_px / 2) / cell_px);
@@ -123,16 +125,19 @@ RgbImage strip_of(const std::vector<Cell>& cells) {
     const int width = cells.front().picture.width_px();
     const int height = cells.front().picture.height_px();
     const auto count = static_cast<int>(cells.size());
-    RgbImage strip(
-        count * (width + kGap_px) + kGap_px, height + kGap_px + kCaptionHeight_px, kPaper.rgb);
+    const int lines = (count + kLineCells - 1) / kLineCells;
+    const int in_line = (count + lines - 1) / lines;  // lines of even length
+    const int line_height = height + kGap_px + kCaptionHeight_px;
+    RgbImage strip(in_line * (width + kGap_px) + kGap_px, lines * line_height, kPaper.rgb);
     for (int i = 0; i < count; ++i) {
-        const int left = kGap_px + i * (width + kGap_px);
+        const int left = kGap_px + (i % in_line) * (width + kGap_px);
+        const int top = kGap_px + (i / in_line) * line_height;
         const Cell& cell = cells[static_cast<std::size_t>(i)];
-        put_image(strip, left, kGap_px, cell.picture);
-        put_frame(strip, {left - 1, kGap_px - 1, width + 2, height + 2});
+        put_image(strip, left, top, cell.picture);
+        put_frame(strip, {left - 1, top - 1, width + 2, height + 2});
         // Captions that are too long are cut where the next picture's begins.
         const auto letters = static_cast<std::size_t>(width / kLetter_px);
-        put_text(strip, {left, kGap_px + height + 20}, cell.caption.substr(0, letters), kInk.rgb);
+        put_text(strip, {left, top + height + 20}, cell.caption.substr(0, letters), kInk.rgb);
     }
     return strip;
 }
@@ -240,8 +245,10 @@ void write_strips(const std::vector<Row>& rows,
 void write_overview(const std::vector<Row>& rows,
                     const std::vector<MarkedView>& views,
                     const std::filesystem::path& folder) {
-    const std::size_t count = std::min(kOverviewStrips, views.size());
-    if (count == 0) return;
+    if (views.empty()) return;
+    const std::size_t fitting = kOverviewCells / (views.front().marks.size() + 1);
+    const std::size_t count =
+        std::min(views.size(), std::clamp<std::size_t>(fitting, 2, kOverviewStrips));
     std::vector<RgbImage> strips;
     int width_px = 0;
     for (std::size_t i = 0; i < count; ++i) {

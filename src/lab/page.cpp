@@ -18,6 +18,7 @@
 #include "lab/page_skips.h"
 #include "lab/page_statistics.h"
 #include "lab/page_tables.h"
+#include "lab/page_verdict.h"
 #include "lab/page_witness.h"
 #include "lab/summary.h"
 #include "lab/verdict.h"
@@ -271,7 +272,9 @@ std::string main_html(const Material& m) {
                     "F by scene",
                     "Pooled over a scene's views at 2 px; the redder, the more is wrong. The best "
                     "method of each scene in bold.",
-                    scene_heat_html(rows, m.summaries, pictured_scenes(m.scenes)));
+                    scene_heat_html(rows, m.summaries, pictured_scenes(m.scenes)) +
+                        "<p class=\"soft\">Each scene in full, every method:</p>" +
+                        scene_verdicts_html(rows));
     html += section(
         "pictures",
         "Truth and methods, side by side",

@@ -7,120 +7,9 @@
 
 #include "lab/html.h"
 #include "lab/verdict.h"
-#include "truth/line_class.h"
 
 namespace ink::lab {
 namespace {
-
-/// A column of the verdict table; `value` is what the best cell of the column is found by.
-struct VerdictColumn {
-    std::string group;    ///< heading above the heading; equal neighbours share one cell
-    std::string heading;  ///< HTML
-    std::function<std::string(const MethodSummary&)> cell;  ///< HTML
-    std::function<std::optional<double>(const MethodSummary&)> value = nullptr;
-};
-
-VerdictColumn share_column(std::string group,
-                           std::string heading,
-                           std::optional<double> MethodSummary::*field) {
-    return {std::move(group),
-            std::move(heading),
-            [field](const MethodSummary& s) { return format_share(s.*field); },
-            [field](const MethodSummary& s) { return s.*field; }};
-}
-
-VerdictColumn recall_column(const std::string& name) {
-    const auto recall = [name](const MethodSummary& s) -> std::optional<double> {
-        const auto found = s.recall_by_class.find(name);
-        if (found == s.recall_by_class.end()) return std::nullopt;
-        return found->second;
-    };
-    return {"recall per class",
-            name,
-            [recall](const MethodSummary& s) { return format_share(recall(s)); },
-            recall};
-}
-
-std::string range_cell(const MethodSummary& s) {
-    if (!s.f_2px_range) return "-";
-    return fmt::format("<span class=\"range\">{}–{}</span>",
-                       format_share(s.f_2px_range->low),
-                       format_share(s.f_2px_range->high));
-}
-
-std::string views_cell(const MethodSummary& s) {
-    if (s.failed == 0) return fmt::format("{}", s.views);
-    return fmt::format("<b>{}</b> of {}", s.views, s.views + s.failed);
-}
-
-std::vector<VerdictColumn> verdict_columns(const std::vector<MethodSummary>& summaries) {
-    const char* kF = "F at 2 px";
-    std::vector<VerdictColumn> columns = {
-        share_column(kF, "pooled", &MethodSummary::f_2px),
-        {kF, "95 %", range_cell},
-        share_column(kF, "training", &MethodSummary::f_train),
-        share_column(kF, "held-out", &MethodSummary::f_heldout),
-        share_column(kF, "macro", &MethodSummary::f_macro),
-        share_column(kF, "median", &MethodSummary::f_median),
-        share_column("at 1 px", "F", &MethodSummary::f_1px),
-        share_column("at 2 px", "prec.", &MethodSummary::precision),
-        share_column("at 2 px", "recall", &MethodSummary::recall),
-    };
-    for (const truth::LineClass c : truth::kLineClasses) {
-        const std::string name(truth::name(c));
-        const bool is_there = std::any_of(summaries.begin(), summaries.end(), [&](const auto& s) {
-            return s.recall_by_class.count(name) != 0;
-        });
-        if (is_there) columns.push_back(recall_column(name));
-    }
-    columns.push_back({"px", "width", [](const MethodSummary& s) {
-                           return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
-                       }});
-    columns.push_back({"cost",
-                       "draw ms",
-                       [](const MethodSummary& s) { return format_ms(s.draw_ms); },
-                       [](const MethodSummary& s) -> std::optional<double> {
-                           if (!s.draw_ms) return std::nullopt;
-                           return -*s.draw_ms;
-                       }});
-    columns.push_back({"cost", "B/px", [](const MethodSummary& s) {
-                           return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
-                       }});
-    columns.push_back({"cells", "views", views_cell});
-    return columns;
-}
-
-bool starts_group(const std::vector<VerdictColumn>& columns, std::size_t i) {
-    return i == 0 || columns[i].group != columns[i - 1].group;
-}
-
-std::string verdict_head(const std::vector<VerdictColumn>& columns) {
-    std::string groups = "<tr class=\"groups\"><td></td>";
-    std::string headings = "<tr><th scope=\"col\">method</th>";
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const char* edge = starts_group(columns, i) ? " class=\"group\"" : "";
-        headings += fmt::format("<th scope=\"col\"{}>{}</th>", edge, columns[i].heading);
-        if (!starts_group(columns, i)) continue;
-        std::size_t end = i + 1;
-        while (end < columns.size() && !starts_group(columns, end))
-            ++end;
-        groups += fmt::format("<th scope=\"colgroup\" colspan=\"{}\" class=\"group\">{}</th>",
-                              end - i,
-                              columns[i].group);
-    }
-    return fmt::format("<thead>{}</tr>{}</tr></thead>", groups, headings);
-}
-
-/// The highest value of a column among methods; brackets do not compete.
-std::optional<double> best_of(const VerdictColumn& column,
-                              const std::vector<MethodSummary>& summaries) {
-    std::optional<double> best;
-    if (!column.value) return best;
-    for (const MethodSummary& s : summaries) {
-        if (!s.is_bracket) best = std::max(best, column.value(s));
-    }
-    return best;
-}
 
 /// Red as the error grows: white at F = 1, full from F = .4 down.
 std::string heat_style(double f) {
@@ -129,16 +18,6 @@ std::string heat_style(double f) {
         return static_cast<int>(from + (to - from) * t + 0.5);
     };
     return fmt::format("background:rgb({},{},{})", mix(255, 232), mix(255, 138), mix(255, 84));
-}
-
-std::vector<std::string> scenes_of(const std::vector<Row>& rows) {
-    std::vector<std::string> scenes;
-    for (const Row& row : rows) {
-        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) {
-            scenes.push_back(row.scene);
-        }
-    }
-    return scenes;
 }
 
 std::string_view split_words(const std::string& split) {
@@ -236,31 +115,14 @@ std::vector<RowColumn> row_page_columns() {
 
 }  // namespace
 
-std::string verdict_html(const std::vector<MethodSummary>& summaries) {
-    const std::vector<VerdictColumn> columns = verdict_columns(summaries);
-    const Verdict verdict = find_verdict(summaries);
-    std::string body;
-    bool has_bracket = false;
-    for (const MethodSummary& s : summaries) {
-        std::string classes = &s == verdict.best ? "best" : "";
-        if (s.is_bracket) classes = has_bracket ? "bracket" : "bracket first-bracket";
-        has_bracket = has_bracket || s.is_bracket;
-        body += fmt::format(R"(<tr class="{}"><th scope="row">{}</th>)", classes, escape(s.method));
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const std::optional<double> best = best_of(columns[i], summaries);
-            const bool is_best = !s.is_bracket && best && columns[i].value(s) == best;
-            body += fmt::format("<td{}>{}{}{}</td>",
-                                starts_group(columns, i) ? " class=\"group\"" : "",
-                                is_best ? "<b>" : "",
-                                columns[i].cell(s),
-                                is_best ? "</b>" : "");
+std::vector<std::string> scenes_of(const std::vector<Row>& rows) {
+    std::vector<std::string> scenes;
+    for (const Row& row : rows) {
+        if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) {
+            scenes.push_back(row.scene);
         }
-        body += "</tr>\n";
     }
-    return fmt::format(
-        "<div class=\"scroll\"><table class=\"verdict\">{}<tbody>{}</tbody></table></div>",
-        verdict_head(columns),
-        body);
+    return scenes;
 }
 
 std::string scene_anchor(const std::vector<std::string>& pictured_scenes,

@@ -8,8 +8,8 @@
 
 namespace ink::lab {
 
-/// The summaries of all methods as an HTML table, the winner marked.
-[[nodiscard]] std::string verdict_html(const std::vector<MethodSummary>& summaries);
+/// The names of the scenes of `rows`, each once, in order of first appearance.
+[[nodiscard]] std::vector<std::string> scenes_of(const std::vector<Row>& rows);
 
 /// F per scene and method as an HTML table whose cells are the darker the more is wrong. Scenes
 /// that have a picture on the page link to it.

@@ -8,10 +8,12 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "image_io/image_file.h"
 #include "lab/figures.h"
 #include "lab/html.h"
 #include "lab/page.h"
 #include "lab/page_scenes.h"
+#include "lab/page_verdict.h"
 #include "tests/lab/made_up_report.h"
 #include "tests/lab/markup.h"
 
@@ -73,6 +75,24 @@ TEST(ReportPage, IsWellNestedWhateverThereIsToSay) {
     EXPECT_EQ(
         nesting_error(report_page(made_up_report({.scenes = 1, .views = 1, .methods = {"a"}}))),
         "");
+}
+
+TEST(ReportPage, HasEveryMethodOnEveryScene) {
+    ReportData data = made_up_report({.scenes = 2, .methods = {"first", "second"}});
+    for (Row& row : data.rows) {
+        // Pooled over the scene's three views; the other scene must not leak in.
+        if (row.method == "second") row.k_2px = row.scene == "scene_1" ? 123 : 777;
+    }
+    const std::string html = scene_verdicts_html(data.rows);
+    EXPECT_EQ(nesting_error(html), "");
+    EXPECT_EQ(count_of(html, "<details"), 2);
+    EXPECT_EQ(count_of(html, ">second</th>"), 2);
+    const std::size_t of_second_scene = html.find("scene_2");
+    ASSERT_NE(of_second_scene, std::string::npos);
+    EXPECT_THAT(html.substr(0, of_second_scene), HasSubstr(">.123<"));
+    EXPECT_THAT(html.substr(of_second_scene), HasSubstr(".777"));
+    EXPECT_THAT(html.substr(of_second_scene), Not(HasSubstr(".123")));
+    EXPECT_EQ(scene_verdicts_html({}), "");
 }
 
 TEST(NestingError, SeesWhatIsWrong) {
@@ -248,6 +268,20 @@ TEST_F(ReportFiles, FiguresAreStripsAndCharts) {
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/classes.svg")), "");
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/causes.svg")), "");
     EXPECT_THAT(text_of(folder_ / "figures/causes.svg"), HasSubstr(">decaudin</text>"));
+}
+
+TEST_F(ReportFiles, StripsOfManyMethodsGoOnBelow) {
+    // The truth, 17 methods and the ceiling: 19 pictures of 160 x 90 in three lines of seven.
+    std::vector<std::string> methods;
+    for (int i = 1; i <= 17; ++i)
+        methods.push_back("method" + std::to_string(i));
+    write_figures(made_up_report({.scenes = 4, .methods = methods}), folder_);
+    const auto strip = image_io::read_gray(folder_ / "figures/scene_1.png");
+    EXPECT_EQ(strip.width_px(), 7 * (160 + 12) + 12);
+    EXPECT_GE(strip.height_px(), 3 * (90 + 12 + 30));
+    const auto overview = image_io::read_gray(folder_ / "figures/overview.png");
+    EXPECT_EQ(overview.width_px(), strip.width_px());
+    EXPECT_LT(overview.height_px(), 4 * strip.height_px());  // 72 pictures: three strips of four
 }
 
 TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
