@@ -160,6 +160,7 @@ void Triage(const std::int32_t* corners,
         // Counter-clockwise in the world is counter-clockwise as seen: negative with y down.
         const auto is_back = hn::And(is_sure, hn::Gt(area, zero));
         if (job.drops_backs) keep = hn::AndNot(is_back, keep);
+        if (job.drops_fronts) keep = hn::AndNot(hn::And(is_sure, hn::Lt(area, zero)), keep);
 
         const auto width = hn::Sub(right_px, left_px);
         const auto height = hn::Sub(bottom_px, top_px);

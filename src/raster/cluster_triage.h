@@ -18,6 +18,7 @@ inline constexpr int kLaneExtent_px = 127;
 struct TriageJob {
     PixelRect picture;
     bool drops_backs = false;      ///< triangles seen from their back are of no use
+    bool drops_fronts = false;     ///< nor are those seen from their front
     bool drops_no_sample = false;  ///< so are those that cover no pixel centre
 };
 

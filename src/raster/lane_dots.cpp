@@ -175,6 +175,7 @@ HWY_INLINE std::size_t AddDots(const PassFormat& format,
 void FindDots(const PassFormat& format, LaneTriangles& t) {
     const DI d;
     const auto three = hn::Set(d, 3);
+    const bool is_float = format.depth == DepthFormat::q32;
     std::size_t found = 0;
     for (std::size_t at = 0; at < t.count; at += hn::Lanes(d)) {
         const auto is_real = hn::FirstN(d, t.count - at);
@@ -182,7 +183,7 @@ void FindDots(const PassFormat& format, LaneTriangles& t) {
         const auto height = hn::Sub(hn::Load(d, t.y1 + at), hn::Load(d, t.y0 + at));
         const auto is_small =
             hn::And(is_real, hn::And(hn::Lt(width, three), hn::Lt(height, three)));
-        if (2 * hn::CountTrue(d, is_small) < hn::CountTrue(d, is_real)) {
+        if (!is_float || 2 * hn::CountTrue(d, is_small) < hn::CountTrue(d, is_real)) {
             hn::Store(hn::Set(d, -1), d, t.dots.counts + at);
             continue;
         }

@@ -9,7 +9,8 @@
 namespace ink::raster {
 
 /// Finds the dots of triangles that are set up: all four pixels of a vector of small triangles at
-/// once. Where fewer than half of a vector are small, it leaves them to the rows of fill_lanes.
+/// once. Where fewer than half of a vector are small, or depth is not q32, it leaves them to the
+/// rows of fill_lanes.
 void find_dots(const PassFormat& format, LaneTriangles& triangles);
 
 /// Draws dots in their triangles' turn; what fill_lanes asks before each triangle.

@@ -79,9 +79,9 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDept
     add_whole(job, index, hides_backs);
 }
 
-/// Decides exactly which side the triangles show that triage left open; drops those turned away
-/// that are of no use.
-void MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool drops_backs) {
+/// Decides exactly which side the triangles show that triage left open; drops those whose side is
+/// of no use.
+void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const TriageJob& triage) {
     const scene::Surface& surface = job.input.mesh->surface();
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const scene::Cluster& cluster = clusters.clusters[index];
@@ -93,10 +93,10 @@ void MeshRun::settle_sides(const MeshJob& job, std::size_t index, bool drops_bac
             const std::uint32_t vertex = corners >> 8 * k & 0xff;
             return surface.p_world[clusters.vertices[cluster.first_vertex + vertex]];
         };
-        if (scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) >= 0) continue;
-        if (!drops_backs) {
-            triage_.corners[at] |= kBackSide;
-            triage_.has_back = true;
+        const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) < 0;
+        if (!(is_back ? triage.drops_backs : triage.drops_fronts)) {
+            if (is_back) triage_.corners[at] |= kBackSide;
+            triage_.has_back = triage_.has_back || is_back;
             continue;
         }
         const auto take_out = [&](auto* list) {
@@ -124,17 +124,15 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     records = {records_.data() + first_byte, stride};
     if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
         return false;
-    const bool drops_backs = hides_backs && skips.has(Skip::backs);
-    triage_cluster(mesh,
-                   index,
-                   lanes_,
-                   {picture_of(job.grid), drops_backs, skips.has(Skip::no_sample)},
-                   triage_);
+    const TriageJob triage{.picture = picture_of(job.grid),
+                           .drops_backs = hides_backs && skips.has(Skip::backs),
+                           .drops_no_sample = skips.has(Skip::no_sample)};
+    triage_cluster(mesh, index, lanes_, triage, triage_);
     if (triage_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
     no_sample.of += cluster.triangle_count;
     if (skips.has(Skip::no_sample)) no_sample.skipped += triage_.no_sample;
-    settle_sides(job, index, drops_backs);
+    settle_sides(job, index, triage);
     if (triage_.count == 0) return true;
 
     LaneSlot slot;

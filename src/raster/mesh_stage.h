@@ -60,7 +60,7 @@ class MeshRun {
     void add_cluster(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    void settle_sides(const MeshJob& job, std::size_t cluster, bool drops_backs);
+    void settle_sides(const MeshJob& job, std::size_t cluster, const TriageJob& triage);
     [[nodiscard]] bool compute_values(const MeshJob& job,
                                       std::size_t cluster,
                                       const LaneSlot& slot);
