@@ -10,10 +10,6 @@ bool is_float(double v) {
     return static_cast<double>(static_cast<float>(v)) == v;
 }
 
-/// A lookup may name any triangle of a full cluster.
-constexpr std::size_t kReadableTriangles = 128;
-static_assert(scene::kMaxClusterTriangles <= kReadableTriangles);
-
 }  // namespace
 
 LaneMesh::LaneMesh(const scene::Surface& surface)
@@ -45,7 +41,7 @@ void LaneMesh::lay_out() {
                  lane_padded(cluster.triangle_count) * sizeof(std::int32_t);
     }
     first_byte_.push_back(bytes);
-    bytes_.resize(bytes + kReadableTriangles * sizeof(std::int32_t));
+    bytes_.resize(bytes);
     std::fill_n(bytes_.data(), bytes_.size(), std::byte{0});
 }
 

@@ -54,7 +54,7 @@ class LaneMesh {
         return at<float>(cluster, (before + static_cast<std::size_t>(axis)) * padded(cluster));
     }
     /// The corners of a cluster's triangles as its vertices: first | second << 8 | third << 16.
-    /// Padded with 0; any index up to 127 may be read.
+    /// Padded with 0.
     [[nodiscard]] const std::int32_t* corners(std::size_t cluster) const {
         const std::size_t before = (is_float_ ? 3U : 6U) + (has_normals_ ? 3U : 0U);
         return at<std::int32_t>(cluster, before * padded(cluster));

@@ -1,5 +1,5 @@
-// Lookup of a cluster's vertices by lanes, per SIMD target: included inside HWY_NAMESPACE, after `hn`
-// and the lane types DI (int32) and VI.
+// Lookup of a cluster's vertices by lanes, per SIMD target: included inside HWY_NAMESPACE, after
+// `hn` and the lane types DI (int32) and VI.
 
 #if HWY_TARGET <= HWY_AVX3
 /// Numbers of a cluster's vertices in four registers; 64 are read, however few there are. A gather
