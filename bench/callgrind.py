@@ -40,12 +40,13 @@ STAGES = [
      r"compute_whole_values|Values::compute|SurfaceInputs::|raster::(to_screen|outcode)\(|"
      r"put_on_screen|::encode_", "vertex"),
     ("facing, samples, clipping",
-     r"::(TriageCluster|triage_cluster)\(|settle_sides|scene::(facings|orient3d)|raster::clip",
-     "triangle"),
-    ("setup", r"::(SetUpLanes|set_up\w*|Collect)\(|TriangleStage::|PlaneMaker::|make_\w+_plane|"
+     r"::(TriageCluster|triage_cluster|Triage<)|settle_sides|scene::(facings|orient3d)|"
+     r"raster::clip|PictureSides::|FrontDepth::hides", "triangle"),
+    ("setup", r"::(SetUpLanes|set_up\w*|Collect|collect_corners)\(|TriangleStage::|PlaneMaker::|make_\w+_plane|"
               r"MeshRun::(add|process|store)\w*\(", "triangle"),
-    ("binning", r"MeshRun::bin_\w+\(|raster::Bins::", "triangle"),
-    ("fill", r"raster::N_\w+::Fill<|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
+    ("binning", r"MeshRun::bin_\w+\(|raster::Bins::|::(ListTriangles|ListAllTriangles)\(|"
+                r"list_(all_)?triangles\(", "triangle"),
+    ("fill", r"raster::N_\w+::(Fill<|FindDots)|DotRun::|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
              r"memset", "pixel"),
     ("filter", r"edge::(N_\w+::)?\w*([Ll]aplacian|[Dd]ecaudin|[Rr]espond)|Sink::", "pixel"),
 ]

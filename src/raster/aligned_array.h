@@ -20,14 +20,17 @@ class AlignedArray {
 
     /// `size` elements; those that were there keep their values, new ones have none.
     void resize(std::size_t size) {
-        if (size > capacity_) {
-            const std::size_t capacity = std::max(size, capacity_ + capacity_ / 2);
-            auto grown = hwy::AllocateAligned<T>(capacity);
-            std::copy_n(memory_.get(), size_, grown.get());
-            memory_ = std::move(grown);
-            capacity_ = capacity;
-        }
+        reserve(size);
         size_ = size;
+    }
+    /// Room for `size` elements at least.
+    void reserve(std::size_t size) {
+        if (size <= capacity_) return;
+        const std::size_t capacity = std::max(size, capacity_ + capacity_ / 2);
+        auto grown = hwy::AllocateAligned<T>(capacity);
+        std::copy_n(memory_.get(), size_, grown.get());
+        memory_ = std::move(grown);
+        capacity_ = capacity;
     }
 
   private:

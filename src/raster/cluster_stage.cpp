@@ -39,6 +39,7 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
     const DD d;
     const hn::Rebind<float, DD> df;
     const hn::Rebind<std::int32_t, DD> di;
+    const LaneRecords& r = lanes.records;
     const std::size_t n = hn::Lanes(d);
     auto least_w = hn::Set(d, std::numeric_limits<double>::max());
     auto most_w = hn::Zero(d);
@@ -60,9 +61,9 @@ Reach Project(std::size_t count, const ViewTransform& t, ClusterLanes& lanes, co
         const auto y_safe = hn::Min(hn::Max(y_px, hn::Neg(limit)), limit);
         hn::Store(w, d, lanes.w + i);
         hn::Store(inv, d, lanes.inv_w + i);
-        hn::Store(hn::DemoteTo(df, inv), df, lanes.q + i);
-        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(x_safe, scale))), di, lanes.x + i);
-        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(y_safe, scale))), di, lanes.y + i);
+        hn::Store(hn::DemoteTo(df, inv), df, r.q() + i);
+        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(x_safe, scale))), di, r.x() + i);
+        hn::Store(hn::DemoteTo(di, hn::Round(hn::Mul(y_safe, scale))), di, r.y() + i);
     }
     return {hn::GetLane(hn::MinOfLanes(d, least_w)),
             hn::GetLane(hn::MaxOfLanes(d, most_w)),
@@ -82,8 +83,8 @@ void PackSnapped(std::size_t count, ClusterLanes& lanes) {
     auto x1 = hn::Set(d, std::numeric_limits<std::int32_t>::min());
     auto y1 = x1;
     for (std::size_t i = 0; i < count; i += n) {
-        const auto x = snap(lanes.x + i);
-        const auto y = snap(lanes.y + i);
+        const auto x = snap(lanes.records.x() + i);
+        const auto y = snap(lanes.records.y() + i);
         x0 = hn::Min(x0, x);
         x1 = hn::Max(x1, x);
         y0 = hn::Min(y0, y);
@@ -98,8 +99,8 @@ void PackSnapped(std::size_t count, ClusterLanes& lanes) {
     const auto left = hn::Set(d, lanes.x0);
     const auto top = hn::Set(d, lanes.y0);
     for (std::size_t i = 0; i < count; i += n) {
-        const auto x = hn::Sub(snap(lanes.x + i), left);
-        const auto y = hn::Sub(snap(lanes.y + i), top);
+        const auto x = hn::Sub(snap(lanes.records.x() + i), left);
+        const auto y = hn::Sub(snap(lanes.records.y() + i), top);
         if (lanes.is_packed) {
             hn::Store(hn::Or(hn::ShiftLeft<16>(x), y), d, lanes.packed + i);
         } else {
@@ -117,7 +118,7 @@ bool ProjectCluster(const LaneMesh& mesh,
     const DD d;
     const hn::Rebind<float, DD> df;
     const std::size_t vertices = mesh.clusters().clusters[cluster].vertex_count;
-    const std::size_t count = (vertices + kLanePad - 1) / kLanePad * kLanePad;
+    const std::size_t count = lane_padded(vertices);
     Reach reach{};
     if (mesh.has_float_positions()) {
         const float* p[3] = {mesh.float_positions(cluster, 0),
@@ -141,7 +142,7 @@ bool ProjectCluster(const LaneMesh& mesh,
     lanes.q_least = static_cast<float>(1 / reach.most_w);
     lanes.q_most = static_cast<float>(1 / reach.least_w);  // as the nearest vertex's q was rounded
     PackSnapped(count, lanes);
-    return lanes.q[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
+    return lanes.records.q()[0] > 1 / kExtreme;  // neighbours differ by far less than what is left
 }
 
 ValueRange RangeOf(const float* values, std::size_t count) {
@@ -157,22 +158,6 @@ ValueRange RangeOf(const float* values, std::size_t count) {
     return {hn::GetLane(hn::MinOfLanes(d, least)), hn::GetLane(hn::MaxOfLanes(d, greatest))};
 }
 
-void WriteRecords(const ClusterLanes& lanes,
-                  std::size_t count,
-                  const float* values,
-                  bool is_silent,
-                  std::int32_t* records) {
-    const DI d;
-    const hn::Rebind<float, DI> df;
-    const auto zero = hn::Zero(d);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-        const auto q = is_silent ? zero : hn::BitCast(d, hn::Load(df, lanes.q + i));
-        const auto v = values == nullptr ? zero : hn::BitCast(d, hn::LoadU(df, values + i));
-        hn::StoreInterleaved4(
-            hn::Load(d, lanes.x + i), hn::Load(d, lanes.y + i), q, v, d, records + 4 * i);
-    }
-}
-
 }  // namespace ink::raster::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -181,18 +166,9 @@ namespace ink::raster {
 
 HWY_EXPORT(ProjectCluster);
 HWY_EXPORT(RangeOf);
-HWY_EXPORT(WriteRecords);
 
 ValueRange range_of(const float* values, std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(RangeOf)(values, count);
-}
-
-void write_records(const ClusterLanes& lanes,
-                   std::size_t count,
-                   const float* values,
-                   bool is_silent,
-                   std::int32_t* records) {
-    HWY_DYNAMIC_DISPATCH(WriteRecords)(lanes, count, values, is_silent, records);
 }
 
 CornerBatch ClusterLanes::batch(const LaneMesh& mesh, std::size_t cluster) const {
@@ -202,15 +178,6 @@ CornerBatch ClusterLanes::batch(const LaneMesh& mesh, std::size_t cluster) const
     result.inv_w = inv_w;
     for (int axis = 0; axis < 3 && mesh.has_normals(); ++axis)
         result.n_world[axis] = mesh.normals(cluster, axis);
-    return result;
-}
-
-CornerPlanes ClusterLanes::planes(bool wants_back) {
-    CornerPlanes result;
-    for (std::size_t k = 0; k < kMaxPlanes; ++k) {
-        result.front[k] = values[0][k];
-        result.back[k] = wants_back ? values[1][k] : nullptr;
-    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "raster/corner_values.h"
 #include "raster/lane_mesh.h"
+#include "raster/lane_triangles.h"
 #include "raster/pass.h"
 #include "raster/setup.h"
 #include "raster/view_transform.h"
@@ -13,15 +14,12 @@ namespace ink::raster {
 /// In clusters at most this wide and high a vertex fits 16 bits each way from their box's corner.
 inline constexpr int kPackedCluster_px = 255;
 
-/// A cluster's vertices on the screen, and what a method made of them; scratch of one thread.
+/// A cluster's vertices on the screen; scratch of one thread, but for what is kept as records.
 struct ClusterLanes {
     static constexpr std::size_t kCount = scene::kMaxClusterVertices;
+    LaneRecords records;  ///< where they are written
     alignas(64) double w[kCount];
     alignas(64) double inv_w[kCount];
-    alignas(64) float q[kCount];
-    alignas(64) std::int32_t x[kCount];  ///< 1/65536 px
-    alignas(64) std::int32_t y[kCount];
-    alignas(64) float values[2][kMaxPlanes][kCount];  ///< front, back
     /// Snapped, from the box's corner, 1/256 px: x << 16 | y, or apart where they do not fit.
     bool is_packed = false;
     alignas(64) std::int32_t packed[kCount];
@@ -36,12 +34,11 @@ struct ClusterLanes {
 
     /// How a method reads them.
     [[nodiscard]] CornerBatch batch(const LaneMesh& mesh, std::size_t cluster) const;
-    [[nodiscard]] CornerPlanes planes(bool wants_back);
 };
 
-/// Puts a cluster's vertices on the screen. False if it must be drawn triangle by triangle: it
-/// crosses the near plane, lies far outside the picture, or its 1/w are beyond what floats can
-/// multiply; the lanes then hold nothing of use.
+/// Puts a cluster's vertices on the screen: x, y and q of its records. False if it must be drawn
+/// triangle by triangle: it crosses the near plane, lies far outside the picture, or its 1/w are
+/// beyond what floats can multiply; the lanes then hold nothing of use.
 [[nodiscard]] bool project_cluster(const LaneMesh& mesh,
                                    std::size_t cluster,
                                    const ViewTransform& transform,
@@ -54,13 +51,5 @@ struct ValueRange {
     float greatest;
 };
 [[nodiscard]] ValueRange range_of(const float* values, std::size_t count);
-
-/// Writes `count` vertices as records (see lane_triangles.h), a vector's worth more than they are.
-/// `values` null: none. What is silent lies at infinity, behind everything.
-void write_records(const ClusterLanes& lanes,
-                   std::size_t count,
-                   const float* values,
-                   bool is_silent,
-                   std::int32_t* records);
 
 }  // namespace ink::raster

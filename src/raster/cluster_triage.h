@@ -6,6 +6,7 @@
 #include "raster/lane_mesh.h"
 #include "raster/pass.h"
 #include "raster/setup.h"
+#include "raster/tile_lists.h"
 
 namespace ink::raster {
 
@@ -16,10 +17,8 @@ inline constexpr int kLaneExtent_px = 127;
 /// What is asked of a cluster's triangles.
 struct TriageJob {
     PixelRect picture;
-    int halo_px = 0;
-    int columns = 1;  ///< of tiles
-    int rows = 1;
     bool drops_backs = false;      ///< triangles seen from their back are of no use
+    bool drops_fronts = false;     ///< nor are those seen from their front
     bool drops_no_sample = false;  ///< so are those that cover no pixel centre
 };
 
@@ -27,16 +26,16 @@ struct TriageJob {
 struct TriageResult {
     /// Up to a whole vector more is written.
     static constexpr std::size_t kCapacity = 128 + kLanePad;
-    alignas(64) std::uint32_t triangle[kCapacity];  ///< within the cluster
-    alignas(64) std::int32_t x0[kCapacity];         ///< pixel centres that may be inside
-    alignas(64) std::int32_t y0[kCapacity];
-    alignas(64) std::int32_t x1[kCapacity];
-    alignas(64) std::int32_t y1[kCapacity];
-    /// The one tile that all its centres and their halos lie in, or -1: several.
-    alignas(64) std::int32_t tile[kCapacity];
-    /// Twice the snapped area where its sign is sure to be that of the true one, else 0.
-    alignas(64) std::int32_t area[kCapacity];
+    /// As LaneMesh::corners has them, with kBackSide where they are seen from their back.
+    alignas(64) std::uint32_t corners[kCapacity];
+    /// Pixel centres that may be inside: first | end << 16.
+    alignas(64) std::int32_t x_span[kCapacity];
+    alignas(64) std::int32_t y_span[kCapacity];
+    /// Which of them are seen so nearly edge-on that their side is not sure; kBackSide is unset.
+    alignas(64) std::uint32_t unsure[kCapacity];
     std::size_t count = 0;
+    std::size_t unsure_count = 0;
+    bool has_back = false;      ///< some is surely seen from its back
     bool has_large = false;     ///< some triangle exceeds kLaneExtent_px: nothing here is of use
     std::size_t no_sample = 0;  ///< dropped or not, triangles found to cover no centre
     std::size_t outside = 0;    ///< without a centre in the picture
@@ -50,5 +49,14 @@ void triage_cluster(const LaneMesh& mesh,
                     const ClusterLanes& lanes,
                     const TriageJob& job,
                     TriageResult& result);
+
+/// Appends the numbers of those triangles of a result whose centres lie in one of the columns and
+/// rows of `rect`, each with `base` in its upper bits; returns how many.
+std::size_t list_triangles(const TriageResult& result,
+                           const PixelRect& rect,
+                           std::uint32_t base,
+                           EntryList& to);
+/// The same for all of them.
+void list_all_triangles(const TriageResult& result, std::uint32_t base, EntryList& to);
 
 }  // namespace ink::raster

@@ -17,6 +17,8 @@ class CoarseDepth {
     static constexpr int kSquare_px = 16;
     static constexpr int kSquares = kTileSize_px / kSquare_px;
 
+    using Squares = std::array<std::array<float, kSquares>, kSquares>;
+
     explicit CoarseDepth(DepthFormat format) : is_in_steps_(format != DepthFormat::q32) {}
 
     /// Knows nothing of a new tile.
@@ -27,6 +29,8 @@ class CoarseDepth {
     [[nodiscard]] bool wants_refresh() const { return drawn_ >= pause_; }
     /// Reads it: all that was announced is drawn.
     void refresh();
+    /// What it read, row by row.
+    [[nodiscard]] const Squares& least() const { return least_; }
     /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
     /// coordinates; only what lies in the tile counts. A step, at least 1, where the format has
     /// them.
@@ -41,7 +45,7 @@ class CoarseDepth {
     std::size_t drawn_ = 0;  ///< since the last refresh
     std::size_t pause_ = 0;  ///< triangles until the next
     bool is_known_ = false;
-    std::array<std::array<float, kSquares>, kSquares> least_{};
+    Squares least_{};
 };
 
 }  // namespace ink::raster

@@ -1,3 +1,4 @@
+#include "raster/lane_dots.h"
 #include "raster/lane_triangles.h"
 #include "raster/tile_buffer.h"
 
@@ -200,26 +201,30 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t,
 }
 
 template <class Depth, class Values>
-void Fill(const LaneTriangles& triangles, TileBuffer& to) {
+void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     auto* const depth = to.depth_row<typename Depth::Value>(0);
     Values values(triangles, to);
-    for (std::size_t i = 0; i < triangles.count; ++i)
+    DotRun dots(format, triangles, to);
+    for (std::size_t i = 0; i < triangles.count; ++i) {
+        if (dots.takes(i)) continue;
         triangles.needs_limits[i] != 0 ? FillTriangle<Depth, true>(triangles, i, depth, values)
                                        : FillTriangle<Depth, false>(triangles, i, depth, values);
+    }
+    dots.finish();
 }
 
 template <class Depth>
 void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     switch (format.store) {
         case Store::u8:
-            return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(triangles, to)
-                                            : Fill<Depth, CodeLanes<2, 16>>(triangles, to);
+            return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(format, triangles, to)
+                                            : Fill<Depth, CodeLanes<2, 16>>(format, triangles, to);
         case Store::u16:
-            return Fill<Depth, CodeLanes<1, 14>>(triangles, to);
+            return Fill<Depth, CodeLanes<1, 14>>(format, triangles, to);
         case Store::f32:
-            return Fill<Depth, NumberLanes>(triangles, to);
+            return Fill<Depth, NumberLanes>(format, triangles, to);
         default:
-            return Fill<Depth, NoLanes>(triangles, to);
+            return Fill<Depth, NoLanes>(format, triangles, to);
     }
 }
 

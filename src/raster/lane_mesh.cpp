@@ -1,13 +1,10 @@
 #include "raster/lane_mesh.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace ink::raster {
 namespace {
-
-constexpr std::size_t padded(std::size_t count) {
-    return (count + kLanePad - 1) / kLanePad * kLanePad;
-}
 
 bool is_float(double v) {
     return static_cast<double>(static_cast<float>(v)) == v;
@@ -29,52 +26,51 @@ void LaneMesh::update(const scene::Surface& moved) {
 }
 
 void LaneMesh::lay_out() {
-    first_vertex_.clear();
-    first_triangle_.clear();
-    std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    for (const scene::Cluster& cluster : clusters_.clusters) {
-        first_vertex_.push_back(static_cast<std::uint32_t>(vertices));
-        first_triangle_.push_back(static_cast<std::uint32_t>(triangles));
-        vertices += padded(cluster.vertex_count);
-        triangles += padded(cluster.triangle_count);
-    }
-    first_vertex_.push_back(static_cast<std::uint32_t>(vertices));
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners_[k].resize(triangles);
-        std::fill_n(corners_[k].data(), triangles, std::uint8_t{0});
-        for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
-            const scene::Cluster& cluster = clusters_.clusters[c];
-            for (std::size_t t = 0; t < cluster.triangle_count; ++t)
-                corners_[k][first_triangle_[c] + t] =
-                    clusters_.triangles[cluster.first_triangle + t][k];
-        }
-    }
-}
-
-void LaneMesh::fill() {
     const auto& positions = surface_->p_world;
     is_float_ = std::all_of(positions.begin(), positions.end(), [](const glm::dvec3& p) {
         return is_float(p.x) && is_float(p.y) && is_float(p.z);
     });
-    const std::size_t count = first_vertex_.back();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        floats_[axis].resize(is_float_ ? count : 0);
-        doubles_[axis].resize(is_float_ ? 0 : count);
-        normals_[axis].resize(surface_->n_world.empty() ? 0 : count);
+    has_normals_ = !surface_->n_world.empty();
+    const std::size_t vertex_bytes = (is_float_ ? 3 * sizeof(float) : 3 * sizeof(double)) +
+                                     (has_normals_ ? 3 * sizeof(float) : 0);
+    first_byte_.clear();
+    std::size_t bytes = 0;
+    for (const scene::Cluster& cluster : clusters_.clusters) {
+        first_byte_.push_back(bytes);
+        bytes += lane_padded(cluster.vertex_count) * vertex_bytes +
+                 lane_padded(cluster.triangle_count) * sizeof(std::int32_t);
     }
+    first_byte_.push_back(bytes);
+    bytes_.resize(bytes);
+    std::fill_n(bytes_.data(), bytes_.size(), std::byte{0});
+}
+
+void LaneMesh::fill() {
     for (std::size_t c = 0; c < clusters_.clusters.size(); ++c) {
         const scene::Cluster& cluster = clusters_.clusters[c];
         const std::size_t last = cluster.vertex_count - 1U;
-        for (std::size_t i = first_vertex_[c]; i < first_vertex_[c + 1]; ++i) {
-            const std::size_t local = std::min(i - first_vertex_[c], last);
-            const std::size_t corner = clusters_.vertices[cluster.first_vertex + local];
+        std::byte* to = bytes_.data() + first_byte_[c];
+        const auto write = [&to](auto number) {
+            std::memcpy(to, &number, sizeof number);
+            to += sizeof number;
+        };
+        const auto for_each_vertex = [&](auto visit) {
             for (int axis = 0; axis < 3; ++axis) {
-                const auto a = static_cast<std::size_t>(axis);
-                if (is_float_) floats_[a][i] = static_cast<float>(positions[corner][axis]);
-                if (!is_float_) doubles_[a][i] = positions[corner][axis];
-                if (has_normals()) normals_[a][i] = surface_->n_world[corner][axis];
+                for (std::size_t i = 0; i < padded(c); ++i)
+                    visit(clusters_.vertices[cluster.first_vertex + std::min(i, last)], axis);
             }
+        };
+        for_each_vertex([&](std::size_t corner, int axis) {
+            const double p = surface_->p_world[corner][axis];
+            is_float_ ? write(static_cast<float>(p)) : write(p);
+        });
+        if (has_normals_) {
+            for_each_vertex(
+                [&](std::size_t corner, int axis) { write(surface_->n_world[corner][axis]); });
+        }
+        for (std::size_t t = 0; t < cluster.triangle_count; ++t) {
+            const auto& corners = clusters_.triangles[cluster.first_triangle + t];
+            write(corners[0] | corners[1] << 8 | corners[2] << 16);
         }
     }
 }

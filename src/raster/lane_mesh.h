@@ -1,8 +1,9 @@
 #pragma once
 
-#include <array>
+#include <hwy/cache_control.h>
+
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "raster/aligned_array.h"
@@ -14,7 +15,14 @@ namespace ink::raster {
 /// Vertices of a cluster are padded to whole vectors of this many lanes, triangles too.
 inline constexpr std::size_t kLanePad = 16;
 
+[[nodiscard]] constexpr std::size_t lane_padded(std::size_t count) {
+    return (count + kLanePad - 1) / kLanePad * kLanePad;
+}
+
 /// A surface laid out for vector registers: cluster by cluster, one array per coordinate.
+///
+/// All of a cluster lies in one block, since clusters are visited in the order of their distance:
+/// each is one place that has to be fetched.
 ///
 /// World positions are kept as floats where every one of them is a float (instances that are not
 /// moved), which halves what a frame reads; else as doubles. Either way the numbers are the
@@ -31,37 +39,56 @@ class LaneMesh {
 
     [[nodiscard]] const scene::Surface& surface() const { return *surface_; }
     [[nodiscard]] const scene::Clusters& clusters() const { return clusters_; }
-    [[nodiscard]] bool has_normals() const { return normals_[0].size() > 0; }
+    [[nodiscard]] bool has_normals() const { return has_normals_; }
     [[nodiscard]] bool has_float_positions() const { return is_float_; }
 
     /// Coordinate `axis` of a cluster's vertices; padded with its last one.
     [[nodiscard]] const float* float_positions(std::size_t cluster, int axis) const {
-        return floats_[static_cast<std::size_t>(axis)].data() + first_vertex_[cluster];
+        return at<float>(cluster, static_cast<std::size_t>(axis) * padded(cluster));
     }
     [[nodiscard]] const double* double_positions(std::size_t cluster, int axis) const {
-        return doubles_[static_cast<std::size_t>(axis)].data() + first_vertex_[cluster];
+        return at<double>(cluster, static_cast<std::size_t>(axis) * padded(cluster));
     }
     [[nodiscard]] const float* normals(std::size_t cluster, int axis) const {
-        return normals_[static_cast<std::size_t>(axis)].data() + first_vertex_[cluster];
+        const std::size_t before = is_float_ ? 3 : 6;
+        return at<float>(cluster, (before + static_cast<std::size_t>(axis)) * padded(cluster));
     }
-    /// Corner 0, 1 or 2 of a cluster's triangles, as vertices of the cluster; padded with 0.
-    [[nodiscard]] const std::uint8_t* corners(std::size_t cluster, int corner) const {
-        return corners_[static_cast<std::size_t>(corner)].data() + first_triangle_[cluster];
+    /// The corners of a cluster's triangles as its vertices: first | second << 8 | third << 16.
+    /// Padded with 0.
+    [[nodiscard]] const std::int32_t* corners(std::size_t cluster) const {
+        const std::size_t before = (is_float_ ? 3U : 6U) + (has_normals_ ? 3U : 0U);
+        return at<std::int32_t>(cluster, before * padded(cluster));
+    }
+
+    /// Asks for a cluster's block ahead of its use.
+    void prefetch(std::size_t cluster) const {
+        const std::size_t end = first_byte_[cluster + 1];
+        for (std::size_t byte = first_byte_[cluster]; byte < end; byte += kLineBytes)
+            hwy::Prefetch(bytes_.data() + byte);
     }
 
   private:
+    /// Of a cache line, and of the largest vector: blocks and their arrays begin at one.
+    static constexpr std::size_t kLineBytes = 64;
+    static_assert(kLanePad * sizeof(float) % kLineBytes == 0);
+
     void lay_out();
     void fill();
+    [[nodiscard]] std::size_t padded(std::size_t cluster) const {
+        return lane_padded(clusters_.clusters[cluster].vertex_count);
+    }
+    /// The `count`-th T of a cluster's block.
+    template <class T>
+    [[nodiscard]] const T* at(std::size_t cluster, std::size_t count) const {
+        return reinterpret_cast<const T*>(bytes_.data() + first_byte_[cluster]) + count;
+    }
 
     const scene::Surface* surface_ = nullptr;
     scene::Clusters clusters_;
     bool is_float_ = true;
-    std::vector<std::uint32_t> first_vertex_;
-    std::vector<std::uint32_t> first_triangle_;
-    std::array<AlignedArray<float>, 3> floats_;
-    std::array<AlignedArray<double>, 3> doubles_;
-    std::array<AlignedArray<float>, 3> normals_;
-    std::array<AlignedArray<std::uint8_t>, 3> corners_;
+    bool has_normals_ = false;
+    std::vector<std::size_t> first_byte_;  ///< of a cluster's block, and the end
+    AlignedArray<std::byte> bytes_;
 };
 
 }  // namespace ink::raster

@@ -1,6 +1,7 @@
-#include <cstring>
 #include <limits>
 
+#include "raster/lane_collect.h"
+#include "raster/lane_dots.h"
 #include "raster/lane_triangles.h"
 #include "raster/screen_vertex.h"
 
@@ -30,14 +31,14 @@ struct Corner {
     VI y_snapped;
 };
 
-HWY_INLINE Corner LoadCorner(const std::int32_t* records) {
+HWY_INLINE Corner LoadCorner(const LaneTriangles::Corners& from, std::size_t at) {
     const DI d;
     const DF df;
     Corner c;
-    VI q, value;
-    hn::LoadInterleaved4(d, records, c.x, c.y, q, value);
-    c.q = hn::BitCast(df, q);
-    c.value = hn::BitCast(df, value);
+    c.x = hn::Load(d, from.x + at);
+    c.y = hn::Load(d, from.y + at);
+    c.q = hn::Load(df, from.q + at);
+    c.value = hn::Load(df, from.values[0] + at);
     const auto half = hn::Set(d, 1 << (kLaneBits - kSubpixelBits - 1));
     c.x_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.x, half));
     c.y_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.y, half));
@@ -223,36 +224,6 @@ CodeScale ScaleOf(const PassFormat& format) {
     return scale;
 }
 
-/// Copies the corners' records together.
-template <bool kHasMore>
-void Collect(const LaneSource& source, std::span<const std::uint32_t> entries, LaneTriangles& out) {
-    const hn::CappedTag<std::int32_t, kRecordWords> d4;
-    std::uint32_t last = ~0U;
-    const std::uint8_t* corners[3] = {};
-    std::size_t first[2] = {};
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const std::uint32_t entry = entries[i];
-        if (entry >> 8 != last) {  // neighbours in a list mostly come from one cluster
-            last = entry >> 8;
-            const LaneSlot& slot = source.slots[last];
-            for (int k = 0; k < 3; ++k)
-                corners[k] = source.mesh->corners(slot.cluster, k);
-            first[0] = slot.front;
-            first[1] = slot.back;
-        }
-        const std::size_t base = first[(entry & kBackSide) != 0 ? 1 : 0];
-        const std::size_t triangle = entry & (kBackSide - 1);
-        for (int k = 0; k < 3; ++k) {
-            const std::size_t record = kRecordWords * (base + corners[k][triangle]);
-            for (std::size_t w = 0; w < kRecordWords; w += hn::Lanes(d4)) {
-                hn::StoreU(hn::LoadU(d4, source.records + record + w), d4, out.corners[k][i] + w);
-                if (kHasMore)
-                    hn::StoreU(hn::LoadU(d4, source.more + record + w), d4, out.more[k][i] + w);
-            }
-        }
-    }
-}
-
 void SetUpLanes(const PassFormat& format,
                 const LaneSource& source,
                 std::span<const std::uint32_t> entries,
@@ -260,14 +231,14 @@ void SetUpLanes(const PassFormat& format,
                 LaneTriangles& out) {
     const DI d;
     const DF df;
-    source.more != nullptr ? Collect<true>(source, entries, out)
-                           : Collect<false>(source, entries, out);
+    const auto values = static_cast<std::size_t>(format.interpolants);
+    collect_corners(source, values, entries, out);
     out.count = entries.size();
     const CodeScale scale = ScaleOf(format);
     for (std::size_t at = 0; at < out.count; at += hn::Lanes(d)) {
         Corner c[3];
         for (int k = 0; k < 3; ++k)
-            c[k] = LoadCorner(out.corners[k][at]);
+            c[k] = LoadCorner(out.corners[k], at);
         const auto ref_x = hn::ShiftRight<kSubpixelBits>(c[0].x_snapped);
         const auto ref_y = hn::ShiftRight<kSubpixelBits>(c[0].y_snapped);
         hn::Store(ref_x, d, out.ref_x + at);
@@ -296,15 +267,10 @@ void SetUpLanes(const PassFormat& format,
             hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
         }
         if (format.interpolants == 1) continue;
-        VF more[3][4];
-        for (int k = 0; k < 3; ++k) {
-            VI v[4];
-            hn::LoadInterleaved4(d, out.more[k][at], v[0], v[1], v[2], v[3]);
-            for (int i = 0; i < 3; ++i)
-                more[k][i] = hn::BitCast(df, v[i]);
-        }
-        for (int i = 1; i < format.interpolants; ++i) {
-            const VF v0 = more[0][i - 1], v1 = more[1][i - 1], v2 = more[2][i - 1];
+        for (std::size_t i = 1; i < values; ++i) {
+            const auto v0 = hn::Load(df, out.corners[0].values[i] + at);
+            const auto v1 = hn::Load(df, out.corners[1].values[i] + at);
+            const auto v2 = hn::Load(df, out.corners[2].values[i] + at);
             if (format.store == Store::f32) {
                 StoreNumbers(planes, v0, v1, v2, hn::RebindMask(df, is_thin), at, out.numbers[i]);
             } else {
@@ -358,6 +324,7 @@ void set_up_lanes(const PassFormat& format,
                   const PixelRect& drawn,
                   LaneTriangles& out) {
     HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, out);
+    find_dots(format, out);
 }
 
 }  // namespace ink::raster

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <hwy/cache_control.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,30 +14,56 @@ namespace ink::raster {
 
 class TileBuffer;
 
-/// A drawn cluster's vertices in the frame's list of records.
-struct LaneSlot {
-    std::uint32_t cluster = 0;
-    std::uint32_t front = 0;  ///< first record
-    std::uint32_t back = 0;   ///< the same vertices as triangles seen from their back have them
-    float q_most = 0;         ///< of its vertices; a step where depth is one
-    PixelRect bounds;         ///< of the centres its triangles may cover
+/// A cluster's vertices as they are kept for a frame, one array of `stride` numbers after the
+/// other: x, y (1/65536 px), q, the values; and for triangles seen from their back, where those
+/// read something else, q or the values once more. Borrowed.
+struct LaneRecords {
+    std::byte* data = nullptr;
+    std::size_t stride = 0;
+
+    /// The most arrays that a format asks for.
+    static constexpr std::size_t kMostArrays = 3 + 2 * kMaxPlanes;
+
+    [[nodiscard]] std::int32_t* x() const { return reinterpret_cast<std::int32_t*>(data); }
+    [[nodiscard]] std::int32_t* y() const { return x() + stride; }
+    [[nodiscard]] float* array(std::size_t k) const {
+        return reinterpret_cast<float*>(data) + k * stride;
+    }
+    [[nodiscard]] float* q() const { return array(2); }
 };
 
-/// A triangle in a tile's list is one number: slot << 8 | kBackSide or 0 | triangle of the cluster;
-/// or, with kWholeTriangle set, the index of one that was set up by itself.
-inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
-inline constexpr std::uint32_t kBackSide = 1U << 7;
+/// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it.
+struct LaneSlot {
+    std::size_t first_byte = 0;  ///< of its records and its triangles' corners
+    std::uint32_t byte_count = 0;
+    std::uint32_t stride = 0;
+    /// Arrays of its records that triangles seen from their front and from their back have q in,
+    /// and their first value.
+    std::uint8_t q[2] = {2, 2};
+    std::uint8_t values[2] = {3, 3};
+    std::uint8_t corners = 3;  ///< the array that its triangles' corners begin in
+    float q_most = 0;          ///< of its vertices
+    PixelRect bounds;          ///< of the centres its triangles may cover
+};
 
-/// Words of a record: x, y in 1/65536 px, q and the first value as floats. Passes of more than one
-/// value have a second list of records with values 1, 2, 3.
-inline constexpr std::size_t kRecordWords = 4;
+/// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
+/// kWholeTriangle set, the index of one that was set up by itself.
+inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
+/// The corners of a slot's triangle are what LaneMesh::corners has, with this set where it is seen
+/// from its back.
+inline constexpr std::uint32_t kBackSide = 1U << 31;
 
 /// Where lanes find a list's triangles; borrowed.
 struct LaneSource {
-    const LaneMesh* mesh = nullptr;
     const LaneSlot* slots = nullptr;
-    const std::int32_t* records = nullptr;
-    const std::int32_t* more = nullptr;  ///< the second list; null for one value or none
+    const std::byte* records = nullptr;
+
+    /// Asks for what a slot holds ahead of its use.
+    void prefetch(const LaneSlot& slot) const {
+        constexpr std::size_t kLineBytes = 64;
+        for (std::size_t byte = 0; byte < slot.byte_count; byte += kLineBytes)
+            hwy::Prefetch(records + slot.first_byte + byte);
+    }
 };
 
 /// Whether lanes can draw a format: affine, and of a store that is used.
@@ -74,10 +103,30 @@ struct LaneTriangles {
     /// gradients are noise, and codes that come near the ends of their store.
     alignas(64) Ints needs_limits;
     Numbers q;
-    Codes codes[2];                                             ///< integer stores
-    Numbers numbers[kMaxPlanes];                                ///< f32
-    alignas(64) std::int32_t corners[3][kCount][kRecordWords];  ///< as they come, not yet in lanes
-    alignas(64) std::int32_t more[3][kCount][kRecordWords];
+    Codes codes[2];               ///< integer stores
+    Numbers numbers[kMaxPlanes];  ///< f32
+    /// The corners as they come, a vector's worth more than there is room for.
+    static constexpr std::size_t kPadded = kCount + kLanePad;
+    struct Corners {
+        alignas(64) std::int32_t x[kPadded];
+        alignas(64) std::int32_t y[kPadded];
+        alignas(64) float q[kPadded];
+        alignas(64) float values[kMaxPlanes][kPadded];
+    };
+    Corners corners[3];
+
+    /// Pixels of triangles that touch at most 2 x 2, in the order of the triangles: found a vector
+    /// of triangles at a time.
+    struct Dots {
+        /// Four a triangle, and a vector's worth more.
+        static constexpr std::size_t kCapacity = 4 * kCount + kLanePad;
+        /// Per triangle, how many of the dots are its; -1: it is drawn otherwise.
+        alignas(64) Ints counts;
+        alignas(64) std::int32_t offset[kCapacity];  ///< y * kTileStride + x
+        alignas(64) float q[kCapacity];
+        alignas(64) std::uint32_t values[kMaxPlanes][kCapacity];  ///< codes, or floats' bits
+    };
+    Dots dots;
 };
 
 /// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "raster/front_depth.h"
 #include "raster/mesh_stage.h"
 #include "raster/mesh_tiles.h"
 
@@ -24,6 +25,7 @@ void add(SkipCounts& to, const SkipCounts& from) {
 /// What is kept from frame to frame.
 struct MeshPass::Scratch {
     std::vector<MeshRun> runs;
+    FrontDepth front;
     std::vector<std::uint64_t> objects;  ///< per tile, of the last frame
 };
 
@@ -78,12 +80,43 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
                       view_solids(input),
                       front_to_back(input),
                       lanes_can_draw(format) && !input.offset.is_any()};
-    const std::size_t clusters = input.mesh->clusters().clusters.size();
     std::vector<MeshRun>& runs = scratch_->runs;
-    runs.resize(run_count(clusters, input.threads));
-    core::parallel_for(runs.size(), input.threads, [&](std::size_t i) {
-        runs[i].process(job, i * clusters / runs.size(), (i + 1) * clusters / runs.size());
-    });
+    FrontDepth& front = scratch_->front;
+    // In two goes where that pays: the nearest clusters and their pixels, then those of the others
+    // that these do not hide.
+    const std::size_t clusters = job.order.size();
+    const std::size_t nearest = front_clusters(format, input, grid, job.solids);
+    const std::size_t fronts = nearest == 0 ? 0 : run_count(nearest, input.threads);
+    const std::size_t others = run_count(clusters - nearest, input.threads);
+    runs.resize(fronts + others);
+    const auto process = [&](std::size_t first, std::size_t end, MeshRun* run, std::size_t count) {
+        const FrontDepth* seen = first == 0 ? nullptr : &front;
+        core::parallel_for(count, input.threads, [&, run](std::size_t i) {
+            run[i].process(job,
+                           first + i * (end - first) / count,
+                           first + (i + 1) * (end - first) / count,
+                           seen);
+        });
+    };
+    const auto for_each_tile = [&](const auto& visit) {
+        std::atomic<int> next_tile = 0;
+        std::vector<SkipCounts> shares(
+            static_cast<std::size_t>(std::clamp(input.threads, 1, grid.count())));
+        core::parallel_for(shares.size(), input.threads, [&](std::size_t i) {
+            MeshTileWorker worker(job, runs, fronts, front);
+            for (int tile = next_tile++; tile < grid.count(); tile = next_tile++)
+                visit(worker, tile);
+            shares[i] = worker.skips();
+        });
+        for (const SkipCounts& share : shares)
+            add(result.skips, share);
+    };
+    if (fronts > 0) {
+        front.start(grid, input);
+        process(0, nearest, runs.data(), fronts);
+        for_each_tile([](MeshTileWorker& worker, int tile) { worker.draw_front(tile); });
+    }
+    process(nearest, clusters, runs.data() + fronts, others);
     for (const MeshRun& run : runs)
         add(result.skips, run.skips());
 
@@ -99,20 +132,10 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
         scratch_->objects.clear();
     }
 
-    std::atomic<int> next_tile = 0;
-    std::vector<SkipCounts> shares(
-        static_cast<std::size_t>(std::clamp(input.threads, 1, grid.count())));
-    core::parallel_for(shares.size(), input.threads, [&](std::size_t i) {
-        MeshTileWorker worker(job, runs);
-        for (int tile = next_tile++; tile < grid.count(); tile = next_tile++) {
-            if (!result.still.empty() && result.still[static_cast<std::size_t>(tile)] != 0)
-                continue;
+    for_each_tile([&](MeshTileWorker& worker, int tile) {
+        if (result.still.empty() || result.still[static_cast<std::size_t>(tile)] == 0)
             worker.draw(tile, sink);
-        }
-        shares[i] = worker.skips();
     });
-    for (const SkipCounts& share : shares)
-        add(result.skips, share);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "raster/bin.h"
 #include "raster/cluster_stage.h"
 #include "raster/cluster_triage.h"
+#include "raster/front_depth.h"
 #include "raster/lane_triangles.h"
 #include "raster/mesh_pass.h"
 #include "raster/mesh_view.h"
@@ -33,14 +34,18 @@ struct MeshJob {
 /// that no frame allocates what an earlier one had.
 class MeshRun {
   public:
-    /// Does clusters [first, last) of the order.
-    void process(const MeshJob& job, std::size_t first, std::size_t last);
+    /// Does clusters [first, last) of the order. Those that `front` hides are passed over; null:
+    /// none is.
+    void process(const MeshJob& job,
+                 std::size_t first,
+                 std::size_t last,
+                 const FrontDepth* front = nullptr);
 
     [[nodiscard]] std::span<const std::uint32_t> of(int tile) const {
         const EntryList& list = lists_[static_cast<std::size_t>(tile)];
         return {list.data(), list.size()};
     }
-    [[nodiscard]] LaneSource source(const LaneMesh& mesh) const;
+    [[nodiscard]] LaneSource source() const { return {slots_.data(), records_.data()}; }
     /// The triangles set up by themselves: one batch.
     [[nodiscard]] const std::vector<Batch>* whole_batches() const { return &whole_batches_; }
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
@@ -52,23 +57,24 @@ class MeshRun {
   private:
     [[nodiscard]] Batch& whole() { return whole_batches_.front(); }
     void start(const MeshJob& job);
-    void add_cluster(const MeshJob& job, std::size_t cluster);
+    void add_cluster(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    [[nodiscard]] bool settle_sides(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    std::uint32_t store_records(std::size_t count, int side, int values, bool is_silent);
+    void settle_sides(const MeshJob& job, std::size_t cluster, const TriageJob& triage);
+    [[nodiscard]] bool compute_values(const MeshJob& job,
+                                      std::size_t cluster,
+                                      const LaneSlot& slot);
     void compute_whole_values(const MeshJob& job);
     void pull_whole(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
     void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
 
+    PictureSides sides_;
     ClusterLanes lanes_;
     TriageResult triage_;
     std::vector<LaneSlot> slots_;
-    AlignedArray<std::int32_t> records_;
-    AlignedArray<std::int32_t> more_;
-    std::size_t record_count_ = 0;
+    AlignedArray<std::byte> records_;  ///< per slot
     std::vector<Batch> whole_batches_ = std::vector<Batch>(1);
     std::vector<EntryList> lists_;
     std::vector<std::uint64_t> objects_;

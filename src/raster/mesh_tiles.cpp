@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "raster/whole_fill.h"
 
@@ -31,9 +32,14 @@ PassInput make_input(const MeshJob& job) {
 
 }  // namespace
 
-MeshTileWorker::MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& runs)
+MeshTileWorker::MeshTileWorker(const MeshJob& job,
+                               const std::vector<MeshRun>& runs,
+                               std::size_t fronts,
+                               FrontDepth& front)
     : job_(job),
       runs_(runs),
+      fronts_(fronts),
+      front_(front),
       fill_(fill_function(job.format)),
       near_far_(make_input(job)),
       buffer_(job.format, near_far_, job.grid),
@@ -41,7 +47,43 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& r
       tests_hidden_(job.input.skips.has(Skip::hidden)),
       coarse_(job.format.depth) {}
 
+void MeshTileWorker::draw_front(int tile) {
+    const auto has_lanes = [tile](const MeshRun& run) {
+        const auto list = run.of(tile);
+        return std::any_of(list.begin(), list.end(), [](std::uint32_t entry) {
+            return (entry & kWholeTriangle) == 0;
+        });
+    };
+    const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
+    if (std::none_of(runs_.begin(), end, has_lanes)) return;
+    buffer_.start(tile);
+    rects_ = needed_rects(buffer_, 0, job_.grid.halo_px);
+    buffer_.touch();
+    coarse_.start(buffer_);
+    for (auto run = runs_.begin(); run != end; ++run)
+        draw_list(*run, run->of(tile));
+    coarse_.refresh();
+    FrontDepth::Tile& kept = front_.tile(tile);
+    kept.least = coarse_.least();
+    buffer_.put_aside(kept.pixels);
+    kept.is_drawn = true;
+}
+
 void MeshTileWorker::draw(int tile, TileSink& sink) {
+    if (fronts_ > 0 && front_.tile(tile).is_drawn) {
+        buffer_.resume(tile, front_.tile(tile).pixels);
+        ++count_of(skips_, Skip::empty_tiles).of;
+        std::uint16_t flat = 0;  // and stays it: there are triangles in lanes
+        [[maybe_unused]] const bool is_flat = job_.input.flat_gives_zero && prove_flat(tile, flat);
+        assert(!is_flat);
+        rects_ = needed_rects(buffer_, flat, job_.grid.halo_px);
+        coarse_.start(buffer_);
+        coarse_.refresh();
+        for (std::size_t i = fronts_; i < runs_.size(); ++i)
+            draw_list(runs_[i], runs_[i].of(tile));
+        finish(flat, sink);
+        return;
+    }
     const bool is_empty = std::all_of(
         runs_.begin(), runs_.end(), [&](const MeshRun& run) { return run.of(tile).empty(); });
     SkipCount& empty = count_of(skips_, Skip::empty_tiles);
@@ -65,6 +107,10 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
     coarse_.start(buffer_);
     for (const MeshRun& run : runs_)
         draw_list(run, run.of(tile));
+    finish(flat, sink);
+}
+
+void MeshTileWorker::finish(std::uint16_t flat, TileSink& sink) {
     buffer_.finish();
     buffer_.extend_frame();
     Tile finished = buffer_.view(false);
@@ -112,7 +158,7 @@ bool MeshTileWorker::prove_flat(int tile, std::uint16_t& flat) {
 
 /// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
 void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
-    const LaneSource source = run.source(*job_.input.mesh);
+    const LaneSource source = run.source();
     SkipCount& hidden = count_of(skips_, Skip::hidden);
     hidden.of += list.size();
     while (!list.empty()) {
@@ -125,6 +171,7 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         } else {
             while (count < list.size() && list[count] >> 8 == slot)
                 ++count;
+            if (count < list.size()) prefetch(source, list[count]);
             look_again(source);
             if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
                 hidden.skipped += count;
@@ -136,6 +183,13 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         list = list.subspan(count);
     }
     draw_lanes(source);
+}
+
+/// Has what the next stretch reads on its way, unless it is hidden already.
+void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) const {
+    if ((entry & kWholeTriangle) != 0) return;
+    const LaneSlot& slot = source.slots[entry >> 8];
+    if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
 }
 
 /// Reads the coarse depth again if it is time: between clusters only, and with all before them

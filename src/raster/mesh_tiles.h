@@ -7,6 +7,7 @@
 
 #include "raster/coarse_depth.h"
 #include "raster/flat_squares.h"
+#include "raster/front_depth.h"
 #include "raster/lane_triangles.h"
 #include "raster/mesh_stage.h"
 #include "raster/tile_buffer.h"
@@ -17,8 +18,16 @@ namespace ink::raster {
 /// One thread's share of filling tiles: its buffers, used for tile after tile, and what it skipped.
 class MeshTileWorker {
   public:
-    /// Both are borrowed; the runs are done.
-    MeshTileWorker(const MeshJob& job, const std::vector<MeshRun>& runs);
+    /// All are borrowed. `fronts`: how many of the runs are of the nearest clusters and drawn
+    /// first, into `front`; 0 where all are drawn in one go.
+    MeshTileWorker(const MeshJob& job,
+                   const std::vector<MeshRun>& runs,
+                   std::size_t fronts,
+                   FrontDepth& front);
+
+    /// Draws the lists of the nearest clusters and puts the tile aside. Leaves it to draw() if
+    /// there are none, or only whole triangles, of which the tile might be a flat one.
+    void draw_front(int tile);
 
     /// Draws the tile's lists in the order of the runs, or finds that it need not, and hands it
     /// over.
@@ -27,8 +36,10 @@ class MeshTileWorker {
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
 
   private:
+    void finish(std::uint16_t flat, TileSink& sink);
     [[nodiscard]] bool prove_flat(int tile, std::uint16_t& flat);
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
+    void prefetch(const LaneSource& source, std::uint32_t entry) const;
     void look_again(const LaneSource& source);
     [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
         return tests_hidden_ && coarse_.hides(bounds, q_most);
@@ -39,6 +50,8 @@ class MeshTileWorker {
 
     const MeshJob& job_;
     const std::vector<MeshRun>& runs_;
+    std::size_t fronts_;
+    FrontDepth& front_;
     FillTile fill_;
     PassInput near_far_;
     TileBuffer buffer_;

@@ -60,12 +60,12 @@ std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
     return order;
 }
 
-bool is_outside(const scene::Sphere& ball,
-                const ViewTransform& transform,
-                const scene::View& view) {
-    const glm::dvec3 p = transform.to_clip(ball.center_world);
+PictureSides::PictureSides(const ViewTransform& transform, const scene::View& view)
+    : transform_(transform),
+      near_(view.camera.near),
+      right_px_(view.width_px + 1.0),
+      below_px_(view.height_px + 1.0) {
     const auto& rows = transform.rows;
-    const double radius = ball.radius * (1 + 1e-9);
     const auto length = [&](double kx, double ky, double kw) {
         double sum = 0;
         for (int i = 0; i < 3; ++i) {
@@ -74,13 +74,18 @@ bool is_outside(const scene::Sphere& ball,
         }
         return std::sqrt(sum);
     };
-    // A pixel more on each side: what is snapped may move by a part of one.
-    const double right = view.width_px + 1.0;
-    const double below = view.height_px + 1.0;
-    return p.z < view.camera.near - radius || p.x + p.z < -radius * length(1, 0, 1) ||
-           right * p.z - p.x < -radius * length(-1, 0, right) ||
-           p.y + p.z < -radius * length(0, 1, 1) ||
-           below * p.z - p.y < -radius * length(0, -1, below);
+    lengths_[0] = length(1, 0, 1);
+    lengths_[1] = length(-1, 0, right_px_);
+    lengths_[2] = length(0, 1, 1);
+    lengths_[3] = length(0, -1, below_px_);
+}
+
+bool PictureSides::has_outside(const scene::Sphere& ball) const {
+    const glm::dvec3 p = transform_.to_clip(ball.center_world);
+    const double radius = ball.radius * (1 + 1e-9);
+    return p.z < near_ - radius || p.x + p.z < -radius * lengths_[0] ||
+           right_px_ * p.z - p.x < -radius * lengths_[1] || p.y + p.z < -radius * lengths_[2] ||
+           below_px_ * p.z - p.y < -radius * lengths_[3];
 }
 
 }  // namespace ink::raster

@@ -20,9 +20,22 @@ struct SolidView {
 /// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
 [[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
 
-/// Whether a ball lies beyond the near plane or one side of the picture, with room for rounding.
-[[nodiscard]] bool is_outside(const scene::Sphere& ball,
-                              const ViewTransform& transform,
-                              const scene::View& view);
+/// The near plane and the sides of a picture, a pixel outside it: what is snapped may move by a
+/// part of one.
+class PictureSides {
+  public:
+    PictureSides() = default;
+    PictureSides(const ViewTransform& transform, const scene::View& view);
+
+    /// Whether a ball lies beyond one of them, with room for rounding.
+    [[nodiscard]] bool has_outside(const scene::Sphere& ball) const;
+
+  private:
+    ViewTransform transform_;
+    double near_ = 0;
+    double right_px_ = 0;
+    double below_px_ = 0;
+    double lengths_[4] = {};  ///< of the sides' normals: left, right, top, bottom
+};
 
 }  // namespace ink::raster

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "raster/lane_narrow.h"
 
@@ -70,6 +71,23 @@ void TileBuffer::start(int tile) {
     fill_words(depth_, 0);
     for (int plane = 0; plane < format_.planes(); ++plane)
         fill_words(drawn_plane(plane), sky_[static_cast<std::size_t>(plane)]);
+}
+
+void TileBuffer::exchange(TilePixels& other) {
+    other.depth.resize(depth_.size());
+    std::swap(depth_, other.depth);
+    for (int plane = 0; plane < format_.planes(); ++plane) {
+        Memory& pixels = other.planes[static_cast<std::size_t>(plane)];
+        pixels.resize(drawn_plane(plane).size());
+        std::swap(drawn_plane(plane), pixels);
+    }
+    is_clean_ = false;
+}
+
+void TileBuffer::resume(int tile, TilePixels& from) {
+    own_ = grid_.own(tile);
+    drawn_ = grid_.drawn(tile);
+    exchange(from);
 }
 
 void TileBuffer::finish() {

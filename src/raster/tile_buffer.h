@@ -18,6 +18,12 @@ inline constexpr int kTileMargin_px = 8;
 inline constexpr int kTileStride = kTileSize_px + 2 * kTileMargin_px;
 inline constexpr int kTileRows = kTileSize_px + 2 * kMaxHalo_px;
 
+/// The pixels of a tile that is put aside half drawn, as bytes aligned for any vector.
+struct TilePixels {
+    AlignedArray<std::byte> depth;
+    std::array<AlignedArray<std::byte>, kMaxPlanes> planes;
+};
+
 /// The pixels of one tile and its halo while it is drawn. One per thread, used for tile after tile.
 class TileBuffer {
   public:
@@ -28,6 +34,10 @@ class TileBuffer {
     void start(int tile);
     /// Says that something is about to be written.
     void touch() { is_clean_ = false; }
+    /// Puts the tile aside as it is, for resume().
+    void put_aside(TilePixels& to) { exchange(to); }
+    /// Goes on with a tile that was put aside; what it was in is scratch then.
+    void resume(int tile, TilePixels& from);
     /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
     void extend_frame();
     /// How a sink sees it.
@@ -73,6 +83,7 @@ class TileBuffer {
         const auto at = static_cast<std::size_t>(plane);
         return is_narrowed() ? wide_[at] : planes_[at];
     }
+    void exchange(TilePixels& other);
     void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
 
     const PassFormat& format_;

@@ -16,6 +16,12 @@ class EntryList {
         if (size_ == memory_.size()) memory_.resize(2 * size_ + 64);
         memory_[size_++] = entry;
     }
+    /// Room for `count` more; those written there count once `grow` says so.
+    [[nodiscard]] std::uint32_t* room(std::size_t count) {
+        if (size_ + count > memory_.size()) memory_.resize(2 * size_ + count);
+        return memory_.data() + size_;
+    }
+    void grow(std::size_t count) { size_ += count; }
 
   private:
     AlignedArray<std::uint32_t> memory_;

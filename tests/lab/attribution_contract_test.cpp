@@ -13,9 +13,13 @@ using score::Cause;
 class SmallScene {
   public:
     SmallScene(const std::string& name, int width_px, int height_px)
-        : subject_(make_subject(
-              scene::make_catalogue_scene(name),
-              {.width_px = width_px, .height_px = height_px, .orbit_count = {}, .cameras = {}})),
+        : subject_(make_subject(scene::make_catalogue_scene(name),
+                                {.width_px = width_px,
+                                 .height_px = height_px,
+                                 .orbit_count = {},
+                                 .cameras = {},
+                                 .time_s = {},
+                                 .frame = {}})),
           model_(subject_.scene, {}),
           predictor_(subject_.scene) {
         for (const scene::View& view : subject_.views)
