@@ -10,7 +10,7 @@ namespace {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // Depth alone everywhere: the least that a code can be.
         {{"channels", "depth"}, {"threshold", "3"}},

@@ -2,11 +2,13 @@
 
 #include "methods/canny/canny.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/parallel.h"
 #include "methods/surface_values.h"
 
 namespace ink::methods {
@@ -33,7 +35,8 @@ class CodeSink : public raster::TileSink {
 class OpenCvThreads {
   public:
     explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
-        cv::setNumThreads(threads == 1 ? 0 : threads);  // 0: none at all
+        // 0: none at all. More than the machine has, and oneTBB would warn on stderr.
+        cv::setNumThreads(threads == 1 ? 0 : std::min(threads, core::hardware_threads()));
     }
     ~OpenCvThreads() { cv::setNumThreads(before_); }
     OpenCvThreads(const OpenCvThreads&) = delete;
@@ -62,7 +65,7 @@ raster::PassFormat pass_format(const Canny::Params& params) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // One threshold: no weak edges that hang on strong ones.
         {{"low", "60"}},

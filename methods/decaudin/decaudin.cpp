@@ -62,7 +62,7 @@ void DecaudinSink::finish(const raster::Tile& tile) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // Lines at smaller steps of depth.
         {{"k_depth", "0.01"}, {"threshold", "250"}},

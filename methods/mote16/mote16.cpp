@@ -47,7 +47,7 @@ std::vector<Field> fields(const Mote16::Params& params) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // One pixel wide instead of two: less to thin.
         {{"response", "positive"}, {"threshold", "16"}},

@@ -14,7 +14,7 @@ CodeLayout layout(const Mote4::Params& params) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // One pixel wide instead of two: less to thin.
         {{"response", "positive"}, {"threshold", "3"}},

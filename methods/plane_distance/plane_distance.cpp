@@ -93,7 +93,7 @@ PlaneDistance::Params with_distances(PlaneDistance::Params params) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // Lines at smaller steps between planes.
         {{"plane_step", "0.04"}, {"threshold", "225"}},

@@ -92,7 +92,7 @@ Roberts::Params with_distances(Roberts::Params params) {
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // No guard: what it is good for.
         {{"guard", "none"}, {"depth_step", "0.04"}, {"threshold", "72"}},

@@ -113,7 +113,7 @@ std::vector<core::ParamValues> sweep() {
         {},
         // Depth alone: what the paper's own pictures are made of.
         {{"uses_normals", "false"}},
-        // Half the bytes of the depth test, which vector lanes do not draw yet.
+        // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
         // Lines at smaller steps and bends of depth.
         {{"k_second", "0.005"}},

