@@ -33,7 +33,9 @@ LineStage::LineStage(const LineInput& input,
                      const DepthBlocks* blocks)
     : input_(input),
       vertices_(vertices),
-      depth_(depth),
+      has_steps_(depth.format() != DepthFormat::q32),
+      steps_(depth),
+      floats_(depth),
       blocks_(blocks),
       rule_(input.offset, depth.format(), depth.near(), depth.far()),
       // A pixel more than half the width on every side is enough for any rule.
@@ -107,7 +109,8 @@ bool LineStage::is_hidden(const ScreenLine& line, const PixelRect& touched) cons
     // Steps reach beyond the ends by half a pixel and what snapping moved.
     double q = q_most + 0.52 * slope;
     if (input_.offset.is_any()) q += std::max(rule_.pull(0, q_most), rule_.pull(slope, q_most));
-    return blocks_->hides(touched, depth_.bits_of(q * (1 + 1e-12)));
+    q *= 1 + 1e-12;
+    return blocks_->hides(touched, has_steps_ ? steps_.of(q) : floats_.of(q));
 }
 
 }  // namespace ink::raster

@@ -47,7 +47,9 @@ class LineStage {
 
     const LineInput& input_;
     const LineVertices& vertices_;
-    const DepthImage& depth_;
+    bool has_steps_;
+    StepBits steps_;
+    FloatBits floats_;
     const DepthBlocks* blocks_;
     OffsetRule rule_;
     int margin_px_;
