@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "methods/surface_values.h"
 
@@ -19,6 +20,49 @@ raster::PassFormat pass_format(const InputParams& params, int halo_px) {
     format.halo_px = halo_px;
     return format;
 }
+
+/// A number of 0..1 as a byte; others are limited.
+std::uint8_t byte_of(float share) {
+    return static_cast<std::uint8_t>(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F);
+}
+
+/// Pictures of depth and normal, written where something was drawn.
+class LayerSink : public raster::TileSink {
+  public:
+    using Picture = core::Image<glm::u8vec3>;
+    LayerSink(const DepthCarrier& carrier,
+              const InputParams& params,
+              Picture& depth,
+              Picture& normal)
+        : carrier_(carrier), params_(params), depth_(depth), normal_(normal) {}
+
+    void finish(const raster::Tile& tile) override {
+        if (tile.is_empty) return;
+        TileFloats depth_buffer;
+        std::array<TileFloats, 3> normal_buffers;
+        const TilePlane depth = encoded_depth(tile, carrier_, params_.depth_sign, 0, depth_buffer);
+        const auto normals = view_normals(tile, params_.renormalise, normal_buffers);
+        for (int y = 0; y < tile.height_px; ++y) {
+            const float* const carried = tile.row<float>(0, y);
+            glm::u8vec3* const depth_row = depth_.row(tile.y0_px + y) + tile.x0_px;
+            glm::u8vec3* const normal_row = normal_.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x) {
+                if (carried[x] == kNothingDrawn) continue;
+                depth_row[x] = glm::u8vec3(byte_of(depth.row(y)[x]));
+                for (int i = 0; i < 3; ++i) {
+                    const float n = normals[static_cast<std::size_t>(i)].row(y)[x];
+                    normal_row[x][i] = byte_of((n + 1) / 2);
+                }
+            }
+        }
+    }
+
+  private:
+    const DepthCarrier& carrier_;
+    const InputParams& params_;
+    Picture& depth_;
+    Picture& normal_;
+};
 
 }  // namespace
 
@@ -42,6 +86,23 @@ raster::SkipCounts FullBuffers::draw(const Frame& frame,
     const raster::MeshResult result = pass_.draw(format_, input, sink);
     inputs_.finish(result, out);
     return result.skips;
+}
+
+std::vector<Layer> FullBuffers::layers(const Frame& frame) {
+    Layer depth{"depth", {frame.view.width_px, frame.view.height_px}};
+    Layer normal{"normal", {frame.view.width_px, frame.view.height_px}};
+    if (!is_empty()) {
+        const DepthCarrier carrier = see(frame);
+        const ChannelValues values(inputs_, carrier);
+        raster::MeshInput input = inputs_.mesh_input(frame);
+        input.values = &values;
+        input.sky_f32 = {kNothingDrawn, 0, 0, 0};
+        input.may_keep_still = false;
+        LayerSink sink(carrier, params_, depth.rgb, normal.rgb);
+        (void)pass_.draw(format_, input, sink);
+        inputs_.forget_picture();
+    }
+    return {std::move(depth), std::move(normal)};
 }
 
 Cost FullBuffers::cost() const {

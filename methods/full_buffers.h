@@ -56,6 +56,10 @@ class FullBuffers {
                                           raster::TileSink& sink,
                                           edge::EdgeImage& out);
 
+    /// `depth`: its codes 0..1 from black to white, sky black; `normal`: (n + 1) / 2 of x, y, z as
+    /// red, green, blue, sky black. Drawn anew.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame);
+
     /// What its pass costs; the filter is the method's to add.
     [[nodiscard]] Cost cost() const;
 

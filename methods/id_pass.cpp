@@ -3,6 +3,8 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "core/hash.h"
+
 namespace ink::methods {
 namespace {
 
@@ -23,6 +25,34 @@ raster::PassFormat pass_format(const IdParams& params, int halo_px) {
     format.halo_px = halo_px;
     return format;
 }
+
+/// Each byte 64..255, so that every colour stands out from the sky.
+glm::u8vec3 color_of(std::uint32_t id) {
+    const std::uint64_t bits = core::Hasher().value(id).result();
+    glm::u8vec3 color;
+    for (int i = 0; i < 3; ++i)
+        color[i] = static_cast<std::uint8_t>(64 + (bits >> (8 * i + 32) & 0xff) * 191 / 255);
+    return color;
+}
+
+class ColorSink : public raster::TileSink {
+  public:
+    explicit ColorSink(core::Image<glm::u8vec3>& picture) : picture_(picture) {}
+
+    void finish(const raster::Tile& tile) override {
+        if (tile.is_empty) return;
+        for (int y = 0; y < tile.height_px; ++y) {
+            const std::uint32_t* const ids = tile.row<std::uint32_t>(0, y);
+            glm::u8vec3* const to = picture_.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x) {
+                if (ids[x] != kNoId) to[x] = color_of(ids[x]);
+            }
+        }
+    }
+
+  private:
+    core::Image<glm::u8vec3>& picture_;
+};
 
 }  // namespace
 
@@ -64,6 +94,15 @@ raster::MeshResult IdPass::draw(const Frame& frame, bool may_keep_still, raster:
     if (have_ids_changed_ || !may_keep_still) input.moved_objects = ~std::uint64_t{0};
     have_ids_changed_ = false;
     return pass_.draw(format_, input, sink);
+}
+
+Layer IdPass::layer(const Frame& frame) {
+    Layer layer{"ids", {frame.view.width_px, frame.view.height_px}};
+    if (is_empty()) return layer;
+    ColorSink sink(layer.rgb);
+    (void)draw(frame, false, sink);
+    inputs_.forget_picture();
+    return layer;
 }
 
 Cost IdPass::cost() const {

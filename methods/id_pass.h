@@ -56,6 +56,8 @@ class IdPass {
     [[nodiscard]] raster::MeshResult draw(const Frame& frame,
                                           bool may_keep_still,
                                           raster::TileSink& sink);
+    /// `ids`: a colour for every id, sky black. Drawn anew.
+    [[nodiscard]] Layer layer(const Frame& frame);
     void finish(const raster::MeshResult& result, edge::EdgeImage& out) {
         inputs_.finish(result, out);
     }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/image.h"
 #include "core/param.h"
 #include "edge/edge_image.h"
 #include "edge/laplacian.h"
@@ -59,6 +61,13 @@ struct PlanLine {
     std::string why;
 };
 
+/// A picture of something that a method has inside, for who wants to see why it errs.
+struct Layer {
+    std::string name;  ///< what `inkbench draw --layer` calls it: small letters and underscores
+    core::Image<glm::u8vec3> rgb;  ///< of the view's size
+    std::string note = {};         ///< what it counted, in a line of plain text; empty: nothing
+};
+
 /// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth,
 /// the score, another method or the clock. The harness owns the clock and calls the stages in this
 /// order.
@@ -80,6 +89,10 @@ class Method {
     /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
     /// the view's size and any content, and leaves with a strength in every pixel.
     virtual void draw(const Frame& frame, edge::EdgeImage& out) = 0;
+
+    /// Pictures of what it has inside for this frame, the names the same for every frame: drawn
+    /// anew, not timed, the same for every thread count. Empty for a method that shows nothing.
+    [[nodiscard]] virtual std::vector<Layer> layers(const Frame& /*frame*/) { return {}; }
 
     /// Bytes a pixel of its buffers takes, depth included.
     [[nodiscard]] virtual int bytes_per_px() const = 0;

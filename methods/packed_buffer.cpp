@@ -2,6 +2,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "methods/layer_pictures.h"
 #include "methods/surface_values.h"
 
 namespace ink::methods {
@@ -93,9 +94,9 @@ std::unique_ptr<raster::CornerValues> PackedBuffer::corner_values(bool reads_all
     return result;
 }
 
-void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (inputs_.is_empty()) return out.fill(0);
+raster::SkipCounts PackedBuffer::draw_buffer(const Frame& frame,
+                                             edge::EdgeImage& out,
+                                             FrameCodes* codes) {
     inputs_.see(frame);
     const DepthCarrier carrier(params_.depth_encoding, params_.interpolation, inputs_.range());
     const PackedFilter filter{.packing = params_.packing,
@@ -115,12 +116,35 @@ void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
     input.sky_f32 = {kNothingDrawn, 0, 0, 0};
     input.flat_gives_zero = flat_gives_zero();
     PackedSink sink(packer_, carrier, filter, out);
+    if (codes) {
+        input.flat_gives_zero = false;
+        input.may_keep_still = false;
+        sink.keep_codes(*codes);
+    }
     const raster::MeshResult result = pass_.draw(format_, input, sink);
     inputs_.finish(result, out);
-    skip_counts_ = result.skips;
-    raster::SkipCount& attributes = raster::count_of(skip_counts_, raster::Skip::attributes);
+    raster::SkipCounts counts = result.skips;
+    raster::SkipCount& attributes = raster::count_of(counts, raster::Skip::attributes);
     attributes.of = kChannels;
     if (skips_attributes) attributes.skipped = unread;
+    return counts;
+}
+
+void PackedBuffer::draw(const Frame& frame, edge::EdgeImage& out) {
+    skip_counts_ = {};
+    if (inputs_.is_empty()) return out.fill(0);
+    skip_counts_ = draw_buffer(frame, out, nullptr);
+}
+
+std::vector<Layer> PackedBuffer::layers(const Frame& frame) {
+    const int width_px = frame.view.width_px;
+    const int height_px = frame.view.height_px;
+    const auto planes = static_cast<std::size_t>(packer_.layout().planes);
+    FrameCodes codes(planes, {width_px, height_px, static_cast<std::uint16_t>(params_.sky)});
+    edge::EdgeImage strengths(width_px, height_px);
+    if (!inputs_.is_empty()) (void)draw_buffer(frame, strengths, &codes);
+    return {{"packed", code_picture(codes, packer_.layout())},
+            {"filtered", strength_picture(strengths, params_.threshold)}};
 }
 
 }  // namespace ink::methods

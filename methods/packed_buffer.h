@@ -66,6 +66,9 @@ class PackedBuffer : public Method {
     void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `packed`: the codes, black to white over their bits; two or more fields as red, green, blue.
+    /// `filtered`: the response, brightened so that the threshold is middle grey.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override;
     [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
     [[nodiscard]] Cost cost() const override;
     /// Declared where the code is one sum, rounded once, and filtered as it stands.
@@ -74,6 +77,10 @@ class PackedBuffer : public Method {
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
+    /// Draws the scene that is there; with `codes` all of it, and keeps them.
+    [[nodiscard]] raster::SkipCounts draw_buffer(const Frame& frame,
+                                                 edge::EdgeImage& out,
+                                                 FrameCodes* codes);
     [[nodiscard]] bool has_linear_codes() const;
     [[nodiscard]] bool flat_gives_zero() const;
     [[nodiscard]] std::unique_ptr<raster::CornerValues> corner_values(bool reads_all,

@@ -104,6 +104,12 @@ void blur_tile(const Codes<T>& codes, int code_bits, const Area& area, CodeBuffe
     edge::binomial_blur(from, blurred, code_bits);
 }
 
+template <class T>
+void copy_tile(const Codes<T>& codes, const raster::Tile& tile, core::Image<std::uint16_t>& to) {
+    for (int y = 0; y < tile.height_px; ++y)
+        std::copy_n(codes.row(y), tile.width_px, to.row(tile.y0_px + y) + tile.x0_px);
+}
+
 /// 0 where squares are known to be flat, whatever their pixels hold. All of the tile is filtered
 /// before: that takes less time than to filter it in pieces.
 void clear_flat(const core::ImageView<std::uint8_t>& strengths, std::uint16_t flat_squares) {
@@ -202,6 +208,7 @@ void PackedSink::finish_as(const raster::Tile& tile) const {
             } else {
                 plane_codes = {tile.row<T>(plane, 0), tile.stride};
             }
+            if (kept_) copy_tile(plane_codes, tile, (*kept_)[static_cast<std::size_t>(plane)]);
         }
         Codes<T> codes = plane_codes;
         if (layout.has_bit_fields()) {

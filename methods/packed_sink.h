@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "core/image.h"
 #include "edge/edge_image.h"
 #include "methods/code_layout.h"
 #include "raster/pass.h"
@@ -22,6 +26,9 @@ struct PackedFilter {
     edge::LaplacianResponse response;  ///< for a field as wide as the store
 };
 
+/// A whole frame's codes as they were packed, an image a plane of the layout.
+using FrameCodes = std::vector<core::Image<std::uint16_t>>;
+
 /// Packs (packing = pixel), blurs (fatten) and filters each finished tile into a picture.
 class PackedSink : public raster::TileSink {
   public:
@@ -29,6 +36,9 @@ class PackedSink : public raster::TileSink {
                const DepthCarrier& carrier,
                const PackedFilter& filter,
                edge::EdgeImage& out);
+
+    /// Copies the codes of every tile that is not empty; `codes` has the picture's size.
+    void keep_codes(FrameCodes& codes) { kept_ = &codes; }
 
     void finish(const raster::Tile& tile) override;
 
@@ -41,6 +51,7 @@ class PackedSink : public raster::TileSink {
     const DepthCarrier& carrier_;
     PackedFilter filter_;
     edge::EdgeImage& out_;
+    FrameCodes* kept_ = nullptr;
 };
 
 /// Writes a strength of 0 to every pixel of a tile.

@@ -100,6 +100,9 @@ class SurfaceInputs {
     [[nodiscard]] LinearChannels linear_channels() const;
     /// A pass over this surface that still lacks values and sky.
     [[nodiscard]] raster::MeshInput mesh_input(const Frame& frame) const;
+    /// Instead of finish(), for who drew something else than the method's picture: the next frame
+    /// keeps no tile of the last.
+    void forget_picture() { last_.is_kept = false; }
     /// Copies what was not drawn because nothing moved there, and keeps the picture for the next
     /// frame once the scene has begun to move. `out` is what a pass over mesh_input() drew.
     void finish(const raster::MeshResult& result, edge::EdgeImage& out);

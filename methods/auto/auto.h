@@ -28,6 +28,9 @@ class Auto : public Method {
     /// Plans anew if anything moved: where pieces stand is part of the plan.
     void pose(const scene::Scene& scene) override;
     void draw(const Frame& frame, edge::EdgeImage& out) override { buffer_->draw(frame, out); }
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+        return buffer_->layers(frame);
+    }
     [[nodiscard]] int bytes_per_px() const override { return buffer_->bytes_per_px(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return buffer_->skip_counts(); }
     [[nodiscard]] Cost cost() const override { return buffer_->cost(); }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/parallel.h"
 #include "methods/surface_values.h"
@@ -176,6 +177,22 @@ Cost Canny::cost() const {
     const PixelWork follow{1, 1, 2};
     cost.filter = gather + blur + gradient + thin + follow;
     return cost;
+}
+
+/// The codes are those of a draw, which keeps them for the operator.
+std::vector<Layer> Canny::layers(const Frame& frame) {
+    const raster::SkipCounts counts = skip_counts_;
+    edge::EdgeImage lines(frame.view.width_px, frame.view.height_px);
+    draw(frame, lines);
+    skip_counts_ = counts;
+    Layer layer{"packed", {lines.width_px(), lines.height_px()}};
+    if (!inputs_.is_empty() && !lines.is_empty()) {
+        std::transform(
+            codes_.data(), codes_.data() + codes_.size(), layer.rgb.data(), [](std::uint8_t code) {
+                return glm::u8vec3(code);
+            });
+    }
+    return {std::move(layer)};
 }
 
 MethodInfo canny() {

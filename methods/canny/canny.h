@@ -33,6 +33,8 @@ class Canny : public Method {
     void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `packed`: the codes, black to white.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override;
     [[nodiscard]] int bytes_per_px() const override;
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }

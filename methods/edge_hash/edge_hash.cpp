@@ -3,9 +3,12 @@
 
 #include "methods/edge_hash/edge_hash.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 namespace ink::methods {
 namespace {
@@ -157,6 +160,22 @@ DebugPicture EdgeHash::debug_picture(const Frame& frame) {
         }
     }
     return picture;
+}
+
+std::vector<Layer> EdgeHash::layers(const Frame& frame) {
+    DebugPicture picture = debug_picture(frame);
+    const EdgeCounts& counts = picture.counts;
+    return {{"edges",
+             std::move(picture.rgb),
+             fmt::format("{} edges: {} silhouettes (black), {} creases (white), {} lone (red); {} "
+                         "of three faces or more; {} triangles without area, {} doubled",
+                         counts.models.edges,
+                         counts.silhouettes,
+                         counts.creases,
+                         counts.lone,
+                         counts.models.crowded,
+                         counts.models.degenerate,
+                         counts.models.duplicate)}};
 }
 
 MethodInfo edge_hash() {

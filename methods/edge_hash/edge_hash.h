@@ -50,6 +50,8 @@ class EdgeHash : public Method {
     /// Finds the edges of frames that are new, and finds those again that are not.
     void pose(const scene::Scene& scene) override;
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `edges`: the debug_picture, its counts in the note.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override;
     [[nodiscard]] int bytes_per_px() const override { return hidden_.bytes_per_px(); }
     [[nodiscard]] Cost cost() const override { return hidden_.cost(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return hidden_.skip_counts(); }

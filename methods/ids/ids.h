@@ -22,6 +22,10 @@ class Ids : public Method {
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `ids`, see IdPass.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+        return {ids_.layer(frame)};
+    }
     [[nodiscard]] int bytes_per_px() const override { return ids_.format().bytes_per_px(); }
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }

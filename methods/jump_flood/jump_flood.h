@@ -20,6 +20,10 @@ class JumpFlood : public Method {
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `ids`, see IdPass.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+        return {ids_.layer(frame)};
+    }
     [[nodiscard]] int bytes_per_px() const override;
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }

@@ -21,6 +21,10 @@ class PlaneDistance : public Method {
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
+    /// `depth` and `normal`, see FullBuffers.
+    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+        return buffers_.layers(frame);
+    }
     [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }

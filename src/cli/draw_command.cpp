@@ -23,9 +23,36 @@ struct DrawArgs {
     LookOptions looks;
     std::string file;
     bool strength = false;
+    bool no_lines = false;
+    std::string layer;
     int threads = 1;
     std::string no_skip;
 };
+
+void refuse_with_layer(bool is_given, const char* needs) {
+    if (is_given) throw core::Error("--layer", "a layer comes as it is", needs);
+}
+
+void refuse_no_lines(const DrawArgs& args) {
+    const auto refuse_if = [](bool is_so, const char* needs) {
+        if (is_so) throw core::Error("--no-lines", "it would do nothing here", needs);
+    };
+    refuse_if(args.looks.shading == "none", "--shading NAME with it");
+    refuse_if(args.strength, "no --strength");
+    refuse_if(std::filesystem::path(args.file).extension() == ".exr",
+              "a PNG file; an EXR has the shading as a layer");
+}
+
+/// One of the method's own pictures instead of a drawing.
+void write_layer(const DrawArgs& args,
+                 const lab::Subject& subject,
+                 const lab::Entrant& entrant,
+                 const lab::DrawOptions& options) {
+    const methods::Layer layer = lab::draw_layer(subject, entrant, args.layer, options);
+    lab::write_drawing(layer.rgb, args.file);
+    fmt::print("{}\n", args.file);
+    if (!layer.note.empty()) fmt::print("{}\n", layer.note);
+}
 
 void run_draw(const DrawArgs& args) {
     lab::DrawOptions options = drawing_looks(args.looks);
@@ -38,14 +65,25 @@ void run_draw(const DrawArgs& args) {
     options.skips = lab::without_skips({}, args.no_skip);
     options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
+    const std::filesystem::path path = args.file;
+    if (args.no_lines) refuse_no_lines(args);
+    if (!args.layer.empty()) {
+        refuse_with_layer(path.extension() == ".exr", "a PNG file; an EXR has all layers");
+        refuse_with_layer(args.strength, "no --strength");
+        refuse_with_layer(args.no_lines, "no --no-lines");
+        refuse_with_layer(args.looks != LookOptions{}, "no option of the drawing's looks");
+    }
     const lab::Subject subject =
         lab::load_one_view(args.scene, args.view, view_request(args.views));
+    if (!args.layer.empty()) return write_layer(args, subject, entrant, options);
     const lab::Drawing drawing = lab::make_drawing(subject, entrant, options);
-    const std::filesystem::path path = args.file;
     if (path.extension() == ".exr") {
-        lab::write_drawing_exr(subject, entrant, drawing, path);
+        const auto layers = lab::draw_layers(subject, entrant, options);
+        lab::write_drawing_exr(subject, entrant, drawing, layers, path);
     } else if (args.strength) {
         lab::write_strengths(drawing.strengths, path);
+    } else if (args.no_lines) {
+        lab::write_drawing(drawing.shading, path);
     } else {
         lab::write_drawing(drawing.picture, path);
     }
@@ -71,6 +109,11 @@ void add_draw_command(CLI::App& app) {
         args->strength,
         "Write the strengths (grey) instead of the picture, for inkbench score; an EXR "
         "has both anyway");
+    command->add_flag("--no-lines", args->no_lines, "Write the shading alone");
+    command->add_option("--layer",
+                        args->layer,
+                        "Write what the method has inside instead: packed, filtered, depth, "
+                        "normal, ids, edges, as it has them; an EXR has all of them");
     command->add_option("--threads", args->threads, "Threads")->capture_default_str();
     command->add_option("--no-skip",
                         args->no_skip,

@@ -21,6 +21,8 @@ struct LookOptions {
     std::string seed;
     int antialias = 1;
     std::string dither = "none";
+
+    friend bool operator==(const LookOptions&, const LookOptions&) = default;
 };
 
 /// Adds --shading, --set-shade, --ink, --paper, --surface, --line-width, --hand-drawn, --set-hand,

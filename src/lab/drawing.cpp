@@ -39,15 +39,19 @@ scene::View enlarged_view(const Subject& subject, int n) {
     return view;
 }
 
+std::unique_ptr<methods::Method> make_ready(const Subject& subject, const Entrant& entrant) {
+    std::unique_ptr<methods::Method> method = entrant.info->make(entrant.settings);
+    method->prepare(subject.scene);
+    method->pose(subject.scene);
+    return method;
+}
+
 edge::EdgeImage draw_method(const Subject& subject,
                             const Entrant& entrant,
                             const scene::View& view,
                             const DrawOptions& options) {
-    const std::unique_ptr<methods::Method> method = entrant.info->make(entrant.settings);
     edge::EdgeImage strengths(view.width_px, view.height_px);
-    method->prepare(subject.scene);
-    method->pose(subject.scene);
-    method->draw({view, options.threads, options.skips}, strengths);
+    make_ready(subject, entrant)->draw({view, options.threads, options.skips}, strengths);
     return strengths;
 }
 
@@ -121,6 +125,27 @@ Drawing make_drawing(const Subject& subject, const Entrant& entrant, const DrawO
     const RgbImage picture = shade::compose(lines, std::move(under), ink);
     drawing.picture = shade::dither(shade::average(picture, n), options.dither);
     return drawing;
+}
+
+std::vector<methods::Layer> draw_layers(const Subject& subject,
+                                        const Entrant& entrant,
+                                        const DrawOptions& options) {
+    return make_ready(subject, entrant)
+        ->layers({subject.views.front(), options.threads, options.skips});
+}
+
+methods::Layer draw_layer(const Subject& subject,
+                          const Entrant& entrant,
+                          const std::string& name,
+                          const DrawOptions& options) {
+    std::string known;
+    for (methods::Layer& layer : draw_layers(subject, entrant, options)) {
+        if (layer.name == name) return std::move(layer);
+        known += (known.empty() ? "" : ", ") + layer.name;
+    }
+    throw core::Error("--layer",
+                      fmt::format("{} has no layer '{}'", entrant.info->name, name),
+                      known.empty() ? "a method that has layers, like mote4" : known);
 }
 
 }  // namespace ink::lab

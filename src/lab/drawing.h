@@ -4,12 +4,14 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/param.h"
 #include "edge/edge_image.h"
 #include "lab/entrants.h"
 #include "lab/error_picture.h"
 #include "lab/suite.h"
+#include "methods/method.h"
 #include "raster/skips.h"
 #include "shade/dither.h"
 #include "shade/hand_lines.h"
@@ -53,5 +55,18 @@ struct Drawing {
 [[nodiscard]] Drawing make_drawing(const Subject& subject,
                                    const Entrant& entrant,
                                    const DrawOptions& options);
+
+/// What the method has inside on the first view of `subject`, at the view's size; empty for methods
+/// that show nothing. Of the options threads and skips alone are read, and change nothing.
+[[nodiscard]] std::vector<methods::Layer> draw_layers(const Subject& subject,
+                                                      const Entrant& entrant,
+                                                      const DrawOptions& options);
+
+/// The one of draw_layers that is called `name`. Throws core::Error (where = "--layer") that names
+/// the method's layers if there is none.
+[[nodiscard]] methods::Layer draw_layer(const Subject& subject,
+                                        const Entrant& entrant,
+                                        const std::string& name,
+                                        const DrawOptions& options);
 
 }  // namespace ink::lab

@@ -117,12 +117,17 @@ void write_truth_exr(const Subject& subject,
 void write_drawing_exr(const Subject& subject,
                        const Entrant& entrant,
                        const Drawing& drawing,
+                       const std::vector<methods::Layer>& layers,
                        const std::filesystem::path& path) {
     ExrFile file;
     add_colours(drawing.picture, "", file);
     if (!drawing.shading.is_empty()) add_colours(drawing.shading, "shading.", file);
     file.channels.push_back({"strength.Y", shares(drawing.strengths)});
     file.attributes = origin(subject);
+    for (const methods::Layer& layer : layers) {
+        add_colours(layer.rgb, layer.name + ".", file);
+        if (!layer.note.empty()) file.attributes.push_back({"ink:" + layer.name, layer.note});
+    }
     file.attributes.push_back({"ink:method", entrant.info->name});
     file.attributes.push_back(
         {"ink:params", join_params(entrant.info->complete(entrant.settings))});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "lab/drawing.h"
 #include "lab/entrants.h"
@@ -26,11 +27,13 @@ void write_truth_exr(const Subject& subject,
 
 /// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished
 /// picture, `shading.R shading.G shading.B` (the same) what lies under the lines, unless that is
-/// paper, and `strength.Y` (HALF, k/255) the strengths of the lines; the header as above, and the
+/// paper, `strength.Y` (HALF, k/255) the strengths of the lines, and of each of the method's layers
+/// `NAME.R NAME.G NAME.B` (as the picture), its note in `ink:NAME`; the header as above, and the
 /// method with its parameters.
 void write_drawing_exr(const Subject& subject,
                        const Entrant& entrant,
                        const Drawing& drawing,
+                       const std::vector<methods::Layer>& layers,
                        const std::filesystem::path& path);
 
 }  // namespace ink::lab

@@ -108,7 +108,7 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     EXPECT_EQ(right->at(20, 24), 0U);
 }
 
-TEST(DrawingExr, HoldsPictureShadingAndStrength) {
+TEST(DrawingExr, HoldsPictureShadingStrengthAndLayers) {
     const Subject subject = cube();
     const Entrant entrant = make_entrants("mote4", {}).front();
     DrawOptions options;
@@ -116,13 +116,16 @@ TEST(DrawingExr, HoldsPictureShadingAndStrength) {
     const Drawing drawing = make_drawing(subject, entrant, options);
     const edge::EdgeImage& strengths = drawing.strengths;
     const fs::path path = fs::path(testing::TempDir()) / "drawing.exr";
-    write_drawing_exr(subject, entrant, drawing, path);
+    const auto layers = draw_layers(subject, entrant, options);
+    write_drawing_exr(subject, entrant, drawing, layers, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
     const auto* strength = channel<image_io::HalfImage>(file, "strength.Y");
     ASSERT_NE(strength, nullptr);
     ASSERT_NE(channel<image_io::HalfImage>(file, "G"), nullptr);
     EXPECT_NE(channel<image_io::HalfImage>(file, "shading.G"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "packed.R"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "filtered.B"), nullptr);
     for (std::size_t i = 0; i < strengths.size(); ++i)
         EXPECT_EQ(std::lround(strength->pixels.data()[i] * 255), strengths.data()[i]);
     EXPECT_EQ(text_attribute(file, "ink:method"), "mote4");

@@ -31,6 +31,13 @@ int lines_in(const edge::EdgeImage& image) {
         image.data(), image.data() + image.size(), [](std::uint8_t s) { return s > 0; }));
 }
 
+bool is_of_one_colour(const core::Image<glm::u8vec3>& rgb) {
+    const glm::u8vec3 first = rgb.at(0, 0);
+    return std::all_of(rgb.data(), rgb.data() + rgb.size(), [&](const glm::u8vec3& pixel) {
+        return pixel == first;
+    });
+}
+
 TEST_P(Contract, DrawsSomethingButNotEverything) {
     const int lines = lines_in(draw({}));
     EXPECT_GT(lines, draws_creases(GetParam()) ? 200 : 100);
@@ -54,6 +61,47 @@ TEST_P(Contract, DrawsTheSameOnEveryThreadCount) {
     const auto one = draw({}, 1);
     EXPECT_EQ(one, draw({}, 2));
     EXPECT_EQ(one, draw({}, 4));
+}
+
+TEST_P(Contract, LayersHaveTheSizeOfTheViewAndAreTheSameOnEveryThreadCount) {
+    const auto method = info().make({});
+    method->prepare(scene_);
+    method->pose(scene_);
+    const auto one = method->layers({view_, 1});
+    const auto three = method->layers({view_, 3});
+    ASSERT_EQ(one.size(), three.size());
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        SCOPED_TRACE(one[i].name);
+        names.insert(one[i].name);
+        EXPECT_EQ(one[i].rgb.width_px(), 150);
+        EXPECT_EQ(one[i].rgb.height_px(), 101);
+        EXPECT_EQ(one[i].name, three[i].name);
+        EXPECT_EQ(one[i].note, three[i].note);
+        EXPECT_EQ(one[i].rgb, three[i].rgb);
+        EXPECT_FALSE(is_of_one_colour(one[i].rgb));
+    }
+    EXPECT_EQ(names.size(), one.size()) << "two are called the same";
+}
+
+TEST_P(Contract, LayersChangeNoPicture) {
+    const auto method = info().make({});
+    scene::Scene moved = scene_;
+    moved.instances[0].world_from_object = glm::translate(glm::dmat4(1), {1, 0.5, 0});
+    const scene::View other = view_from(scene_, {0.2, 0.3, 5}, {0, 0, 0}, {90, 64});
+    edge::EdgeImage first(view_.width_px, view_.height_px);
+    edge::EdgeImage again(view_.width_px, view_.height_px);
+    edge::EdgeImage last(view_.width_px, view_.height_px);
+    method->prepare(moved);
+    method->pose(moved);
+    method->draw({view_, 1}, first);
+    method->pose(scene_);
+    (void)method->layers({view_, 1});
+    method->draw({view_, 1}, again);
+    (void)method->layers({other, 1});
+    method->draw({view_, 1}, last);
+    EXPECT_EQ(again, draw({}));
+    EXPECT_EQ(last, draw({}));
 }
 
 TEST_P(Contract, DrawsTheSameAfterTheCameraMovedAndCameBack) {

@@ -93,6 +93,52 @@ TEST(Draw, ShadingGoesToLayersOfAnExr) {
     EXPECT_THAT(draw(desk, {}, "a.exr"), testing::Not(HasSubstr("shading.R")));
 }
 
+TEST(Draw, LayersOfAMethodArePictures) {
+    const Desk desk;
+    const std::string drawing = draw(desk, {});
+    const std::string packed = draw(desk, {"--layer", "packed"});
+    EXPECT_NE(packed, drawing);
+    EXPECT_NE(draw(desk, {"--layer", "filtered"}), packed);
+    EXPECT_EQ(draw(desk, {"--layer", "packed", "--threads", "3"}), packed);
+    EXPECT_THAT(draw(desk, {"--method", "decaudin"}, "a.exr"),
+                AllOf(HasSubstr("depth.R"), HasSubstr("normal.B")));
+}
+
+TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
+    const Desk desk;
+    const Words gouraud = {"--shading", "gouraud"};
+    const Words alone = {"--shading", "gouraud", "--no-lines"};
+    const std::string shading = draw(desk, alone);
+    EXPECT_NE(shading, draw(desk, gouraud));
+    Words other_lines = alone;
+    other_lines.insert(other_lines.end(), {"--method", "decaudin"});
+    EXPECT_EQ(draw(desk, other_lines), shading);
+    expect_refused({"--no-lines"}, {"--no-lines", "--shading"});
+    expect_refused({"--shading", "toon", "--no-lines", "--strength"}, {"--no-lines", "--strength"});
+}
+
+TEST(Draw, ALayerThatCountsSaysWhat) {
+    const Outcome outcome = Desk().run({"draw",
+                                        "cube",
+                                        "--method",
+                                        "edge_hash",
+                                        "--layer",
+                                        "edges",
+                                        "--size",
+                                        "160x90",
+                                        "-o",
+                                        "a.png"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("a.png\n18 edges: "), HasSubstr(" 0 lone (red)")));
+}
+
+TEST(Draw, ALayerThatIsNotThereIsRefusedByName) {
+    expect_refused({"--layer", "packt"}, {"--layer", "mote4", "'packt'", "packed, filtered"});
+    expect_refused({"--method", "back_faces", "--layer", "ids"}, {"--layer", "back_faces"});
+    expect_refused({"--layer", "packed", "--strength"}, {"--layer", "--strength"});
+    expect_refused({"--layer", "packed", "--antialias", "2"}, {"--layer", "looks"});
+}
+
 TEST(Draw, ShadingsAndTheirKnobsAreListed) {
     const Outcome outcome = Desk().run({"list", "shadings"});
     EXPECT_EQ(outcome.exit_code, 0);
