@@ -43,11 +43,7 @@ bool is_inner(const scene::Topology& topology, const scene::Edge& edge) {
 
 }  // namespace
 
-void TriangleEdges::prepare(const scene::Scene& scene) {
-    surface_ = scene::flatten(scene);
-    mesh_ = raster::LaneMesh(surface_);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = scene::scene_hash(scene);
+void TriangleEdges::find_lines(const scene::Scene& scene) {
     lines_.clear();
     faces_.clear();
     const scene::Topology topology = scene::weld(scene);
@@ -67,6 +63,14 @@ void TriangleEdges::prepare(const scene::Scene& scene) {
     }
 }
 
+void TriangleEdges::prepare(const scene::Scene& scene) {
+    surface_ = scene::flatten(scene);
+    mesh_ = raster::LaneMesh(surface_);
+    bounds_ = scene::bounding_sphere(scene);
+    posed_hash_ = scene::scene_hash(scene);
+    find_lines(scene);
+}
+
 void TriangleEdges::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
     if (hash == posed_hash_) return;
@@ -74,6 +78,7 @@ void TriangleEdges::pose(const scene::Scene& scene) {
     if (moved.triangles != surface_.triangles) return prepare(scene);
     surface_ = std::move(moved);
     mesh_.update(surface_);
+    if (edges_ == WireEdges::polygons) find_lines(scene);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = hash;
 }

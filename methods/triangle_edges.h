@@ -22,15 +22,16 @@ enum class WireEdges {
 ///
 /// OpenGL's glPolygonMode draws an edge with each of its triangles, once in either direction; here
 /// it is one line there and back. A polygon's inner edges are those between two triangles of one
-/// object and material that bend by less than scene::kFlat_rad in the scene that was prepared.
-/// Degenerate triangles have no edges.
+/// object and material that bend by less than scene::kFlat_rad as the scene is posed. Triangles
+/// that are degenerate when it is prepared have no edges.
 class TriangleEdges {
   public:
     explicit TriangleEdges(WireEdges edges) : edges_(edges) {}
 
     /// Once per topology.
     void prepare(const scene::Scene& scene);
-    /// World positions again, if anything moved since.
+    /// World positions again, if anything moved since; with WireEdges::polygons also the edges, by
+    /// a new weld, for what was flat may have bent.
     void pose(const scene::Scene& scene);
 
     [[nodiscard]] bool is_empty() const { return surface_.triangles.empty(); }
@@ -52,6 +53,7 @@ class TriangleEdges {
         std::uint32_t second = 0;
     };
 
+    void find_lines(const scene::Scene& scene);
     void find_sides(const Frame& frame);
 
     WireEdges edges_;

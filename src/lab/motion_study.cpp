@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -11,6 +13,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "lab/interrupt.h"
+#include "scene/animation.h"
 #include "scene/catalogue.h"
 #include "score/drawing.h"
 #include "truth/truth_cache.h"
@@ -172,6 +175,45 @@ Sequence sequence_of(const std::string& name, scene::PathKind kind, scene::View 
     return sequence;
 }
 
+/// How fast the picture moves where it moves fastest at the start: over the first 60th of a second.
+double speed_px_per_s(scene::Scene scene, const scene::View& view) {
+    constexpr double kMoment_s = 1.0 / 60;
+    const scene::Projection projection(view);
+    std::vector<glm::dvec2> before;
+    double most_px = 0;
+    for (const double time_s : {0.0, kMoment_s}) {
+        scene::pose_scene(scene, time_s);
+        std::size_t n = 0;
+        for (const scene::Instance& instance : scene.instances) {
+            for (const glm::vec3& p_object : scene.meshes[instance.mesh].positions) {
+                const glm::dvec3 p = projection.to_clip(scene::to_world(instance, p_object));
+                const glm::dvec2 p_px(p.x / p.z, p.y / p.z);
+                if (time_s == 0) before.push_back(p_px);
+                most_px = std::max(most_px, glm::length(p_px - before[n++]));
+            }
+        }
+    }
+    return most_px / kMoment_s;
+}
+
+/// An animated scene of the catalogue before its second view, which stands still: so many times
+/// slower than it is that what moves fastest moves by the step at most.
+Sequence sequence_of_motion(const std::string& name, scene::View size) {
+    Sequence sequence = sequence_of(name, scene::PathKind::still, size);
+    scene::CameraPath& path = sequence.path;
+    constexpr int kPoses = 16;
+    std::vector<double> times_s;
+    for (int i = 0; i <= kPoses; ++i)
+        times_s.push_back(sequence.scene.animation->duration_s * i / kPoses);
+    path.bounds = scene::bounds_of_poses(sequence.scene, times_s);
+    const double most_px_per_s = kStep_px * path.frames_per_s;
+    const double times = std::ceil(speed_px_per_s(sequence.scene, path.start) / most_px_per_s);
+    sequence.pose = [times](scene::Scene& scene, double time_s) {
+        scene::pose_scene(scene, time_s / times);
+    };
+    return sequence;
+}
+
 }  // namespace
 
 score::ScoringTruth unbanded_truth(const truth::Truth& traced) {
@@ -203,8 +245,10 @@ std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_cou
                                      {"gear", orbit},
                                      {"gear", dolly}}) {
         sequences.push_back(sequence_of(name, kind, size));
-        sequences.back().path.frame_count = frame_count;
     }
+    sequences.push_back(sequence_of_motion("gear", size));
+    for (Sequence& sequence : sequences)
+        sequence.path.frame_count = frame_count;
     return sequences;
 }
 

@@ -43,7 +43,8 @@ struct MotionOptions {
                                                     const MotionOptions& options);
 
 /// The sequences of the study: scenes of the catalogue, `frame_count` frames, each path a quarter
-/// of a pixel a frame, so that lines pass slowly over the pixel grid.
+/// of a pixel a frame, so that lines pass slowly over the pixel grid; last the gears, which turn as
+/// slowly before a camera that stands still.
 [[nodiscard]] std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count);
 
 /// The study: all of study_sequences(). Ends early on Ctrl-C.

@@ -29,7 +29,12 @@ struct Pool {
     }
     [[nodiscard]] OdsPoint ods() const {
         const std::size_t best = best_index(curve);
-        return {method, edge::strength_at_percent(static_cast<int>(best) + 1), curve[best].f()};
+        const double f = curve[best].f();
+        std::size_t last = best;
+        while (last + 1 < curve.size() && curve[last + 1].f() == f)
+            ++last;
+        const auto middle = static_cast<int>((best + last) / 2);
+        return {method, edge::strength_at_percent(middle + 1), f};
     }
 };
 

@@ -23,7 +23,8 @@ struct OdsPoint {
 };
 
 /// Optimal data-set scale: per method, in order of first appearance, the threshold with the highest
-/// F of the counts pooled over the training cells (BSDS; the lowest threshold on a tie).
+/// F of the counts pooled over the training cells (BSDS). Of neighbours with that F the middle one:
+/// a method that draws 0 and 255 alone gets 128.
 ///
 /// A method's shipped `threshold` is found by this, once; a cell's score never depends on it.
 /// Methods without a training cell are left out.

@@ -62,7 +62,13 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
                           "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
     if (request.orbit_count) return scene::orbit_cameras(bounds, *request.orbit_count, aspect);
-    if (request.file_cameras || is_catalogue_scene) return scene.cameras;
+    if (request.file_cameras || is_catalogue_scene) {
+        std::vector<scene::Camera> cameras = scene.cameras;
+        const bool is_posed = request.time_s || request.frame;
+        for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c)
+            scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
+        return cameras;
+    }
     return scene::orbit_cameras(bounds, kModelViews, aspect);
 }
 

@@ -23,8 +23,9 @@ struct CameraRequest {
 struct ViewRequest {
     int width_px = 1280;
     int height_px = 720;
-    std::optional<int> orbit_count;      ///< this many round the scene, instead of its own views
-    bool file_cameras = false;           ///< a model's own cameras (an error if it has none)
+    std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
+    /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
+    bool file_cameras = false;
     std::vector<CameraRequest> cameras;  ///< these instead of all others
     std::optional<double> time_s;  ///< when an animated scene is seen; as it rests unless said
     std::optional<int> frame;      ///< by a stored frame's number instead

@@ -7,10 +7,12 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/error.h"
 #include "core/hash.h"
 #include "lab/cell.h"
+#include "lab/interrupt.h"
 #include "raster/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/camera_path.h"
@@ -103,15 +105,11 @@ double demo_time_s(const scene::Scene& scene, int frame, int frames) {
 }
 
 /// A ball that holds the scene in all the poses that are drawn.
-scene::Sphere bounds_of_poses(scene::Scene scene, int frames) {
-    scene::Sphere all = scene::bounding_sphere(scene);
-    for (int f = 0; f < frames && scene.animation; ++f) {
-        scene::pose_scene(scene, demo_time_s(scene, f, frames));
-        const scene::Sphere one = scene::bounding_sphere(scene);
-        all.radius =
-            std::max(all.radius, glm::length(one.center_world - all.center_world) + one.radius);
-    }
-    return all;
+scene::Sphere bounds_of_demo(const scene::Scene& scene, int frames) {
+    std::vector<double> times_s;
+    for (int f = 0; f < frames && scene.animation; ++f)
+        times_s.push_back(demo_time_s(scene, f, frames));
+    return scene::bounds_of_poses(scene, times_s);
 }
 
 /// Three paths from the view; who stands inside the scene looks about instead of going round it.
@@ -132,31 +130,56 @@ std::vector<scene::CameraPath> demo_paths(const scene::View& start,
     return paths;
 }
 
+/// Which of the scene's cameras a view is, if the animation moves that one.
+std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene::View& view) {
+    const std::size_t count = scene.animation ? scene.animation->cameras.size() : 0;
+    for (std::size_t c = 0; c < count; ++c) {
+        const bool is_it = scene.cameras[c].name == view.camera.name &&
+                           scene.cameras[c].eye_world == view.camera.eye_world;
+        if (is_it && scene.animation->cameras[c].eye_node != scene::kNoNode) return c;
+    }
+    return std::nullopt;
+}
+
 /// One path with all methods in turns.
 class Demo {
   public:
-    Demo(const Subject& subject, const scene::CameraPath& path, const TimedemoOptions& options)
+    /// `camera` is that of the scene which is followed instead of the path.
+    Demo(const Subject& subject,
+         const scene::CameraPath& path,
+         std::optional<std::size_t> camera,
+         const TimedemoOptions& options)
         : scene_(subject.scene),
           path_(path),
+          camera_(camera),
           options_(options),
           players_(make_players(options, path.start)) {}
 
     void play(std::vector<DemoFrame>& out) {
         for (int pass = 0; pass <= options_.cached_passes; ++pass) {
-            for (int f = 0; f < options_.frames; ++f)
+            for (int f = 0; f < options_.frames && !is_interrupted(); ++f)
                 play_frame(pass, f, out);
         }
     }
 
   private:
+    /// What is seen in a frame, the scene being posed.
+    [[nodiscard]] scene::View view_of(int f) const {
+        if (!camera_) return scene::frame_at(path_, f).view;
+        scene::View view = path_.start;
+        view.camera = scene_.cameras[*camera_];
+        scene::fit_clip_range(view.camera, path_.bounds);
+        return view;
+    }
+
     void play_frame(int pass, int f, std::vector<DemoFrame>& out) {
-        const scene::View view = scene::frame_at(path_, f).view;
         DemoFrame line;
-        line.path = scene::name(path_.kind);
+        line.path = camera_ ? "own" : scene::name(path_.kind);
         line.pass = pass;
         line.frame = f;
         line.time_s = demo_time_s(scene_, f, options_.frames);
         scene::pose_scene(scene_, line.time_s);
+        const scene::View view = view_of(f);
         line.fill_ns = time_ns([&] {
             if (scene_.animation || is_new_) fill_.pose(scene_);
             fill_.draw(view, options_.threads);
@@ -202,6 +225,7 @@ class Demo {
 
     scene::Scene scene_;
     const scene::CameraPath& path_;
+    std::optional<std::size_t> camera_;
     const TimedemoOptions& options_;
     std::vector<Player> players_;
     PlainFill fill_;
@@ -213,11 +237,16 @@ class Demo {
 }  // namespace
 
 std::vector<DemoFrame> run_timedemo(const Subject& subject, const TimedemoOptions& options) {
-    const scene::Sphere bounds = bounds_of_poses(subject.scene, options.frames);
+    const scene::View& start = subject.views.front();
+    const scene::Sphere bounds = bounds_of_demo(subject.scene, options.frames);
     std::vector<DemoFrame> frames;
-    for (const scene::CameraPath& path : demo_paths(subject.views.front(), bounds, options)) {
-        Demo(subject, path, options).play(frames);
+    if (const auto camera = moving_camera(subject.scene, start)) {
+        const auto own = scene::make_path(scene::PathKind::still, start, bounds, 0);
+        Demo(subject, own, camera, options).play(frames);
     }
+    for (const scene::CameraPath& path : demo_paths(start, bounds, options))
+        Demo(subject, path, std::nullopt, options).play(frames);
+    if (is_interrupted()) return {};
     return frames;
 }
 

@@ -24,7 +24,9 @@ struct TimedemoOptions {
 /// What one frame of one pass took. Fill and shading are measured once a frame and stand in every
 /// method's line.
 struct DemoFrame {
-    std::string path;    ///< how the camera moved: orbit, dolly, shake; pan for an eye inside
+    /// How the camera moved: orbit, dolly, shake; pan and roll for an eye inside; `own` as the
+    /// model's animation moves it.
+    std::string path;
     std::string method;  ///< as registered
     int pass = 0;        ///< 0: every frame for the first time
     int frame = 0;
@@ -38,8 +40,10 @@ struct DemoFrame {
 };
 
 /// Draws the subject's animation (or its still scene) along each path with every method in turns,
-/// frame by frame; the camera starts at the subject's first view. Frames that a method drew before
-/// must come out the same again: throws Error (where = the method) if not.
+/// frame by frame; the camera starts at the subject's first view. If that is one of the model's own
+/// cameras and the animation moves it, it goes its own way first. Frames that a method drew before
+/// must come out the same again: throws Error (where = the method) if not. Once an end was asked
+/// for (interrupt.h) there are no frames.
 [[nodiscard]] std::vector<DemoFrame> run_timedemo(const Subject& subject,
                                                   const TimedemoOptions& options);
 

@@ -29,13 +29,17 @@ class CornerLookup {
         : records_(reinterpret_cast<const std::int32_t*>(source.records + slot.first_byte)),
           slot_(slot) {
         const DI d;
-        const auto triangle = hn::IfThenElseZero(is_real, hn::And(entries, hn::Set(d, 0xff)));
-        const auto corners = hn::GatherIndex(d, records_ + slot.corners * slot.stride, triangle);
+        triangle_ = hn::IfThenElseZero(is_real, hn::And(entries, hn::Set(d, 0xff)));
+        const auto corners = hn::GatherIndex(d, records_ + slot.corners * slot.stride, triangle_);
         for (int k = 0; k < 3; ++k)
             index_[k] = CornerOf(corners, k);
         is_back_ = hn::And(is_real, hn::Lt(corners, hn::Zero(d)));
         has_front_ = hn::CountTrue(d, is_back_) != hn::CountTrue(d, is_real);
         has_back_ = !hn::AllFalse(d, is_back_);
+    }
+
+    HWY_INLINE VI Constants() const {
+        return hn::GatherIndex(DI(), records_ + slot_.constants, triangle_);
     }
 
     /// One array of the records, or one for triangles seen from their front and one for the others.
@@ -56,6 +60,7 @@ class CornerLookup {
   private:
     const std::int32_t* records_;
     const LaneSlot& slot_;
+    VI triangle_;
     VI index_[3];
     hn::Mask<DI> is_back_;
     bool has_front_;
@@ -66,6 +71,7 @@ class CornerLookup {
 /// vector; returns how many.
 HWY_INLINE std::size_t CollectSome(const LaneSource& source,
                                    std::size_t values,
+                                   bool has_constants,
                                    const std::uint32_t* entries,
                                    std::size_t at,
                                    std::size_t count,
@@ -89,19 +95,21 @@ HWY_INLINE std::size_t CollectSome(const LaneSource& source,
             hn::StoreU(hn::BitCast(df, v), df, out.corners[k].values[i] + at);
         });
     }
+    if (has_constants) hn::StoreU(lookup.Constants(), d, out.constants + at);
     return hn::CountTrue(d, is_same);  // a slot's triangles stand together
 }
 
 /// Looks the corners of all triangles up.
 void Collect(const LaneSource& source,
              std::size_t values,
+             bool has_constants,
              std::span<const std::uint32_t> entries,
              LaneTriangles& out) {
     alignas(64) std::uint32_t padded[LaneTriangles::kPadded];
     std::memcpy(padded, entries.data(), entries.size_bytes());
     std::fill_n(padded + entries.size(), kLanePad, 0U);
     for (std::size_t at = 0; at < entries.size();)
-        at += CollectSome(source, values, padded, at, entries.size(), out);
+        at += CollectSome(source, values, has_constants, padded, at, entries.size(), out);
 }
 
 }  // namespace ink::raster::HWY_NAMESPACE
@@ -114,9 +122,10 @@ HWY_EXPORT(Collect);
 
 void collect_corners(const LaneSource& source,
                      std::size_t values,
+                     bool has_constants,
                      std::span<const std::uint32_t> entries,
                      LaneTriangles& out) {
-    HWY_DYNAMIC_DISPATCH(Collect)(source, values, entries, out);
+    HWY_DYNAMIC_DISPATCH(Collect)(source, values, has_constants, entries, out);
 }
 
 }  // namespace ink::raster

@@ -135,7 +135,7 @@ HWY_INLINE std::size_t AddDots(const PassFormat& format,
     const DF df;
     const auto minus_one = hn::Set(d, -1);
     const Places places = MakePlaces(t, at);
-    const auto planes = static_cast<std::size_t>(format.interpolants);
+    const auto planes = static_cast<std::size_t>(format.planes());
     Interleaved offsets, q, values[kMaxPlanes];
     Four four;
     Offsets(t, places, is_small, at, four);
@@ -152,6 +152,10 @@ HWY_INLINE std::size_t AddDots(const PassFormat& format,
             CodesAt<lane_fraction_bits(Store::u8)>(t.codes[k], places, at, four);
         if (format.store == Store::u16)
             CodesAt<lane_fraction_bits(Store::u16)>(t.codes[k], places, at, four);
+        if (format.store == Store::u32) {
+            for (VI& constant : four)
+                constant = hn::Load(d, t.constants + at);
+        }
         values[k].Store(four);
     }
     const std::size_t n = hn::Lanes(d);
@@ -204,7 +208,7 @@ void find_dots(const PassFormat& format, LaneTriangles& triangles) {
 }
 
 DotRun::DotRun(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to)
-    : dots_(triangles.dots), depth_(to.depth_row<float>(0)), plane_count_(format.interpolants) {
+    : dots_(triangles.dots), depth_(to.depth_row<float>(0)), plane_count_(format.planes()) {
     for (int k = 0; k < plane_count_; ++k)
         planes_[static_cast<std::size_t>(k)] = to.plane_row<std::uint32_t>(k, 0);
 }

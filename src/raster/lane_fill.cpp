@@ -66,6 +66,26 @@ class NoLanes {
     HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
 };
 
+/// The triangle's constant.
+class ConstantLanes {
+  public:
+    ConstantLanes(const LaneTriangles& t, TileBuffer& to)
+        : t_(t), plane_(reinterpret_cast<std::int32_t*>(to.code_row(0, 0))) {}
+    HWY_INLINE void StartTriangle(std::size_t i) { constant_ = hn::Set(DI(), t_.constants[i]); }
+    HWY_INLINE void StartColumn(VI, VF, int) {}
+    template <bool kLimits>
+    HWY_INLINE void Write(std::ptrdiff_t offset, VF, MI mask) {
+        const DI d;
+        std::int32_t* to = plane_ + offset;
+        hn::StoreU(hn::IfThenElse(mask, constant_, hn::LoadU(d, to)), d, to);
+    }
+
+  private:
+    const LaneTriangles& t_;
+    std::int32_t* plane_;
+    VI constant_;
+};
+
 /// kCount codes with kFraction bits after the point.
 template <int kCount, int kFraction>
 class CodeLanes {
@@ -223,6 +243,8 @@ void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuf
             return Fill<Depth, CodeLanes<1, 14>>(format, triangles, to);
         case Store::f32:
             return Fill<Depth, NumberLanes>(format, triangles, to);
+        case Store::u32:
+            return Fill<Depth, ConstantLanes>(format, triangles, to);
         default:
             return Fill<Depth, NoLanes>(format, triangles, to);
     }

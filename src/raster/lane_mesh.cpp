@@ -70,7 +70,8 @@ void LaneMesh::fill() {
         }
         for (std::size_t t = 0; t < cluster.triangle_count; ++t) {
             const auto& corners = clusters_.triangles[cluster.first_triangle + t];
-            write(corners[0] | corners[1] << 8 | corners[2] << 16);
+            write(static_cast<std::uint32_t>(corners[0] | corners[1] << 8 | corners[2] << 16 |
+                                             t << 24));
         }
     }
 }

@@ -53,8 +53,8 @@ class LaneMesh {
         const std::size_t before = is_float_ ? 3 : 6;
         return at<float>(cluster, (before + static_cast<std::size_t>(axis)) * padded(cluster));
     }
-    /// The corners of a cluster's triangles as its vertices: first | second << 8 | third << 16.
-    /// Padded with 0.
+    /// The corners of a cluster's triangles as its vertices, and which of its triangles each is:
+    /// first | second << 8 | third << 16 | index << 24. Padded with 0.
     [[nodiscard]] const std::int32_t* corners(std::size_t cluster) const {
         const std::size_t before = (is_float_ ? 3U : 6U) + (has_normals_ ? 3U : 0U);
         return at<std::int32_t>(cluster, before * padded(cluster));
@@ -65,6 +65,13 @@ class LaneMesh {
         const std::size_t end = first_byte_[cluster + 1];
         for (std::size_t byte = first_byte_[cluster]; byte < end; byte += kLineBytes)
             hwy::Prefetch(bytes_.data() + byte);
+    }
+
+    /// Which of its cluster's triangles it is, of what corners() has; above its index may stand one
+    /// bit more.
+    [[nodiscard]] static constexpr std::size_t index_of(std::uint32_t corners) {
+        static_assert(scene::kMaxClusterTriangles <= 128);
+        return corners >> 24 & 127;
     }
 
   private:

@@ -20,6 +20,7 @@ using DF = hn::Rebind<float, DI>;
 using VF = hn::Vec<DF>;
 
 #include "raster/lane_edges.inl"
+#include "raster/lane_planes.inl"
 
 /// One corner of a vector of triangles.
 struct Corner {
@@ -43,51 +44,6 @@ HWY_INLINE Corner LoadCorner(const LaneTriangles::Corners& from, std::size_t at)
     c.x_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.x, half));
     c.y_snapped = hn::ShiftRight<kLaneBits - kSubpixelBits>(hn::Add(c.y, half));
     return c;
-}
-
-/// What all planes of a vector of triangles share: px from corner 0, unsnapped.
-struct PlaneLanes {
-    VF x1, y1, x2, y2;
-    VF ref_x, ref_y;
-    VF one_over_area;  ///< 0: no area
-
-    struct Plane {
-        VF at_ref, dx, dy;
-    };
-    HWY_INLINE Plane Through(VF v0, VF v1, VF v2) const {
-        const auto d1 = hn::Sub(v1, v0);
-        const auto d2 = hn::Sub(v2, v0);
-        Plane p;
-        p.dx = hn::Mul(hn::Sub(hn::Mul(d1, y2), hn::Mul(d2, y1)), one_over_area);
-        p.dy = hn::Mul(hn::Sub(hn::Mul(d2, x1), hn::Mul(d1, x2)), one_over_area);
-        p.at_ref = hn::Add(hn::Add(v0, hn::Mul(p.dx, ref_x)), hn::Mul(p.dy, ref_y));
-        return p;
-    }
-};
-
-HWY_INLINE VF ToPx(VI fixed) {
-    const DF df;
-    return hn::Mul(hn::ConvertTo(df, fixed), hn::Set(df, 1.0F / (1 << kLaneBits)));
-}
-
-HWY_INLINE PlaneLanes MakePlanes(const Corner (&c)[3], VI ref_x, VI ref_y) {
-    const DI d;
-    const DF df;
-    PlaneLanes p;
-    p.x1 = ToPx(hn::Sub(c[1].x, c[0].x));
-    p.y1 = ToPx(hn::Sub(c[1].y, c[0].y));
-    p.x2 = ToPx(hn::Sub(c[2].x, c[0].x));
-    p.y2 = ToPx(hn::Sub(c[2].y, c[0].y));
-    const auto half = hn::Set(d, 1 << (kLaneBits - 1));
-    p.ref_x = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_x), half), c[0].x));
-    p.ref_y = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_y), half), c[0].y));
-    const auto area = hn::Sub(hn::Mul(p.x1, p.y2), hn::Mul(p.x2, p.y1));
-    const auto zero = hn::Zero(df);
-    const auto has_none = hn::Eq(area, zero);
-    const auto one = hn::Set(df, 1);
-    p.one_over_area =
-        hn::IfThenElse(has_none, zero, hn::Div(one, hn::IfThenElse(has_none, one, area)));
-    return p;
 }
 
 /// The 9 numbers of three edges; returns where the triangle is thin.
@@ -165,6 +121,33 @@ HWY_INLINE void StoreNumbers(const PlaneLanes& planes,
     hn::Store(hn::IfThenElse(limit, hn::Max(hn::Max(v0, v1), v2), most), df, out.high + at);
 }
 
+/// Depth's plane, limited to its corners, both moved by polygon offset.
+HWY_INLINE void StoreDepth(const PlaneLanes& planes,
+                           const Corner (&c)[3],
+                           const LanePull& pull,
+                           std::size_t at,
+                           LaneTriangles::Numbers& out) {
+    const DF df;
+    auto p = planes.Through(c[0].q, c[1].q, c[2].q);
+    auto low = hn::Min(hn::Min(c[0].q, c[1].q), c[2].q);
+    auto high = hn::Max(hn::Max(c[0].q, c[1].q), c[2].q);
+    if (pull.is_any) {
+        const auto moved = PullOf(pull, p, high);
+        const auto within = [&](VF q) {
+            const auto first = hn::Set(df, pull.first);
+            return hn::Min(hn::Max(hn::Add(q, moved), first), hn::Set(df, pull.last));
+        };
+        p.at_ref = hn::Add(p.at_ref, moved);
+        low = within(low);
+        high = within(high);
+    }
+    hn::Store(p.at_ref, df, out.at_ref + at);
+    hn::Store(p.dx, df, out.dx + at);
+    hn::Store(p.dy, df, out.dy + at);
+    hn::Store(low, df, out.low + at);
+    hn::Store(high, df, out.high + at);
+}
+
 /// How a code's numbers are made fixed.
 struct CodeScale {
     float scale;       ///< 2^fraction bits
@@ -228,11 +211,12 @@ void SetUpLanes(const PassFormat& format,
                 const LaneSource& source,
                 std::span<const std::uint32_t> entries,
                 const PixelRect& drawn,
+                const LanePull& pull,
                 LaneTriangles& out) {
     const DI d;
     const DF df;
     const auto values = static_cast<std::size_t>(format.interpolants);
-    collect_corners(source, values, entries, out);
+    collect_corners(source, values, format.constant, entries, out);
     out.count = entries.size();
     const CodeScale scale = ScaleOf(format);
     for (std::size_t at = 0; at < out.count; at += hn::Lanes(d)) {
@@ -245,9 +229,11 @@ void SetUpLanes(const PassFormat& format,
         hn::Store(ref_y, d, out.ref_y + at);
         SetUpBox(c, drawn, at, out);
         const auto is_thin = SetUpEdges(c, ref_x, ref_y, at, out);
-        const PlaneLanes planes = MakePlanes(c, ref_x, ref_y);
-        const auto always = hn::Eq(hn::Zero(df), hn::Zero(df));
-        StoreNumbers(planes, c[0].q, c[1].q, c[2].q, always, at, out.q);
+        PlaneLanes planes = MakePlanes({c[0].x, c[1].x, c[2].x}, {c[0].y, c[1].y, c[2].y});
+        const auto half = hn::Set(d, 1 << (kLaneBits - 1));
+        planes.ref_x = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_x), half), c[0].x));
+        planes.ref_y = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_y), half), c[0].y));
+        StoreDepth(planes, c, pull, at, out.q);
         auto needs_limits = is_thin;
         hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
         if (format.interpolants == 0) continue;
@@ -291,7 +277,8 @@ namespace ink::raster {
 HWY_EXPORT(SetUpLanes);
 
 bool lanes_can_draw(const PassFormat& format) {
-    if (format.interpolation != Interpolation::affine || format.constant) return false;
+    if (format.interpolation != Interpolation::affine) return false;
+    if (format.constant) return format.store == Store::u32 && format.interpolants == 0;
     switch (format.store) {
         case Store::none:
             return format.interpolants == 0;
@@ -322,8 +309,9 @@ void set_up_lanes(const PassFormat& format,
                   const LaneSource& source,
                   std::span<const std::uint32_t> entries,
                   const PixelRect& drawn,
+                  const LanePull& pull,
                   LaneTriangles& out) {
-    HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, out);
+    HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, pull, out);
     find_dots(format, out);
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "raster/lane_mesh.h"
+#include "raster/lane_pull.h"
 #include "raster/pass.h"
 #include "raster/setup.h"
 
@@ -32,7 +33,8 @@ struct LaneRecords {
     [[nodiscard]] float* q() const { return array(2); }
 };
 
-/// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it.
+/// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it,
+/// and those triangles' constants if the format has any.
 struct LaneSlot {
     std::size_t first_byte = 0;  ///< of its records and its triangles' corners
     std::uint32_t byte_count = 0;
@@ -41,9 +43,10 @@ struct LaneSlot {
     /// and their first value.
     std::uint8_t q[2] = {2, 2};
     std::uint8_t values[2] = {3, 3};
-    std::uint8_t corners = 3;  ///< the array that its triangles' corners begin in
-    float q_most = 0;          ///< of its vertices
-    PixelRect bounds;          ///< of the centres its triangles may cover
+    std::uint8_t corners = 3;     ///< the array that its triangles' corners begin in
+    std::uint32_t constants = 0;  ///< where they begin, in numbers from its records
+    float q_most = 0;             ///< of its vertices, pulled
+    PixelRect bounds;             ///< of the centres its triangles may cover
 };
 
 /// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
@@ -66,7 +69,8 @@ struct LaneSource {
     }
 };
 
-/// Whether lanes can draw a format: affine, and of a store that is used.
+/// Whether lanes can draw a format: affine, and of a store that is used; a constant by itself, not
+/// one added to a code.
 [[nodiscard]] bool lanes_can_draw(const PassFormat& format);
 
 /// Bits after the point of a code in 32-bit lanes: as many as leave room for what a corner may
@@ -103,8 +107,9 @@ struct LaneTriangles {
     /// gradients are noise, and codes that come near the ends of their store.
     alignas(64) Ints needs_limits;
     Numbers q;
-    Codes codes[2];               ///< integer stores
-    Numbers numbers[kMaxPlanes];  ///< f32
+    alignas(64) std::int32_t constants[kCount + kLanePad];  ///< u32, if the format has them
+    Codes codes[2];                                         ///< integer stores
+    Numbers numbers[kMaxPlanes];                            ///< f32
     /// The corners as they come, a vector's worth more than there is room for.
     static constexpr std::size_t kPadded = kCount + kLanePad;
     struct Corners {
@@ -130,11 +135,12 @@ struct LaneTriangles {
 };
 
 /// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels
-/// `drawn`.
+/// `drawn`; their depth is moved by `pull`.
 void set_up_lanes(const PassFormat& format,
                   const LaneSource& source,
                   std::span<const std::uint32_t> entries,
                   const PixelRect& drawn,
+                  const LanePull& pull,
                   LaneTriangles& out);
 
 /// Draws them in order into a tile.

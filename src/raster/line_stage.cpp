@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "raster/line_clip.h"
+#include "raster/line_vertices.h"
 #include "raster/view_transform.h"
 
 namespace ink::raster {
@@ -17,12 +18,12 @@ void LineVertices::project(const LineInput& input) {
     outcodes.resize(count);
     const ViewTransform transform(input.view);
     core::parallel_for((count + kRun - 1) / kRun, input.threads, [&](std::size_t run) {
-        const std::size_t last = std::min(count, (run + 1) * kRun);
-        for (std::size_t i = run * kRun; i < last; ++i) {
-            p_clip[i] = transform.to_clip(input.p_world[i]);
-            outcodes[i] = outcode(p_clip[i], input.view.camera.near);
-            if (outcodes[i] == kInside) screen[i] = to_screen(p_clip[i]);
-        }
+        const std::size_t first = run * kRun;
+        project_vertices(transform,
+                         input.view.camera.near,
+                         input.p_world.data() + first,
+                         std::min(count - first, kRun),
+                         {p_clip.data() + first, screen.data() + first, outcodes.data() + first});
     });
 }
 

@@ -66,8 +66,9 @@ int LineSteps::bound(const Point& p, bool is_upwards) {
 }
 
 bool LineSteps::is_in_diamond(const Point& p, int step) {
-    start(step);
     const std::int64_t along = p.along - (std::int64_t{step} * kSubpixels + kHalf);
+    if (std::abs(along) > kHalf) return false;
+    start(step);
     const std::int64_t across = p.across - (std::int64_t{quotient_} * kSubpixels + kHalf);
     const std::int64_t distance = std::abs(along) + std::abs(across);
     const std::int64_t x = is_x_major_ ? along : across;

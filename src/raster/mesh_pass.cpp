@@ -79,7 +79,10 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
                       ViewTransform(view),
                       view_solids(input),
                       front_to_back(input),
-                      lanes_can_draw(format) && !input.offset.is_any()};
+                      lanes_can_draw(format),
+                      LanePull(input.offset,
+                               QuantisedDepth(format.depth, view.camera.near, view.camera.far),
+                               format.depth)};
     std::vector<MeshRun>& runs = scratch_->runs;
     FrontDepth& front = scratch_->front;
     // In two goes where that pays: the nearest clusters and their pixels, then those of the others

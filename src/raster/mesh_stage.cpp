@@ -14,6 +14,8 @@
 namespace ink::raster {
 namespace {
 
+constexpr std::size_t kNumber = sizeof(float);
+
 PixelRect picture_of(const TileGrid& grid) {
     return {0, 0, grid.width_px, grid.height_px};
 }
@@ -122,9 +124,9 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     // Room for whatever is asked of it, and for the vectors that lookups read beyond.
     const std::size_t first_byte = records_.size();
     const std::size_t stride = lane_padded(cluster.vertex_count);
-    constexpr std::size_t kNumber = sizeof(float);
     constexpr std::size_t kMost =
-        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + TriageResult::kCapacity) * kNumber;
+        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + 2 * TriageResult::kCapacity) *
+        kNumber;
     records_.reserve(first_byte + kMost);
     LaneRecords& records = lanes_.records;
     records = {records_.data() + first_byte, stride};
@@ -174,14 +176,38 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    lanes_.y0 >> kSubpixelBits,
                    (lanes_.x1 >> kSubpixelBits) + 1,
                    (lanes_.y1 >> kSubpixelBits) + 1};
-    const std::size_t corners_byte = first_byte + arrays * stride * kNumber;
+    slot.q_most = pulled(job, slot.q_most);
+    const std::size_t corners = arrays * stride;
     slot.corners = static_cast<std::uint8_t>(arrays);
-    std::memcpy(records_.data() + corners_byte, triage_.corners, triage_.count * kNumber);
-    records_.resize(corners_byte + lane_padded(triage_.count) * kNumber);
+    slot.constants = static_cast<std::uint32_t>(corners + lane_padded(triage_.count));
+    records_.resize(keep_corners(job, index, first_byte + corners * kNumber));
     slot.byte_count = static_cast<std::uint32_t>(records_.size() - first_byte);
     slots_.push_back(slot);
     bin_lanes(job, slots_.size() - 1, object_bit(job, cluster));
     return true;
+}
+
+/// `q_most` of a cluster's triangles once they are moved.
+float MeshRun::pulled(const MeshJob& job, float q_most) const {
+    if (!job.pull.can_pull_nearer()) return q_most;
+    const float pull = most_pull(job.pull, lanes_.records, triage_.corners, triage_.count);
+    return q_most + (pull + pull * 0x1p-20F);
+}
+
+/// Writes the corners of what triage left, and their constants, from a byte of the records on,
+/// where there is room; returns the byte behind them.
+std::size_t MeshRun::keep_corners(const MeshJob& job, std::size_t index, std::size_t byte) {
+    const std::size_t list_bytes = lane_padded(triage_.count) * kNumber;
+    std::memcpy(records_.data() + byte, triage_.corners, triage_.count * kNumber);
+    byte += list_bytes;
+    if (!job.format.constant) return byte;
+    const scene::Clusters& clusters = job.input.mesh->clusters();
+    const std::uint32_t* ids =
+        clusters.triangle_ids.data() + clusters.clusters[index].first_triangle;
+    auto* const constants = reinterpret_cast<std::uint32_t*>(records_.data() + byte);
+    for (std::size_t i = 0; i < triage_.count; ++i)
+        constants[i] = job.input.constants[ids[LaneMesh::index_of(triage_.corners[i])]];
+    return byte + list_bytes;
 }
 
 /// The values of a cluster's vertices, one side or both. False if lanes cannot hold them.

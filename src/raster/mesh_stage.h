@@ -27,6 +27,7 @@ struct MeshJob {
     std::vector<SolidView> solids;
     std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
     bool uses_lanes = false;
+    LanePull pull;
 };
 
 /// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
@@ -64,6 +65,8 @@ class MeshRun {
     [[nodiscard]] bool compute_values(const MeshJob& job,
                                       std::size_t cluster,
                                       const LaneSlot& slot);
+    [[nodiscard]] float pulled(const MeshJob& job, float q_most) const;
+    std::size_t keep_corners(const MeshJob& job, std::size_t cluster, std::size_t byte);
     void compute_whole_values(const MeshJob& job);
     void pull_whole(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);

@@ -214,7 +214,7 @@ void MeshTileWorker::add_lanes(const LaneSource& source, std::span<const std::ui
 void MeshTileWorker::draw_lanes(const LaneSource& source) {
     if (lane_count_ == 0) return;
     const std::span<const std::uint32_t> entries(lane_entries_.data(), lane_count_);
-    set_up_lanes(job_.format, source, entries, buffer_.drawn(), triangles_);
+    set_up_lanes(job_.format, source, entries, buffer_.drawn(), job_.pull, triangles_);
     fill_lanes(job_.format, triangles_, buffer_);
     lane_count_ = 0;
 }

@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -66,6 +67,15 @@ struct Skin {
     std::vector<BoneWeight> weights;
 };
 
+/// How a camera goes with nodes: where it stands and what it looks at hang on one each.
+struct CameraMotion {
+    std::uint32_t eye_node = kNoNode;     ///< kNoNode: it stands still, and the rest says nothing
+    std::uint32_t target_node = kNoNode;  ///< some node if there is an eye_node; may be the same
+    glm::dvec3 p_eye{0};                  ///< in the eye's node
+    glm::dvec3 p_target{0};               ///< in the target's node
+    glm::dvec3 up{0};                     ///< a direction in the eye's node
+};
+
 /// Writes what each vertex follows into `skin`.
 void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin);
 
@@ -78,11 +88,14 @@ struct Animation {
     std::vector<std::uint32_t> node_of_instance;  ///< per instance; kNoNode: it stands still
     std::vector<VertexFrames> vertex_frames;      ///< per mesh, or empty
     std::vector<Skin> skins;
+    std::vector<CameraMotion> cameras{};  ///< per camera of the scene, or empty
 
     /// The most frames that a mesh stores; 0 where motion is by keys alone.
     [[nodiscard]] std::size_t frame_count() const;
     /// When stored frame `frame` is shown, exactly.
     [[nodiscard]] double frame_time_s(std::size_t frame) const;
+    /// Whether keys move a node, its own or those of one above it.
+    [[nodiscard]] bool is_moving(std::uint32_t node) const;
 };
 
 /// What is shown between two stored frames; keys are always blended.
@@ -91,10 +104,11 @@ enum class Between {
     whole,    ///< the earlier one, nodes included: as Quake drew them
 };
 
-/// Sets the instances' transforms and the meshes' vertices to those at `time_s`, held to
-/// 0 .. duration_s. At a key or a stored frame they equal it bit for bit; a part with fewer frames
-/// than others keeps its last. Same bits on every machine. A scene without animation stays as it
-/// is.
+/// Sets the instances' transforms, the meshes' vertices and the moving cameras to those at
+/// `time_s`, held to 0 .. duration_s. At a key or a stored frame they equal it bit for bit; a part
+/// with fewer frames than others keeps its last. Same bits on every machine. A scene without
+/// animation stays as it is. Cameras keep angle, near and far: fitting these to what has moved is
+/// the caller's part (fit_clip_range).
 void pose_scene(Scene& scene, double time_s, Between between = Between::blended);
 
 /// Each node's place in the world at a time; without one, at rest.
@@ -104,6 +118,9 @@ void pose_scene(Scene& scene, double time_s, Between between = Between::blended)
 /// Sets it as the file has it without its motion: every node at rest, vertices in their first
 /// frame.
 void rest_scene(Scene& scene);
+
+/// A ball that holds the scene, posed as it is and at each of `times_s`.
+[[nodiscard]] Sphere bounds_of_poses(Scene scene, std::span<const double> times_s);
 
 /// The rotation a share `share` (0..1) of the way from `from` to `to` along the shorter arc at even
 /// speed (Shoemake 1985), both of length 1. By halving the arc, so that only square roots are

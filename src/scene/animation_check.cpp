@@ -172,6 +172,25 @@ void check_skins(const Scene& scene, const Animation& animation, const Complaint
     }
 }
 
+void check_cameras(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    complain.unless(
+        animation.cameras.empty() || animation.cameras.size() == scene.cameras.size(),
+        fmt::format("it moves {} cameras of {}", animation.cameras.size(), scene.cameras.size()),
+        "none, or as many as there are");
+    for (const CameraMotion& camera : animation.cameras) {
+        if (camera.eye_node == kNoNode) continue;
+        for (const std::uint32_t node : {camera.eye_node, camera.target_node}) {
+            complain.unless(node < animation.nodes.size(),
+                            fmt::format("a camera hangs on node {}", node),
+                            fmt::format("one of {} nodes", animation.nodes.size()));
+        }
+        complain.unless(
+            is_finite(camera.p_eye) && is_finite(camera.p_target) && is_finite(camera.up),
+            "a camera has a place that is not finite",
+            "finite numbers");
+    }
+}
+
 /// How far a transform can carry what lies within `radius` of its origin: moved + grows * radius.
 struct Reach {
     double moved = 0;
@@ -228,6 +247,11 @@ void check_reach(const Scene& scene, const Animation& animation, const Complaint
         const std::uint32_t node = animation.node_of_instance[i];
         if (node != kNoNode) check(reach[node].of(radius[scene.instances[i].mesh]));
     }
+    for (const CameraMotion& camera : animation.cameras) {
+        if (camera.eye_node == kNoNode) continue;
+        check(reach[camera.eye_node].of(glm::length(camera.p_eye)));
+        check(reach[camera.target_node].of(glm::length(camera.p_target)));
+    }
     for (const Skin& skin : animation.skins) {
         for (const Skin::Bone& bone : skin.bones) {
             const Reach bound{glm::length(glm::dvec3(bone.node_from_mesh[3])),
@@ -257,6 +281,7 @@ void check_animation(const Scene& scene, const Animation& animation) {
     }
     check_frames(scene, animation, complain);
     check_skins(scene, animation, complain);
+    check_cameras(scene, animation, complain);
     check_reach(scene, animation, complain);
 }
 

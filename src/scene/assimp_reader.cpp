@@ -233,15 +233,19 @@ ImportedCamera convert_camera(const aiCamera& from,
     const auto home = std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& placed) {
         return placed.node->mName == from.mName;
     });
-    const glm::dmat4 world = home == nodes.end() ? glm::dmat4{1} : home->world_from_node;
+    const bool is_placed = home != nodes.end();
+    const auto node = is_placed ? static_cast<std::uint32_t>(home - nodes.begin()) : kNoNode;
+    const glm::dmat4 world = is_placed ? home->world_from_node : glm::dmat4{1};
     // A glTF camera sits in its node's origin; Assimp writes the node's translation here once more.
     const glm::dvec3 eye_node = is_gltf ? glm::dvec3{0} : to_glm(from.mPosition);
+    const glm::dvec3 gaze_node = to_glm(from.mLookAt), up_node = to_glm(from.mUp);
     const glm::dvec3 eye = world * glm::dvec4(eye_node, 1);
     return {.name = from.mName.C_Str(),
             .eye_world = eye,
-            .target_world = eye + glm::dmat3(world) * to_glm(from.mLookAt),
-            .up_world = glm::dmat3(world) * to_glm(from.mUp),
-            .fov_y_rad = vertical_fov_rad(from, is_gltf)};
+            .target_world = eye + glm::dmat3(world) * gaze_node,
+            .up_world = glm::dmat3(world) * up_node,
+            .fov_y_rad = vertical_fov_rad(from, is_gltf),
+            .motion = {node, node, eye_node, eye_node + gaze_node, up_node}};
 }
 
 std::vector<ImportedCamera> convert_cameras(const aiScene& scene,
@@ -289,11 +293,11 @@ ImportReply read_with_assimp(const std::filesystem::path& path, int frame) {
     Animation motion;
     convert_meshes(*scene, nodes, reply, motion);
     convert_motion(*scene, nodes, motion);
-    if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);
     const std::string reader = reader_name(importer);
     const bool is_3ds = reader.starts_with("Discreet 3DS") && !nodes.empty();
-    reply.cameras = is_3ds ? read_3ds_cameras(path, nodes.front().world_from_node)
+    reply.cameras = is_3ds ? read_3ds_cameras(path, motion)
                            : convert_cameras(*scene, nodes, reader.starts_with("glTF2"));
+    if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);
     return reply;
 }
 

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace ink::scene {
 namespace {
@@ -22,7 +25,14 @@ constexpr std::uint16_t kEditor = 0x3d3d;
 constexpr std::uint16_t kNamedObject = 0x4000;
 constexpr std::uint16_t kCamera = 0x4700;
 
+constexpr std::uint16_t kKeyframer = 0xb000;
+constexpr std::uint16_t kCameraNode = 0xb003;
+constexpr std::uint16_t kTargetNode = 0xb004;
+constexpr std::uint16_t kNodeHeader = 0xb010;
+constexpr std::uint16_t kPositionTrack = 0xb020;
+
 constexpr std::size_t kHeaderBytes = 6;
+constexpr double kFramesPerSecond = 30;  // no file names a rate
 constexpr double kLensDegrees = 2400;
 constexpr double kPictureAspect = 4.0 / 3.0;
 
@@ -89,6 +99,79 @@ void collect_cameras(Bytes object, std::vector<ImportedCamera>& cameras) {
     }
 }
 
+template <class T>
+T value_at(Bytes bytes, std::size_t offset) {
+    T value{};
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+}
+
+/// A track of positions: 10 bytes of flags, a count, and for each key its frame, what eases it (a
+/// float for each of five bits) and the place.
+std::vector<VectorKey> parse_positions(Bytes body) {
+    constexpr std::size_t kTrackHeader = 14;
+    constexpr std::size_t kKeyHeader = 6;
+    constexpr std::size_t kPlace = 12;
+    std::vector<VectorKey> keys;
+    if (body.size() < kTrackHeader) return keys;
+    const auto count = value_at<std::uint32_t>(body, kTrackHeader - 4);
+    std::size_t at = kTrackHeader;
+    while (keys.size() < count && body.size() - at >= kKeyHeader) {
+        const double time_s = value_at<std::uint32_t>(body, at) / kFramesPerSecond;
+        const unsigned easing = value_at<std::uint16_t>(body, at + 4) & 0x1fU;
+        at += kKeyHeader + 4 * static_cast<std::size_t>(std::popcount(easing));
+        if (at > body.size() || body.size() - at < kPlace) break;
+        const auto place = value_at<std::array<float, 3>>(body, at);
+        at += kPlace;
+        if (!keys.empty() && time_s < keys.back().time_s) break;
+        keys.push_back({time_s, {place[0], place[1], place[2]}});
+    }
+    return keys;
+}
+
+/// The name and the keys of a node of the keyframer; no keys if it hangs on another.
+std::pair<std::string, std::vector<VectorKey>> parse_node(Bytes node) {
+    constexpr std::int16_t kNoParent = -1;
+    constexpr std::size_t kParent = 4;  // behind two flags
+    std::string name;
+    std::vector<VectorKey> keys;
+    bool is_free = false;
+    while (const auto chunk = take_chunk(node)) {
+        Bytes body = chunk->body;
+        if (chunk->id == kNodeHeader) {
+            name = take_name(body);
+            is_free =
+                body.size() >= kParent + 2 && value_at<std::int16_t>(body, kParent) == kNoParent;
+        }
+        if (chunk->id == kPositionTrack) keys = parse_positions(body);
+    }
+    if (!is_free) keys.clear();
+    return {name, keys};
+}
+
+/// A node under the root that goes by `keys`, at `rest` without them.
+std::uint32_t add_node(const std::vector<VectorKey>& keys,
+                       const glm::dvec3& rest,
+                       Animation& motion) {
+    AnimatedNode node{0, glm::translate(glm::dmat4(1), rest), {}, {}, {}};
+    if (!keys.empty()) {
+        node.translations = keys;
+        node.rotations = {{0, {1, 0, 0, 0}}};
+        node.scales = {{0, glm::dvec3(1)}};
+        if (keys.size() > 1) motion.duration_s = std::max(motion.duration_s, keys.back().time_s);
+    }
+    motion.nodes.push_back(std::move(node));
+    return static_cast<std::uint32_t>(motion.nodes.size() - 1);
+}
+
+/// Hangs the camera, still in file space, on nodes of its own.
+void hang(const CameraKeys& keys, ImportedCamera& camera, Animation& motion) {
+    if (std::max(keys.eye.size(), keys.target.size()) < 2) return;
+    camera.motion.eye_node = add_node(keys.eye, camera.eye_world, motion);
+    camera.motion.target_node = add_node(keys.target, camera.target_world, motion);
+    camera.motion.up = camera.up_world;
+}
+
 }  // namespace
 
 std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file) {
@@ -105,12 +188,37 @@ std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file) {
     return cameras;
 }
 
-std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
-                                             const glm::dmat4& world_from_file) {
+std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file) {
+    std::vector<CameraKeys> cameras;
+    const auto of = [&](const std::string& name) -> CameraKeys& {
+        const auto known = std::find_if(
+            cameras.begin(), cameras.end(), [&](const CameraKeys& c) { return c.name == name; });
+        return known == cameras.end() ? cameras.emplace_back(CameraKeys{name, {}, {}}) : *known;
+    };
+    const auto main = take_chunk(file);
+    if (!main || main->id != kMain) return cameras;
+    Bytes sections = main->body;
+    while (auto section = take_chunk(sections)) {
+        if (section->id != kKeyframer) continue;
+        while (const auto chunk = take_chunk(section->body)) {
+            if (chunk->id != kCameraNode && chunk->id != kTargetNode) continue;
+            auto [name, keys] = parse_node(chunk->body);
+            (chunk->id == kCameraNode ? of(name).eye : of(name).target) = std::move(keys);
+        }
+    }
+    return cameras;
+}
+
+std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path, Animation& motion) {
+    const glm::dmat4 world_from_file = motion.nodes.front().parent_from_node;
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     std::vector<ImportedCamera> cameras = read_3ds_cameras(std::as_bytes(std::span(bytes)));
+    const std::vector<CameraKeys> all_keys = read_3ds_camera_keys(std::as_bytes(std::span(bytes)));
     for (ImportedCamera& camera : cameras) {
+        for (const CameraKeys& keys : all_keys) {
+            if (keys.name == camera.name) hang(keys, camera, motion);
+        }
         camera.eye_world = world_from_file * glm::dvec4(camera.eye_world, 1);
         camera.target_world = world_from_file * glm::dvec4(camera.target_world, 1);
         camera.up_world = glm::dmat3(world_from_file) * camera.up_world;

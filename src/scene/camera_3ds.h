@@ -19,8 +19,23 @@ namespace ink::scene {
 /// search: what was found until then is returned.
 [[nodiscard]] std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file);
 
-/// The same of the file at `path`, turned and scaled as `world_from_file` turns the model.
+/// When a camera's eye and target are where, file space, seconds.
+struct CameraKeys {
+    std::string name;
+    std::vector<VectorKey> eye;
+    std::vector<VectorKey> target;
+};
+
+/// The keys of a .3ds file's keyframer section, a camera each, in the file's order; keys of one
+/// list are in order of time. What eases in and out of a key (tension, continuity, bias) is passed
+/// over, tracks of roll and lens too, and cameras whose eye or target hangs on an object. Damage
+/// ends the search, a key that goes back in time its list.
+[[nodiscard]] std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file);
+
+/// The cameras of the file at `path`, turned and scaled as the model is by the first node of
+/// `motion`, its root. Eyes and targets that have more than one key become nodes of `motion`, and
+/// what it lasts grows to their last key.
 [[nodiscard]] std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
-                                                           const glm::dmat4& world_from_file);
+                                                           Animation& motion);
 
 }  // namespace ink::scene

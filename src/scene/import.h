@@ -31,7 +31,9 @@ struct ImportLimits {
 /// good ones. Material numbers are unique within the file. Names are printable; those of cameras
 /// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
 /// is held-out. It stands as the file has it at rest, or in its first frame; `animation` holds what
-/// moves: stored frames, or the first animation's keys on nodes and bones. Cameras stay.
+/// moves: stored frames, or the first animation's keys on nodes, bones and the cameras on those
+/// nodes. A .3ds camera's eye and target move by their own keys, blended straight; its roll and
+/// lens stay, and so does a camera that hangs on an object there.
 ///
 /// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
 /// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,

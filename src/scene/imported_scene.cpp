@@ -92,8 +92,11 @@ void check_numbers(const Scene& scene, const std::string& where) {
 }
 
 /// Gives the scene its motion, if that is sound; what has bones is put where they are at rest.
-void take_animation(std::optional<Animation>&& animation, Scene& scene, const std::string& where) {
-    if (!animation) return;
+/// Returns it for what else moves; null if nothing does.
+std::shared_ptr<Animation> take_animation(std::optional<Animation>&& animation,
+                                          Scene& scene,
+                                          const std::string& where) {
+    if (!animation) return nullptr;
     // A mesh that lost its normals must not get them back with a frame.
     for (std::size_t m = 0; m < std::min(scene.meshes.size(), animation->vertex_frames.size());
          ++m) {
@@ -101,9 +104,12 @@ void take_animation(std::optional<Animation>&& animation, Scene& scene, const st
     }
     check_at(where, scene, [&] { check_animation(scene, *animation); });
     const bool is_moving = animation->duration_s > 0;
-    scene.animation = std::make_shared<const Animation>(std::move(*animation));
-    if (!scene.animation->skins.empty()) rest_scene(scene);
-    if (!is_moving) scene.animation.reset();
+    auto taken = std::make_shared<Animation>(std::move(*animation));
+    scene.animation = taken;
+    if (!taken->skins.empty()) rest_scene(scene);
+    if (is_moving) return taken;
+    scene.animation.reset();
+    return nullptr;
 }
 
 /// A camera's name as a word fit for tables and file names, not yet in `taken`.
@@ -121,12 +127,17 @@ std::string camera_name(const std::string& wanted, std::set<std::string>& taken)
     return name;
 }
 
-std::vector<Camera> usable_cameras(const std::vector<ImportedCamera>& imported,
-                                   const Sphere& bounds) {
+/// Cameras that look somewhere, and how they move, one for one.
+struct UsableCameras {
     std::vector<Camera> cameras;
+    std::vector<CameraMotion> motions;
+};
+
+UsableCameras usable_cameras(const std::vector<ImportedCamera>& imported, const Sphere& bounds) {
+    UsableCameras usable;
     std::set<std::string> taken;
     for (const ImportedCamera& from : imported) {
-        if (cameras.size() == kMostCameras) break;
+        if (usable.cameras.size() == kMostCameras) break;
         constexpr double kLeastFov_rad = 1e-3;
         constexpr double kMostFov_rad = std::numbers::pi - 1e-3;
         if (!(from.fov_y_rad >= kLeastFov_rad && from.fov_y_rad <= kMostFov_rad)) continue;
@@ -135,12 +146,32 @@ std::vector<Camera> usable_cameras(const std::vector<ImportedCamera>& imported,
                 look_at(from.eye_world, from.target_world, from.up_world, from.fov_y_rad);
             camera.name = camera_name(from.name, taken);
             fit_clip_range(camera, bounds);
-            cameras.push_back(std::move(camera));
+            usable.cameras.push_back(std::move(camera));
+            usable.motions.push_back(from.motion);
         } catch (const core::Error&) {
             continue;  // it looks nowhere, which does not make the model worse
         }
     }
-    return cameras;
+    return usable;
+}
+
+/// Lets the cameras go with their nodes where those move at all.
+void take_camera_motions(const std::vector<CameraMotion>& motions,
+                         const std::shared_ptr<Animation>& animation,
+                         const Scene& scene,
+                         const std::string& where) {
+    if (!animation) return;
+    animation->cameras = motions;
+    check_at(where, scene, [&] { check_animation(scene, *animation); });
+    bool is_any = false;
+    for (CameraMotion& camera : animation->cameras) {
+        const bool is_moving =
+            camera.eye_node != kNoNode &&
+            (animation->is_moving(camera.eye_node) || animation->is_moving(camera.target_node));
+        if (!is_moving) camera = {};
+        is_any = is_any || is_moving;
+    }
+    if (!is_any) animation->cameras.clear();
 }
 
 }  // namespace
@@ -185,8 +216,10 @@ Scene scene_from_reply(ImportReply&& reply,
         scene.meshes[m].normals = std::move(normals[m]);
         tidy_normals(scene.meshes[m]);
     }
-    take_animation(std::move(reply.animation), scene, path.string());
-    scene.cameras = usable_cameras(reply.cameras, bounding_sphere(scene));
+    const auto animation = take_animation(std::move(reply.animation), scene, path.string());
+    UsableCameras usable = usable_cameras(reply.cameras, bounding_sphere(scene));
+    scene.cameras = std::move(usable.cameras);
+    take_camera_motions(usable.motions, animation, scene, path.string());
     return scene;
 }
 

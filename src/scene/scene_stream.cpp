@@ -9,7 +9,7 @@ namespace ink::scene {
 namespace {
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
 static_assert(sizeof(glm::vec3) == 12 && sizeof(Triangle) == 12,
@@ -54,6 +54,11 @@ void write_camera(ByteWriter& writer, const ImportedCamera& camera) {
     writer.value(camera.target_world);
     writer.value(camera.up_world);
     writer.value(camera.fov_y_rad);
+    writer.value(camera.motion.eye_node);
+    writer.value(camera.motion.target_node);
+    writer.value(camera.motion.p_eye);
+    writer.value(camera.motion.p_target);
+    writer.value(camera.motion.up);
 }
 
 ImportedCamera read_camera(ByteReader& reader) {
@@ -63,13 +68,18 @@ ImportedCamera read_camera(ByteReader& reader) {
     camera.target_world = reader.value<glm::dvec3>();
     camera.up_world = reader.value<glm::dvec3>();
     camera.fov_y_rad = reader.value<double>();
+    camera.motion.eye_node = reader.value<std::uint32_t>();
+    camera.motion.target_node = reader.value<std::uint32_t>();
+    camera.motion.p_eye = reader.value<glm::dvec3>();
+    camera.motion.p_target = reader.value<glm::dvec3>();
+    camera.motion.up = reader.value<glm::dvec3>();
     return camera;
 }
 
 // The least that each kind takes in the stream, so that a claimed count can be judged.
 constexpr std::size_t kLeastMeshBytes = 36;
 constexpr std::size_t kLeastInstanceBytes = 140;
-constexpr std::size_t kLeastCameraBytes = 88;
+constexpr std::size_t kLeastCameraBytes = 168;
 
 }  // namespace
 

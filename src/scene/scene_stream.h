@@ -31,6 +31,7 @@ struct ImportedCamera {
     glm::dvec3 target_world{0};
     glm::dvec3 up_world{0};
     double fov_y_rad = 0;
+    CameraMotion motion{};  ///< the same by the reply's nodes
 };
 
 /// What the import child hands back. Nothing in it is checked: whoever reads it must not trust it.

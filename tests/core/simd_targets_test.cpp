@@ -27,7 +27,8 @@ TEST(SimdTargets, EveryOneThatWasCompiledAndThisMachineHasIsRun) {
     }
     std::printf("\n");
     EXPECT_EQ(run, supported & HWY_TARGETS);
-    EXPECT_NE(run & HWY_SCALAR, 0) << "the target that the others must equal";
+    // Newer Highways emulate vectors of 128 bits where older ones have single numbers.
+    EXPECT_NE(run & (HWY_SCALAR | HWY_EMU128), 0) << "the target that the others must equal";
 }
 
 TEST(SimdTargets, TheMachineHasNoneBetterThanTheBestRun) {

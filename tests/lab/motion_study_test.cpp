@@ -114,6 +114,34 @@ TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
     EXPECT_TRUE(motion_faults(moved).empty());
 }
 
+TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
+    std::vector<Sequence> sequences = study_sequences(320, 180, 6);
+    Sequence& gears = sequences.back();
+    EXPECT_EQ(gears.scene.name, "gear");
+    EXPECT_EQ(gears.path.kind, scene::PathKind::still);
+    ASSERT_TRUE(gears.pose);
+    const auto entrants = make_entrants("mote4,edge_hash,polygon_offset,sobel", {});
+    const auto turning = study_sequence(entrants, gears, {});
+    EXPECT_TRUE(motion_faults(turning).empty());
+    // The same camera before gears that stand: nothing comes, nothing goes.
+    std::vector<Sequence> again = study_sequences(320, 180, 6);
+    again.back().pose = {};
+    const auto standing = study_sequence(entrants, again.back(), {});
+    ASSERT_EQ(turning.size(), standing.size());
+    for (std::size_t i = 0; i < turning.size(); ++i) {
+        SCOPED_TRACE(turning[i].method);
+        EXPECT_NE(turning[i].images_hash, standing[i].images_hash);
+        EXPECT_EQ(standing[i].flicker.share(), 0.0);
+        EXPECT_EQ(standing[i].flicker.excused, 0);
+    }
+    const MotionRow& oracle = turning.back();
+    EXPECT_EQ(oracle.method, "oracle");
+    EXPECT_EQ(oracle.flicker.share(), 0.0);
+    EXPECT_EQ(oracle.pops.pops, 0);
+    EXPECT_GT(oracle.pops.steps, 0);
+    EXPECT_TRUE(oracle.lives.empty());
+}
+
 TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
     MotionOptions options;
     const auto entrants = make_entrants("mote4", {});

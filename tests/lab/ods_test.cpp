@@ -28,6 +28,13 @@ TEST(Ods, TakesTheLowestOfTheBestThresholdsOfThePool) {
     EXPECT_DOUBLE_EQ(points[0].f, 0.9);
 }
 
+TEST(Ods, OfNeighboursWithTheSameFIsTheMiddleOne) {
+    // All or nothing at every threshold, as of a method that draws 0 and 255: 50 % of 255 is 128.
+    EXPECT_EQ(ods_on_training({curve_until("a", 99, 9, true)})[0].threshold, 128);
+    // Thresholds 1 % to 21 %: the middle is 11 %, 28.05, which 29 is the first strength above.
+    EXPECT_EQ(ods_on_training({curve_until("a", 21, 9, true)})[0].threshold, 29);
+}
+
 TEST(Ods, PoolsCountsAndNotScores) {
     CellCurve large = curve_until("a", 99, 0, true);
     CellCurve small = curve_until("a", 99, 0, true);

@@ -89,6 +89,61 @@ TEST(Timedemo, AnEyeInsideLooksAbout) {
     EXPECT_EQ(paths, (std::set<std::string>{"pan", "roll", "shake"}));
 }
 
+/// The gears as a file would hold them, with a camera that turns with the wheel.
+scene::Scene filmed_gear() {
+    scene::Scene scene = load_scene("gear");
+    scene.name = "film";
+    scene.cameras.resize(1);
+    scene.cameras[0] = scene::look_at({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.6);
+    scene.cameras[0].name = "rider";
+    scene::Animation animation = *scene.animation;
+    constexpr std::uint32_t kWheel = 1;
+    animation.cameras = {{kWheel, kWheel, {3, 8, 0}, {0, 0, 0}, {1, 0, 0}}};
+    scene.animation = std::make_shared<const scene::Animation>(animation);
+    return scene;
+}
+
+TEST(Timedemo, AMovingCameraOfTheModelGoesItsOwnWayFirst) {
+    ViewRequest request;
+    request.width_px = 64;
+    request.height_px = 48;
+    request.file_cameras = true;
+    TimedemoOptions options;
+    options.entrants = make_entrants("mote4", {});
+    options.frames = 3;
+    options.cached_passes = 1;
+    std::vector<std::string> paths;
+    std::set<std::string> pictures;
+    for (const DemoFrame& frame : run_timedemo(make_subject(filmed_gear(), request), options)) {
+        if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
+        if (frame.path == "own") pictures.insert(frame.image_hash);
+    }
+    EXPECT_EQ(paths, (std::vector<std::string>{"own", "orbit", "dolly", "shake"}));
+    EXPECT_EQ(pictures.size(), 3U);
+    request.file_cameras = false;
+    paths.clear();
+    for (const DemoFrame& frame : run_timedemo(make_subject(filmed_gear(), request), options)) {
+        if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
+    }
+    EXPECT_EQ(paths, (std::vector<std::string>{"orbit", "dolly", "shake"}));
+}
+
+TEST(PosedSubject, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
+    ViewRequest request;
+    request.file_cameras = true;
+    request.time_s = 2;
+    const Subject posed = make_subject(filmed_gear(), request);
+    ASSERT_EQ(posed.views.size(), 1U);
+    const scene::Camera& camera = posed.views[0].camera;
+    EXPECT_EQ(camera.name, "rider");
+    scene::Camera expected = posed.scene.cameras[0];
+    EXPECT_EQ(camera.eye_world, expected.eye_world);
+    EXPECT_NE(camera.eye_world, filmed_gear().cameras[0].eye_world);
+    scene::fit_clip_range(expected, scene::bounding_sphere(posed.scene));
+    EXPECT_EQ(camera.near, expected.near);
+    EXPECT_EQ(camera.far, expected.far);
+}
+
 /// What make_subject says of a request for `scene`.
 std::string complaint(const std::string& scene, const ViewRequest& request) {
     try {

@@ -32,7 +32,12 @@ TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
 TEST(Timedemo, RefusesAMomentAndAbsurdNumbersOfFrames) {
     const Desk desk;
     EXPECT_EQ(desk.run({"timedemo", "gear", "--time", "1"}).exit_code, 2);
-    EXPECT_EQ(desk.run({"timedemo", "gear", "--frames", "1"}).exit_code, 2);
+    for (const char* frames : {"0", "1", "-3", "10001", "many"}) {
+        const Outcome outcome = desk.run({"timedemo", "gear", "--frames", frames, "--out", "demo"});
+        EXPECT_EQ(outcome.exit_code, 2) << frames;
+        EXPECT_THAT(outcome.err, HasSubstr("--frames")) << frames;
+        EXPECT_TRUE(desk.inventory().empty()) << frames;
+    }
 }
 
 }  // namespace

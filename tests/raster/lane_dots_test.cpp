@@ -19,6 +19,7 @@ PassFormat make_format(Store store, int interpolants) {
     PassFormat format;
     format.store = store;
     format.interpolants = interpolants;
+    format.constant = store == Store::u32;
     return format;
 }
 
@@ -32,7 +33,7 @@ struct Pile {
     std::vector<std::uint32_t> entries;
 
     Pile(double size_px, unsigned seed) {
-        records.resize((kArrays * kStride + kStride) * sizeof(float));
+        records.resize((kArrays + 2) * kStride * sizeof(float));
         std::fill_n(records.data(), records.size(), std::byte{0});
         const LaneRecords to{records.data(), kStride};
         std::minstd_rand random(seed);
@@ -54,7 +55,11 @@ struct Pile {
             entries.push_back(t);
         }
         slot.stride = kStride;
+        auto* constants = corners + kStride;
+        for (std::uint32_t t = 0; t < kTriangles; ++t)
+            constants[t] = 0x80000001U + 7 * t;
         slot.corners = kArrays;
+        slot.constants = (kArrays + 1) * kStride;
     }
     [[nodiscard]] LaneSource source() const { return {&slot, records.data()}; }
 };
@@ -67,14 +72,14 @@ std::vector<std::uint32_t> draw(const PassFormat& format, const Pile& pile, bool
     buffer.start(0);
     buffer.touch();
     LaneTriangles triangles;
-    set_up_lanes(format, pile.source(), pile.entries, buffer.drawn(), triangles);
+    set_up_lanes(format, pile.source(), pile.entries, buffer.drawn(), {}, triangles);
     if (!uses_dots) std::fill_n(triangles.dots.counts, LaneTriangles::kCount, -1);
     fill_lanes(format, triangles, buffer);
     std::vector<std::uint32_t> words;
     for (int y = 0; y < kSide_px; ++y) {
         const auto* depth = buffer.depth_row<std::uint32_t>(y);
         words.insert(words.end(), depth, depth + kSide_px);
-        for (int k = 0; k < format.interpolants; ++k) {
+        for (int k = 0; k < format.planes(); ++k) {
             const auto* plane = buffer.plane_row<std::uint32_t>(k, y);
             words.insert(words.end(), plane, plane + kSide_px);
         }
@@ -86,7 +91,8 @@ const std::vector<PassFormat> kFormats = {make_format(Store::none, 0),
                                           make_format(Store::u8, 1),
                                           make_format(Store::u8, 2),
                                           make_format(Store::u16, 1),
-                                          make_format(Store::f32, 4)};
+                                          make_format(Store::f32, 4),
+                                          make_format(Store::u32, 0)};
 
 TEST(LaneDots, AreThePixelsThatRowsDraw) {
     for (const core::SimdTarget& target : core::simd_targets()) {
@@ -97,7 +103,7 @@ TEST(LaneDots, AreThePixelsThatRowsDraw) {
                 for (const PassFormat& format : kFormats) {
                     EXPECT_EQ(draw(format, pile, true), draw(format, pile, false))
                         << target.name << ", " << size_px << " px, seed " << seed << ", planes "
-                        << format.interpolants;
+                        << format.planes();
                 }
             }
         }
@@ -110,7 +116,7 @@ TEST(LaneDots, SmallTrianglesAreDotsAndLargeOnesAreNot) {
     const auto dots_of = [&](double size_px) {
         const Pile pile(size_px, 1);
         LaneTriangles triangles;
-        set_up_lanes(format, pile.source(), pile.entries, grid.drawn(0), triangles);
+        set_up_lanes(format, pile.source(), pile.entries, grid.drawn(0), {}, triangles);
         return std::count_if(triangles.dots.counts,
                              triangles.dots.counts + kTriangles,
                              [](std::int32_t count) { return count >= 0; });

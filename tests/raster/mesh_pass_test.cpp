@@ -40,12 +40,13 @@ class TestValues : public CornerValues {
 struct Shot {
     PassFormat format;
     double scale;
+    PolygonOffset offset;
 };
 
 /// Every pair that lanes draw, and some that they do not.
 std::vector<Shot> shots() {
     const auto make = [](Store store, int interpolants, double scale) {
-        Shot shot{{}, scale};
+        Shot shot{{}, scale, {}};
         shot.format.store = store;
         shot.format.interpolants = interpolants;
         shot.format.halo_px = 1;
@@ -64,8 +65,18 @@ std::vector<Shot> shots() {
     result.back().format.depth = DepthFormat::z24;
     result.push_back(make(Store::f32, 4, 1));
     result.back().format.interpolation = Interpolation::perspective;
-    result.push_back(make(Store::u32, 0, 0));
-    result.back().format.constant = true;
+    for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z16, DepthFormat::z24}) {
+        for (const PolygonOffset offset : {PolygonOffset{-1.5, -1}, {1, 2}}) {
+            result.push_back(make(Store::none, 0, 0));
+            result.back().format.depth = depth;
+            result.back().offset = offset;
+        }
+    }
+    for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::q32}) {
+        result.push_back(make(Store::u32, 0, 0));
+        result.back().format.depth = depth;
+        result.back().format.constant = true;
+    }
     return result;
 }
 
@@ -163,6 +174,7 @@ struct Stage {
         input.view = view;
         input.threads = threads;
         input.skips = skips;
+        input.offset = shot.offset;
         Drawn drawn;
         KeepSink sink(shot.format, drawn);
         MeshPass pass;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -253,6 +254,74 @@ TEST(AnimationCheck, RefusesKeysThatAreNone) {
     EXPECT_THAT(of_node([](AnimatedNode& n) { n.scales[1].value.y = 1e200; }),
                 testing::StartsWith("it may reach"));
     EXPECT_EQ(complaint(scene, [](Animation& a) { a.duration_s = kNan; }), "it lasts nan s");
+}
+
+/// The cubes, and a camera at `p_eye` in the mover's node that looks at that node's origin.
+Scene filmed_cubes(const glm::dvec3& p_eye) {
+    Scene scene = moving_cubes();
+    scene.cameras = {look_at({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.7)};
+    scene.cameras[0].near = 3;
+    Animation animation = *scene.animation;
+    animation.cameras = {{0, 0, p_eye, {0, 0, 0}, {0, 1, 0}}};
+    scene.animation = std::make_shared<const Animation>(animation);
+    return scene;
+}
+
+TEST(AnimationCamera, GoesWithItsNode) {
+    Scene scene = filmed_cubes({0, 0, 9});
+    check_animation(scene, *scene.animation);
+    pose_scene(scene, 3);
+    const Camera& camera = scene.cameras[0];
+    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(5, 2, 12)), 1e-12);
+    // The node has turned by 90 degrees about z: its up is -x.
+    EXPECT_LT(glm::length(camera.view_from_world * glm::dvec3(-1, 0, 0) - glm::dvec3(0, 1, 0)),
+              1e-12);
+    EXPECT_EQ(camera.near, 3);
+    EXPECT_EQ(camera.fov_y_rad, 0.7);
+}
+
+TEST(AnimationCamera, OneInsideItsTargetLooksAlongMinusZ) {
+    Scene scene = filmed_cubes({0, 0, 0});
+    pose_scene(scene, 1);
+    EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
+}
+
+TEST(AnimationCamera, OnesWithoutANodeStay) {
+    Scene scene = filmed_cubes({0, 0, 9});
+    Animation animation = *scene.animation;
+    animation.cameras[0] = {};
+    scene.animation = std::make_shared<const Animation>(animation);
+    pose_scene(scene, 3);
+    EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(0, 0, 9));
+}
+
+TEST(BoundsOfPoses, HoldTheSceneInAllOfThem) {
+    const Scene scene = moving_cubes();
+    const Sphere all = bounds_of_poses(scene, std::array{1.0, 2.0, 3.0});
+    for (const double time_s : {1.0, 2.0, 3.0}) {
+        Scene posed = scene;
+        pose_scene(posed, time_s);
+        for (const Instance& instance : posed.instances) {
+            for (const glm::vec3& p : posed.meshes[instance.mesh].positions)
+                EXPECT_LE(glm::length(to_world(instance, p) - all.center_world),
+                          all.radius * (1 + 1e-12));
+        }
+    }
+    EXPECT_EQ(bounds_of_poses(scene, {}).radius, bounding_sphere(scene).radius);
+}
+
+TEST(AnimationCheck, RefusesCamerasThatDoNotFit) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const Scene scene = filmed_cubes({0, 0, 9});
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras.resize(2); }),
+              "it moves 2 cameras of 1");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras[0].target_node = 2; }),
+              "a camera hangs on node 2");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.cameras[0].up.x = kNan; }),
+              "a camera has a place that is not finite");
+    EXPECT_THAT(complaint(scene, [](Animation& a) { a.cameras[0].p_eye.x = 1e40; }),
+                testing::StartsWith("it may reach"));
 }
 
 TEST(AnimationCheck, RefusesWhatDoesNotFitTheScene) {

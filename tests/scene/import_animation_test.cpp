@@ -163,6 +163,42 @@ TEST_F(ImportAnimation, KeysThatAreNotFiniteAreAMessage) {
     EXPECT_THAT(complaint(path), testing::HasSubstr("is not finite"));
 }
 
+TEST_F(ImportAnimation, GltfCamerasRideOnTheirNodes) {
+    Gltf gltf;
+    const int positions = gltf.floats(kTriangle, "VEC3", 3);
+    const int times = gltf.floats({0, 2}, "SCALAR", 1);
+    const int places = gltf.floats({0, 0, 0, 0, 8, 0}, "VEC3", 3);
+    const std::string lens =
+        "{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.7,\"znear\":0.1,\"aspectRatio\":1}}";
+    const auto path = write(
+        "ride.gltf",
+        gltf.file(
+            "\"scenes\":[{\"nodes\":[0,2,3]}],\"nodes\":[{\"name\":\"lift\",\"children\":[1]},"
+            "{\"name\":\"rider\",\"camera\":0,\"translation\":[0,0,5]},"
+            "{\"name\":\"still\",\"mesh\":0},"
+            "{\"name\":\"post\",\"camera\":1,\"translation\":[0,0,7]}],"
+            "\"cameras\":[" +
+            lens + "," + lens + "]," +
+            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
+            std::to_string(positions) +
+            "}}]}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
+            "\"translation\"}}],\"samplers\":[{\"input\":" +
+            std::to_string(times) + ",\"output\":" + std::to_string(places) + "}]}]"));
+    Scene scene = import_scene(path);
+    ASSERT_EQ(scene.cameras.size(), 2U);
+    const bool rider_is_first = scene.cameras[0].name == "rider";
+    Camera& rider = scene.cameras[rider_is_first ? 0 : 1];
+    Camera& post = scene.cameras[rider_is_first ? 1 : 0];
+    EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 0, 5)), 1e-6);
+    const glm::dmat3 gaze = rider.view_from_world;
+    pose_scene(scene, 0.5);
+    EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 2, 5)), 1e-6);
+    EXPECT_LT(glm::length((rider.view_from_world - gaze)[2]), 1e-6) << "it does not turn";
+    EXPECT_LT(glm::length(post.eye_world - glm::dvec3(0, 0, 7)), 1e-6);
+    rest_scene(scene);
+    EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 0, 5)), 1e-6);
+}
+
 /// How long the model moves, and in how many of 8 moments its hash is one of its own.
 std::pair<double, std::size_t> motion_of(const std::filesystem::path& path) {
     Scene scene = import_scene(path);
@@ -185,6 +221,28 @@ TEST(ImportAnimationShared, KeyframedModelsMove) {
         EXPECT_NEAR(found_s, duration_s, 1e-6) << name;
         EXPECT_EQ(moments, 8U) << name;
     }
+}
+
+TEST(ImportAnimationShared, TheRocketsCameraFollowsIt) {
+    const auto path = shared_file("models/rocket_launch.3ds");
+    INK_SKIP_WITHOUT(path);
+    Scene scene = import_scene(path);
+    ASSERT_EQ(scene.cameras.size(), 1U);
+    Camera& camera = scene.cameras[0];
+    EXPECT_EQ(camera.name, "Camera01");
+    // The file's own keys, in frames: the eye (46, -52, 9) at 0, (40, -46, 6) at 60; the target
+    // (0, 0, 12) at 50, (0, 0, 26) at 75. Its z is our y, its y our -z.
+    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(46, 9, 52)), 1e-5) << "at rest";
+    pose_scene(scene, 2);
+    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(40, 6, 46)), 1e-5);
+    const glm::dvec3 target(0, 12 + 14 * 0.4, 0);
+    const glm::dvec3 view = camera.view_from_world * glm::normalize(target - camera.eye_world);
+    EXPECT_LT(glm::length(view - glm::dvec3(0, 0, -1)), 1e-6);
+    const glm::dvec3 up = camera.view_from_world * glm::dvec3(0, 1, 0);
+    EXPECT_NEAR(up.x, 0, 1e-9) << "upright";
+    EXPECT_GT(up.y, 0.5);
+    pose_scene(scene, 4);
+    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(30, 14, 60)), 1e-5);
 }
 
 TEST(ImportAnimationShared, StaticModelsDoNot) {

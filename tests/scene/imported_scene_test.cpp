@@ -79,6 +79,43 @@ TEST(ImportedScene, RefusesMotionThatDoesNotFit) {
     EXPECT_EQ(complaint(reply), "animation: 7 lists of frames for 1 meshes");
 }
 
+TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
+    ImportReply reply = cube_reply();
+    Animation motion;
+    motion.duration_s = 1;
+    motion.node_of_instance = {kNoNode};
+    AnimatedNode mover;
+    mover.translations = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+    mover.rotations = {{0, {1, 0, 0, 0}}};
+    mover.scales = {{0, {1, 1, 1}}};
+    motion.nodes = {mover, AnimatedNode{}, AnimatedNode{}};
+    motion.nodes[1].parent = 0;
+    const auto camera = [](std::uint32_t node) {
+        return ImportedCamera{"c",
+                              {0, 0, 5},
+                              {0, 0, 0},
+                              {0, 1, 0},
+                              0.7,
+                              {node, node, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}}};
+    };
+    ImportedCamera flat = camera(0);
+    flat.fov_y_rad = 0;
+    reply.animation = motion;
+    reply.cameras = {flat, camera(1), camera(2), camera(kNoNode)};
+    ImportReply still = reply;
+    still.cameras = {camera(2)};
+    ImportReply lost = reply;
+    lost.cameras[1].motion.eye_node = 3;
+    EXPECT_EQ(complaint(lost), "animation: a camera hangs on node 3");
+    const Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const auto& cameras = scene.animation->cameras;
+    ASSERT_EQ(cameras.size(), 3U) << "the one that cannot be is out of both lists";
+    EXPECT_EQ(cameras[0].eye_node, 1U) << "by its parent";
+    EXPECT_EQ(cameras[1].eye_node, kNoNode);
+    EXPECT_EQ(cameras[2].eye_node, kNoNode);
+    EXPECT_TRUE(scene_from_reply(std::move(still), "cube.obj", kMany).animation->cameras.empty());
+}
+
 TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {
     ImportReply reply = cube_reply();
     reply.animation = Animation{};

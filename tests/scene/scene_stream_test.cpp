@@ -21,7 +21,10 @@ ImportReply sample_reply() {
     mesh.materials = {5, 5};
     reply.meshes = {mesh, Mesh{}};
     reply.instances = {{.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node"}};
-    reply.cameras = {{.name = "eye", .eye_world = {1, 2, 3}, .fov_y_rad = 0.5}};
+    reply.cameras = {{.name = "eye",
+                      .eye_world = {1, 2, 3},
+                      .fov_y_rad = 0.5,
+                      .motion = {1, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}}};
     Animation motion;
     motion.duration_s = 3;
     motion.frames_per_s = 10;

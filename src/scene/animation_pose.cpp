@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <span>
+
+#include "scene/animation.h"
+
+namespace ink::scene {
+namespace {
+
+// A time this near to a stored frame, in frames, means that frame.
+constexpr double kSameFrame = 1e-9;
+
+/// The vertices of two frames, the second by `share`.
+void blend(std::span<const glm::vec3> from,
+           std::span<const glm::vec3> to,
+           float share,
+           std::vector<glm::vec3>& out) {
+    out.resize(from.size());
+    for (std::size_t v = 0; v < from.size(); ++v)
+        out[v] = share == 0 ? from[v] : from[v] * (1 - share) + to[v] * share;
+}
+
+/// As `blend`, made unit; where two normals cancel out, the first.
+void blend_normals(std::span<const glm::vec3> from,
+                   std::span<const glm::vec3> to,
+                   float share,
+                   std::vector<glm::vec3>& out) {
+    blend(from, to, share, out);
+    if (share == 0) return;
+    for (std::size_t v = 0; v < from.size(); ++v) {
+        const float length = std::sqrt(glm::dot(out[v], out[v]));
+        out[v] = length > 0 ? out[v] / length : from[v];
+    }
+}
+
+/// `frame` counts frames from 0, with the way to the next as its fraction.
+void pose_frames(const VertexFrames& frames, double frame, Mesh& mesh) {
+    const std::size_t last = frames.frame_count - 1;
+    const auto first = std::min(static_cast<std::size_t>(frame), last);
+    const std::size_t next = std::min(first + 1, last);
+    const auto share = static_cast<float>(next == first ? 0 : frame - std::floor(frame));
+    const std::size_t vertices = mesh.positions.size();
+    const auto of = [&](const std::vector<glm::vec3>& all, std::size_t f) {
+        return std::span(all).subspan(f * vertices, vertices);
+    };
+    blend(of(frames.positions, first), of(frames.positions, next), share, mesh.positions);
+    if (frames.normals.empty()) return;
+    blend_normals(of(frames.normals, first), of(frames.normals, next), share, mesh.normals);
+}
+
+/// Linear blend skinning, as glTF 2.0 has it (section 3.7.3): the mesh's own node plays no part.
+void pose_skin(const Skin& skin, const std::vector<glm::dmat4>& world_from_node, Mesh& mesh) {
+    std::vector<glm::dmat4> world_from_bound;
+    for (const Skin::Bone& bone : skin.bones)
+        world_from_bound.push_back(world_from_node[bone.node] * bone.node_from_mesh);
+    for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+        glm::dmat4 sum(0);
+        double total = 0;
+        for (std::uint32_t w = skin.first_weight[v]; w < skin.first_weight[v + 1]; ++w) {
+            const double weight = skin.weights[w].weight;
+            sum += world_from_bound[skin.weights[w].bone] * weight;
+            total += weight;
+        }
+        if (total > 0) sum *= 1 / total;
+        if (total == 0) sum = glm::dmat4(1);
+        mesh.positions[v] = sum * glm::dvec4(glm::dvec3(skin.positions[v]), 1);
+        if (mesh.normals.empty() || skin.normals.empty()) continue;
+        // The cofactors turn normals rightly where the bones scale unevenly, inversion included.
+        const glm::dmat3 turn(sum);
+        const glm::dvec3 n = glm::dmat3(glm::cross(turn[1], turn[2]),
+                                        glm::cross(turn[2], turn[0]),
+                                        glm::cross(turn[0], turn[1])) *
+                             glm::dvec3(skin.normals[v]);
+        const double length = glm::length(n);
+        mesh.normals[v] = length > 0 ? glm::vec3(n / length) : skin.normals[v];
+    }
+}
+
+/// Where a camera stands and looks at the moment. One that stands in what it looks at looks along
+/// -z.
+void pose_camera(const CameraMotion& motion,
+                 const std::vector<glm::dmat4>& world_from_node,
+                 Camera& camera) {
+    if (motion.eye_node == kNoNode) return;
+    const glm::dmat4& world_from_eye = world_from_node[motion.eye_node];
+    const glm::dvec3 eye_world = world_from_eye * glm::dvec4(motion.p_eye, 1);
+    glm::dvec3 target_world = world_from_node[motion.target_node] * glm::dvec4(motion.p_target, 1);
+    if (glm::length(target_world - eye_world) == 0) target_world = eye_world + glm::dvec3(0, 0, -1);
+    const Camera posed =
+        look_at(eye_world, target_world, glm::dmat3(world_from_eye) * motion.up, camera.fov_y_rad);
+    camera.eye_world = posed.eye_world;
+    camera.view_from_world = posed.view_from_world;
+}
+
+/// The stored frame at a time, its fraction the way to the next one.
+double frame_at(const Animation& animation, double time_s, Between between) {
+    const double frame = time_s * animation.frames_per_s;
+    const double nearest = std::round(frame);
+    if (std::abs(frame - nearest) < kSameFrame) return nearest;
+    return between == Between::whole ? std::floor(frame) : frame;
+}
+
+void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
+    const Animation& animation = *scene.animation;
+    const std::vector<glm::dmat4> world = world_from_nodes(animation, time_s);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const std::uint32_t node = animation.node_of_instance[i];
+        if (node != kNoNode) scene.instances[i].world_from_object = world[node];
+    }
+    for (std::size_t m = 0; m < animation.vertex_frames.size(); ++m) {
+        const VertexFrames& frames = animation.vertex_frames[m];
+        if (frames.frame_count > 0) pose_frames(frames, frame, scene.meshes[m]);
+    }
+    for (const Skin& skin : animation.skins)
+        pose_skin(skin, world, scene.meshes[skin.mesh]);
+    for (std::size_t c = 0; c < animation.cameras.size(); ++c)
+        pose_camera(animation.cameras[c], world, scene.cameras[c]);
+}
+
+}  // namespace
+
+void pose_scene(Scene& scene, double time_s, Between between) {
+    if (!scene.animation) return;
+    const Animation& animation = *scene.animation;
+    time_s = std::clamp(time_s, 0.0, animation.duration_s);
+    const bool has_frames = animation.frame_count() > 0;
+    const double frame = has_frames ? frame_at(animation, time_s, between) : 0;
+    if (has_frames && between == Between::whole) time_s = frame / animation.frames_per_s;
+    pose_all(scene, time_s, frame);
+}
+
+void rest_scene(Scene& scene) {
+    if (scene.animation) pose_all(scene, std::nullopt, 0);
+}
+
+Sphere bounds_of_poses(Scene scene, std::span<const double> times_s) {
+    Sphere all = bounding_sphere(scene);
+    for (const double time_s : times_s) {
+        pose_scene(scene, time_s);
+        const Sphere one = bounding_sphere(scene);
+        all.radius =
+            std::max(all.radius, glm::length(one.center_world - all.center_world) + one.radius);
+    }
+    return all;
+}
+
+}  // namespace ink::scene
