@@ -13,15 +13,15 @@ inkbench=${INKBENCH:-$here/../build/release/inkbench}
 out=$here/sources
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-size=400x300
+size=400x225
 
 # panel NAME SCENE OPTIONS...: one picture. What a method counted is printed.
 panel() {
     name=$1
     scene=$2
     shift 2
-    "$inkbench" draw "$scene" --size "$size" "$@" -o "$work/$name.png" |
-        sed -n "2s|^|$name: |p"
+    "$inkbench" draw "$scene" --size "$size" "$@" -o "$work/$name.png" >"$work/said"
+    sed -n "2s|^|$name: |p" "$work/said"
 }
 # sheet FILE COLUMNSxROWS NAMES...: panels in one picture, row by row.
 sheet() {
@@ -46,6 +46,7 @@ for method in mote2 mote4; do
     sheet $method.png 3x2 $method.1 $method.2 $method.3 $method.4 $method.5 $method.6
 done
 
+size=380x285
 # "Inked": raw, inked, inked and antialiased; then the ink alone, from too little pull to too much.
 inked() {
     what=$1
@@ -102,15 +103,28 @@ for model in "$knight" "$faerie" "$kyonshi"; do
         panel shading.$row.2 "$model" $draw --set-shade lit=warm
         panel shading.$row.3 "$model" $draw --set-shade lit=warm --set-shade splash_alpha=0.5
     }
-    panel edges.$row.1 "$model" --method edge_hash --layer edges
-    panel edges.$row.2 "$model" --method edge_hash --layer edges --set epsilon=0
-    panel edges.$row.3 "$model" --method edge_hash --layer edges --view view1
-    panel edges.$row.4 "$model" --method edge_hash --layer edges --view view2
 done
 sheet quake_shading.png 3x3 shading.1.1 shading.1.2 shading.1.3 \
     shading.2.1 shading.2.2 shading.2.3 shading.3.1 shading.3.2 shading.3.3
-sheet quake_edges.png 4x3 edges.1.1 edges.1.2 edges.1.3 edges.1.4 \
-    edges.2.1 edges.2.2 edges.2.3 edges.2.4 edges.3.1 edges.3.2 edges.3.3 edges.3.4
+# Its edges from three sides, and what the tolerance of its weld does.
+size=300x300
+edges() {
+    cell=$1
+    shift
+    panel "edges.$cell" "$@" --method edge_hash --layer edges
+}
+row=0
+for model in "$knight" "$faerie" "$kyonshi"; do
+    row=$((row + 1))
+    for column in 1 2 3; do
+        edges $row.$column "$model" --view view$((column - 1))
+    done
+done
+edges 4.1 soup --set epsilon=0
+edges 4.2 soup
+edges 4.3 "$faerie" --set epsilon=0.01
+sheet quake_edges.png 3x4 edges.1.1 edges.1.2 edges.1.3 edges.2.1 edges.2.2 edges.2.3 \
+    edges.3.1 edges.3.2 edges.3.3 edges.4.1 edges.4.2 edges.4.3
 
 frames() {
     who=$1
@@ -121,7 +135,7 @@ frames() {
             --shading gooch --set-shade lit=warm
     done
 }
-size=200x250
+size=190x240
 frames knight "$knight" 0 32 64 96
 frames faerie "$faerie" 0 50 100 180
 frames kyonshi "$kyonshi" 0 60 120 200
