@@ -41,11 +41,12 @@ std::vector<Series> series_of(const Fronts& fronts) {
     return series;
 }
 
-/// What the plot must show of a setting.
+/// What the plot must show of a setting. One far worse than all methods as they come must not
+/// squeeze these together: it may lie above the plot.
 void widen(const SettingSummary& setting, FrontScale& scale) {
     double least = setting.draw_ms;
     double most = setting.draw_ms;
-    double error = setting.error;
+    double error = setting.is_default() ? setting.error : 0;
     if (setting.is_default() && setting.draw_ms_quartiles) {
         if (setting.draw_ms_quartiles->low > 0) least = setting.draw_ms_quartiles->low;
         most = std::max(most, setting.draw_ms_quartiles->high);
@@ -61,8 +62,10 @@ void widen(const SettingSummary& setting, FrontScale& scale) {
 FrontScale scale_of(const std::vector<Series>& series) {
     FrontScale scale{1e9, -1e9, 0};
     for (const Series& s : series) {
-        for (const SettingSummary& setting : s.sweep->settings)
+        for (const SettingSummary& setting : s.sweep->settings) {
             widen(setting, scale);
+            if (s.usual() == nullptr) scale.error_max = std::max(scale.error_max, setting.error);
+        }
     }
     // Room for the labels; at least a factor of ten, so that noise does not look like a difference.
     const double middle = (scale.log_min + scale.log_max) / 2;
@@ -90,9 +93,11 @@ void draw_stair(Svg& svg,
 void draw_front_of_all(Svg& svg, const FrontScale& scale, const std::vector<Series>& series) {
     std::vector<CostPoint> all;
     for (const Series& s : series) {
-        for (const SettingSummary& setting : s.sweep->settings)
-            all.push_back({setting.draw_ms, setting.error});
+        for (const SettingSummary& setting : s.sweep->settings) {
+            if (setting.error <= scale.error_max) all.push_back({setting.draw_ms, setting.error});
+        }
     }
+    if (all.empty()) return;
     std::vector<CostPoint> front;
     for (const std::size_t index : pareto_front(all))
         front.push_back(all[index]);
@@ -110,6 +115,7 @@ void draw_front(Svg& svg, const FrontScale& scale, const Series& series) {
     std::vector<CostPoint> front;
     for (const std::size_t index : series.sweep->front) {
         const SettingSummary& setting = series.sweep->settings[index];
+        if (setting.error > scale.error_max) continue;
         front.push_back({setting.draw_ms, setting.error});
     }
     draw_stair(
@@ -141,6 +147,7 @@ void draw_setting(Svg& svg,
                   const FrontScale& scale,
                   const Series& series,
                   const SettingSummary& s) {
+    if (s.error > scale.error_max) return;
     svg.raw(fmt::format("<g><title>{}: {}, {} ms, F {}</title>",
                         escape(series.sweep->method),
                         escape(s.is_default() ? "as it comes" : s.difference),
