@@ -13,7 +13,7 @@ std::vector<core::ParamValues> sweep() {
     return {
         {{"width_px", "1"}, {"edges", "polygons"}, {"depth_format", "q32"}},
         {{"width_px", "1"}},
-        // The float depth that vector lanes draw.
+        // Float depth.
         {{"depth_format", "q32"}},
         {{"edges", "polygons"}},
         {},
