@@ -59,42 +59,24 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
     return table;
 }
 
-BackFaces::BackFaces(const Params& params) : params_(params), scene_(params.edges) {
-    format_.depth = params.depth_format;
-}
+BackFaces::BackFaces(const Params& params)
+    : params_(params), scene_(params.edges), filled_lines_(params.depth_format) {}
 
 void BackFaces::draw(const Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     out.fill(0);
     if (scene_.is_empty() || out.is_empty()) return;
-    const scene::Camera& camera = frame.view.camera;
-    depth_.start(
-        params_.depth_format, camera.near, camera.far, frame.view.width_px, frame.view.height_px);
-
     raster::MeshInput fills = scene_.mesh_input(frame);
     fills.cull = raster::Cull::back;
-    raster::DepthSink sink(depth_);
-    skip_counts_ = fills_.draw(format_, fills, sink).skips;
-
-    // The source draws its lines first. What is seen in the end is the nearest, and the line where
-    // both are equal: under GL_LESS the fill does not replace it, and here the line passes.
     raster::LineInput lines;
-    lines.p_world = scene_.surface().p_world;
     lines.lines = scene_.lines_of_side(-1, frame);
-    lines.view = frame.view;
     lines.width_px = params_.width_px;
-    lines.test = raster::LineTest::less_equal;
     lines.offset = {0, params_.units};
-    lines.threads = frame.threads;
-    lines.skips_hidden = frame.skips.has(raster::Skip::hidden);
-    const raster::LineCounts counts = lines_.draw(lines, depth_, out);
-    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::hidden);
-    hidden.skipped += counts.hidden;
-    hidden.of += counts.lines;
+    skip_counts_ = filled_lines_.draw(frame, scene_, fills, lines, out);
 }
 
 Cost BackFaces::cost() const {
-    return filled_lines_cost(format_);
+    return filled_lines_cost(filled_lines_.format());
 }
 
 MethodInfo back_faces() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "methods/filled_lines.h"
 #include "methods/method.h"
 #include "methods/triangle_edges.h"
 
@@ -22,17 +23,16 @@ class BackFaces : public Method {
     void prepare(const scene::Scene& scene) override { scene_.prepare(scene); }
     void pose(const scene::Scene& scene) override { scene_.pose(scene); }
     void draw(const Frame& frame, edge::EdgeImage& out) override;
-    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] int bytes_per_px() const override {
+        return filled_lines_.format().bytes_per_px();
+    }
     [[nodiscard]] Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    raster::PassFormat format_;
     TriangleEdges scene_;
-    raster::MeshPass fills_;
-    raster::LinePass lines_;
-    raster::DepthImage depth_;
+    FilledLines filled_lines_;
     raster::SkipCounts skip_counts_{};
 };
 
