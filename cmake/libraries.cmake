@@ -10,6 +10,8 @@ find_package(nlohmann_json REQUIRED)
 find_package(hwy REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenImageIO REQUIRED)
+find_package(NLopt REQUIRED)
+find_package(tomlplusplus REQUIRED)
 
 # find_package(OpenCV) wants all of libopencv-dev (1 GB of drivers); the two modules used here do not.
 find_path(INK_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)

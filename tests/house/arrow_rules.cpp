@@ -45,6 +45,8 @@ const std::vector<LibraryRule>& library_rules() {
         {"Assimp", "assimp/", {}, 1},
         {"OpenCV", "opencv2/", {"src/score/", "src/lab/", "methods/", "tests/", "bench/"}, 0},
         {"CLI11", "CLI/", {"src/cli/"}, 0},
+        {"NLopt", "nlopt", {"src/lab/"}, 0},
+        {"toml++", "toml++/", {"src/lab/", "methods/", "tests/"}, 0},
     };
     return rules;
 }
