@@ -129,6 +129,7 @@ const std::vector<std::string>& cancellation_columns() {
                                                       "split",
                                                       "width",
                                                       "height",
+                                                      "silent_deg",
                                                       "class",
                                                       "dihedral_low_deg",
                                                       "dihedral_high_deg",
@@ -143,13 +144,14 @@ const std::vector<std::string>& cancellation_columns() {
 
 std::string cancellation_csv(const CancellationRow& row) {
     const CancellationCount& n = row.count;
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
+    return fmt::format("{},{},{},{},{},{},{:.3f},{},{},{},{},{},{},{},{}",
                        row.method,
                        csv_field(row.scene),
                        csv_field(row.view),
                        row.split,
                        row.width_px,
                        row.height_px,
+                       row.silent_deg,
                        truth::name(row.kind.line_class),
                        bin_fields(row.kind),
                        n.n_truth,

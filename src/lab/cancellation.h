@@ -72,6 +72,7 @@ struct CancellationRow {
     std::string split;
     int width_px = 0;
     int height_px = 0;
+    double silent_deg = 0;  ///< bend up to which the code is silent (silent_bend_rad())
     LineKind kind;
     CancellationCount count;
 };

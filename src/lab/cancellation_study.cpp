@@ -1,9 +1,12 @@
 #include "lab/cancellation_study.h"
 
+#include <glm/trigonometric.hpp>
+
 #include "core/parallel.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
 #include "lab/cancellation_ink.h"
+#include "lab/cancellation_law.h"
 #include "lab/cell.h"
 #include "score/drawing.h"
 
@@ -37,6 +40,8 @@ void fill_rows(const ViewTruth& truth, const CountedTruth& counted, Study& study
         counted_ink(predicted_ink(study.code, truth, study.declared), counted, options);
     const score::PixelList measured =
         counted_ink(edge::threshold(shot.picture, shot.threshold), counted, options);
+    const double silent_deg =
+        glm::degrees(silent_bend_rad(*study.declared.code, study.declared.threshold));
     for (const auto& [kind, pixels] : counted.kinds) {
         study.rows.push_back(
             {.method = shot.row.method,
@@ -45,6 +50,7 @@ void fill_rows(const ViewTruth& truth, const CountedTruth& counted, Study& study
              .split = shot.row.split,
              .width_px = shot.row.width,
              .height_px = shot.row.height,
+             .silent_deg = silent_deg,
              .kind = kind,
              .count = count_cancellation(pixels, predicted, measured, counted.lists.disk)});
     }
