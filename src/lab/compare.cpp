@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
+#include "lab/cancellation_study.h"
 #include "lab/cost_model.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
@@ -59,7 +60,8 @@ class Comparison {
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
-          ladder_(options.out / "ladder.csv", ladder_columns()) {
+          ladder_(options.out / "ladder.csv", ladder_columns()),
+          cancellation_file_(options.out / "cancellation.csv", cancellation_columns()) {
         if (options.sweep.views > 0) {
             sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
@@ -121,6 +123,7 @@ class Comparison {
         curves_.finish();
         bins_.finish();
         ladder_.finish();
+        cancellation_file_.finish();
         if (sweep_) sweep_->finish();
         const CostFit cost_fit = predict_costs(result_rows_, sweep_rows_);
         if (cost_fit.cells > 0) {
@@ -137,7 +140,8 @@ class Comparison {
                         std::move(scaling_),
                         std::move(skip_study_),
                         std::move(motion_),
-                        std::move(rolls_)};
+                        std::move(rolls_),
+                        std::move(cancellation_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
@@ -189,6 +193,7 @@ class Comparison {
         if (!truth.traced.labels.is_empty()) {
             score_shots(truth, shots);
             attribute_shots(truth, view, known.predictor, shots);
+            note_cancellation(study_cancellation(truth, view, known.predictor, shots));
         }
         check_brackets(shots, void_reasons_);
         for (const Shot& shot : shots)
@@ -224,6 +229,13 @@ class Comparison {
         }
     }
 
+    void note_cancellation(std::vector<CancellationRow> rows) {
+        for (CancellationRow& row : rows) {
+            cancellation_file_.write(cancellation_csv(row));
+            cancellation_.push_back(std::move(row));
+        }
+    }
+
     void write(const Shot& shot, scene::Split split) {
         rows_.write(to_csv(shot.row));
         result_rows_.push_back(shot.row);
@@ -243,6 +255,7 @@ class Comparison {
     CsvFile curves_;
     CsvFile bins_;
     CsvFile ladder_;
+    CsvFile cancellation_file_;
     std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
@@ -252,6 +265,7 @@ class Comparison {
     std::vector<SkipTime> skip_study_;
     std::vector<MotionRow> motion_;
     std::vector<RollCurve> rolls_;
+    std::vector<CancellationRow> cancellation_;
     std::vector<std::string> void_reasons_;
 };
 
