@@ -17,6 +17,7 @@
 #include "lab/motion_study.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
+#include "lab/summary_csv.h"
 #include "lab/verdict.h"
 #include "truth/witness_cache.h"
 
@@ -145,6 +146,7 @@ class Comparison {
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
+        core::write_whole_file(options_.out / "summary.csv", summary_csv(data.rows, data.curves));
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
