@@ -16,5 +16,6 @@ void add_explain_command(CLI::App& app);
 void add_list_command(CLI::App& app);
 void add_timedemo_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
+void add_stress_command(CLI::App& app);
 
 }  // namespace ink::cli

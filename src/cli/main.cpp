@@ -86,6 +86,7 @@ int main(int argc, char** argv) {
     ink::cli::add_explain_command(app);
     ink::cli::add_timedemo_command(app);
     ink::cli::add_tune_command(app);
+    ink::cli::add_stress_command(app);
     ink::cli::add_list_command(app);
     return run(app, argc, argv);
 }
