@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
+#include "lab/cancellation_study.h"
 #include "lab/cost_model.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
@@ -16,6 +17,7 @@
 #include "lab/motion_study.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
+#include "lab/summary_csv.h"
 #include "lab/verdict.h"
 #include "lab/view_cells.h"
 
@@ -45,7 +47,8 @@ class Comparison {
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
-          ladder_(options.out / "ladder.csv", ladder_columns()) {
+          ladder_(options.out / "ladder.csv", ladder_columns()),
+          cancellation_file_(options.out / "cancellation.csv", cancellation_columns()) {
         if (options.sweep.views > 0) {
             sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
@@ -107,6 +110,7 @@ class Comparison {
         curves_.finish();
         bins_.finish();
         ladder_.finish();
+        cancellation_file_.finish();
         if (sweep_) sweep_->finish();
         const CostFit cost_fit = predict_costs(result_rows_, sweep_rows_);
         if (cost_fit.cells > 0) {
@@ -123,10 +127,12 @@ class Comparison {
                         std::move(scaling_),
                         std::move(skip_study_),
                         std::move(motion_),
-                        std::move(rolls_)};
+                        std::move(rolls_),
+                        std::move(cancellation_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
+        core::write_whole_file(options_.out / "summary.csv", summary_csv(data.rows, data.curves));
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
@@ -153,7 +159,10 @@ class Comparison {
             trace_with_facts(known.model, subject.scene, view, options_.trace);
         finish_shots(subject.scene, view, traced, cells_, shots);
         const ViewTruth& truth = traced.truth;
-        if (traced.has_truth()) attribute_shots(truth, view, known.predictor, shots);
+        if (traced.has_truth()) {
+            attribute_shots(truth, view, known.predictor, shots);
+            note_cancellation(study_cancellation(truth, view, known.predictor, shots));
+        }
         check_brackets(shots, void_reasons_);
         for (const Shot& shot : shots)
             write(shot, subject.scene.split);
@@ -187,6 +196,13 @@ class Comparison {
         }
     }
 
+    void note_cancellation(std::vector<CancellationRow> rows) {
+        for (CancellationRow& row : rows) {
+            cancellation_file_.write(cancellation_csv(row));
+            cancellation_.push_back(std::move(row));
+        }
+    }
+
     void write(const Shot& shot, scene::Split split) {
         rows_.write(to_csv(shot.row));
         result_rows_.push_back(shot.row);
@@ -207,6 +223,7 @@ class Comparison {
     CsvFile curves_;
     CsvFile bins_;
     CsvFile ladder_;
+    CsvFile cancellation_file_;
     std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
@@ -216,6 +233,7 @@ class Comparison {
     std::vector<SkipTime> skip_study_;
     std::vector<MotionRow> motion_;
     std::vector<RollCurve> rolls_;
+    std::vector<CancellationRow> cancellation_;
     std::vector<std::string> void_reasons_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "lab/bins.h"
+#include "lab/cancellation_study.h"
 #include "lab/cost_facts.h"
 #include "lab/csv.h"
 #include "lab/experiment_plan.h"
@@ -157,8 +158,13 @@ BlockResult run_methods(Bench& bench, const BlockPlace& at) {
     BlockResult result;
     if (bench.experiment().full_scores) {
         finish_shots(scene, *at.view, traced, options, shots);
-        if (traced.has_truth())
-            attribute_shots(traced.truth, *at.view, bench.predictor(at.scene), shots);
+        if (traced.has_truth()) {
+            MissPredictor& predictor = bench.predictor(at.scene);
+            attribute_shots(traced.truth, *at.view, predictor, shots);
+            for (const CancellationRow& row :
+                 study_cancellation(traced.truth, *at.view, predictor, shots))
+                add_line(cancellation_csv(row), "cancellation.csv", result);
+        }
     } else {
         finish_briefly(scene, *at.view, traced, options, shots);
     }
@@ -252,6 +258,7 @@ void plan_compare(const Experiment& experiment, const TraceOptions& trace, Plan&
         plan.tables.push_back({"curves.csv", heading_of(curve_columns())});
         plan.tables.push_back({"bins.csv", heading_of(bin_columns())});
         plan.tables.push_back({"ladder.csv", heading_of(ladder_columns())});
+        plan.tables.push_back({"cancellation.csv", heading_of(cancellation_columns())});
     }
     if (!experiment.grids.empty() || experiment.own_sweep_views > 0) {
         plan.tables.push_back({"sweep.csv", heading_of(row_columns())});

@@ -10,6 +10,7 @@
 #include "lab/cost_model.h"
 #include "lab/csv_table.h"
 #include "lab/row_reader.h"
+#include "lab/summary_csv.h"
 
 namespace ink::lab {
 namespace {
@@ -79,6 +80,16 @@ void predict(const std::vector<KeptBlock>& blocks, std::vector<FinishedTable>& t
     if (sweep != nullptr) sweep->text = with_predictions(of_sweep);
 }
 
+/// What the rows say of each method; curves are there where they were asked for.
+std::string summary_of(std::vector<FinishedTable>& tables) {
+    const auto read = [&](const char* name) {
+        const FinishedTable* table = find(tables, name);
+        return table == nullptr ? CsvTable{} : split_csv(table->text, name);
+    };
+    const std::vector<Row> rows = read_rows(read("rows.csv"), "rows.csv");
+    return summary_csv(rows, read_curves(read("curves.csv"), rows, "curves.csv"));
+}
+
 }  // namespace
 
 std::vector<FinishedTable> finished_tables(const PlanRecord& record,
@@ -90,6 +101,10 @@ std::vector<FinishedTable> finished_tables(const PlanRecord& record,
         tables.push_back({table.name, table.heading + "\n" + lines});
     }
     if (record.times) predict(blocks, tables);
+    // Over several sizes or numbers of threads no one time of a method means anything.
+    if (record.one_place && find(tables, "rows.csv") != nullptr) {
+        tables.push_back({"summary.csv", summary_of(tables)});
+    }
     return tables;
 }
 

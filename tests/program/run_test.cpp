@@ -33,8 +33,13 @@ threshold = [3, 6, 12]
 range_depth = [31, 63]
 )";
 
-const std::vector<std::string> kTables = {
-    "rows.csv", "curves.csv", "bins.csv", "ladder.csv", "sweep.csv"};
+const std::vector<std::string> kTables = {"rows.csv",
+                                          "curves.csv",
+                                          "bins.csv",
+                                          "ladder.csv",
+                                          "cancellation.csv",
+                                          "sweep.csv",
+                                          "summary.csv"};
 
 /// All tables of a folder, one behind the other.
 std::string tables_of(const Desk& desk, const std::string& folder) {
