@@ -87,6 +87,8 @@ int main(int argc, char** argv) {
     ink::cli::add_timedemo_command(app);
     ink::cli::add_tune_command(app);
     ink::cli::add_stress_command(app);
+    ink::cli::add_run_command(app);
+    ink::cli::add_merge_command(app);
     ink::cli::add_list_command(app);
     return run(app, argc, argv);
 }
