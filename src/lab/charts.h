@@ -15,7 +15,9 @@ namespace ink::lab {
 /// empty chart says so.
 [[nodiscard]] Svg front_chart(const Fronts& fronts);
 
-/// Recall per line class at 2 px: a panel per class, a bar per method and for `sampled`.
-[[nodiscard]] Svg class_chart(const std::vector<MethodSummary>& summaries);
+/// Recall per line class at 2 px: a panel per class, a bar per method and for `sampled`, with the
+/// 95 % intervals that `rows` (those of the summaries) give.
+[[nodiscard]] Svg class_chart(const std::vector<MethodSummary>& summaries,
+                              const std::vector<Row>& rows);
 
 }  // namespace ink::lab

@@ -246,7 +246,7 @@ std::string main_html(const Material& m) {
     html += section("classes",
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
-                    chart_html(class_chart(m.summaries), "Recall per line class and method"));
+                    chart_html(class_chart(m.summaries, rows), "Recall per line class and method"));
     html += section("causes",
                     "Where the error goes",
                     "Each missing and each false pixel has one cause, read off the exact truth at "
