@@ -46,9 +46,20 @@ void draw_range(Svg& svg, double left, double full, double y, const Interval& ra
     constexpr std::string_view kStroke = R"(stroke="#20242a" stroke-width="1.1")";
     const double low = left + full * range.low;
     const double high = left + full * range.high;
+    // A white rim, so that it is seen on a dark bar.
+    svg.rect({low - 1.3, y - 4, high - low + 2.6, 8}, R"(fill="#ffffff" opacity="0.75")");
     svg.line(low, y, high, y, kStroke);
     svg.line(low, y - 3, low, y + 3, kStroke);
     svg.line(high, y - 3, high, y + 3, kStroke);
+}
+
+/// 0 and 1 below the bars, and what they are.
+void draw_recall_axis(Svg& svg, const Box& panel, double full) {
+    constexpr TextStyle kStyle = {"middle", "#6b7280", 11.5};
+    const double y = panel.y + panel.height - 5;
+    svg.text(panel.x + 3, y, "0", kStyle);
+    svg.text(panel.x + full / 2, y, "recall at 2 px", kStyle);
+    svg.text(panel.x + full - 3, y, "1", kStyle);
 }
 
 void draw_panel(Svg& svg,
@@ -68,6 +79,7 @@ void draw_panel(Svg& svg,
         return;
     }
     const double full = panel.width - kValueWidth;
+    draw_recall_axis(svg, panel, full);
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const double y = panel.y + kRowHeight * static_cast<double>(i);
         svg.rect({panel.x, y + 5, full, kBarHeight}, kTrack);
@@ -91,7 +103,7 @@ Svg class_chart(const std::vector<MethodSummary>& summaries, const std::vector<R
     for (const MethodSummary* s : shown)
         ranges.push_back(class_recall_intervals(rows_of_method(rows, s->method)));
     const double lines = std::max<double>(1, static_cast<double>(shown.size()));
-    const double height = kTop + kRowHeight * lines + 8;
+    const double height = kTop + kRowHeight * lines + 22;
     Svg svg(kWidth, height);
     if (shown.empty()) {
         svg.text(kWidth / 2, height / 2, "No method was scored.", {"middle", "#6b7280", 14});

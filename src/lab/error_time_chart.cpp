@@ -175,7 +175,7 @@ void draw_labels(Svg& svg,
         svg.text(box.x + box.width / 2,
                  box.y + room.size - 0.5,
                  named[i].name,
-                 {"middle", looks[i].colour().hex, room.size});
+                 {"middle", "#20242a", room.size});
     }
 }
 

@@ -11,8 +11,8 @@
 namespace ink::lab {
 namespace {
 
-constexpr std::size_t kMethodsInBand = 7;
-constexpr std::size_t kBuffersInBand = 6;
+constexpr std::size_t kMethodsInBand = 6;
+constexpr std::size_t kBuffersInBand = 7;
 constexpr int kCell_px = 320;  // wider pictures are shrunk by a whole factor
 
 int shrink_factor(int width_px) {

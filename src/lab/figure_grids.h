@@ -16,7 +16,7 @@ struct GridFigure {
 };
 
 /// Scenes by methods: the truth, then every method with its errors in colour and F below, the best
-/// of a scene in bold. Of more than seven methods the rest goes on in a band of its own.
+/// of a scene in bold. More than six methods go on in bands below.
 [[nodiscard]] GridFigure strips_figure(const std::vector<FigureView>& views);
 
 /// A band a scene: what the methods with a `packed` layer have inside, that layer over the
@@ -25,7 +25,7 @@ struct GridFigure {
 [[nodiscard]] GridFigure buffers_figure(const std::vector<FigureView>& views);
 
 /// Where on the picture two methods differ most: of all windows of this size the one in which one
-/// has most wrong pixels more than the other; the first such in reading order. Where no window
+/// has most wrong pixels more than the other; of equal ones the one in their middle. Where no window
 /// tells them apart, the one with the most wrong pixels of both; without any, the middle.
 struct Window {
     int left = 0;

@@ -161,25 +161,44 @@ const FigureShot* find_shot(const FigureView& view, const std::string& method) {
     return found == view.shots.end() ? nullptr : &*found;
 }
 
+/// The window that lies nearest to the mean of all; the first of equal ones.
+Window middle_one(const std::vector<Window>& windows) {
+    const auto count = static_cast<std::int64_t>(windows.size());
+    std::int64_t left = 0;
+    std::int64_t top = 0;
+    for (const Window& w : windows) {
+        left += w.left;
+        top += w.top;
+    }
+    const auto away = [&](const Window& w) {
+        return std::abs(count * w.left - left) + std::abs(count * w.top - top);
+    };
+    return *std::min_element(windows.begin(), windows.end(), [&](const Window& a, const Window& b) {
+        return away(a) < away(b);
+    });
+}
+
 }  // namespace
 
 Window most_different(const Marks& a, const Marks& b, int width, int height) {
     const AreaSums of_a(a);
     const AreaSums of_b(b);
-    Window best{(a.width_px() - width) / 2, (a.height_px() - height) / 2, width, height};
     std::pair<int, int> most{0, 0};
+    std::vector<Window> equals = {
+        {(a.width_px() - width) / 2, (a.height_px() - height) / 2, width, height}};
     for (int top = 0; top + height <= a.height_px(); ++top) {
         for (int left = 0; left + width <= a.width_px(); ++left) {
             const Window w{left, top, width, height};
             const int wrong_a = of_a.in(w);
             const int wrong_b = of_b.in(w);
             const std::pair<int, int> found{std::abs(wrong_a - wrong_b), wrong_a + wrong_b};
-            if (found <= most) continue;
+            if (found < most || found == std::pair(0, 0)) continue;
+            if (found > most) equals.clear();
             most = found;
-            best = w;
+            equals.push_back(w);
         }
     }
-    return best;
+    return middle_one(equals);
 }
 
 GridFigure zoom_figure(const std::vector<FigureView>& views,

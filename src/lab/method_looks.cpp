@@ -81,13 +81,13 @@ Colour colour_of(Family family) {
 std::string_view label_of(Family family) {
     switch (family) {
         case Family::packed:
-            return "packed depth and normal";
+            return "packed";
         case Family::full_buffers:
-            return "full depth and normals";
+            return "full buffers";
         case Family::ids:
             return "ids";
         case Family::edges:
-            return "edges and hulls";
+            return "edges, hulls";
         case Family::other:
             return "other";
     }

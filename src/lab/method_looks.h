@@ -30,7 +30,7 @@ struct Look {
 
 [[nodiscard]] Colour colour_of(Family family);
 
-/// "depth and normal packed", ...: a few words for a legend.
+/// "packed", "full buffers", ...: a word or two for a legend.
 [[nodiscard]] std::string_view label_of(Family family);
 
 /// The look of `method`. `<name>_tuned` is `<name>`, hollow. One that is in no table is of the

@@ -198,7 +198,7 @@ std::string time_intro(const Fronts& fronts) {
         "Large: a method as it comes, with its 95 % interval and the quartiles of its time. Small: "
         "other settings of it; point at one to read which. Its line joins those that no other of "
         "its "
-        "settings beats; settings worse than all methods as they come lie above the chart. {} Over "
+        "settings beats. {} Over "
         "{} view{} of {} scene{}, so values differ a little from the "
         "verdict's.",
         stair,

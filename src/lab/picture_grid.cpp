@@ -25,9 +25,9 @@ struct Measures {
             for (const GridRow& row : band.rows)
                 measure(row);
         }
-        // A sheet 2100 px wide on a page 7 inches wide: 20 px are 4.8 points.
+        // On a page 7 inches wide a 76th of the width is 6.6 points.
         const int pictures_px = columns * (cell_width_px + gap_px);
-        letter_px = std::clamp(pictures_px / 88.0, 13.0, 26.0);
+        letter_px = std::clamp(pictures_px / 76.0, 13.0, 30.0);
         for (const GridBand& band : bands) {
             for (const GridRow& row : band.rows) {
                 const double label = sheet_text_width(row.label, label_style());
@@ -63,8 +63,8 @@ struct Measures {
         return cell_height_px + (has_captions ? line_px() : 0) + gap_px;
     }
     [[nodiscard]] int band_px(const GridBand& band) const {
-        int height = (band.columns.empty() ? 0 : line_px()) +
-                     (band.title.empty() ? 0 : line_px() + gap_px);
+        int height =
+            (band.columns.empty() ? 0 : line_px()) + (band.title.empty() ? 0 : line_px() + gap_px);
         for (const GridRow& row : band.rows)
             height += row_px(row);
         return height + 2 * gap_px;
@@ -79,6 +79,15 @@ struct Measures {
         }
     }
 };
+
+/// Words in letters small enough for their room; what is too long even so is cut.
+SheetText fitted(SheetText text, double room_px) {
+    constexpr double kSmallest = 0.7;
+    const double width = sheet_text_width(text.words, text.style);
+    if (width > room_px) text.style.size *= std::max(kSmallest, 0.99 * room_px / width);
+    text.words = fitting(std::move(text.words), text.style, room_px);
+    return text;
+}
 
 /// Legend entries broken into lines that fit.
 std::vector<std::vector<LegendEntry>> legend_lines(
@@ -114,50 +123,55 @@ void put_legend_line(Sheet& sheet,
     }
 }
 
+void put_picture(Sheet& sheet, int left, int top, const GridCell& cell) {
+    if (!cell.picture.is_empty()) sheet.picture(left, top, cell.picture);
+    for (SheetLine line : cell.lines) {
+        for (std::size_t k = 0; k + 1 < line.xy.size(); k += 2) {
+            line.xy[k] += left;
+            line.xy[k + 1] += top;
+        }
+        sheet.line(std::move(line));
+    }
+}
+
 void put_row(Sheet& sheet, int top, const GridRow& row, const Measures& m) {
     const double middle = top + m.cell_height_px / 2.0;
     const double room = m.gutter_px - 0.7 * m.letter_px;
-    sheet.text({kMargin_px,
-                row.note.empty() ? middle + 0.35 * m.letter_px : middle,
-                fitting(row.label, m.label_style(), room),
-                m.label_style()});
-    sheet.text({kMargin_px,
-                middle + 1.25 * m.letter_px,
-                fitting(row.note, m.note_style(), room),
-                m.note_style()});
+    sheet.text(fitted({kMargin_px,
+                       row.note.empty() ? middle + 0.35 * m.letter_px : middle,
+                       row.label,
+                       m.label_style()},
+                      room));
+    sheet.text(fitted({kMargin_px, middle + 1.25 * m.letter_px, row.note, m.note_style()}, room));
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const GridCell& cell = row.cells[i];
         const int left = m.column_left(i);
-        if (!cell.picture.is_empty()) sheet.picture(left, top, cell.picture);
-        for (SheetLine line : cell.lines) {
-            for (std::size_t k = 0; k + 1 < line.xy.size(); k += 2) {
-                line.xy[k] += left;
-                line.xy[k + 1] += top;
-            }
-            sheet.line(std::move(line));
-        }
+        put_picture(sheet,
+                    left + (m.cell_width_px - cell.picture.width_px()) / 2,
+                    top + (m.cell_height_px - cell.picture.height_px()) / 2,
+                    cell);
         const TextStyle style = m.caption_style(cell.is_strong);
-        sheet.text({left + m.cell_width_px / 2.0,
-                    top + m.cell_height_px + 1.12 * m.letter_px,
-                    fitting(cell.caption, style, m.cell_width_px),
-                    style});
+        sheet.text(fitted({left + m.cell_width_px / 2.0,
+                           top + m.cell_height_px + 1.12 * m.letter_px,
+                           cell.caption,
+                           style},
+                          m.cell_width_px));
     }
 }
 
 void put_band(Sheet& sheet, int top, const GridBand& band, const Measures& m) {
     if (!band.title.empty()) {
         const double room = m.width_px() - 2 * kMargin_px;
-        sheet.text({kMargin_px,
-                    top + 1.1 * m.letter_px,
-                    fitting(band.title, m.title_style(), room),
-                    m.title_style()});
+        sheet.text(
+            fitted({kMargin_px, top + 1.1 * m.letter_px, band.title, m.title_style()}, room));
         top += m.line_px() + m.gap_px;
     }
     for (std::size_t i = 0; i < band.columns.size(); ++i) {
-        sheet.text({m.column_left(i) + m.cell_width_px / 2.0,
-                    top + 0.95 * m.letter_px,
-                    fitting(band.columns[i], m.heading_style(), m.cell_width_px),
-                    m.heading_style()});
+        sheet.text(fitted({m.column_left(i) + m.cell_width_px / 2.0,
+                           top + 0.95 * m.letter_px,
+                           band.columns[i],
+                           m.heading_style()},
+                          m.cell_width_px));
     }
     if (!band.columns.empty()) top += m.line_px();
     for (const GridRow& row : band.rows) {

@@ -35,9 +35,9 @@ struct LegendEntry {
 };
 
 /// Lays bands out below each other: headings over columns, labels left of rows, captions under
-/// pictures, and the legend at the foot, one line a group, as many as it takes. All pictures of a
-/// grid have one size. Letters are as large as is readable when the sheet is as wide as a page of
-/// a paper. Words too long for their place are cut, with a `~`. No bands give a sheet of the legend
+/// pictures, and the legend at the foot, one line a group, as many as it takes. Pictures
+/// smaller than the largest stand in the middle of their place. Letters are as large as is readable when the sheet is as wide as a page of
+/// a paper. Words too long for their place are smaller, then cut, with a `~`. No bands give a sheet of the legend
 /// alone.
 [[nodiscard]] Sheet lay_out(const std::vector<GridBand>& bands,
                             const std::vector<std::vector<LegendEntry>>& legend);

@@ -194,6 +194,7 @@ std::string Sheet::svg(std::string_view title) const {
 }
 
 double sheet_text_width(const std::string& words, const TextStyle& style) {
+    if (words.empty()) return 0;
     return std::max(raster_width(words, style), text_width(words, style.size));
 }
 
