@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/whole_file.h"
 #include "image_io/image_file.h"
+#include "lab/cancellation_chart.h"
 #include "lab/cause_chart.h"
 #include "lab/cause_totals.h"
 #include "lab/charts.h"
@@ -291,6 +292,9 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
     core::write_whole_file(
         figures / "causes.svg",
         cause_chart(cause_totals(data.rows)).file("Where the error goes, per method and cause"));
+    core::write_whole_file(figures / "cancellation.svg",
+                           cancellation_chart(data.cancellation)
+                               .file("Predicted against measured miss rates, per method"));
     const std::vector<MarkedView> views = mark_views(data.views);
     write_strips(data.rows, views, figures);
     write_overview(data.rows, views, figures);
