@@ -52,7 +52,7 @@ TEST(Help, OfEveryCommandHasAnExample) {
     const Desk desk;
     EXPECT_THAT(expect_done(desk, {"--help"}), HasSubstr("Example"));
     for (const char* command :
-         {"compare", "draw", "truth", "score", "list", "explain", "timedemo"}) {
+         {"compare", "draw", "truth", "score", "list", "explain", "timedemo", "bound"}) {
         EXPECT_THAT(expect_done(desk, {command, "--help"}),
                     AllOf(HasSubstr("Example"), HasSubstr(std::string("inkbench ") + command)));
     }
