@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
+#include "core/parallel.h"
 #include "lab/stress.h"
 
 namespace ink::cli {
@@ -71,6 +72,7 @@ void run_stress_command(const StressArgs& args) {
     lab::check_size(request.width_px, request.height_px);
     options.size = {request.width_px, request.height_px};
     options.trace.cache = cache_folder(args.cache);
+    options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
     options.command = command_line(args);
     const lab::StressResult result = lab::run_stress(options);
