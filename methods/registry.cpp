@@ -1,6 +1,7 @@
 #include "methods/registry.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/error.h"
 #include "methods/auto/auto.h"
@@ -19,13 +20,23 @@
 #include "methods/polygon_offset/polygon_offset.h"
 #include "methods/roberts/roberts.h"
 #include "methods/sobel/sobel.h"
+#include "methods/tuned.h"
 
 namespace ink::methods {
+namespace {
+
+std::vector<MethodInfo> with_tuned(std::vector<MethodInfo> methods) {
+    std::vector<MethodInfo> tuned = tuned_methods(methods);
+    std::move(tuned.begin(), tuned.end(), std::back_inserter(methods));
+    return methods;
+}
+
+}  // namespace
 
 const std::vector<MethodInfo>& registry() {
     // A static object of its own per method would register itself, and vanish with the object file
     // that nobody else refers to when this is linked from a static library. Hence a list.
-    static const std::vector<MethodInfo> methods = {
+    static const std::vector<MethodInfo> methods = with_tuned({
         decaudin(),
         mote2(),
         mote4(),
@@ -42,7 +53,7 @@ const std::vector<MethodInfo>& registry() {
         inverted_hull(),
         jump_flood(),
         auto_method(),
-    };
+    });
     return methods;
 }
 

@@ -21,6 +21,7 @@ struct CompareArgs {
     std::string scenes;
     std::string methods;
     std::vector<std::string> settings;
+    std::vector<std::string> presets;
     ViewOptions views;
     std::string out = "inkbench-out";
     CacheOptions cache;
@@ -45,7 +46,7 @@ std::vector<std::string> names_of(const CompareArgs& args) {
 
 lab::CompareOptions compare_options(const CompareArgs& args) {
     lab::CompareOptions options;
-    options.entrants = lab::make_entrants(args.methods, args.settings);
+    options.entrants = lab::make_entrants(args.methods, args.settings, args.presets);
     options.measure.threads = checked_threads(args.threads);
     if (args.repetitions < 1 || args.repetitions > 10000) {
         throw core::Error(
@@ -107,12 +108,13 @@ void add_compare_command(CLI::App& app) {
     command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_preset_option(*command, args->presets, "beside the methods");
     add_view_options(*command, args->views);
     command
         ->add_option("--out",
                      args->out,
                      "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
-                     "skips.csv, motion.csv, "
+                     "skips.csv, motion.csv, summary.csv, "
                      "report.html, verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);

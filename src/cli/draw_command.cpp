@@ -17,8 +17,9 @@ namespace {
 struct DrawArgs {
     std::string scene;
     std::string view;
-    std::string method = "mote4";
+    std::string method;
     std::vector<std::string> settings;
+    std::vector<std::string> presets;
     ViewOptions views;
     LookOptions looks;
     std::string file;
@@ -28,6 +29,26 @@ struct DrawArgs {
     int threads = 1;
     std::string no_skip;
 };
+
+constexpr const char* kMethod = "mote4";  // unless one is named
+
+lab::Entrant entrant_of(const DrawArgs& args) {
+    if (args.presets.empty()) {
+        const std::string method = args.method.empty() ? kMethod : args.method;
+        if (lab::split_list(method).size() != 1) {
+            throw core::Error("--method",
+                              fmt::format("'{}' is not one method", method),
+                              "one name of inkbench list methods");
+        }
+        return lab::make_entrants(method, args.settings).front();
+    }
+    if (args.presets.size() > 1 || !args.method.empty()) {
+        throw core::Error("--preset", "a picture is of one method", "one file, no --method");
+    }
+    std::vector<lab::Entrant> entrants = {lab::preset_entrant(args.presets.front())};
+    lab::apply_settings(args.settings, entrants);
+    return entrants.front();
+}
 
 void refuse_with_layer(bool is_given, const char* needs) {
     if (is_given) throw core::Error("--layer", "a layer comes as it is", needs);
@@ -56,12 +77,7 @@ void write_layer(const DrawArgs& args,
 
 void run_draw(const DrawArgs& args) {
     lab::DrawOptions options = drawing_looks(args.looks);
-    if (lab::split_list(args.method).size() != 1) {
-        throw core::Error("--method",
-                          fmt::format("'{}' is not one method", args.method),
-                          "one name of inkbench list methods");
-    }
-    const lab::Entrant entrant = lab::make_entrants(args.method, args.settings).front();
+    const lab::Entrant entrant = entrant_of(args);
     options.skips = lab::without_skips({}, args.no_skip);
     options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
@@ -97,10 +113,12 @@ void add_draw_command(CLI::App& app) {
     auto* command = app.add_subcommand("draw", "Draw one picture with one method");
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")->required();
-    command->add_option("--method,--methods", args->method, "Method")->capture_default_str();
+    command->add_option(
+        "--method,--methods", args->method, fmt::format("Method ({} unless given)", kMethod));
     command->add_option("--set", args->settings, "A parameter of the method: key=value")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_preset_option(*command, args->presets, "instead of --method");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);
     add_look_options(*command, args->looks);

@@ -70,6 +70,17 @@ void parse_cameras(const ViewOptions& options, lab::ViewRequest& request) {
 
 }  // namespace
 
+void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role) {
+    command
+        .add_option("--preset",
+                    presets,
+                    fmt::format("A method with settings of its own, as inkbench tune writes it: a "
+                                "TOML file, {}",
+                                role))
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_view_options(CLI::App& command, ViewOptions& options) {
     command.add_option("--size", options.size, "Picture size in pixels, WIDTHxHEIGHT")
         ->capture_default_str();

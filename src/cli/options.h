@@ -31,6 +31,9 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
 [[nodiscard]] lab::ViewRequest view_request(const ViewOptions& options);
 
+/// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
+void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);
+
 /// --threads as given, or an Error unless 1..256.
 [[nodiscard]] int checked_threads(int threads);
 

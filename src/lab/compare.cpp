@@ -17,26 +17,12 @@
 #include "lab/motion_study.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
+#include "lab/summary_csv.h"
 #include "lab/verdict.h"
-#include "truth/witness_cache.h"
+#include "lab/view_cells.h"
 
 namespace ink::lab {
 namespace {
-
-void fill_place(const Subject& subject,
-                const scene::View& view,
-                const CompareOptions& options,
-                Row& row) {
-    row.scene = subject.scene.name;
-    row.view = view.camera.name;
-    row.split = subject.scene.split == scene::Split::train ? "train" : "heldout";
-    row.width = view.width_px;
-    row.height = view.height_px;
-    row.threads = options.measure.threads;
-    row.seed = options.seed;
-    row.weld_epsilon = options.trace.truth.weld_epsilon;
-    row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
-}
 
 /// What is kept of a scene from view to view.
 struct Known {
@@ -57,6 +43,7 @@ class Comparison {
   public:
     explicit Comparison(const CompareOptions& options)
         : options_(options),
+          cells_{options.measure, options.trace, options.seed},
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
@@ -145,6 +132,7 @@ class Comparison {
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
+        core::write_whole_file(options_.out / "summary.csv", summary_csv(data.rows, data.curves));
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
@@ -167,31 +155,11 @@ class Comparison {
                   const Known& known,
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
-        ViewTruth truth;
-        std::optional<truth::WitnessCheck> check;
-        try {
-            truth = trace_view(known.model, view, options_.trace.cache);
-            if (options_.trace.witness) {
-                check =
-                    truth::cached_witness(known.model, view, truth.traced, options_.trace.cache);
-            }
-            std::vector<Shot> brackets = bracket_shots(truth);
-            std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
-        } catch (const truth::TooLarge& reason) {
-            for (Shot& shot : shots)
-                shot.row.status = fmt::format("too_large: {}", reason.what());
-        } catch (const std::bad_alloc&) {
-            for (Shot& shot : shots)
-                shot.row.status = "too_large: no memory to trace the truth";
-        }
-        const FrameCounts counts = count_frame(subject.scene, view);
-        for (Shot& shot : shots) {
-            fill_place(subject, view, options_, shot.row);
-            if (shot.row.cost) shot.row.cost->frame = counts;
-        }
-        if (check) note_witness(*check, shots);
-        if (!truth.traced.labels.is_empty()) {
-            score_shots(truth, shots);
+        const TracedView traced =
+            trace_with_facts(known.model, subject.scene, view, options_.trace);
+        finish_shots(subject.scene, view, traced, cells_, shots);
+        const ViewTruth& truth = traced.truth;
+        if (traced.has_truth()) {
             attribute_shots(truth, view, known.predictor, shots);
             note_cancellation(study_cancellation(truth, view, known.predictor, shots));
         }
@@ -199,28 +167,27 @@ class Comparison {
         for (const Shot& shot : shots)
             write(shot, subject.scene.split);
         const bool is_first_view = &view == &subject.views.front();
-        if (is_first_view && !truth.traced.labels.is_empty()) {
+        if (is_first_view && traced.has_truth()) {
             shown_.push_back(shown_view(truth, shots));
         }
         const auto nth = &view - subject.views.data();
         const Row& of_view = shots.back().row;  // the oracle's: ok unless the truth itself is not
-        if (nth < options_.sweep.views && !truth.traced.labels.is_empty() && of_view.is_ok()) {
-            run_sweeps(subject, view, truth, of_view);
+        if (nth < options_.sweep.views && traced.has_truth() && of_view.is_ok()) {
+            run_sweeps(subject, view, traced, of_view);
         }
     }
 
     void run_sweeps(const Subject& subject,
                     const scene::View& view,
-                    const ViewTruth& truth,
+                    const TracedView& traced,
                     const Row& of_view) {
-        const FrameCounts counts = count_frame(subject.scene, view);
         for (const Entrant& entrant : options_.entrants) {
             if (is_interrupted()) return;
             for (Row& row :
-                 sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
-                fill_place(subject, view, options_, row);
-                if (row.cost) row.cost->frame = counts;
-                fill_truth_facts(truth, row);
+                 sweep_rows(entrant, subject.scene, view, traced.truth, options_.sweep.measure)) {
+                fill_place(subject.scene, view, cells_, row);
+                if (row.cost) row.cost->frame = traced.counts;
+                fill_truth_facts(traced.truth, row);
                 row.witness_disagreement = of_view.witness_disagreement;
                 row.witness_px = of_view.witness_px;
                 sweep_->write(to_csv(row));
@@ -251,6 +218,7 @@ class Comparison {
     }
 
     const CompareOptions& options_;
+    CellOptions cells_;
     CsvFile rows_;
     CsvFile curves_;
     CsvFile bins_;

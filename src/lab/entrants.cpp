@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "core/error.h"
+#include "methods/presets.h"
 
 namespace ink::lab {
 namespace {
@@ -76,8 +79,34 @@ std::vector<std::string> split_list(const std::string& text) {
     return parts;
 }
 
+void apply_settings(const std::vector<std::string>& settings, std::vector<Entrant>& entrants) {
+    for (const std::string& text : settings)
+        apply_setting(parse_setting(text), entrants);
+    // Read once here, so that a bad value ends the program before a scene is loaded.
+    for (const Entrant& entrant : entrants)
+        (void)entrant.info->complete(entrant.settings);
+}
+
+Entrant preset_entrant(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
+    const std::vector<methods::MethodInfo>& bases = methods::registry();
+    const methods::Preset preset = methods::parse_preset(text, file.string(), bases);
+    const bool is_taken = std::any_of(
+        bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
+    if (is_taken) {
+        throw core::Error(file.string(),
+                          fmt::format("there is a method '{}' already", preset.name),
+                          "a name of its own");
+    }
+    auto info = std::make_shared<const methods::MethodInfo>(methods::preset_method(preset, bases));
+    return {info.get(), {}, info};
+}
+
 std::vector<Entrant> make_entrants(const std::string& methods,
-                                   const std::vector<std::string>& settings) {
+                                   const std::vector<std::string>& settings,
+                                   const std::vector<std::string>& presets) {
     std::vector<Entrant> entrants;
     std::set<std::string> names;
     for (const std::string& name : split_list(methods)) {
@@ -90,11 +119,16 @@ std::vector<Entrant> make_entrants(const std::string& methods,
         for (const methods::MethodInfo& info : methods::registry())
             entrants.push_back({&info, {}});
     }
-    for (const std::string& text : settings)
-        apply_setting(parse_setting(text), entrants);
-    // Read once here, so that a bad value ends the program before a scene is loaded.
-    for (const Entrant& entrant : entrants)
-        (void)entrant.info->complete(entrant.settings);
+    for (const std::string& file : presets) {
+        Entrant entrant = preset_entrant(file);
+        if (!names.insert(entrant.info->name).second) {
+            throw core::Error(file,
+                              fmt::format("'{}' is there twice", entrant.info->name),
+                              "presets with names of their own");
+        }
+        entrants.push_back(std::move(entrant));
+    }
+    apply_settings(settings, entrants);
     return entrants;
 }
 

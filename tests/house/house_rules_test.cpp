@@ -175,6 +175,21 @@ TEST(Methods, EachHasItsFilesAndItsLines) {
     EXPECT_THAT(check_methods(SourceTree{}), SizeIs(1));
 }
 
+TEST(Methods, APresetHasAPageAndALineAndNoCode) {
+    SourceTree tree = one_method();
+    tree.folders.emplace_back("methods/fine_dots");
+    tree.files[1].text += "fine_dots/fine_dots.toml\n";
+    tree.files.push_back({"methods/fine_dots/fine_dots.toml", ""});
+    tree.files.push_back({"methods/fine_dots/fine_dots.md", ""});
+    EXPECT_THAT(check_methods(tree), IsEmpty());
+    tree.files.back().path = "methods/fine_dots/fine_dots.cpp";
+    tree.files[1].text = "dots/dots.cpp\n";
+    EXPECT_THAT(check_methods(tree),
+                ElementsAre("methods/fine_dots/fine_dots.md: missing",
+                            "methods/fine_dots/fine_dots.cpp: a preset has no code",
+                            "methods/CMakeLists.txt: no line for fine_dots"));
+}
+
 TEST(Headers, BeginWithTheirGuard) {
     EXPECT_THAT(check_headers(tree_of({{"a.h", "// Why.\n\n#pragma once\nint a;\n"}})), IsEmpty());
     EXPECT_THAT(check_headers(tree_of({{"a.h", "#include <vector>\n#pragma once\n"}})), SizeIs(1));

@@ -28,8 +28,8 @@ inline std::vector<std::string> scene_names() {
 
 /// Whether a method draws creases, as most do; the others draw contours alone, from outside.
 inline bool draws_creases(std::string_view method) {
-    constexpr std::array<std::string_view, 3> kContoursOnly = {
-        "polygon_offset", "back_faces", "inverted_hull"};
+    constexpr std::array<std::string_view, 4> kContoursOnly = {
+        "polygon_offset", "polygon_offset_tuned", "back_faces", "inverted_hull"};
     return std::find(kContoursOnly.begin(), kContoursOnly.end(), method) == kContoursOnly.end();
 }
 

@@ -1,0 +1,24 @@
+#include "methods/tuned.h"
+
+#include <string>
+
+#include "methods/presets.h"
+#include "methods/shipped_presets.h"
+
+namespace ink::methods {
+
+std::span<const ShippedPreset> shipped_presets() {
+    return kShippedPresets;
+}
+
+std::vector<MethodInfo> tuned_methods(const std::vector<MethodInfo>& bases) {
+    std::vector<MethodInfo> methods;
+    for (const ShippedPreset& shipped : shipped_presets()) {
+        const std::string name(shipped.name);
+        const std::string where = "methods/" + name + "/" + name + ".toml";
+        methods.push_back(preset_method(parse_preset(shipped.text, where, bases), bases));
+    }
+    return methods;
+}
+
+}  // namespace ink::methods
