@@ -31,7 +31,8 @@ struct KindPixels {
 };
 
 /// Sorts the true pixels that count by their kind, ascending: class by label, dihedral by the curve
-/// that drew the pixel (the lowest label, then the first). Kinds without pixels are left out.
+/// that drew the pixel (the lowest label, then the first); what lies a hundredth of a degree below
+/// a bin is in it. Kinds without pixels are left out.
 [[nodiscard]] std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
                                                    const score::ScoringTruth& scoring);
 
