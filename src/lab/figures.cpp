@@ -288,7 +288,7 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
                            front_chart(summarise_fronts(data.rows, data.sweep))
                                .file("Error against time, per method"));
     core::write_whole_file(figures / "classes.svg",
-                           class_chart(summaries).file("Recall per line class and method"));
+                           class_chart(summaries, data.rows).file("Recall per line class and method"));
     core::write_whole_file(
         figures / "causes.svg",
         cause_chart(cause_totals(data.rows)).file("Where the error goes, per method and cause"));

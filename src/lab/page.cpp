@@ -200,7 +200,7 @@ std::string time_intro(const Fronts& fronts) {
         "Large: a method as it comes, with its 95 % interval and the quartiles of its time. Small: "
         "other settings of it; point at one to read which. Its line joins those that no other of "
         "its "
-        "settings beats; settings worse than all methods as they come lie above the chart. {} Over "
+        "settings beats. {} Over "
         "{} view{} of {} scene{}, so values differ a little from the "
         "verdict's.",
         stair,
@@ -248,7 +248,7 @@ std::string main_html(const Material& m) {
     html += section("classes",
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
-                    chart_html(class_chart(m.summaries), "Recall per line class and method"));
+                    chart_html(class_chart(m.summaries, rows), "Recall per line class and method"));
     html += section("causes",
                     "Where the error goes",
                     "Each missing and each false pixel has one cause, read off the exact truth at "

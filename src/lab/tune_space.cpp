@@ -73,8 +73,9 @@ void narrow(const std::string& range, TunedKnob& knob) {
         *high > param.max) {
         throw core::Error("--params",
                           fmt::format("'{}' is no range of {}", range, param.name),
-                          is_number(param) ? fmt::format("low..high within {}..{}", param.min, param.max)
-                                           : "the name alone: every choice is tried");
+                          is_number(param)
+                              ? fmt::format("low..high within {}..{}", param.min, param.max)
+                              : "the name alone: every choice is tried");
     }
     knob.low = *low;
     knob.high = *high;
