@@ -74,8 +74,9 @@ lab::TuneOptions tune_options(const TuneArgs& args) {
     }
     options.entrant = lab::make_entrants(args.method, args.settings).front();
     options.knobs = args.knobs;
-    check_choice("--objective", args.objective, {"error", "ap"});
-    options.objective = args.objective == "ap" ? lab::TuneObjective::ap : lab::TuneObjective::error;
+    check_choice("--objective", args.objective, {"error", "scenes", "ap"});
+    if (args.objective == "scenes") options.objective = lab::TuneObjective::scenes;
+    if (args.objective == "ap") options.objective = lab::TuneObjective::ap;
     if (args.budget_ms && !(*args.budget_ms > 0)) {
         throw core::Error(
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
@@ -144,9 +145,12 @@ void add_tune_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
-        ->add_option("--objective",
-                     args->objective,
-                     "error: 1 - F at 2 px and the method's threshold; ap: 1 - average precision")
+        ->add_option(
+            "--objective",
+            args->objective,
+            "error: 1 - F at 2 px, all training views pooled; scenes: (mean root of each "
+            "scene's error) squared, so that no scene speaks for the others; ap: 1 - average "
+            "precision")
         ->capture_default_str();
     command->add_option("--budget-ms",
                         args->budget_ms,
