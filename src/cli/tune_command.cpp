@@ -38,7 +38,8 @@ struct TuneArgs {
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
-constexpr const char* kUnrecorded[] = {"--out", "--threads", "--cache", "--no-cache", "--help"};
+constexpr const char* kUnrecorded[] = {
+    "--no-random", "--out", "--threads", "--cache", "--no-cache", "--help"};
 
 std::string recorded_command(const CLI::App& command) {
     std::string line = "inkbench tune";
