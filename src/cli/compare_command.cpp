@@ -114,7 +114,7 @@ void add_compare_command(CLI::App& app) {
         ->add_option("--out",
                      args->out,
                      "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
-                     "skips.csv, motion.csv, "
+                     "skips.csv, motion.csv, summary.csv, "
                      "report.html, verdict.md, figures")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
+#include "lab/cancellation_study.h"
 #include "lab/cost_model.h"
 #include "lab/csv.h"
 #include "lab/figures.h"
@@ -16,26 +17,12 @@
 #include "lab/motion_study.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
+#include "lab/summary_csv.h"
 #include "lab/verdict.h"
-#include "truth/witness_cache.h"
+#include "lab/view_cells.h"
 
 namespace ink::lab {
 namespace {
-
-void fill_place(const Subject& subject,
-                const scene::View& view,
-                const CompareOptions& options,
-                Row& row) {
-    row.scene = subject.scene.name;
-    row.view = view.camera.name;
-    row.split = subject.scene.split == scene::Split::train ? "train" : "heldout";
-    row.width = view.width_px;
-    row.height = view.height_px;
-    row.threads = options.measure.threads;
-    row.seed = options.seed;
-    row.weld_epsilon = options.trace.truth.weld_epsilon;
-    row.triangles = static_cast<std::int64_t>(scene::triangle_count(subject.scene));
-}
 
 /// What is kept of a scene from view to view.
 struct Known {
@@ -56,10 +43,12 @@ class Comparison {
   public:
     explicit Comparison(const CompareOptions& options)
         : options_(options),
+          cells_{options.measure, options.trace, options.seed},
           rows_(options.out / "rows.csv", row_columns()),
           curves_(options.out / "curves.csv", curve_columns()),
           bins_(options.out / "bins.csv", bin_columns()),
-          ladder_(options.out / "ladder.csv", ladder_columns()) {
+          ladder_(options.out / "ladder.csv", ladder_columns()),
+          cancellation_file_(options.out / "cancellation.csv", cancellation_columns()) {
         if (options.sweep.views > 0) {
             sweep_.emplace(options.out / "sweep.csv", row_columns());
         } else {
@@ -121,6 +110,7 @@ class Comparison {
         curves_.finish();
         bins_.finish();
         ladder_.finish();
+        cancellation_file_.finish();
         if (sweep_) sweep_->finish();
         const CostFit cost_fit = predict_costs(result_rows_, sweep_rows_);
         if (cost_fit.cells > 0) {
@@ -137,10 +127,12 @@ class Comparison {
                         std::move(scaling_),
                         std::move(skip_study_),
                         std::move(motion_),
-                        std::move(rolls_)};
+                        std::move(rolls_),
+                        std::move(cancellation_)};
         write_figures(data, options_.out);
         core::write_whole_file(options_.out / "verdict.md",
                                verdict_markdown(data.rows, data.curves) + "\n");
+        core::write_whole_file(options_.out / "summary.csv", summary_csv(data.rows, data.curves));
         const auto report = options_.out / "report.html";
         write_report(data, report);
         return {std::move(result_rows_),
@@ -163,64 +155,51 @@ class Comparison {
                   const Known& known,
                   std::vector<std::unique_ptr<PreparedMethod>>& methods) {
         std::vector<Shot> shots = method_shots(methods, view, options_.measure);
-        ViewTruth truth;
-        std::optional<truth::WitnessCheck> check;
-        try {
-            truth = trace_view(known.model, view, options_.trace.cache);
-            if (options_.trace.witness) {
-                check =
-                    truth::cached_witness(known.model, view, truth.traced, options_.trace.cache);
-            }
-            std::vector<Shot> brackets = bracket_shots(truth);
-            std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
-        } catch (const truth::TooLarge& reason) {
-            for (Shot& shot : shots)
-                shot.row.status = fmt::format("too_large: {}", reason.what());
-        } catch (const std::bad_alloc&) {
-            for (Shot& shot : shots)
-                shot.row.status = "too_large: no memory to trace the truth";
-        }
-        const FrameCounts counts = count_frame(subject.scene, view);
-        for (Shot& shot : shots) {
-            fill_place(subject, view, options_, shot.row);
-            if (shot.row.cost) shot.row.cost->frame = counts;
-        }
-        if (check) note_witness(*check, shots);
-        if (!truth.traced.labels.is_empty()) {
-            score_shots(truth, shots);
+        const TracedView traced =
+            trace_with_facts(known.model, subject.scene, view, options_.trace);
+        finish_shots(subject.scene, view, traced, cells_, shots);
+        const ViewTruth& truth = traced.truth;
+        if (traced.has_truth()) {
             attribute_shots(truth, view, known.predictor, shots);
+            note_cancellation(study_cancellation(truth, view, known.predictor, shots));
         }
         check_brackets(shots, void_reasons_);
         for (const Shot& shot : shots)
             write(shot, subject.scene.split);
         const bool is_first_view = &view == &subject.views.front();
-        if (is_first_view && !truth.traced.labels.is_empty()) {
+        if (is_first_view && traced.has_truth()) {
             shown_.push_back(shown_view(truth, shots));
         }
         const auto nth = &view - subject.views.data();
         const Row& of_view = shots.back().row;  // the oracle's: ok unless the truth itself is not
-        if (nth < options_.sweep.views && !truth.traced.labels.is_empty() && of_view.is_ok()) {
-            run_sweeps(subject, view, truth, of_view);
+        if (nth < options_.sweep.views && traced.has_truth() && of_view.is_ok()) {
+            run_sweeps(subject, view, traced, of_view);
         }
     }
 
     void run_sweeps(const Subject& subject,
                     const scene::View& view,
-                    const ViewTruth& truth,
+                    const TracedView& traced,
                     const Row& of_view) {
-        const FrameCounts counts = count_frame(subject.scene, view);
         for (const Entrant& entrant : options_.entrants) {
             if (is_interrupted()) return;
             for (Row& row :
-                 sweep_rows(entrant, subject.scene, view, truth, options_.sweep.measure)) {
-                fill_place(subject, view, options_, row);
-                if (row.cost) row.cost->frame = counts;
-                fill_truth_facts(truth, row);
+                 sweep_rows(entrant, subject.scene, view, traced.truth, options_.sweep.measure)) {
+                fill_place(subject.scene, view, cells_, row);
+                if (row.cost) row.cost->frame = traced.counts;
+                fill_truth_facts(traced.truth, row);
                 row.witness_disagreement = of_view.witness_disagreement;
                 row.witness_px = of_view.witness_px;
                 sweep_->write(to_csv(row));
                 sweep_rows_.push_back(std::move(row));
             }
+        }
+    }
+
+    void note_cancellation(std::vector<CancellationRow> rows) {
+        for (CancellationRow& row : rows) {
+            cancellation_file_.write(cancellation_csv(row));
+            cancellation_.push_back(std::move(row));
         }
     }
 
@@ -239,10 +218,12 @@ class Comparison {
     }
 
     const CompareOptions& options_;
+    CellOptions cells_;
     CsvFile rows_;
     CsvFile curves_;
     CsvFile bins_;
     CsvFile ladder_;
+    CsvFile cancellation_file_;
     std::optional<CsvFile> sweep_;
     std::vector<Row> result_rows_;
     std::vector<CellCurve> cell_curves_;
@@ -252,6 +233,7 @@ class Comparison {
     std::vector<SkipTime> skip_study_;
     std::vector<MotionRow> motion_;
     std::vector<RollCurve> rolls_;
+    std::vector<CancellationRow> cancellation_;
     std::vector<std::string> void_reasons_;
 };
 

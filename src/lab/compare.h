@@ -21,7 +21,7 @@ struct CompareOptions {
     TraceOptions trace;
     bool study_scaling = false;  ///< also lab/scaling.h, on scenes of its own
     /// Directory: rows.csv, curves.csv, bins.csv, ladder.csv, sweep.csv, scaling.csv, skips.csv,
-    /// motion.csv, roll.csv, vanishing.csv,
+    /// motion.csv, roll.csv, vanishing.csv, cancellation.csv, summary.csv,
     /// verdict.md, report.html, figures.
     std::filesystem::path out;
     std::uint64_t seed = 0;     ///< of chance pictures and of drawing scenes again

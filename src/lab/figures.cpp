@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/whole_file.h"
 #include "image_io/image_file.h"
+#include "lab/cancellation_chart.h"
 #include "lab/cause_chart.h"
 #include "lab/cause_totals.h"
 #include "lab/charts.h"
@@ -287,10 +288,13 @@ void write_figures(const ReportData& data, const std::filesystem::path& folder) 
                            front_chart(summarise_fronts(data.rows, data.sweep))
                                .file("Error against time, per method"));
     core::write_whole_file(figures / "classes.svg",
-                           class_chart(summaries).file("Recall per line class and method"));
+                           class_chart(summaries, data.rows).file("Recall per line class and method"));
     core::write_whole_file(
         figures / "causes.svg",
         cause_chart(cause_totals(data.rows)).file("Where the error goes, per method and cause"));
+    core::write_whole_file(figures / "cancellation.svg",
+                           cancellation_chart(data.cancellation)
+                               .file("Predicted against measured miss rates, per method"));
     const std::vector<MarkedView> views = mark_views(data.views);
     write_strips(data.rows, views, figures);
     write_overview(data.rows, views, figures);

@@ -10,7 +10,8 @@ namespace ink::lab {
 /// Writes the figures of a comparison into `folder` (which exists): `figures/<scene>.png`, a strip
 /// of truth and methods with the errors in colour, per shown view; `figures/overview.png`, at
 /// most eight strips below each other, taken evenly from all; `figures/fronts.svg`, error against
-/// time; `figures/classes.svg`, recall per class; `figures/causes.svg`, where the error goes.
+/// time; `figures/classes.svg`, recall per class; `figures/causes.svg`, where the error goes;
+/// `figures/cancellation.svg`, predicted against measured misses.
 ///
 /// Each file appears whole or not at all; of a run before, files of other names stay. Throws
 /// core::Error if one cannot be written. Without views there are no strips.

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lab/charts.h"
 #include "lab/front_scale.h"
 #include "lab/html.h"
-#include "lab/palette.h"
+#include "lab/label_places.h"
+#include "lab/method_looks.h"
 #include "lab/verdict.h"
 
 namespace ink::lab {
@@ -19,8 +19,7 @@ constexpr double kLabelSize = 14;
 /// A method on the chart: how it is told from the others.
 struct Series {
     const MethodSweep* sweep = nullptr;
-    std::string_view colour;
-    int shape = 0;  ///< of its markers, for more methods than colours
+    Look look;
 
     [[nodiscard]] const SettingSummary* usual() const {
         const auto found = std::find_if(sweep->settings.begin(),
@@ -32,25 +31,21 @@ struct Series {
 
 std::vector<Series> series_of(const Fronts& fronts) {
     std::vector<Series> series;
-    for (const MethodSweep& sweep : fronts.methods) {
-        const std::size_t i = series.size();
-        series.push_back({&sweep,
-                          kMethodColours[i % kMethodColours.size()].hex,
-                          static_cast<int>(i / kMethodColours.size())});
-    }
+    for (const MethodSweep& sweep : fronts.methods)
+        series.push_back({&sweep, look_of(sweep.method, series.size())});
     return series;
 }
 
-/// What the plot must show of a setting. One far worse than all methods as they come must not
-/// squeeze these together: it may lie above the plot.
+/// What the plot must show of a setting.
 void widen(const SettingSummary& setting, FrontScale& scale) {
     double least = setting.draw_ms;
     double most = setting.draw_ms;
-    double error = setting.is_default() ? setting.error : 0;
+    double error = setting.error;
     if (setting.is_default() && setting.draw_ms_quartiles) {
         if (setting.draw_ms_quartiles->low > 0) least = setting.draw_ms_quartiles->low;
         most = std::max(most, setting.draw_ms_quartiles->high);
     }
+    if (setting.error > 0) scale.error_min = std::min(scale.error_min, setting.error);
     if (setting.is_default() && setting.error_range) {
         error = std::max(error, setting.error_range->high);
     }
@@ -59,19 +54,27 @@ void widen(const SettingSummary& setting, FrontScale& scale) {
     scale.error_max = std::max(scale.error_max, error);
 }
 
-FrontScale scale_of(const std::vector<Series>& series) {
-    FrontScale scale{1e9, -1e9, 0};
-    for (const Series& s : series) {
-        for (const SettingSummary& setting : s.sweep->settings) {
-            widen(setting, scale);
-            if (s.usual() == nullptr) scale.error_max = std::max(scale.error_max, setting.error);
-        }
+/// The ceiling is on the chart: what is there still to win.
+void widen(const std::vector<MethodSummary>& brackets, FrontScale& scale) {
+    for (const MethodSummary& s : brackets) {
+        if (s.method == "sampled" && s.f_2px && *s.f_2px < 1)
+            scale.error_min = std::min(scale.error_min, 1 - *s.f_2px);
     }
+}
+
+FrontScale scale_of(const std::vector<Series>& series, const std::vector<MethodSummary>& brackets) {
+    FrontScale scale{1e9, -1e9, 1, 0};
+    for (const Series& s : series) {
+        for (const SettingSummary& setting : s.sweep->settings)
+            widen(setting, scale);
+    }
+    widen(brackets, scale);
     // Room for the labels; at least a factor of ten, so that noise does not look like a difference.
     const double middle = (scale.log_min + scale.log_max) / 2;
     const double half = std::max(0.5, (scale.log_max - scale.log_min) / 2 + 0.18);
-    const double error_max = std::min(1.04, std::max(0.02, scale.error_max * 1.15));
-    return {middle - half, middle + half, error_max};
+    const double error_min = std::max(scale.error_min / 1.8, 1e-4);
+    const double error_max = std::clamp(scale.error_max * 1.4, 10 * error_min, 1.2);
+    return {middle - half, middle + half, std::min(error_min, error_max / 10), error_max};
 }
 
 /// A stair through points from the fastest to the best, from the plot's top to its right end.
@@ -118,28 +121,11 @@ void draw_front(Svg& svg, const FrontScale& scale, const Series& series) {
         if (setting.error > scale.error_max) continue;
         front.push_back({setting.draw_ms, setting.error});
     }
-    draw_stair(
-        svg,
-        scale,
-        front,
-        fmt::format(R"(stroke="{}" stroke-width="1.6" stroke-linejoin="round")", series.colour));
-}
-
-void draw_marker(Svg& svg, double x, double y, double radius, const Series& series) {
-    const std::string style = fmt::format(
-        R"(fill="{}" stroke="#ffffff" stroke-width="{}")", series.colour, radius > 4 ? 1.5 : 0.6);
-    const double r = radius;
-    switch (series.shape % 4) {
-        case 1:
-            return svg.rect({x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r}, style);
-        case 2:
-            return svg.polygon({x, y - 1.3 * r, x + 1.3 * r, y, x, y + 1.3 * r, x - 1.3 * r, y},
-                               style);
-        case 3:
-            return svg.polygon({x, y - 1.2 * r, x + 1.2 * r, y + r, x - 1.2 * r, y + r}, style);
-        default:
-            return svg.circle(x, y, r, style);
-    }
+    draw_stair(svg,
+               scale,
+               front,
+               fmt::format(R"(stroke="{}" stroke-width="1.6" stroke-linejoin="round")",
+                           series.look.colour().hex));
 }
 
 /// A setting says what it is when it is pointed at.
@@ -153,7 +139,8 @@ void draw_setting(Svg& svg,
                         escape(s.is_default() ? "as it comes" : s.difference),
                         format_ms(s.draw_ms),
                         format_share(1 - s.error)));
-    draw_marker(svg, scale.x(s.draw_ms), scale.y(s.error), s.is_default() ? kMarker : 3, series);
+    draw_marker(
+        svg, scale.x(s.draw_ms), scale.y(s.error), s.is_default() ? kMarker : 3, series.look);
     svg.raw("</g>");
 }
 
@@ -161,7 +148,7 @@ void draw_bars(Svg& svg, const FrontScale& scale, const Series& series, const Se
     const double x = scale.x(s.draw_ms);
     const double y = scale.y(s.error);
     const std::string stroke =
-        fmt::format(R"(stroke="{}" stroke-width="1.6" opacity="0.6")", series.colour);
+        fmt::format(R"(stroke="{}" stroke-width="1.6" opacity="0.6")", series.look.colour().hex);
     if (s.draw_ms_quartiles && s.draw_ms_quartiles->low > 0) {
         svg.line(
             scale.x(s.draw_ms_quartiles->low), y, scale.x(s.draw_ms_quartiles->high), y, stroke);
@@ -192,46 +179,34 @@ void add_bars(const SettingSummary& s, const FrontScale& scale, std::vector<Box>
     }
 }
 
-/// A label beside its marker, where it covers no other label and no marker.
-Box label_box(const std::string& label, double x, double y, const std::vector<Box>& taken) {
-    const double width = text_width(label, kLabelSize);
-    const double height = kLabelSize + 3;
-    std::vector<Box> places;
-    for (const double away : {3.0, 20.0, 38.0, 58.0, 80.0}) {
-        for (const double left : {x + 11, x - 11 - width, x - width / 2}) {
-            places.push_back({left, y - height - away, width, height});
-            places.push_back({left, y + away + 1, width, height});
-        }
-    }
-    for (const Box& place : places) {
-        const bool is_inside =
-            place.x >= kFrontPlot.x && place.x + width <= kFrontPlot.x + kFrontPlot.width &&
-            place.y >= kFrontPlot.y && place.y + height <= kFrontPlot.y + kFrontPlot.height;
-        const bool is_free = std::none_of(
-            taken.begin(), taken.end(), [&](const Box& other) { return place.overlaps(other); });
-        if (is_inside && is_free) return place;
-    }
-    return places[0];
-}
-
 void draw_labels(Svg& svg,
                  const FrontScale& scale,
                  const std::vector<Series>& series,
                  std::vector<Box> taken) {
+    LabelRoom room{
+        .inside = kFrontPlot, .taken = std::move(taken), .size = kLabelSize, .radius = kMarker + 2};
+    std::vector<Named> named;
     for (const Series& s : series) {
         for (const SettingSummary& setting : s.sweep->settings) {
-            const double radius = setting.is_default() ? kMarker : 3;
-            taken.push_back(box_round(scale.x(setting.draw_ms), scale.y(setting.error), radius));
-            if (setting.is_default()) add_bars(setting, scale, taken);
+            room.taken.push_back(box_round(scale.x(setting.draw_ms), scale.y(setting.error), 3));
+            if (setting.is_default()) add_bars(setting, scale, room.avoided);
         }
-    }
-    for (const Series& s : series) {
         const SettingSummary* usual = s.usual();
         if (usual == nullptr) usual = &s.sweep->settings.front();
-        const double x = scale.x(usual->draw_ms);
-        const Box box = label_box(s.sweep->method, x, scale.y(usual->error), taken);
-        taken.push_back(box);
-        svg.text(box.x, box.y + kLabelSize, s.sweep->method, {"start", s.colour, kLabelSize, true});
+        named.push_back({s.sweep->method, scale.x(usual->draw_ms), scale.y(usual->error)});
+    }
+    const std::vector<LabelPlace> places = place_labels(named, room);
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        const Box& box = places[i].box;
+        const std::string_view colour = series[i].look.colour().hex;
+        if (places[i].has_leader) {
+            svg.line(named[i].x,
+                     named[i].y,
+                     std::clamp(named[i].x, box.x, box.x + box.width),
+                     std::clamp(named[i].y, box.y + 2, box.y + box.height - 2),
+                     fmt::format(R"(stroke="{}" stroke-width="0.9")", colour));
+        }
+        svg.text(box.x + 1, box.y + kLabelSize, named[i].name, {"start", colour, kLabelSize, true});
     }
 }
 
@@ -247,7 +222,7 @@ Svg front_chart(const Fronts& fronts) {
                  {"middle", kFaintText, 14});
         return svg;
     }
-    const FrontScale scale = scale_of(series);
+    const FrontScale scale = scale_of(series, fronts.brackets);
     draw_front_axes(svg, scale);
     draw_front_of_all(svg, scale, series);
     const std::vector<Box> taken = draw_levels(svg, scale, fronts.brackets);

@@ -11,28 +11,23 @@ namespace {
 constexpr std::string_view kGrid = R"(stroke="#e6e8eb" stroke-width="1")";
 constexpr std::string_view kAxis = R"(stroke="#8a919c" stroke-width="1")";
 
-/// 1, 2 or 5 times a power of ten that splits `range` into 4 to 10 steps.
-double nice_step(double range) {
-    const double raw = range / 5;
-    const double power = std::pow(10, std::floor(std::log10(raw)));
-    const double lead = raw / power;
-    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-}
-
 void draw_error_axis(Svg& svg, const FrontScale& scale) {
-    const double step = nice_step(scale.error_max);
-    const int decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-    for (int i = 0; step * i <= scale.error_max + 1e-9; ++i) {
-        const double y = scale.y(step * i);
-        svg.line(kFrontPlot.x, y, kFrontPlot.x + kFrontPlot.width, y, i == 0 ? kAxis : kGrid);
-        svg.text(kFrontPlot.x - 10,
-                 y + 4.5,
-                 fmt::format("{:.{}f}", step * i, decimals),
-                 {"end", kFaintText});
+    const int last = static_cast<int>(std::ceil(std::log10(scale.error_max)));
+    for (int decade = static_cast<int>(std::floor(std::log10(scale.error_min))); decade <= last;
+         ++decade) {
+        for (const int lead : {1, 2, 5}) {
+            const double error = lead * std::pow(10, decade);
+            if (error < 0.9999 * scale.error_min || error > 1.0001 * scale.error_max) continue;
+            const double y = scale.y(error);
+            svg.line(kFrontPlot.x, y, kFrontPlot.x + kFrontPlot.width, y, kGrid);
+            svg.text(kFrontPlot.x - 10, y + 4.5, fmt::format("{:g}", error), {"end", kFaintText});
+        }
     }
+    const double bottom = kFrontPlot.y + kFrontPlot.height;
+    svg.line(kFrontPlot.x, bottom, kFrontPlot.x + kFrontPlot.width, bottom, kAxis);
     svg.vertical_text(22,
                       kFrontPlot.y + kFrontPlot.height / 2,
-                      "error 1 − F at 2 px  (lower is better)",
+                      "error 1 − F at 2 px, logarithmic  (lower is better)",
                       {.fill = kFaintText});
 }
 

@@ -15,18 +15,22 @@ inline constexpr double kFrontHeight = 520;
 inline constexpr Box kFrontPlot{76, 22, 890, 432};
 inline constexpr std::string_view kFaintText = "#5b6470";
 
-/// From values to places on the plot: time logarithmic to the right, error upwards from 0.
+/// From values to places on the plot, both logarithmic: time to the right, error upwards. An error
+/// below the least, as 0, stands on the lower edge.
 struct FrontScale {
     double log_min = 0;  ///< decimal logarithm of the time at the left end, ms
     double log_max = 1;
-    double error_max = 1;  ///< at the top
+    double error_min = 0.001;  ///< at the bottom, above 0
+    double error_max = 1;      ///< at the top
 
     [[nodiscard]] double x(double time_ms) const {
         return kFrontPlot.x +
                kFrontPlot.width * (std::log10(time_ms) - log_min) / (log_max - log_min);
     }
     [[nodiscard]] double y(double error) const {
-        return kFrontPlot.y + kFrontPlot.height * (1 - error / error_max);
+        const double share =
+            std::log(std::fmax(error, error_min) / error_min) / std::log(error_max / error_min);
+        return kFrontPlot.y + kFrontPlot.height * (1 - share);
     }
 };
 

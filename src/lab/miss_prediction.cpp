@@ -7,7 +7,6 @@
 
 #include "edge/laplacian.h"
 #include "lab/cell.h"
-#include "lab/truth_code.h"
 
 namespace ink::lab {
 namespace {
@@ -96,12 +95,16 @@ const scene::Surface& MissPredictor::surface(const methods::CodeInputs& inputs) 
     return place->second;
 }
 
+TruthCode MissPredictor::code_of(const methods::LinearCode& code, const scene::View& view) {
+    return {surface(code.inputs), bounds_, view, code};
+}
+
 std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>& missing,
                                                  const ViewTruth& truth,
                                                  const scene::View& view,
                                                  const Declaration& declared) {
     if (missing.empty() || !declared.code) return {};
-    const TruthCode code(surface(declared.code->inputs), bounds_, view, *declared.code);
+    const TruthCode code = code_of(*declared.code, view);
     const Filter filter(code, truth.traced.layers, declared);
     const score::TruthStencils stencils = stencils_of(truth);
     std::vector<score::Cause> causes;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/tracing.h"
+#include "lab/truth_code.h"
 #include "methods/method.h"
 #include "scene/scene.h"
 #include "score/attribution.h"
@@ -50,6 +51,9 @@ class MissPredictor {
                                                const ViewTruth& truth,
                                                const scene::View& view,
                                                const Declaration& declared);
+
+    /// `code` worked out from the truth of `view`; borrows `code` and this.
+    [[nodiscard]] TruthCode code_of(const methods::LinearCode& code, const scene::View& view);
 
   private:
     [[nodiscard]] const scene::Surface& surface(const methods::CodeInputs& inputs);

@@ -11,6 +11,7 @@
 #include "lab/html.h"
 #include "lab/page_about.h"
 #include "lab/page_assets.h"
+#include "lab/page_cancellation.h"
 #include "lab/page_causes.h"
 #include "lab/page_cost.h"
 #include "lab/page_motion.h"
@@ -153,6 +154,7 @@ std::string nav_html(const Material& m) {
     if (!m.statistics.empty()) link("statistics", "Thresholds");
     link("classes", "Line classes");
     link("causes", "Where the error goes");
+    if (!m.data.cancellation.empty()) link("cancellation", "Cancellation");
     const bool has_lines = std::any_of(m.data.rows.begin(), m.data.rows.end(), [](const Row& row) {
         return row.lines.has_value();
     });
@@ -198,7 +200,7 @@ std::string time_intro(const Fronts& fronts) {
         "Large: a method as it comes, with its 95 % interval and the quartiles of its time. Small: "
         "other settings of it; point at one to read which. Its line joins those that no other of "
         "its "
-        "settings beats; settings worse than all methods as they come lie above the chart. {} Over "
+        "settings beats. {} Over "
         "{} view{} of {} scene{}, so values differ a little from the "
         "verdict's.",
         stair,
@@ -246,7 +248,7 @@ std::string main_html(const Material& m) {
     html += section("classes",
                     "Recall per line class",
                     "How much of each kind of true line was found within 2 px, pooled over views.",
-                    chart_html(class_chart(m.summaries), "Recall per line class and method"));
+                    chart_html(class_chart(m.summaries, rows), "Recall per line class and method"));
     html += section("causes",
                     "Where the error goes",
                     "Each missing and each false pixel has one cause, read off the exact truth at "
@@ -254,6 +256,12 @@ std::string main_html(const Material& m) {
                     "the table, is what one-to-one pairing left over beside lines that were found: "
                     "doubled, frayed or shortened ones.",
                     causes_html(rows));
+    if (!m.data.cancellation.empty()) {
+        html += section("cancellation",
+                        "Cancellation: misses foretold",
+                        cancellation_intro(),
+                        cancellation_html(m.data.cancellation));
+    }
     const std::string place = place_html(rows);
     if (!place.empty()) {
         html += section(

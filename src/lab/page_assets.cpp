@@ -64,11 +64,18 @@ td b { font-weight: 700; }
 .range { color: var(--soft); font-size: .85em; }
 .wide.fronts td.text { max-width: 620px; min-width: 0; white-space: normal; }
 .leads td { min-width: 96px; }
+.many thead th:not(:first-child) { writing-mode: vertical-rl; transform: rotate(180deg);
+  text-align: left; padding: 5px 3px; }
+.leads.many { font-size: .78rem; line-height: 1.25; }
+.leads.many td { min-width: 0; padding: 4px 3px; vertical-align: top; }
+.leads.many .range { display: block; white-space: normal; width: min-content; margin-left: auto; }
 .terms { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 3px 26px;
   margin: 4px 0 12px; font-size: .88rem; color: var(--soft); }
 .terms dt { display: inline; font-weight: 600; color: var(--ink); }
 .terms dd { display: inline; margin: 0 0 0 .5em; }
 .heat td { min-width: 74px; text-align: center; }
+.heat.many { font-size: .82rem; }
+.heat.many td { min-width: 0; padding: 5px 4px; }
 .heat th[scope=row] { max-width: 340px; overflow: hidden; text-overflow: ellipsis; }
 .tag { display: inline-block; font-size: .78rem; color: var(--soft); border: 1px solid var(--line);
   border-radius: 9px; padding: 0 8px; font-weight: 400; }

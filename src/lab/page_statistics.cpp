@@ -10,6 +10,8 @@
 namespace ink::lab {
 namespace {
 
+constexpr std::size_t kMany = 9;  // columns; with more, headings stand upright and cells are narrow
+
 std::string table(std::string_view classes, const std::string& head, const std::string& body) {
     return fmt::format(
         "<div class=\"scroll\"><table class=\"{}\"><thead><tr>{}</tr></thead><tbody>{}</tbody>"
@@ -92,7 +94,7 @@ std::string leads_html(const std::vector<Row>& rows) {
             body += lead_cell(leads, cells[i].front(), cells.front()[j]);
         body += "</tr>\n";
     }
-    return table("leads", head, body);
+    return table(cells.front().size() > kMany ? "leads many" : "leads", head, body);
 }
 
 std::string fronts_html(const Fronts& fronts) {

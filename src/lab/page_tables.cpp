@@ -153,8 +153,9 @@ std::string scene_heat_html(const std::vector<Row>& rows,
                             heat_line(of_scene, methods));
     }
     return fmt::format(
-        "<div class=\"scroll\"><table class=\"heat\"><thead><tr>{}</tr></thead>"
+        "<div class=\"scroll\"><table class=\"heat{}\"><thead><tr>{}</tr></thead>"
         "<tbody>{}</tbody></table></div>",
+        methods.size() > 8 ? " many" : "",
         head,
         body);
 }

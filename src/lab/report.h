@@ -6,6 +6,7 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
+#include "lab/cancellation.h"
 #include "lab/cost_model.h"
 #include "lab/motion_rows.h"
 #include "lab/ods.h"
@@ -42,10 +43,11 @@ struct ReportData {
     std::vector<CellCurve> curves = {};  ///< of the methods' cells: what ODS, OIS and AP come from
     std::vector<Row> sweep = {};         ///< a row per setting, method and swept view
     CostFit cost_fit = {};               ///< what the rows' predicted times were made from
-    std::vector<ScalingPoint> scaling = {};  ///< how times grow, if that was asked for
-    std::vector<SkipTime> skip_study = {};   ///< what skips are worth, if that was asked
-    std::vector<MotionRow> motion = {};      ///< of sequences, if that was asked
-    std::vector<RollCurve> rolls = {};       ///< of the cube roll, with them
+    std::vector<ScalingPoint> scaling = {};          ///< how times grow, if that was asked for
+    std::vector<SkipTime> skip_study = {};           ///< what skips are worth, if that was asked
+    std::vector<MotionRow> motion = {};              ///< of sequences, if that was asked
+    std::vector<RollCurve> rolls = {};               ///< of the cube roll, with them
+    std::vector<CancellationRow> cancellation = {};  ///< of methods that declare a code
 };
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and

@@ -28,6 +28,16 @@ struct MeshJob {
     std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
     bool uses_lanes = false;
     LanePull pull;
+
+    [[nodiscard]] PixelRect picture() const { return {0, 0, grid.width_px, grid.height_px}; }
+    /// The bit of its object in MeshRun::objects.
+    [[nodiscard]] std::uint64_t object_bit(const scene::Cluster& cluster) const {
+        return std::uint64_t{1} << (input.mesh->clusters().solids[cluster.solid].object % 64);
+    }
+    /// Whether triangles seen from their back are to be left out, for whichever reason.
+    [[nodiscard]] bool drops_backs(bool hides_backs) const {
+        return input.cull == Cull::back || (hides_backs && input.skips.has(Skip::backs));
+    }
 };
 
 /// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by

@@ -46,13 +46,13 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     return result;
 }
 
-int wait_for(pid_t child, const std::function<bool()>& is_time) {
+int wait_for(pid_t child, const std::function<bool()>& is_time, int signal) {
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
     bool is_told = false;
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
         if (!is_told && is_time && is_time()) {
-            kill(child, SIGINT);
+            kill(child, signal);
             is_told = true;
         }
         if (std::chrono::steady_clock::now() > deadline) kill(child, SIGKILL);
@@ -105,6 +105,17 @@ Outcome Desk::run(const std::vector<std::string>& arguments) const {
 
 Outcome Desk::run_until(const std::vector<std::string>& arguments,
                         const std::function<bool()>& is_time) const {
+    return run_with_signal(arguments, is_time, SIGINT);
+}
+
+Outcome Desk::kill_when(const std::vector<std::string>& arguments,
+                        const std::function<bool()>& is_time) const {
+    return run_with_signal(arguments, is_time, SIGKILL);
+}
+
+Outcome Desk::run_with_signal(const std::vector<std::string>& arguments,
+                              const std::function<bool()>& is_time,
+                              int signal) const {
     std::vector<std::string> words = {INK_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> settings = {"PATH=/usr/bin:/bin",
@@ -122,7 +133,7 @@ Outcome Desk::run_until(const std::vector<std::string>& arguments,
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child == 0) become_program(root_, argv.data(), env.data());
     Outcome outcome;
-    outcome.exit_code = wait_for(child, is_time);
+    outcome.exit_code = wait_for(child, is_time, signal);
     outcome.out = slurp(root_ / "out");
     outcome.err = slurp(root_ / "err");
     return outcome;

@@ -34,6 +34,10 @@ class Desk {
     [[nodiscard]] Outcome run_until(const std::vector<std::string>& arguments,
                                     const std::function<bool()>& is_time) const;
 
+    /// As `run`, but sends SIGKILL (kill -9): exit code 137.
+    [[nodiscard]] Outcome kill_when(const std::vector<std::string>& arguments,
+                                    const std::function<bool()>& is_time) const;
+
     /// Writes a file into `work()`; returns its name.
     std::string write(const std::string& name, const std::string& content) const;
     [[nodiscard]] std::string read(const std::string& name) const;
@@ -43,6 +47,10 @@ class Desk {
     [[nodiscard]] std::map<std::string, std::uintmax_t> inventory() const;
 
   private:
+    [[nodiscard]] Outcome run_with_signal(const std::vector<std::string>& arguments,
+                                          const std::function<bool()>& is_time,
+                                          int signal) const;
+
     std::filesystem::path root_;
 };
 

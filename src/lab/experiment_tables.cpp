@@ -1,0 +1,131 @@
+#include "lab/experiment_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "lab/cost_facts.h"
+#include "lab/cost_model.h"
+#include "lab/csv_table.h"
+#include "lab/row_reader.h"
+#include "lab/summary_csv.h"
+
+namespace ink::lab {
+namespace {
+
+/// All lines of a table, without a heading.
+std::string lines_of(const std::vector<KeptBlock>& blocks, const std::string& table) {
+    std::string lines;
+    for (const KeptBlock& block : blocks) {
+        const auto found = block.result.lines.find(table);
+        if (found != block.result.lines.end()) lines += found->second;
+    }
+    return lines;
+}
+
+/// A table of rows with what the cost model is made from.
+struct RowsTable {
+    CsvTable csv;
+    std::vector<Row> rows;
+};
+
+RowsTable read_table(const std::string& text, const std::string& facts, const std::string& name) {
+    RowsTable table{split_csv(text, name), {}};
+    table.rows = read_rows(table.csv, name);
+    std::size_t at = 0;
+    for (Row& row : table.rows) {
+        const auto end = facts.find('\n', at);
+        if (end == std::string::npos) {
+            throw core::Error(name, "the facts of a row are missing", "an unchanged file");
+        }
+        row.cost = read_cost_facts(facts.substr(at, end - at), name);
+        at = end + 1;
+    }
+    return table;
+}
+
+/// Writes what was predicted over the fields, so that no other field changes a byte.
+std::string with_predictions(RowsTable& table) {
+    const std::size_t predicted = table.csv.find("predicted_ns");
+    const std::size_t residual = table.csv.find("cost_residual");
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const Row& row = table.rows[i];
+        if (!row.predicted_ns || !row.cost_residual) continue;
+        table.csv.records[i].at(predicted) = fmt::format("{}", *row.predicted_ns);
+        table.csv.records[i].at(residual) = fmt::format("{}", *row.cost_residual);
+    }
+    return join_csv(table.csv);
+}
+
+FinishedTable* find(std::vector<FinishedTable>& tables, const std::string& name) {
+    const auto found = std::find_if(
+        tables.begin(), tables.end(), [&](const FinishedTable& t) { return t.name == name; });
+    return found == tables.end() ? nullptr : &*found;
+}
+
+void predict(const std::vector<KeptBlock>& blocks, std::vector<FinishedTable>& tables) {
+    FinishedTable* rows = find(tables, "rows.csv");
+    FinishedTable* sweep = find(tables, "sweep.csv");
+    if (rows == nullptr) return;
+    const auto read = [&](FinishedTable* table) {
+        if (table == nullptr) return RowsTable{};
+        return read_table(table->text, lines_of(blocks, facts_table(table->name)), table->name);
+    };
+    RowsTable of_rows = read(rows);
+    RowsTable of_sweep = read(sweep);
+    if (predict_costs(of_rows.rows, of_sweep.rows).cells == 0) return;
+    rows->text = with_predictions(of_rows);
+    if (sweep != nullptr) sweep->text = with_predictions(of_sweep);
+}
+
+/// What the rows say of each method; curves are there where they were asked for.
+std::string summary_of(std::vector<FinishedTable>& tables) {
+    const auto read = [&](const char* name) {
+        const FinishedTable* table = find(tables, name);
+        return table == nullptr ? CsvTable{} : split_csv(table->text, name);
+    };
+    const std::vector<Row> rows = read_rows(read("rows.csv"), "rows.csv");
+    return summary_csv(rows, read_curves(read("curves.csv"), rows, "curves.csv"));
+}
+
+}  // namespace
+
+std::vector<FinishedTable> finished_tables(const PlanRecord& record,
+                                           const std::vector<KeptBlock>& blocks) {
+    std::vector<FinishedTable> tables;
+    for (const PlannedTable& table : record.tables) {
+        std::string lines = lines_of(blocks, table.name);
+        if (!record.times) lines = without_times(table.heading, lines);
+        tables.push_back({table.name, table.heading + "\n" + lines});
+    }
+    if (record.times) predict(blocks, tables);
+    // Over several sizes or numbers of threads no one time of a method means anything.
+    if (record.one_place && find(tables, "rows.csv") != nullptr) {
+        tables.push_back({"summary.csv", summary_of(tables)});
+    }
+    return tables;
+}
+
+RunOutcome finish_run(const BlockStore& store,
+                      PlanRecord record,
+                      const std::vector<KeptBlock>& blocks) {
+    RunOutcome outcome;
+    for (const FinishedTable& table : finished_tables(record, blocks)) {
+        core::write_whole_file(store.folder() / table.name, table.text);
+        outcome.tables.push_back(store.folder() / table.name);
+    }
+    for (const KeptBlock& block : blocks) {
+        outcome.faults.insert(
+            outcome.faults.end(), block.result.faults.begin(), block.result.faults.end());
+    }
+    if (outcome.faults.empty()) {
+        record.is_finished = true;
+        store.write_plan(record);
+        store.clear();
+    }
+    return outcome;
+}
+
+}  // namespace ink::lab

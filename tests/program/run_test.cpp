@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <set>
+
+#include "tests/program/run_program.h"
+
+// Experiments as a user runs them: killed, resumed, shared out, interrupted.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+using Words = std::vector<std::string>;
+
+constexpr const char* kExperiment = R"(name = "tiny"
+kind = "compare"
+seed = 3
+[grid]
+scenes = ["cube", "rocket", "letters", "tiles"]
+views = 2
+methods = ["mote4", "ids", "edge_list"]
+sizes = ["96x54"]
+[measure]
+repetitions = 1
+times = false
+[sweep.mote4]
+threshold = [3, 6, 12]
+range_depth = [31, 63]
+)";
+
+const std::vector<std::string> kTables = {"rows.csv",
+                                          "curves.csv",
+                                          "bins.csv",
+                                          "ladder.csv",
+                                          "cancellation.csv",
+                                          "sweep.csv",
+                                          "summary.csv"};
+
+/// All tables of a folder, one behind the other.
+std::string tables_of(const Desk& desk, const std::string& folder) {
+    std::string text;
+    for (const std::string& table : kTables) {
+        const std::string one = desk.read(folder + "/" + table);
+        EXPECT_NE(one, "") << folder << "/" << table;
+        text += table + "\n" + one;
+    }
+    return text;
+}
+
+TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    const Outcome outcome = desk.run({"run", "tiny.toml"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    // 4 scenes x 2 views x (3 methods + 3 brackets + 6 settings), a block for rows and one for the
+    // sweep on each view.
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
+    const Table rows = parse_csv(desk.read("inkbench-out/tiny/rows.csv"));
+    EXPECT_EQ(rows.size(), 48U);
+    EXPECT_EQ(parse_csv(desk.read("inkbench-out/tiny/sweep.csv")).size(), 48U);
+    for (const auto& row : rows) {
+        EXPECT_EQ(row.at("status"), "ok");
+        EXPECT_EQ(row.at("seed"), "3");
+        EXPECT_EQ(row.at("draw_ns") + row.at("draw_n") + row.at("predicted_ns"), "");
+    }
+    EXPECT_THAT(desk.run({"run", "tiny.toml"}).out, HasSubstr("all 96 cells are done"));
+}
+
+TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    const auto begin = Clock::now();
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "whole"}).exit_code, 0);
+    const auto whole = Clock::now() - begin;
+    const std::string expected = tables_of(desk, "whole");
+
+    std::mt19937 random(20);
+    std::uniform_real_distribution<double> share(0.05, 1.0);
+    int kills = 0;
+    int finished = 0;
+    while (kills < 20) {
+        const std::string folder = "run" + std::to_string(finished);
+        const Words words = {"run", "tiny.toml", "--out", folder};
+        const auto deadline = Clock::now() + whole * share(random);
+        const Outcome outcome = desk.kill_when(words, [&] { return Clock::now() >= deadline; });
+        if (outcome.exit_code == 128 + 9) {
+            ++kills;
+            continue;
+        }
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_EQ(tables_of(desk, folder), expected) << folder;
+        ++finished;
+    }
+    const std::string folder = "run" + std::to_string(finished);
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", folder}).exit_code, 0);
+    EXPECT_EQ(tables_of(desk, folder), expected);
+    std::set<std::string> left;
+    for (const auto& [name, size] : desk.inventory())
+        if (name.find(".part") != std::string::npos) left.insert(name);
+    EXPECT_TRUE(left.empty()) << testing::PrintToString(left);
+}
+
+TEST(Run, ShardsMergedGiveTheBytesOfOneRun) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "whole"}).exit_code, 0);
+    for (const char* shard : {"3/3", "1/3"}) {
+        const Words words = {
+            "run", "tiny.toml", "--shard", shard, "--out", std::string("part") + shard[0]};
+        const Outcome outcome = desk.run(words);
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, AllOf(HasSubstr("of 96 cells"), HasSubstr("inkbench merge")));
+    }
+    const Outcome early = desk.run({"merge", "part1", "part3", "-o", "merged"});
+    EXPECT_EQ(early.exit_code, 2);
+    EXPECT_THAT(early.err, HasSubstr("blocks are missing"));
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--shard", "2/3", "--out", "part2"}).exit_code, 0);
+    ASSERT_EQ(desk.run({"merge", "part3", "part1", "part2", "-o", "merged"}).exit_code, 0);
+    EXPECT_EQ(tables_of(desk, "merged"), tables_of(desk, "whole"));
+}
+
+TEST(Run, InterruptedKeepsWhatIsFinishedAndGoesOn) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    const Outcome outcome = desk.run_until({"run", "tiny.toml", "--out", "a"}, [&] {
+        return desk.inventory().contains("a/blocks/000002.block");
+    });
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("interrupted"), HasSubstr("goes on")));
+    EXPECT_EQ(desk.read("a/rows.csv"), "");
+    const Outcome next = desk.run({"run", "tiny.toml", "--out", "a"});
+    EXPECT_EQ(next.exit_code, 0);
+    EXPECT_THAT(next.out, HasSubstr("cells done, about"));
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "b"}).exit_code, 0);
+    EXPECT_EQ(tables_of(desk, "a"), tables_of(desk, "b"));
+}
+
+TEST(Run, RefusesBadInputWithOneLineAndExitTwo) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    desk.write("bad.toml", "name = \"bad\"\nkind = \"compare\"\n[grid]\nscenes = [\"cubes\"]\n");
+    const auto expect_refusal = [&](const Words& words, const std::string& what) {
+        const Outcome outcome = desk.run(words);
+        EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(words);
+        EXPECT_THAT(outcome.err, HasSubstr(what));
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    };
+    expect_refusal({"run", "bad.toml"}, "bad.toml:4");
+    expect_refusal({"run", "nothing.toml"}, "nothing.toml");
+    expect_refusal({"run", "tiny.toml", "--shard", "4/3"}, "--shard");
+    expect_refusal({"run", "tiny.toml", "--size", "big"}, "--size");
+    expect_refusal({"run", "tiny.toml", "--methods", "mote5"}, "mote5");
+    expect_refusal({"merge", "nowhere", "-o", "merged"}, "nowhere");
+    desk.write("file", "");
+    expect_refusal({"run", "tiny.toml", "--out", "file/x"}, "file/x");
+    EXPECT_FALSE(desk.inventory().contains("inkbench-out"));
+
+    ASSERT_EQ(desk.run({"run", "tiny.toml", "--scenes", "cube", "--views", "1"}).exit_code, 0);
+    expect_refusal({"run", "tiny.toml"}, "another experiment");
+    EXPECT_EQ(
+        desk.run({"run", "tiny.toml", "--scenes", "tiles", "--views", "1", "--fresh"}).exit_code,
+        0);
+}
+
+}  // namespace
+}  // namespace ink::program
