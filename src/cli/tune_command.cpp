@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "cli/commands.h"
@@ -9,6 +10,7 @@
 #include "core/parallel.h"
 #include "core/param.h"
 #include "lab/tune.h"
+#include "lab/tune_bound.h"
 #include "lab/tune_report.h"
 
 namespace ink::cli {
@@ -27,6 +29,7 @@ struct TuneArgs {
     std::string global = "crs";
     std::string local = "sbplx";
     bool no_random = false;
+    bool no_bound = false;
     std::string scenes;
     ViewOptions views;
     int more_views = 0;
@@ -39,7 +42,7 @@ struct TuneArgs {
 
 /// Options that change no result, and so are no part of the command that a preset records.
 constexpr const char* kUnrecorded[] = {
-    "--no-random", "--out", "--threads", "--cache", "--no-cache", "--help"};
+    "--no-random", "--no-bound", "--out", "--threads", "--cache", "--no-cache", "--help"};
 
 std::string recorded_command(const CLI::App& command) {
     std::string line = "inkbench tune";
@@ -120,7 +123,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     std::vector<lab::Subject> subjects = lab::load_subjects(lab::split_list(args.scenes), request);
     for (lab::Subject& subject : subjects)
         lab::add_training_views(subject, request, args.more_views);
-    const lab::TuneResult result = lab::tune(std::move(subjects), options);
+    const lab::TuneResult result = lab::tune(subjects, options);
     if (result.is_interrupted) {
         fmt::print(stderr,
                    "inkbench: interrupted; the finished evaluations are in {}, and the same "
@@ -129,6 +132,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
         throw CLI::RuntimeError(kInterrupted);
     }
     fmt::print("{}", lab::tune_summary(result, options));
+    std::fflush(stdout);
+    if (!args.no_bound) {
+        fmt::print("{}", lab::tune_bound_lines(subjects, result, options));
+    }
 }
 
 }  // namespace
@@ -174,6 +181,8 @@ void add_tune_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "No random search of as many evaluations beside it");
+    command->add_flag(
+        "--no-bound", args->no_bound, "No linear bound beside it, for methods that declare a code");
     command->add_option("--scenes",
                         args->scenes,
                         "Scenes a,b or model files that take part (all built-in ones unless "
