@@ -84,7 +84,7 @@ struct TuneResult {
 void add_training_views(Subject& subject, const ViewRequest& request, int count);
 
 /// Looks for the settings of a method that make the fewest errors on the training scenes among
-/// `subjects`, starting from its defaults, so that the result is never worse there; scores them on
+/// `subjects`, starting from its defaults, so that what is lowered is never worse there; scores them on
 /// the held-out scenes, which the search never sees.
 ///
 /// Truths are traced once, a picture is drawn once for settings that differ in the threshold alone.
