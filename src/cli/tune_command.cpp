@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "cli/commands.h"
@@ -9,6 +10,7 @@
 #include "core/parallel.h"
 #include "core/param.h"
 #include "lab/tune.h"
+#include "lab/tune_bound.h"
 #include "lab/tune_report.h"
 
 namespace ink::cli {
@@ -27,6 +29,7 @@ struct TuneArgs {
     std::string global = "crs";
     std::string local = "sbplx";
     bool no_random = false;
+    bool no_bound = false;
     std::string scenes;
     ViewOptions views;
     int more_views = 0;
@@ -38,7 +41,8 @@ struct TuneArgs {
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
-constexpr const char* kUnrecorded[] = {"--out", "--threads", "--cache", "--no-cache", "--help"};
+constexpr const char* kUnrecorded[] = {
+    "--no-random", "--no-bound", "--out", "--threads", "--cache", "--no-cache", "--help"};
 
 std::string recorded_command(const CLI::App& command) {
     std::string line = "inkbench tune";
@@ -74,8 +78,9 @@ lab::TuneOptions tune_options(const TuneArgs& args) {
     }
     options.entrant = lab::make_entrants(args.method, args.settings).front();
     options.knobs = args.knobs;
-    check_choice("--objective", args.objective, {"error", "ap"});
-    options.objective = args.objective == "ap" ? lab::TuneObjective::ap : lab::TuneObjective::error;
+    check_choice("--objective", args.objective, {"error", "scenes", "ap"});
+    if (args.objective == "scenes") options.objective = lab::TuneObjective::scenes;
+    if (args.objective == "ap") options.objective = lab::TuneObjective::ap;
     if (args.budget_ms && !(*args.budget_ms > 0)) {
         throw core::Error(
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
@@ -118,7 +123,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     std::vector<lab::Subject> subjects = lab::load_subjects(lab::split_list(args.scenes), request);
     for (lab::Subject& subject : subjects)
         lab::add_training_views(subject, request, args.more_views);
-    const lab::TuneResult result = lab::tune(std::move(subjects), options);
+    const lab::TuneResult result = lab::tune(subjects, options);
     if (result.is_interrupted) {
         fmt::print(stderr,
                    "inkbench: interrupted; the finished evaluations are in {}, and the same "
@@ -127,6 +132,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
         throw CLI::RuntimeError(kInterrupted);
     }
     fmt::print("{}", lab::tune_summary(result, options));
+    std::fflush(stdout);
+    if (!args.no_bound) {
+        fmt::print("{}", lab::tune_bound_lines(subjects, result, options));
+    }
 }
 
 }  // namespace
@@ -144,9 +153,12 @@ void add_tune_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
-        ->add_option("--objective",
-                     args->objective,
-                     "error: 1 - F at 2 px and the method's threshold; ap: 1 - average precision")
+        ->add_option(
+            "--objective",
+            args->objective,
+            "error: 1 - F at 2 px, all training views pooled; scenes: (mean root of each "
+            "scene's error) squared, so that no scene speaks for the others; ap: 1 - average "
+            "precision")
         ->capture_default_str();
     command->add_option("--budget-ms",
                         args->budget_ms,
@@ -169,6 +181,8 @@ void add_tune_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "No random search of as many evaluations beside it");
+    command->add_flag(
+        "--no-bound", args->no_bound, "No linear bound beside it, for methods that declare a code");
     command->add_option("--scenes",
                         args->scenes,
                         "Scenes a,b or model files that take part (all built-in ones unless "

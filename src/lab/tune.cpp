@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -81,7 +82,9 @@ class Tuner {
         if (options_.objective == TuneObjective::ap) {
             found.error = 1 - score::average_precision(bench_.curve(entrant));
         } else {
-            found.error = 1 - pooled(bench_.counts(entrant)).f();
+            const std::vector<score::CurveCount> scenes = bench_.counts(entrant);
+            const bool is_pooled = options_.objective == TuneObjective::error;
+            found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
         }
         found.value = found.error;
         if (!options_.budget_ms) return found;
@@ -166,6 +169,15 @@ void write_results(const TuneOptions& options, const TuneSpace& space, TuneResul
 }
 
 }  // namespace
+
+double scenes_error(const std::vector<score::CurveCount>& scenes) {
+    if (scenes.empty()) return 0;
+    double sum = 0;
+    for (const score::CurveCount& scene : scenes)
+        sum += std::sqrt(1 - scene.f());
+    const double mean = sum / static_cast<double>(scenes.size());
+    return mean * mean;
+}
 
 void add_training_views(Subject& subject, const ViewRequest& request, int count) {
     if (count == 0 || subject.scene.split != scene::Split::train) return;

@@ -24,7 +24,13 @@ std::string interval_text(const std::optional<Interval>& interval) {
 }
 
 const char* objective_name(TuneObjective objective) {
+    if (objective == TuneObjective::scenes) return "scenes";
     return objective == TuneObjective::ap ? "ap" : "error";
+}
+
+const char* objective_words(TuneObjective objective) {
+    if (objective == TuneObjective::scenes) return "the scenes' errors at 2 px";
+    return objective == TuneObjective::ap ? "average precision" : "the error at 2 px";
 }
 
 std::string error_line(const TunedSettings& each) {
@@ -139,7 +145,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
         "{}: {} evaluations of {} over {} views of {} training scenes, seed {}{}\n\n",
         options.entrant.info->name,
         result.steps.size(),
-        options.objective == TuneObjective::ap ? "average precision" : "the error at 2 px",
+        objective_words(options.objective),
         result.train_views,
         result.tuned.train.size(),
         options.plan.seed,
@@ -148,7 +154,9 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     if (result.heldout_views > 0) {
         text += fmt::format(" {:>7} {:>6} {:<18} {:>8}", "unseen", "F", "95 % of E", "gap");
     }
-    text += "\n" + error_line(result.defaults) + error_line(result.tuned);
+    text += '\n';
+    text += error_line(result.defaults);
+    text += error_line(result.tuned);
     if (result.random) text += error_line(*result.random);
     text +=
         fmt::format("\nlead of {} over {} in F, 95 %:\n", options.name, options.entrant.info->name);
@@ -156,12 +164,17 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     if (result.heldout_views > 0) {
         text += lead_line("unseen", result.tuned.heldout, result.defaults.heldout);
     }
+    const bool is_late = options.budget_ms && result.tuned.found.value > 1;
+    if (is_late) text += "none of the settings keeps within the time budget\n";
     if (options.budget_ms) {
         text += fmt::format("median drawing {:.3f} ms of {} allowed\n",
                             result.tuned.found.draw_ms.value_or(0),
                             *options.budget_ms);
     }
-    text += "\n" + convergence(result) + "\n" + settings_lines(result, options);
+    text += '\n';
+    text += convergence(result);
+    text += '\n';
+    text += settings_lines(result, options);
     text += fmt::format("\npreset: {}\nevaluations: {}\n",
                         result.preset.string(),
                         (options.out / "evaluations.csv").string());

@@ -79,7 +79,7 @@ class Searcher {
     static double answer(unsigned n, const double* x, double* /*gradient*/, void* data) {
         const Call& call = *static_cast<const Call*>(data);
         Searcher& self = call.searcher;
-        const bool is_over = self.evaluations_ >= call.limit ||
+        const bool is_over = self.failure_ || self.evaluations_ >= call.limit ||
                              self.calls_ >= kMostCallsPerEvaluation * self.plan_.evaluations;
         if (is_over) {
             nlopt_force_stop(call.opt);

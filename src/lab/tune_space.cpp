@@ -27,7 +27,7 @@ struct Defaults {
 };
 constexpr Defaults kDefaults[] = {
     {"decaudin", "k_depth=0.001..1,k_normal=0.01..2,join,threshold"},
-    {"mote2", "range_depth,range_nz,threshold=1..64"},
+    {"mote2", "range_depth,range_normal,threshold=1..64"},
     {"mote4", "range_depth,range_nx,range_ny,range_nz,threshold=1..64"},
     {"mote16", "range_depth,range_nx,range_ny,range_nz,threshold"},
     {"polygon_offset", "factor=-4..0,units=-65536..0"},
