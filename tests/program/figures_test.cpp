@@ -68,8 +68,8 @@ TEST(Figures, OneCommandMakesThemAll) {
         EXPECT_THAT(desk.read("out/error_time.svg"), HasSubstr(label));
         EXPECT_THAT(desk.read("out/classes.svg"), HasSubstr(label));
     }
-    EXPECT_EQ(parse_csv(desk.read("out/rows.csv")).size(), 2U * (3 + 3));
-    EXPECT_EQ(parse_csv(desk.read("out/summary.csv")).size(), 6U);
+    EXPECT_EQ(parse_csv(desk.read("out/figure_rows.csv")).size(), 2U * (3 + 3));
+    EXPECT_EQ(parse_csv(desk.read("out/figure_summary.csv")).size(), 6U);
     for (const auto& [path, size] : desk.inventory())
         EXPECT_THAT(path, testing::Not(HasSubstr(".part")));
 }
@@ -135,7 +135,7 @@ TEST(Figures, OfARunHaveItsRowsItsSettingsAndItsSize) {
     EXPECT_THAT(desk.read("out/figures.md"),
                 HasSubstr("Of the run in run: 2 scenes of 96 x 54 px"));
     const Table of_run = parse_csv(desk.read("run/summary.csv"));
-    const Table of_charts = parse_csv(desk.read("out/summary.csv"));
+    const Table of_charts = parse_csv(desk.read("out/figure_summary.csv"));
     ASSERT_EQ(of_charts.size(), 5U) << "two of the methods and the brackets";
     for (const auto& line : of_charts) {
         const auto same = std::find_if(of_run.begin(), of_run.end(), [&](const auto& other) {
@@ -145,7 +145,7 @@ TEST(Figures, OfARunHaveItsRowsItsSettingsAndItsSize) {
         for (const char* column : {"f_2px", "f_lo", "f_hi", "recall_crease", "views", "draw_ms"})
             EXPECT_EQ(line.at(column), same->at(column)) << line.at("method") << " " << column;
     }
-    for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
+    for (const auto& row : parse_csv(desk.read("out/figure_rows.csv"))) {
         EXPECT_EQ(row.at("width"), "96");
         if (row.at("method") == "mote4") EXPECT_THAT(row.at("params"), HasSubstr("threshold=99"));
     }
