@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/parallel.h"
+#include "lab/figure_run.h"
 #include "lab/figure_set.h"
 #include "lab/suite.h"
+#include "lab/summary.h"
 
 namespace ink::cli {
 namespace {
@@ -24,6 +27,8 @@ struct FiguresArgs {
     std::string methods;
     std::vector<std::string> settings;
     std::string pair;
+    std::string from;
+    bool has_size = false;
     ViewOptions views;
     std::string out = "inkbench-figures";
     CacheOptions cache;
@@ -33,10 +38,19 @@ struct FiguresArgs {
     std::string seed = "0";
 };
 
-std::vector<std::string> names_of(const FiguresArgs& args) {
+constexpr std::size_t kScenesOfRun = 4;
+
+/// What is drawn; `run` are the rows that --from names, if it does.
+std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<lab::Row>& run) {
     std::vector<std::string> names = lab::split_list(args.scenes);
     names.insert(names.end(), args.models.begin(), args.models.end());
-    return names.empty() ? lab::split_list(kUsualScenes) : names;
+    if (!names.empty()) return names;
+    if (run.empty()) return lab::split_list(kUsualScenes);
+    names = lab::drawable_scenes(run, kScenesOfRun);
+    if (!names.empty()) return names;
+    throw core::Error("--from " + args.from,
+                      "none of the run's scenes is built in, so that none can be drawn anew",
+                      "their model files as well, or --scenes");
 }
 
 std::optional<std::pair<std::string, std::string>> pair_of(const std::string& text) {
@@ -50,18 +64,74 @@ std::optional<std::pair<std::string, std::string>> pair_of(const std::string& te
 }
 
 /// One view of each scene, unless a number of views, a camera or the file's cameras were asked for.
-std::vector<lab::Subject> subjects_of(const FiguresArgs& args) {
-    std::vector<lab::Subject> subjects =
-        lab::load_subjects(names_of(args), view_request(args.views));
+std::vector<lab::Subject> subjects_of(const FiguresArgs& args, const std::vector<lab::Row>& run) {
+    lab::ViewRequest request = view_request(args.views);
+    if (!run.empty() && !args.has_size) {
+        request.width_px = run.front().width;
+        request.height_px = run.front().height;
+    }
+    std::vector<lab::Subject> subjects = lab::load_subjects(names_of(args, run), request);
     for (lab::Subject& subject : subjects) {
         if (args.views.views.empty() && args.views.eyes.empty()) subject.views.resize(1);
     }
     return subjects;
 }
 
-lab::FigureOptions figure_options(const FiguresArgs& args) {
+/// The methods of the run with its settings, those alone that --methods names, if it does.
+std::vector<lab::Entrant> entrants_of_run(const FiguresArgs& args,
+                                          const std::vector<lab::Row>& run) {
+    if (!args.settings.empty()) {
+        throw core::Error("--set", "methods have the settings of the run", "no --from beside it");
+    }
+    const std::vector<lab::Entrant> all = lab::entrants_of(run);
+    if (args.methods.empty()) return all;
+    std::vector<std::string> names;
+    for (const lab::Entrant& entrant : all)
+        names.push_back(entrant.info->name);
+    std::vector<lab::Entrant> chosen;
+    for (const std::string& name : lab::split_list(args.methods)) {
+        const auto at = std::find(names.begin(), names.end(), name);
+        if (at == names.end()) {
+            throw core::Error("--methods",
+                              fmt::format("'{}' is not in the run", name),
+                              core::known_names(names, name));
+        }
+        chosen.push_back(all[static_cast<std::size_t>(at - names.begin())]);
+    }
+    return chosen;
+}
+
+/// The run's rows of those methods and of the brackets.
+lab::ChartSource chart_source(const FiguresArgs& args,
+                              const std::vector<lab::Row>& run,
+                              const std::vector<lab::Entrant>& entrants) {
+    lab::ChartSource source;
+    std::set<std::string> scenes;
+    std::set<std::string> names;
+    for (const lab::Entrant& entrant : entrants)
+        names.insert(entrant.info->name);
+    for (const lab::Row& row : run) {
+        if (!lab::is_bracket(row.method) && names.count(row.method) == 0) continue;
+        scenes.insert(row.scene);
+        source.rows.push_back(row);
+    }
+    source.words = fmt::format("Of the run in {}: {} scene{} of {} x {} px.",
+                               args.from,
+                               scenes.size(),
+                               scenes.size() == 1 ? "" : "s",
+                               run.front().width,
+                               run.front().height);
+    return source;
+}
+
+lab::FigureOptions figure_options(const FiguresArgs& args, const std::vector<lab::Row>& run) {
     lab::FigureOptions options;
-    options.drawing.entrants = lab::make_entrants(args.methods, args.settings);
+    if (run.empty()) {
+        options.drawing.entrants = lab::make_entrants(args.methods, args.settings);
+    } else {
+        options.drawing.entrants = entrants_of_run(args, run);
+        options.charts = chart_source(args, run, options.drawing.entrants);
+    }
     lab::MeasureOptions& measure = options.drawing.measure;
     measure.threads = checked_threads(args.threads);
     if (args.repetitions < 1 || args.repetitions > 10000) {
@@ -80,9 +150,11 @@ lab::FigureOptions figure_options(const FiguresArgs& args) {
 }
 
 void run_figures(const FiguresArgs& args, const std::string& command_line) {
-    lab::FigureOptions options = figure_options(args);
+    const std::vector<lab::Row> run =
+        args.from.empty() ? std::vector<lab::Row>() : lab::read_run(args.from);
+    lab::FigureOptions options = figure_options(args, run);
     options.command = command_line;
-    const lab::FigureFiles files = lab::make_figures(subjects_of(args), options);
+    const lab::FigureFiles files = lab::make_figures(subjects_of(args, run), options);
     for (const std::string& name : files.names)
         fmt::print("{}\n", (std::filesystem::path(args.out) / name).string());
     if (files.is_interrupted) {
@@ -112,6 +184,11 @@ void add_figures_command(CLI::App& app) {
                         args->pair,
                         "Two methods a,b to enlarge where they differ most (unless given mote4 and "
                         "decaudin, or the first two)");
+    command->add_option("--from",
+                        args->from,
+                        "The folder of a finished compare or run: charts come from its rows.csv, "
+                        "pictures are drawn with its methods, settings, size and (up to four) "
+                        "scenes");
     add_view_options(*command, args->views);
     command
         ->add_option("--out", args->out, "Folder for the figures and figures.md, which lists them")
@@ -126,8 +203,8 @@ void add_figures_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     command->footer(
         "One view of each scene is drawn, its first; --views N draws N round it.\n"
-        "Example: inkbench figures --scenes torus,staircase --methods mote4,decaudin --out "
-        "figures\n"
+        "Example: inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
+        "         inkbench figures --from inkbench-out --out figs\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
     command->callback([args, command] {
         std::string line = "inkbench figures";
@@ -139,6 +216,7 @@ void add_figures_command(CLI::App& app) {
                 if (!is_flag) line += " " + value;
             }
         }
+        args->has_size = command->count("--size") > 0;
         run_figures(*args, line);
     });
 }

@@ -13,7 +13,7 @@ namespace ink::lab {
 namespace {
 
 constexpr double kWidth = 1000;
-constexpr double kGutter = 128;  // method names
+constexpr double kGutter = 166;  // method names
 constexpr double kPanelGap = 26;
 constexpr double kTop = 40;  // panel headings
 constexpr double kRowHeight = 27;
@@ -113,7 +113,7 @@ Svg class_chart(const std::vector<MethodSummary>& summaries, const std::vector<R
         const double y = kTop + kRowHeight * static_cast<double>(i) + 17;
         svg.text(kGutter - 14,
                  y,
-                 clipped(shown[i]->method, 15),
+                 clipped(shown[i]->method, 20),
                  {"end", shown[i]->is_bracket ? "#6b7280" : "#20242a"});
     }
     const auto count = static_cast<double>(truth::kLineClasses.size());

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "lab/csv_table.h"
 #include "lab/row_reader.h"
 #include "lab/summary.h"
 #include "scene/catalogue.h"

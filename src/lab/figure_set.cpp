@@ -137,14 +137,15 @@ std::string shown_words(const std::vector<FigureView>& views) {
 
 constexpr const char* kErrorsInColour =
     "Lines that are right are dark, missing ones in warm and false ones in cool colours, each "
-    "cause in its own; pictures shrunk so that no error is lost.";
+    "cause in its own.";
 
 void write_grids(const std::vector<FigureView>& views, const Pair& pair, Writer& writer) {
     const std::string where = shown_words(views);
     writer.grid("strips",
                 strips_figure(views),
                 fmt::format("Scenes by methods, beside the exact outline. {} Below each picture F "
-                            "at 2 px, the best of a scene in bold. {}",
+                            "at 2 px, the best of a scene in bold. Larger pictures are shrunk so "
+                            "that no error is lost. {}",
                             kErrorsInColour,
                             where));
     const GridFigure buffers = buffers_figure(views);
@@ -209,10 +210,11 @@ FigureFiles make_figures(const std::vector<Subject>& subjects, const FigureOptio
     const std::vector<Row>& rows = options.charts ? options.charts->rows : drawn.rows;
     const std::string source = options.charts ? options.charts->words : shown_words(drawn.shown);
     write_charts(rows, source, writer);
-    writer.table("summary.csv",
+    writer.table("figure_summary.csv",
                  summary_csv(rows, {}),
                  "The numbers of the charts, a line a method (the columns of `inkbench compare`).");
-    writer.table("rows.csv", rows_csv(drawn.rows), "The numbers of the pictures, a line each.");
+    writer.table(
+        "figure_rows.csv", rows_csv(drawn.rows), "The numbers of the pictures, a line each.");
     FigureFiles files = writer.finish(options.command);
     files.is_interrupted = drawn.is_interrupted;
     return files;

@@ -34,8 +34,9 @@ struct FigureFiles {
 };
 
 /// Draws `subjects` with all methods and writes into `options.out`: strips, buffers and zoom, each
-/// as .png and .svg (figure_grids.h), error_time.svg, classes.svg, summary.csv and rows.csv (what
-/// the charts show, in numbers) and figures.md with a caption for each.
+/// as .png and .svg (figure_grids.h), error_time.svg, classes.svg, figure_summary.csv and
+/// figure_rows.csv (the numbers of charts and of pictures; rows.csv may be a run's) and figures.md
+/// with a caption for each.
 ///
 /// A figure that there is nothing for is left out, and figures.md says why; one of an older run is
 /// removed, so that it does not pass for this one's. Every file appears whole or not at all. Throws

@@ -73,7 +73,9 @@ FrontScale scale_of(const std::vector<Series>& series, const std::vector<MethodS
     const double middle = (scale.log_min + scale.log_max) / 2;
     const double half = std::max(0.5, (scale.log_max - scale.log_min) / 2 + 0.18);
     const double error_min = std::max(scale.error_min / 1.8, 1e-4);
-    const double error_max = std::clamp(scale.error_max * 1.4, 10 * error_min, 1.2);
+    // Near the top of all there is, chance and an empty picture are on the chart too.
+    const double most = scale.error_max * 1.4;
+    const double error_max = most > 0.7 ? 1.6 : std::max(most, 10 * error_min);
     return {middle - half, middle + half, std::min(error_min, error_max / 10), error_max};
 }
 

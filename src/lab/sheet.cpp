@@ -199,7 +199,7 @@ double sheet_text_width(const std::string& words, const TextStyle& style) {
 }
 
 std::string fitting(std::string words, const TextStyle& style, double width_px) {
-    if (sheet_text_width(words, style) <= width_px) return words;
+    if (words.empty() || sheet_text_width(words, style) <= width_px) return words;
     while (!words.empty() && sheet_text_width(words + "~", style) > width_px)
         words.pop_back();
     return words + "~";

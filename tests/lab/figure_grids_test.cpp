@@ -113,6 +113,7 @@ TEST(Sheet, FittingCutsWithAMark) {
     EXPECT_TRUE(cut.ends_with("~"));
     EXPECT_LE(sheet_text_width(cut, style), 120);
     EXPECT_GT(cut.size(), 3U);
+    EXPECT_EQ(fitting("", style, -3), "");
 }
 
 /// One view of 120 x 60 with two methods: one has a packed buffer, the other depth and normals.

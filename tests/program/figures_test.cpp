@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -67,8 +68,8 @@ TEST(Figures, OneCommandMakesThemAll) {
         EXPECT_THAT(desk.read("out/error_time.svg"), HasSubstr(label));
         EXPECT_THAT(desk.read("out/classes.svg"), HasSubstr(label));
     }
-    EXPECT_EQ(parse_csv(desk.read("out/rows.csv")).size(), 2U * (3 + 3));
-    EXPECT_EQ(parse_csv(desk.read("out/summary.csv")).size(), 6U);
+    EXPECT_EQ(parse_csv(desk.read("out/figure_rows.csv")).size(), 2U * (3 + 3));
+    EXPECT_EQ(parse_csv(desk.read("out/figure_summary.csv")).size(), 6U);
     for (const auto& [path, size] : desk.inventory())
         EXPECT_THAT(path, testing::Not(HasSubstr(".part")));
 }
@@ -107,6 +108,66 @@ TEST(Figures, PicturesDoNotDependOnTheRun) {
         const std::string a = desk.read(std::string("a/") + file);
         EXPECT_TRUE(a == desk.read(std::string("b/") + file) && !a.empty()) << file;
     }
+}
+
+TEST(Figures, OfARunHaveItsRowsItsSettingsAndItsSize) {
+    const Desk desk;
+    ASSERT_EQ(desk.run({"compare",
+                        "--scenes",
+                        "cube,tiles",
+                        "--methods",
+                        "mote4,decaudin,ids",
+                        "--set",
+                        "mote4.threshold=99",
+                        "--size",
+                        "96x54",
+                        "--repetitions",
+                        "1",
+                        "--no-sweep",
+                        "--no-witness",
+                        "--out",
+                        "run"})
+                  .exit_code,
+              0);
+    const Outcome outcome =
+        desk.run(figures({"--from", "run", "--methods", "mote4,decaudin", "--out", "out"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(desk.read("out/figures.md"),
+                HasSubstr("Of the run in run: 2 scenes of 96 x 54 px"));
+    const Table of_run = parse_csv(desk.read("run/summary.csv"));
+    const Table of_charts = parse_csv(desk.read("out/figure_summary.csv"));
+    ASSERT_EQ(of_charts.size(), 5U) << "two of the methods and the brackets";
+    for (const auto& line : of_charts) {
+        const auto same = std::find_if(of_run.begin(), of_run.end(), [&](const auto& other) {
+            return other.at("method") == line.at("method");
+        });
+        ASSERT_NE(same, of_run.end());
+        for (const char* column : {"f_2px", "f_lo", "f_hi", "recall_crease", "views", "draw_ms"})
+            EXPECT_EQ(line.at(column), same->at(column)) << line.at("method") << " " << column;
+    }
+    for (const auto& row : parse_csv(desk.read("out/figure_rows.csv"))) {
+        EXPECT_EQ(row.at("width"), "96");
+        if (row.at("method") == "mote4") EXPECT_THAT(row.at("params"), HasSubstr("threshold=99"));
+    }
+}
+
+TEST(Figures, AFolderThatIsNoRunIsRefused) {
+    const Desk desk;
+    const auto refusal = [&](const std::vector<std::string>& more) {
+        const Outcome outcome = desk.run(figures(more));
+        EXPECT_EQ(outcome.exit_code, 2);
+        return outcome.err;
+    };
+    EXPECT_THAT(refusal({"--from", "nowhere"}), HasSubstr("nowhere: there is no such folder"));
+    std::filesystem::create_directories(desk.work() / "empty");
+    EXPECT_THAT(refusal({"--from", "empty"}), HasSubstr("empty: it has no rows.csv"));
+    std::filesystem::create_directories(desk.work() / "half");
+    desk.write("half/rows.csv.part", "method\n");
+    EXPECT_THAT(refusal({"--from", "half"}), HasSubstr("its run is not finished"));
+    std::filesystem::create_directories(desk.work() / "foreign");
+    desk.write("foreign/rows.csv", "name,price\npears,3\n");
+    EXPECT_THAT(refusal({"--from", "foreign"}), HasSubstr("foreign/rows.csv"));
+    EXPECT_THAT(refusal({"--from", "empty", "--set", "threshold=3"}), HasSubstr("inkbench: "));
 }
 
 TEST(Figures, BadInputIsRefusedBeforeAnyWork) {
