@@ -12,6 +12,7 @@ COMMANDS = {
     name: f"build/release/inkbench run experiments/{name}.toml"
     for name in ("quality", "speed", "packing_ranges", "stress", "animation")
 }
+COMMANDS["bound"] = "build/release/inkbench bound --method mote4 --out inkbench-out/bound"
 COMMANDS["scaling"] = ("build/release/inkbench compare --scenes sphere --no-sweep --scaling "
                        "--out inkbench-out/scaling")
 COMMANDS["tune"] = "build/release/inkbench tune mote4 --out inkbench-out/tune/mote4"
