@@ -8,6 +8,7 @@
 /// check failed.
 namespace ink::cli {
 
+void add_bound_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_truth_command(CLI::App& app);

@@ -73,8 +73,8 @@ struct CancellationRow {
     int width_px = 0;
     int height_px = 0;
     double silent_deg = 0;  ///< bend up to which the code is silent (silent_bend_rad())
-    LineKind kind;
-    CancellationCount count;
+    LineKind kind = {};
+    CancellationCount count = {};
 };
 
 /// The columns of cancellation.csv.
@@ -86,8 +86,8 @@ struct CancellationRow {
 /// The counts of a method and a kind over all views.
 struct CancellationTotal {
     std::string method;
-    LineKind kind;
-    CancellationCount count;
+    LineKind kind = {};
+    CancellationCount count = {};
 };
 
 /// Rows added up by method (in order of first appearance) and kind (ascending).

@@ -133,8 +133,8 @@ std::string about_html(const StressOptions& options) {
         "pixels. Dashed: tuned rows, in the colour of their base. Truth is of the polyhedron as "
         "given. Pictures are {} x {} px; nothing here is timed.</p>"
         "<p>Non-finite: vertices placed and projected, normals, full buffers in every depth "
-        "encoding, the truth's curves, scores. Overflow: depths outside 0..1, normals longer than "
-        "1, and pixels at which a packed code that is made to fit its bits comes out otherwise "
+        "encoding, the truth's curves, scores. Overflow: depths outside 0..1, and "
+        "pixels at which a packed code that is made to fit its bits comes out otherwise "
         "when it may wrap. Rows are in <code>stress.csv</code>, points in "
         "<code>stress_summary.csv</code>.</p><dl class=\"terms\"><dt>command</dt><dd><code>{}"
         "</code></dd> <dt>version</dt><dd>{} ({})</dd> <dt>compiler</dt><dd>{}</dd></dl></section>",

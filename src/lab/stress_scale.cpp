@@ -21,7 +21,7 @@ std::string tick_text(double value) {
         return std::abs(lead - 1) < 0.005 ? fmt::format("1e{}", exponent)
                                           : fmt::format("{:.2g}e{}", lead, exponent);
     }
-    return fmt::format("{:.3g}", value);
+    return fmt::format("{:.4g}", value);
 }
 
 }  // namespace
