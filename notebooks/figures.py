@@ -36,16 +36,18 @@ CAUSE_COLOURS = {
     "missing_undeclared": "#d98a3a",
 }
 
+# As src/lab/method_looks.cpp has them, so that a method looks alike here and in the report; the
+# markers go by place.
 FAMILIES = {
-    "packed codes": (BLUE, ["mote2", "mote4", "mote16", "auto", "canny"]),
-    "depth and normals": (VERMILION, ["decaudin", "roberts", "sobel", "plane_distance"]),
+    "packed": (BLUE, ["mote2", "mote4", "mote16", "auto", "canny"]),
+    "full buffers": (VERMILION, ["decaudin", "roberts", "sobel", "plane_distance"]),
     "ids": (GREEN, ["ids", "jump_flood"]),
-    "edges of the mesh": (PURPLE, ["edge_list", "edge_hash"]),
-    "back faces and hulls": (ORANGE, ["polygon_offset", "back_faces", "inverted_hull"]),
+    "edges, hulls": (PURPLE, ["edge_list", "edge_hash", "polygon_offset", "back_faces",
+                              "inverted_hull"]),
 }
-OTHERS = "others"
+OTHERS = "other"
 BRACKETS = ["none", "sampled", "oracle"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">"]
+MARKERS = ["o", "s", "D", "^", "v", "P", "X", "<", ">"]
 
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 7.5, "axes.titlesize": 8, "axes.labelsize": 7.5,
@@ -77,7 +79,7 @@ def colour(method):
     """The colour of the method's family."""
     if method in BRACKETS:
         return FAINT
-    return FAMILIES[family(method)][0] if family(method) in FAMILIES else SKY
+    return FAMILIES[family(method)][0] if family(method) in FAMILIES else INK
 
 
 def shade(method):
@@ -89,21 +91,14 @@ def shade(method):
     return to_hex(mixed)
 
 
-def look(method):
-    """Keywords of `plot` that tell a method from the others."""
+def look(method, is_shaded=False):
+    """Keywords of `plot` that tell a method from the others; shaded where a family has a panel."""
     members = FAMILIES[family(method)][1] if family(method) in FAMILIES else [base(method)]
+    tone = shade(method) if is_shaded else colour(method)
     hollow = method.endswith("_tuned")
-    return {"color": shade(method), "marker": MARKERS[members.index(base(method)) % len(MARKERS)],
-            "markerfacecolor": "white" if hollow else shade(method), "markeredgewidth": 0.9,
+    return {"color": tone, "marker": MARKERS[members.index(base(method)) % len(MARKERS)],
+            "markerfacecolor": "white" if hollow else tone, "markeredgewidth": 0.9,
             "linestyle": "--" if hollow else "-"}
-
-
-def tone(method):
-    """A colour that tells methods of one family from each other, where they share a chart."""
-    if family(method) == OTHERS:
-        return SKY
-    members = FAMILIES[family(method)][1]
-    return [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY][members.index(base(method)) % 6]
 
 
 def by_family(methods):
@@ -217,7 +212,7 @@ def key(figure, entries, columns=None):
 
 def key_in(ax, members, below_pt=26):
     """The methods of one panel with their markers, below its ticks and the label of its axis."""
-    handles = [plt.Line2D([], [], label=m, markersize=3.5, **look(m)) for m in members]
+    handles = [plt.Line2D([], [], label=m, markersize=3.5, **look(m, True)) for m in members]
     down = ScaledTranslation(-4 / 72, -below_pt / 72, ax.figure.dpi_scale_trans)
     ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(0, 0), fontsize=6.5,
               bbox_transform=ax.transAxes + down, handlelength=1.8, labelspacing=0.25,

@@ -12,6 +12,7 @@ COMMANDS = {
     name: f"build/release/inkbench run experiments/{name}.toml"
     for name in ("quality", "speed", "packing_ranges", "stress", "animation")
 }
+COMMANDS["bound"] = "build/release/inkbench bound --method mote4 --out inkbench-out/bound"
 COMMANDS["scaling"] = ("build/release/inkbench compare --scenes sphere --no-sweep --scaling "
                        "--out inkbench-out/scaling")
 COMMANDS["tune"] = "build/release/inkbench tune mote4 --out inkbench-out/tune/mote4"
@@ -70,13 +71,14 @@ def table_if_any(name, *folders):
 
 def with_settings(frame):
     """The frame with a column for every parameter in `params` ("key=value;key=value"), as text."""
-    settings = frame["params"].map(lambda text: dict(pair.split("=", 1) for pair in text.split(";")))
+    settings = frame["params"].map(
+        lambda text: dict(pair.split("=", 1) for pair in text.split(";")))
     columns = pd.DataFrame(list(settings), index=frame.index)
     return frame.join(columns[[c for c in columns if c not in frame]])
 
 
 def pooled(frame, by, k="k_2px", n_pred="n_pred"):
-    """F and error of summed counts per group: F = 2 k / (n_pred + n_truth), as summary.csv has it."""
+    """F of summed counts per group, 2 k / (n_pred + n_truth) as summary.csv has it, and 1 - F."""
     sums = frame.groupby(by, sort=False)[[k, n_pred, "n_truth"]].sum()
     sums["f"] = 2 * sums[k] / (sums[n_pred] + sums["n_truth"])
     sums["error"] = 1 - sums["f"]
@@ -116,5 +118,5 @@ def provenance(rows):
     made_by = ""
     if "version" in rows:
         made_by = f"; Inkbench {', '.join(sorted(rows['version'].astype(str).unique()))}"
-    return (f"{rows['method'].nunique()} rows' methods and brackets, {rows['scene'].nunique()} "
-            f"scenes, {views} views, {sizes}{made_by}")
+    return (f"{rows['method'].nunique()} methods and brackets, {rows['scene'].nunique()} scenes, "
+            f"{views} views, {sizes}{made_by}")
