@@ -71,9 +71,10 @@ struct LinearBound {
 /// and must fire if the smallest does; what can be found over what must be ink is an upper bound,
 /// what weights from its middle make a lower one. The box with the largest upper bound is halved
 /// next, along the weight that moves the most of what is undecided, and its halves look at that
-/// alone. A margin of 0.001 of the threshold covers floating point. The search also stops where
-/// what its open boxes keep would fill a gigabyte. Needs no clock and no seed; the same result for
-/// every thread count; more boxes never give a worse bound.
+/// alone. A margin covers floating point, 0.0007 of the threshold for a byte's range: lines and
+/// noise that look the same to within that keep the gap open. The search also stops where what its
+/// open boxes keep would fill a gigabyte. Needs no clock and no seed; the same result for every
+/// thread count; more boxes never give a worse bound.
 ///
 /// Source: Land and Doig, "An automatic method of solving discrete programming problems",
 /// Econometrica 28(3), 1960.
