@@ -6,7 +6,7 @@
 
 #include "edge/binomial_blur.h"
 #include "edge/laplacian.h"
-#include "raster/flat_squares.h"
+#include "raster/needed_rows.h"
 
 namespace ink::methods {
 namespace {
@@ -110,23 +110,46 @@ void copy_tile(const Codes<T>& codes, const raster::Tile& tile, core::Image<std:
         std::copy_n(codes.row(y), tile.width_px, to.row(tile.y0_px + y) + tile.x0_px);
 }
 
-/// 0 where squares are known to be flat, whatever their pixels hold. All of the tile is filtered
-/// before: that takes less time than to filter it in pieces.
-void clear_flat(const core::ImageView<std::uint8_t>& strengths, std::uint16_t flat_squares) {
-    constexpr int kSquare_px = raster::kFlatSquare_px;
-    for (int square = 0; flat_squares >> square != 0; ++square) {
-        if ((flat_squares >> square & 1U) == 0) continue;
-        const int x = square % raster::kFlatSquares * kSquare_px;
-        const int y = square / raster::kFlatSquares * kSquare_px;
-        const int y_end = std::min(y + kSquare_px, strengths.height_px);
-        const auto width = static_cast<std::size_t>(std::min(kSquare_px, strengths.width_px - x));
-        for (int row = y; row < y_end; ++row) {
-            std::uint8_t* const to = strengths.row(row) + x;
-            if (width == kSquare_px) {  // known to the compiler: one store
-                std::memset(to, 0, kSquare_px);
-            } else {
-                std::memset(to, 0, width);
-            }
+/// Rows of strengths as long as a tile's, whole or cut at the picture's frame.
+template <int kWhole_px>
+void clear_rows(const core::ImageView<std::uint8_t>& strengths, int x, const raster::RowRun& rows) {
+    const auto width = static_cast<std::size_t>(std::min(kWhole_px, strengths.width_px - x));
+    for (int y = rows.begin; y < rows.end; ++y) {
+        std::uint8_t* const to = strengths.row(y) + x;
+        if (width == kWhole_px) {  // known to the compiler: a few stores, no call
+            std::memset(to, 0, kWhole_px);
+        } else {
+            std::memset(to, 0, width);
+        }
+    }
+}
+
+/// Filters the rows in which any stencil is needed, and clears what is not. A column that needs
+/// fewer of them is cleared afterwards: that takes less time than to filter it by itself.
+template <class T>
+void filter_needed(const Codes<T>& codes,
+                   const edge::LaplacianResponse& response,
+                   const raster::Tile& tile,
+                   const core::ImageView<std::uint8_t>& to) {
+    const raster::RowRun rows =
+        tile.needed ? tile.needed->hull() : raster::RowRun{0, tile.height_px};
+    const core::ImageView<const T> from{
+        codes.row(rows.begin), tile.width_px, rows.count(), codes.stride};
+    const core::ImageView<std::uint8_t> part{
+        to.row(rows.begin), tile.width_px, rows.count(), to.stride};
+    edge::laplacian(from, part, response);
+    if (!tile.needed) return;
+    clear_rows<raster::kTileSize_px>(to, 0, {0, rows.begin});
+    clear_rows<raster::kTileSize_px>(to, 0, {rows.end, tile.height_px});
+    for (std::size_t i = 0; i < raster::kStencilColumns; ++i) {
+        const int x = static_cast<int>(i) * raster::kStencilColumn_px;
+        const raster::RowRun& kept = tile.needed->of[i];
+        if (x >= tile.width_px) break;
+        if (kept.is_empty()) {
+            clear_rows<raster::kStencilColumn_px>(to, x, rows);
+        } else {
+            clear_rows<raster::kStencilColumn_px>(to, x, {rows.begin, kept.begin});
+            clear_rows<raster::kStencilColumn_px>(to, x, {kept.end, rows.end});
         }
     }
 }
@@ -138,18 +161,13 @@ void filter_tile(const Codes<T>& codes,
                  const raster::Tile& tile,
                  bool is_first,
                  edge::EdgeImage& out) {
-    const core::ImageView<const T> from{codes.origin, tile.width_px, tile.height_px, codes.stride};
     const core::ImageView<std::uint8_t> to{
         out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
-    if (is_first) {
-        edge::laplacian(from, to, response);
-        return clear_flat(to, tile.flat_squares);
-    }
+    if (is_first) return filter_needed(codes, response, tile, to);
     std::array<std::uint8_t, raster::kTileSize_px * raster::kTileSize_px> buffer;
     const core::ImageView<std::uint8_t> strengths{
         buffer.data(), tile.width_px, tile.height_px, raster::kTileSize_px};
-    edge::laplacian(from, strengths, response);
-    clear_flat(strengths, tile.flat_squares);
+    filter_needed(codes, response, tile, strengths);
     for (int y = 0; y < tile.height_px; ++y) {
         const std::uint8_t* mine = strengths.row(y);
         std::uint8_t* joined = to.row(y);
@@ -161,15 +179,9 @@ void filter_tile(const Codes<T>& codes,
 }  // namespace
 
 void clear_tile(const raster::Tile& tile, edge::EdgeImage& out) {
-    const auto width = static_cast<std::size_t>(tile.width_px);
-    for (int y = 0; y < tile.height_px; ++y) {
-        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
-        if (width == raster::kTileSize_px) {  // known to the compiler: a few stores, no call
-            std::memset(to, 0, raster::kTileSize_px);
-        } else {
-            std::memset(to, 0, width);
-        }
-    }
+    const core::ImageView<std::uint8_t> to{
+        out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
+    clear_rows<raster::kTileSize_px>(to, 0, {0, tile.height_px});
 }
 
 PackedSink::PackedSink(const Packer& packer,

@@ -8,6 +8,7 @@
 /// check failed.
 namespace ink::cli {
 
+void add_bound_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_truth_command(CLI::App& app);
@@ -18,5 +19,7 @@ void add_list_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_run_command(CLI::App& app);
 void add_timedemo_command(CLI::App& app);
+void add_tune_command(CLI::App& app);
+void add_stress_command(CLI::App& app);
 
 }  // namespace ink::cli

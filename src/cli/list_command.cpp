@@ -8,10 +8,12 @@
 namespace ink::cli {
 
 void add_list_command(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("list", "List methods, scenes, parameters, metrics, skips and shadings");
+    auto* command = app.add_subcommand(
+        "list", "List methods, scenes, parameters, metrics, skips, shadings and axes");
     auto what = std::make_shared<std::string>("all");
-    command->add_option("what", *what, "all, methods, scenes, params, metrics, skips or shadings")
+    command
+        ->add_option(
+            "what", *what, "all, methods, scenes, params, metrics, skips, shadings or axes")
         ->capture_default_str();
     command->footer("Example: inkbench list params");
     command->callback([what] { fmt::print("{}", lab::listing(*what)); });

@@ -86,8 +86,11 @@ int main(int argc, char** argv) {
     ink::cli::add_explain_command(app);
     ink::cli::add_figures_command(app);
     ink::cli::add_timedemo_command(app);
+    ink::cli::add_tune_command(app);
+    ink::cli::add_stress_command(app);
     ink::cli::add_run_command(app);
     ink::cli::add_merge_command(app);
+    ink::cli::add_bound_command(app);
     ink::cli::add_list_command(app);
     return run(app, argc, argv);
 }

@@ -1,167 +1,138 @@
 #include "edge/thin.h"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
-
-#include "edge/set_pixels.h"
 
 namespace ink::edge {
 namespace {
 
-/// The paper's x1..x8 are bits 0..7: counter-clockwise from the right-hand neighbour.
-constexpr bool neighbour(unsigned ring, int i) {
-    return ((ring >> ((i - 1) & 7)) & 1U) != 0;
-}
+using Bits = std::uint64_t;
 
-/// G1, G2 and the subiteration's G3: may a pixel with these neighbours go?
-constexpr bool is_removable(unsigned ring, bool is_second) {
-    int crossings = 0;
-    int pairs_from_odd = 0;
-    int pairs_from_even = 0;
-    for (int i = 1; i <= 7; i += 2) {
-        const bool side = neighbour(ring, i);
-        const bool corner = neighbour(ring, i + 1);
-        const bool next_side = neighbour(ring, i + 2);
-        crossings += !side && (corner || next_side);
-        pairs_from_odd += side || corner;
-        pairs_from_even += corner || next_side;
-    }
-    const int pairs = std::min(pairs_from_odd, pairs_from_even);
-    const int o = is_second ? 4 : 0;  // G3' is G3 turned by 180 degrees
-    const bool keeps_side =
-        (neighbour(ring, 2 + o) || neighbour(ring, 3 + o) || !neighbour(ring, 8 + o)) &&
-        neighbour(ring, 1 + o);
-    return crossings == 1 && pairs >= 2 && pairs <= 3 && !keeps_side;
-}
-
-constexpr std::array<std::array<bool, 256>, 2> make_removable() {
-    std::array<std::array<bool, 256>, 2> table{};
-    for (unsigned ring = 0; ring < 256; ++ring) {
-        table[0][ring] = is_removable(ring, false);
-        table[1][ring] = is_removable(ring, true);
-    }
-    return table;
-}
-constexpr auto kRemovable = make_removable();
-
-constexpr std::uint8_t kSet = 1;
-/// A pixel that waits to be looked at in the first (shifted by one: second) subiteration.
-constexpr std::uint8_t kWaits = 2;
-
-/// The mask inside a frame of zeros one pixel wide, with a list of pixels to look at per
-/// subiteration.
-///
-/// A pixel that stayed can go later only after one of its neighbours went. So after each
-/// subiteration has seen every pixel once, only neighbours of removed pixels are looked at again:
-/// the same result as full passes, since each subiteration removes all its pixels at once.
-class Thinner {
-  public:
-    explicit Thinner(const Mask& mask);
-    void run();
-    [[nodiscard]] Mask result() const;
-
-  private:
-    [[nodiscard]] unsigned ring(std::ptrdiff_t p) const;
-    bool subiterate(int which);
-    void remove(std::ptrdiff_t p);
-
-    int width_px_;
-    int height_px_;
-    std::ptrdiff_t stride_;
-    std::array<std::ptrdiff_t, 8> to_neighbour_;  ///< in the order of x1..x8
-    std::vector<std::uint8_t> cells_;
-    std::array<std::vector<std::ptrdiff_t>, 2> waiting_;
-    std::vector<std::ptrdiff_t> looked_at_;
-    std::vector<std::ptrdiff_t> doomed_;
+/// Neighbours of 64 pixels at once: the paper's x1..x8, counter-clockwise from the right-hand one.
+struct Ring {
+    Bits x1, x2, x3, x4, x5, x6, x7, x8;
 };
 
-Thinner::Thinner(const Mask& mask)
-    : width_px_(mask.width_px()),
-      height_px_(mask.height_px()),
-      stride_(mask.width_px() + 2),
-      to_neighbour_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1},
-      cells_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_px_ + 2)) {
-    for (int y = 0; y < height_px_; ++y) {
-        const std::uint8_t* from = mask.row(y);
-        const std::ptrdiff_t first = (y + 1) * stride_ + 1;
-        visit_set_pixels(from, width_px_, [&](int x) {
-            cells_[static_cast<std::size_t>(first + x)] = kSet | kWaits | (kWaits << 1);
-            waiting_[0].push_back(first + x);
-        });
-    }
-    waiting_[1] = waiting_[0];
+Ring ring_of(const Bits* word, std::ptrdiff_t stride) {
+    const auto right = [](const Bits* at) { return at[0] >> 1 | at[1] << 63; };
+    const auto left = [](const Bits* at) { return at[0] << 1 | at[-1] >> 63; };
+    const Bits* up = word - stride;
+    const Bits* down = word + stride;
+    return {right(word), right(up), up[0], left(up), left(word), left(down), down[0], right(down)};
 }
 
-unsigned Thinner::ring(std::ptrdiff_t p) const {
-    const std::uint8_t* centre = cells_.data() + p;
-    unsigned bits = 0;
-    for (unsigned i = 0; i < 8; ++i) {
-        bits |= static_cast<unsigned>(centre[to_neighbour_[i]] & kSet) << i;
-    }
-    return bits;
+Bits is_one_of(Bits a, Bits b, Bits c, Bits d) {
+    return ((a ^ b) & ~(c | d)) | (~(a | b) & (c ^ d));
 }
 
-void Thinner::remove(std::ptrdiff_t p) {
-    cells_[static_cast<std::size_t>(p)] = 0;
-    for (const std::ptrdiff_t step : to_neighbour_) {
-        std::uint8_t& cell = cells_[static_cast<std::size_t>(p + step)];
-        if ((cell & kSet) == 0) continue;
-        for (unsigned which = 0; which < 2; ++which) {
-            const auto waits = static_cast<std::uint8_t>(kWaits << which);
-            if ((cell & waits) == 0) waiting_[which].push_back(p + step);
-            cell |= waits;
+Bits are_two_of(Bits a, Bits b, Bits c, Bits d) {
+    return (a & b) | (c & d) | ((a | b) & (c | d));
+}
+
+/// G1, G2 and the subiteration's G3: which pixels with these neighbours may go?
+Bits removable(const Ring& r, bool is_second) {
+    const Bits is_border = is_one_of(
+        ~r.x1 & (r.x2 | r.x3), ~r.x3 & (r.x4 | r.x5), ~r.x5 & (r.x6 | r.x7), ~r.x7 & (r.x8 | r.x1));
+    // Pairs of neighbours, begun at a side or at a corner: the lesser count must be 2 or 3.
+    const std::array<Bits, 4> a = {r.x1 | r.x2, r.x3 | r.x4, r.x5 | r.x6, r.x7 | r.x8};
+    const std::array<Bits, 4> b = {r.x2 | r.x3, r.x4 | r.x5, r.x6 | r.x7, r.x8 | r.x1};
+    const Bits is_no_end = are_two_of(a[0], a[1], a[2], a[3]) & are_two_of(b[0], b[1], b[2], b[3]);
+    const Bits is_within = a[0] & a[1] & a[2] & a[3] & b[0] & b[1] & b[2] & b[3];
+    // G3' is G3 turned by 180 degrees.
+    const Bits keeps_side = is_second ? (r.x6 | r.x7 | ~r.x4) & r.x5 : (r.x2 | r.x3 | ~r.x8) & r.x1;
+    return is_border & is_no_end & ~is_within & ~keeps_side;
+}
+
+/// A list of words to look at per subiteration.
+///
+/// A pixel that stayed can go later only after one of its neighbours went. So after each
+/// subiteration has seen every word once, only words in which a pixel went and those round them are
+/// looked at again: the same result as full passes, since each subiteration removes all its pixels
+/// at once.
+class Thinner {
+  public:
+    explicit Thinner(BitMask& mask)
+        : words_(mask.words()),
+          stride_(static_cast<std::ptrdiff_t>(mask.stride())),
+          waits_(words_.size()) {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (words_[i] == 0) continue;
+            waits_[i] = 3;
+            waiting_[0].push_back(i);
+        }
+        waiting_[1] = waiting_[0];
+    }
+
+    void run() {
+        bool has_changed = true;
+        while (has_changed) {
+            const bool first = subiterate(0);
+            const bool second = subiterate(1);
+            has_changed = first || second;
         }
     }
-}
 
-/// Returns whether any pixel went.
-bool Thinner::subiterate(int which) {
-    const auto waits = static_cast<std::uint8_t>(kWaits << which);
-    const auto& removable = kRemovable[static_cast<std::size_t>(which)];
-    looked_at_.swap(waiting_[static_cast<std::size_t>(which)]);
-    doomed_.clear();
-    for (const std::ptrdiff_t p : looked_at_) {
-        std::uint8_t& cell = cells_[static_cast<std::size_t>(p)];
-        if ((cell & kSet) == 0) continue;
-        cell = static_cast<std::uint8_t>(cell & ~waits);
-        if (removable[ring(p)]) doomed_.push_back(p);
+  private:
+    struct Doomed {
+        std::size_t word;
+        Bits bits;
+    };
+
+    /// Returns whether any pixel went.
+    bool subiterate(unsigned which) {
+        looked_at_.swap(waiting_[which]);
+        doomed_.clear();
+        for (const std::size_t i : looked_at_) {
+            waits_[i] = static_cast<std::uint8_t>(waits_[i] & ~(1U << which));
+            const Bits bits =
+                words_[i] & removable(ring_of(words_.data() + i, stride_), which == 1);
+            if (bits != 0) doomed_.push_back({i, bits});
+        }
+        looked_at_.clear();
+        for (const Doomed& d : doomed_) {
+            words_[d.word] &= ~d.bits;
+            wake(d);
+        }
+        return !doomed_.empty();
     }
-    looked_at_.clear();
-    for (const std::ptrdiff_t p : doomed_)
-        remove(p);
-    return !doomed_.empty();
-}
 
-void Thinner::run() {
-    bool has_changed = true;
-    while (has_changed) {
-        const bool first = subiterate(0);
-        const bool second = subiterate(1);
-        has_changed = first || second;
-    }
-}
-
-Mask Thinner::result() const {
-    Mask mask(width_px_, height_px_);
-    for (int y = 0; y < height_px_; ++y) {
-        const std::uint8_t* from = cells_.data() + (y + 1) * stride_ + 1;
-        std::uint8_t* to = mask.row(y);
-        for (int x = 0; x < width_px_; ++x) {
-            to[x] = from[x] & kSet;
+    /// Has all looked at again that may have lost a neighbour.
+    void wake(const Doomed& d) {
+        const auto at = static_cast<std::ptrdiff_t>(d.word);
+        const std::ptrdiff_t first = (d.bits & 1U) != 0 ? -1 : 0;
+        const std::ptrdiff_t last = d.bits >> 63 != 0 ? 1 : 0;
+        for (std::ptrdiff_t row = at - stride_; row <= at + stride_; row += stride_) {
+            for (std::ptrdiff_t i = row + first; i <= row + last; ++i) {
+                const auto word = static_cast<std::size_t>(i);
+                if (words_[word] == 0) continue;
+                for (unsigned which = 0; which < 2; ++which) {
+                    if ((waits_[word] >> which & 1U) == 0) waiting_[which].push_back(word);
+                }
+                waits_[word] = 3;
+            }
         }
     }
-    return mask;
-}
+
+    std::vector<Bits>& words_;
+    std::ptrdiff_t stride_;
+    std::vector<std::uint8_t> waits_;  ///< bit `which`: the word is in that list
+    std::array<std::vector<std::size_t>, 2> waiting_;
+    std::vector<std::size_t> looked_at_;
+    std::vector<Doomed> doomed_;
+};
 
 }  // namespace
 
+void thin(BitMask& mask) {
+    Thinner(mask).run();
+}
+
 Mask thin(const Mask& mask) {
-    Thinner thinner(mask);
-    thinner.run();
-    return thinner.result();
+    BitMask bits(mask);
+    thin(bits);
+    return bits.bytes();
 }
 
 }  // namespace ink::edge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "edge/bit_mask.h"
 #include "edge/edge_image.h"
 #include "edge/threshold.h"
 
@@ -22,5 +23,8 @@ namespace ink::edge {
 /// Source: Guo and Hall, "Parallel thinning with two-subiteration algorithms", CACM 32(3), 1989,
 /// conditions G1, G2 and G3 (G3' in the second subiteration).
 [[nodiscard]] Mask thin(const Mask& mask);
+
+/// The same in place.
+void thin(BitMask& mask);
 
 }  // namespace ink::edge

@@ -14,10 +14,14 @@
 namespace ink::lab {
 namespace {
 
+/// Right angles of turned boxes come out a little under 90 as often as over it.
+constexpr double kRounding_deg = 0.01;
+
 int bin_low_deg(double bend_rad) {
     constexpr int kLast_deg = 180 - kDihedralBin_deg;
     const double bend_deg = bend_rad * 180 / std::numbers::pi;
-    const int low = static_cast<int>(bend_deg / kDihedralBin_deg) * kDihedralBin_deg;
+    const int low =
+        static_cast<int>((bend_deg + kRounding_deg) / kDihedralBin_deg) * kDihedralBin_deg;
     return std::clamp(low, 0, kLast_deg);
 }
 

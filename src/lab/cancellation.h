@@ -31,7 +31,8 @@ struct KindPixels {
 };
 
 /// Sorts the true pixels that count by their kind, ascending: class by label, dihedral by the curve
-/// that drew the pixel (the lowest label, then the first). Kinds without pixels are left out.
+/// that drew the pixel (the lowest label, then the first); what lies a hundredth of a degree below
+/// a bin is in it. Kinds without pixels are left out.
 [[nodiscard]] std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
                                                    const score::ScoringTruth& scoring);
 
@@ -73,8 +74,8 @@ struct CancellationRow {
     int width_px = 0;
     int height_px = 0;
     double silent_deg = 0;  ///< bend up to which the code is silent (silent_bend_rad())
-    LineKind kind;
-    CancellationCount count;
+    LineKind kind = {};
+    CancellationCount count = {};
 };
 
 /// The columns of cancellation.csv.
@@ -86,8 +87,8 @@ struct CancellationRow {
 /// The counts of a method and a kind over all views.
 struct CancellationTotal {
     std::string method;
-    LineKind kind;
-    CancellationCount count;
+    LineKind kind = {};
+    CancellationCount count = {};
 };
 
 /// Rows added up by method (in order of first appearance) and kind (ascending).

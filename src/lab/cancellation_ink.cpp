@@ -37,20 +37,32 @@ class CodePlane {
 
 }  // namespace
 
+std::vector<score::Pixel> line_stencils(const score::TruthStencils& stencils) {
+    const truth::Cracks& cracks = stencils.cracks;
+    std::vector<score::Pixel> seeing;
+    for (int y = 1; y + 1 < stencils.triangle.height_px(); ++y) {
+        const std::uint8_t* right = cracks.right.row(y);
+        const std::uint8_t* above = cracks.below.row(y - 1);
+        const std::uint8_t* below = cracks.below.row(y);
+        for (int x = 1; x + 1 < stencils.triangle.width_px(); ++x) {
+            // Most pixels have no crack round them, which is soon told.
+            if ((right[x - 1] | right[x] | above[x] | below[x]) == 0) continue;
+            if (score::sees_line(stencils, {x, y})) seeing.push_back({x, y});
+        }
+    }
+    return seeing;
+}
+
 edge::Mask predicted_ink(const TruthCode& code,
-                         const ViewTruth& truth,
+                         const core::Image<std::uint32_t>& triangle,
+                         const std::vector<score::Pixel>& seeing,
                          const Declaration& declared) {
     assert(declared.code);
-    const score::TruthStencils stencils = stencils_of(truth);
-    CodePlane codes(code, stencils.triangle);
-    const int width = stencils.triangle.width_px(), height = stencils.triangle.height_px();
-    edge::Mask ink(width, height);
-    for (int y = 1; y + 1 < height; ++y) {
-        for (int x = 1; x + 1 < width; ++x) {
-            if (!score::sees_line(stencils, {x, y})) continue;
-            const int strength = edge::respond(codes.laplacian(x, y), declared.code->response);
-            ink.at(x, y) = strength >= declared.threshold ? 1 : 0;
-        }
+    CodePlane codes(code, triangle);
+    edge::Mask ink(triangle.width_px(), triangle.height_px());
+    for (const auto& [x, y] : seeing) {
+        const int strength = edge::respond(codes.laplacian(x, y), declared.code->response);
+        ink.at(x, y) = strength >= declared.threshold ? 1 : 0;
     }
     return ink;
 }

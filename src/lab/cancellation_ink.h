@@ -1,11 +1,16 @@
 #pragma once
 
+#include <vector>
+
 #include "edge/edge_image.h"
 #include "lab/miss_prediction.h"
-#include "lab/tracing.h"
 #include "lab/truth_code.h"
 
 namespace ink::lab {
+
+/// The pixels round which a four-neighbour stencil sees a true line (score::sees_line) and that
+/// have four neighbours, row by row: the same for every code.
+[[nodiscard]] std::vector<score::Pixel> line_stencils(const score::TruthStencils& stencils);
 
 /// Which pixels a declared code draws along the true lines of a view: 1 where the four-neighbour
 /// stencil round a pixel sees a line (score::sees_line) and the filter's response to it reaches the
@@ -16,9 +21,11 @@ namespace ink::lab {
 /// neighbours on its other side, the kink that 1/w has there instead of a jump, and codes that are
 /// rounded. Stencils that the frame cuts, and those that no line crosses, draw nothing.
 ///
-/// `declared` has a code: the one that `code` was made of.
+/// `triangle` is the truth's layer, `seeing` its line_stencils(); `declared` has a code: the one
+/// that `code` was made of.
 [[nodiscard]] edge::Mask predicted_ink(const TruthCode& code,
-                                       const ViewTruth& truth,
+                                       const core::Image<std::uint32_t>& triangle,
+                                       const std::vector<score::Pixel>& seeing,
                                        const Declaration& declared);
 
 }  // namespace ink::lab

@@ -23,6 +23,7 @@ struct Study {
 
 /// What all shots of a view are counted against.
 struct CountedTruth {
+    std::vector<score::Pixel> seeing;  ///< line_stencils()
     std::vector<KindPixels> kinds;
     score::TruthLists lists;
 };
@@ -36,8 +37,10 @@ score::PixelList counted_ink(const edge::Mask& drawn,
 void fill_rows(const ViewTruth& truth, const CountedTruth& counted, Study& study) {
     const Shot& shot = study.shot;
     const score::ScoreOptions options = score_options(shot.threshold);
-    const score::PixelList predicted =
-        counted_ink(predicted_ink(study.code, truth, study.declared), counted, options);
+    const score::PixelList predicted = counted_ink(
+        predicted_ink(study.code, truth.traced.layers.triangle, counted.seeing, study.declared),
+        counted,
+        options);
     const score::PixelList measured =
         counted_ink(edge::threshold(shot.picture, shot.threshold), counted, options);
     const double silent_deg =
@@ -69,7 +72,8 @@ std::vector<CancellationRow> study_cancellation(const ViewTruth& truth,
         studies.push_back({shot, {shot.code, shot.threshold}, predictor.code_of(*shot.code, view)});
     }
     if (studies.empty()) return {};
-    const CountedTruth counted{sort_by_kind(truth.traced, truth.scoring),
+    const CountedTruth counted{line_stencils(stencils_of(truth)),
+                               sort_by_kind(truth.traced, truth.scoring),
                                score::list_truth(truth.scoring, score_options(255))};
     core::parallel_for(studies.size(), core::hardware_threads(), [&](std::size_t i) {
         fill_rows(truth, counted, studies[i]);

@@ -70,8 +70,8 @@ Scored score_picture(const edge::EdgeImage& picture,
     Scored scored;
     scored.strokes = score::make_strokes(picture, threshold, options);
     scored.at_2px = score::score_strokes(scored.strokes, truth, options);
-    scored.wrong_2px = score::wrong_pixels(picture, truth, options);
-    scored.ladder = score::score_ladder(picture, truth, options, kLadder_px);
+    scored.wrong_2px = score::wrong_pixels(scored.strokes, truth, options);
+    scored.ladder = score::ladder_of_strokes(scored.strokes, truth, options, kLadder_px);
     scored.curve = score::score_curve(picture, truth, options);
     return scored;
 }

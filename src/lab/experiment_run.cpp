@@ -108,7 +108,7 @@ class Work {
             const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
             if (!has_said && elapsed_s > kFirstWord_s && !missing_.empty()) {
                 has_said = true;
-                say(fmt::format("{} left", estimate()));
+                say(fmt::format("still {}", estimate()));
             }
         }
         return true;
@@ -179,7 +179,10 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     const FolderLock lock(options.out, !options.shard.is_all());
     const PlanRecord mine = record_of(plan);
     if (options.shard.is_all()) remove_leftovers(options.out);
-    if (options.is_fresh) store.clear();
+    if (options.is_fresh) {
+        store.clear();
+        store.make_folder();
+    }
     const auto there = options.is_fresh ? std::nullopt : store.read_plan();
     if (there) refuse_other_plan(store, *there, mine);
     if (there && has_all_tables(*there, options.out)) {

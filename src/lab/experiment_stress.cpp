@@ -19,6 +19,7 @@ struct Stage {
     MeasureOptions measure;
     TraceOptions trace;
     StressSize size;
+    std::uint64_t seed = 0;
 };
 
 std::vector<const StressAxis*> axes_of(const Experiment& experiment) {
@@ -58,7 +59,8 @@ BlockResult run_values(const Stage& stage,
     }
     note_differences(rows);
     BlockResult result;
-    for (const StressRow& row : rows) {
+    for (StressRow& row : rows) {
+        row.row.seed = stage.seed;
         result.lines["stress.csv"] += to_csv(row) + "\n";
         if (std::string fault = fault_of(row); !fault.empty())
             result.faults.push_back(std::move(fault));
@@ -82,6 +84,7 @@ void plan_stress(const Experiment& experiment, const TraceOptions& trace, Plan& 
     const auto stage = std::make_shared<Stage>();
     stage->entrants = entrants_of(experiment);
     stage->trace = trace;
+    stage->seed = experiment.seed;
     stage->trace.truth.threads = core::hardware_threads();
     stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
     plan.tables.push_back({"stress.csv", fmt::format("{}", fmt::join(stress_columns(), ","))});

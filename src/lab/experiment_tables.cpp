@@ -10,6 +10,7 @@
 #include "lab/cost_model.h"
 #include "lab/csv_table.h"
 #include "lab/row_reader.h"
+#include "lab/stress_summary.h"
 #include "lab/summary_csv.h"
 
 namespace ink::lab {
@@ -90,6 +91,30 @@ std::string summary_of(std::vector<FinishedTable>& tables) {
     return summary_csv(rows, read_curves(read("curves.csv"), rows, "curves.csv"));
 }
 
+/// The rows of stress.csv with their places on the axes and their counts.
+std::vector<StressRow> read_stress_rows(const CsvTable& table, const std::string& where) {
+    std::vector<Row> rows = read_rows(table, where);
+    const auto of = [&table](std::size_t i, const char* column) {
+        return unquoted(table.records[i].at(table.find(column)));
+    };
+    std::vector<StressRow> stressed;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        stressed.push_back({of(i, "axis"), std::stod(of(i, "value")), of(i, "unit"), rows[i], {}});
+        StressCounts& counts = stressed.back().counts;
+        counts.non_finite = std::stoll(of(i, "non_finite"));
+        counts.overflow = std::stoll(of(i, "overflow"));
+        counts.lost = std::stoll(of(i, "lost_cell"));
+        counts.differing = std::stoll(of(i, "differing"));
+    }
+    return stressed;
+}
+
+std::string stress_summary_of(const FinishedTable& table) {
+    const auto rows = read_stress_rows(split_csv(table.text, table.name), table.name);
+    const std::uint64_t seed = rows.empty() ? 0 : rows.front().row.seed;
+    return stress_summary_csv(summarise_stress(rows, seed));
+}
+
 }  // namespace
 
 std::vector<FinishedTable> finished_tables(const PlanRecord& record,
@@ -104,6 +129,9 @@ std::vector<FinishedTable> finished_tables(const PlanRecord& record,
     // Over several sizes or numbers of threads no one time of a method means anything.
     if (record.one_place && find(tables, "rows.csv") != nullptr) {
         tables.push_back({"summary.csv", summary_of(tables)});
+    }
+    if (const FinishedTable* stress = find(tables, "stress.csv"); stress != nullptr) {
+        tables.push_back({"stress_summary.csv", stress_summary_of(*stress)});
     }
     return tables;
 }

@@ -7,6 +7,8 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "lab/row.h"
+#include "lab/stress_axes.h"
+#include "lab/stress_summary.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "scene/catalogue.h"
@@ -92,11 +94,26 @@ std::string list_skips() {
     return text;
 }
 
+std::string list_axes() {
+    std::string text = "axes of difficulty (inkbench stress --axes a,b)\n";
+    for (const StressAxis& axis : stress_axes()) {
+        text += fmt::format("  {:<14} {}: {} .. {}, {} points\n  {:<14} {}\n",
+                            axis.name,
+                            axis.title,
+                            format_stress_value(axis, axis.values.front()),
+                            format_stress_value(axis, axis.values.back()),
+                            axis.values.size(),
+                            "",
+                            axis.sentence);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string listing(const std::string& what) {
     const std::vector<std::string> known = {
-        "all", "methods", "scenes", "params", "metrics", "skips", "shadings"};
+        "all", "methods", "scenes", "params", "metrics", "skips", "shadings", "axes"};
     if (std::find(known.begin(), known.end(), what) == known.end()) {
         throw core::Error(
             "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
@@ -108,6 +125,7 @@ std::string listing(const std::string& what) {
     if (what == "all" || what == "metrics") text += list_metrics();
     if (what == "all" || what == "skips") text += list_skips();
     if (what == "all" || what == "shadings") text += list_shadings();
+    if (what == "all" || what == "axes") text += list_axes();
     return text;
 }
 

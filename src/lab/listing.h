@@ -5,7 +5,7 @@
 namespace ink::lab {
 
 /// What the program knows, as text for a terminal: "methods", "scenes", "params", "metrics",
-/// "skips", "shadings" or "all", with units, ranges and defaults. Throws core::Error that lists
+/// "skips", "shadings", "axes" or "all", with units, ranges and defaults. Throws core::Error that lists
 /// these for another word.
 [[nodiscard]] std::string listing(const std::string& what);
 

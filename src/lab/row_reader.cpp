@@ -14,15 +14,25 @@
 namespace ink::lab {
 namespace {
 
+/// Where each column is.
+using ColumnIndex = std::map<std::string, std::size_t, std::less<>>;
+
+ColumnIndex index_of(const CsvTable& table) {
+    ColumnIndex index;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        index.emplace(table.columns[i], i);
+    return index;
+}
+
 /// The fields of one record by column.
 class Fields {
   public:
-    Fields(const CsvTable& table, const std::vector<std::string>& record, std::string where)
-        : table_(table), record_(record), where_(std::move(where)) {}
+    Fields(const ColumnIndex& columns, const std::vector<std::string>& record, std::string where)
+        : columns_(columns), record_(record), where_(std::move(where)) {}
 
     [[nodiscard]] std::string text(const std::string& column) const {
-        const std::size_t i = table_.find(column);
-        return i < record_.size() ? unquoted(record_[i]) : "";
+        const auto found = columns_.find(column);
+        return found == columns_.end() ? "" : unquoted(record_[found->second]);
     }
 
     /// Nothing for an empty field or a column that is not there.
@@ -51,7 +61,7 @@ class Fields {
     void read(const std::string& column, std::string& value) const { value = text(column); }
 
     [[nodiscard]] std::string need(const std::string& column) const {
-        if (table_.find(column) == table_.columns.size()) {
+        if (!columns_.contains(column)) {
             throw core::Error(
                 where_, fmt::format("there is no column {}", column), "the columns of rows.csv");
         }
@@ -59,7 +69,7 @@ class Fields {
     }
 
   private:
-    const CsvTable& table_;
+    const ColumnIndex& columns_;
     const std::vector<std::string>& record_;
     std::string where_;
 };
@@ -232,8 +242,9 @@ std::string record_of(const std::string& where, std::size_t i) {
 
 std::vector<Row> read_rows(const CsvTable& table, const std::string& where) {
     std::vector<Row> rows;
+    const ColumnIndex columns = index_of(table);
     for (std::size_t i = 0; i < table.records.size(); ++i)
-        rows.push_back(read_row({table, table.records[i], record_of(where, i)}));
+        rows.push_back(read_row({columns, table.records[i], record_of(where, i)}));
     return rows;
 }
 
@@ -244,10 +255,11 @@ std::vector<CellCurve> read_curves(const CsvTable& table,
     for (const Row& row : rows)
         cells.emplace(cell_key(row), &row);
     std::vector<CellCurve> curves;
+    const ColumnIndex columns = index_of(table);
     std::string last_key;
     bool is_wanted = false;
     for (std::size_t i = 0; i < table.records.size(); ++i) {
-        const Fields fields(table, table.records[i], record_of(where, i));
+        const Fields fields(columns, table.records[i], record_of(where, i));
         const auto at = fields.number<std::size_t>("threshold_k").value_or(0);
         if (at < 1 || at > 99) {
             throw core::Error(record_of(where, i), "its threshold_k is not there", "1..99");

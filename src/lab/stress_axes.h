@@ -57,7 +57,7 @@ struct StressAxis {
     std::string title;  ///< what its values are, for people
     std::string unit;   ///< "" for a pure number
     AxisScale scale = AxisScale::log;
-    std::vector<double> values;  ///< ascending, distinct; eight at least, targets of SIMD aside
+    std::vector<double> values;                 ///< ascending, distinct; eight at least
     std::vector<std::string> value_names = {};  ///< one per value if the scale is `named`
     std::string sentence;                       ///< what is varied, and what stays
     std::string reason;                         ///< why the curves run as they do

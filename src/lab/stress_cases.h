@@ -52,6 +52,7 @@ struct StressLook {
 // stress_places.cpp: where the eye is, and where numbers run out
 [[nodiscard]] std::vector<StressCase> near_far_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> grazing_cases(const StressPoint& point);
+[[nodiscard]] std::vector<StressCase> grazing_linear_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> origin_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> fp32_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> scale_cases(const StressPoint& point);
@@ -78,7 +79,7 @@ struct StressLook {
 [[nodiscard]] std::vector<StressCase> saturate_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> wrap_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> thread_cases(const StressPoint& point);
-/// Names of this machine's SIMD targets, from 1.
+/// Names of this machine's SIMD targets, each on one thread and on four, from 1.
 [[nodiscard]] std::vector<std::string> simd_names();
 [[nodiscard]] std::vector<StressCase> simd_cases(const StressPoint& point);
 

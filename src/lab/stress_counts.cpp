@@ -4,7 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "methods/full_buffers.h"
 #include "raster/pass.h"
@@ -40,8 +40,7 @@ class PlaneCheck : public raster::TileSink {
                 if (d == kSky) continue;
                 const glm::vec3 n{normals[0].row(y)[x], normals[1].row(y)[x], normals[2].row(y)[x]};
                 bad += std::isfinite(d) && is_finite(n) ? 0 : 1;
-                const bool is_inside = d >= -kSlack && d <= 1 + kSlack && glm::length(n) <= 1.01F;
-                beyond += std::isfinite(d) && !is_inside ? 1 : 0;
+                beyond += d < -kSlack || d > 1 + kSlack ? 1 : 0;
             }
         }
         non_finite += bad;

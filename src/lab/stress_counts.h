@@ -9,8 +9,11 @@
 
 namespace ink::lab {
 
-/// What a method is given in one case: numbers that are not finite, and depths and normals beyond
-/// their range, counted over vertices and over the pixels of full buffers in every encoding.
+/// What a method is given in one case: numbers that are not finite, and depths outside 0..1,
+/// counted over vertices and over the pixels of full buffers in every encoding.
+///
+/// Normals may be a little longer than 1: where a triangle is thinner than the grid by which pixels
+/// are covered, its planes are read beyond its sides.
 [[nodiscard]] StressCounts count_inputs(const scene::Scene& scene, const scene::View& view);
 
 /// Numbers of a truth that are not finite (what lies behind a line may be infinitely far).

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,6 +24,12 @@ constexpr std::array<DepthChoice, 10> kDepths = {{{"inverse", "q32"},
                                                   {"zbuffer24", "z24"},
                                                   {"inverse", "z16"},
                                                   {"zbuffer16", "z16"}}};
+
+// Of a camera that need not know its scene, as games have it.
+constexpr double kFarOverNear = 1e5;
+
+// Every target by itself and in company.
+constexpr std::array<int, 2> kSimdThreads = {1, 4};
 
 std::size_t place_of(const StressPoint& point) {
     return static_cast<std::size_t>(std::lround(point.value)) - 1;
@@ -51,7 +58,10 @@ std::vector<StressCase> depth_cases(const StressPoint& point) {
     std::vector<StressCase> cases =
         catalogue_cases(point, {"room", "horizon", "staircase", "fence"});
     for (StressCase& stress : cases) {
-        stress.settings = {std::string("depth_encoding=") + depth.encoding,
+        scene::Camera& camera = stress.subject.views.front().camera;
+        camera.near = std::min(camera.near, camera.far / kFarOverNear);
+        stress.settings = {"depth_range=camera",
+                           std::string("depth_encoding=") + depth.encoding,
                            std::string("depth_format=") + depth.test};
     }
     return cases;
@@ -81,15 +91,20 @@ std::vector<StressCase> thread_cases(const StressPoint& point) {
 
 std::vector<std::string> simd_names() {
     std::vector<std::string> names;
-    for (const core::SimdTarget& target : core::simd_targets())
-        names.push_back(target.name);
+    for (const core::SimdTarget& target : core::simd_targets()) {
+        for (const int threads : kSimdThreads)
+            names.push_back(target.name + " x " + std::to_string(threads));
+    }
     return names;
 }
 
 std::vector<StressCase> simd_cases(const StressPoint& point) {
     std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases)
-        stress.simd_target = simd_names().at(place_of(point));
+    const std::size_t place = place_of(point);
+    for (StressCase& stress : cases) {
+        stress.simd_target = core::simd_targets().at(place / kSimdThreads.size()).name;
+        stress.threads = kSimdThreads[place % kSimdThreads.size()];
+    }
     return cases;
 }
 

@@ -142,6 +142,13 @@ std::vector<StressCase> grazing_cases(const StressPoint& point) {
     return cases;
 }
 
+std::vector<StressCase> grazing_linear_cases(const StressPoint& point) {
+    std::vector<StressCase> cases = grazing_cases(point);
+    for (StressCase& stress : cases)
+        stress.settings = {"depth_encoding=linear", "guard=none"};
+    return cases;
+}
+
 std::vector<StressCase> origin_cases(const StressPoint& point) {
     return moved_away(point);
 }

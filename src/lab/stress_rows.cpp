@@ -56,6 +56,12 @@ Shot draw_shot(const Entrant& entrant,
     shot.row.prepare_ns.reset();
     shot.row.pose_ns.reset();
     shot.row.cost.reset();
+    const bool has_size = shot.picture.width_px() == frame.view.width_px &&
+                          shot.picture.height_px() == frame.view.height_px;
+    if (shot.row.is_ok() && !has_size) {
+        shot.row.status = fmt::format(
+            "failed: a picture of {} x {} px", shot.picture.width_px(), shot.picture.height_px());
+    }
     if (shot.row.is_ok())
         overflow = count_overflow(methods.front()->method(), entrant, scene, frame);
     return shot;

@@ -16,8 +16,8 @@ struct StressCounts {
     /// Numbers that are NaN or infinite: placed and projected vertices, normals, the planes of a
     /// full buffer in every depth encoding, the truth's curves, the declared code, the scores.
     std::int64_t non_finite = 0;
-    /// Codes beyond what they may hold: depths outside 0..1, normals longer than 1, pixels at which
-    /// a packed code whose ranges fit its bits comes out otherwise if it may wrap.
+    /// Codes beyond what they may hold: depths outside 0..1, and pixels at which a packed
+    /// code whose ranges fit its bits comes out otherwise if it may wrap.
     std::int64_t overflow = 0;
     std::int64_t lost = 0;       ///< 1 if the cell has no result
     std::int64_t differing = 0;  ///< 1 if the picture differs where the axis allows none to

@@ -27,7 +27,7 @@ struct Defaults {
 };
 constexpr Defaults kDefaults[] = {
     {"decaudin", "k_depth=0.001..1,k_normal=0.01..2,join,threshold"},
-    {"mote2", "range_depth,range_nz,threshold=1..64"},
+    {"mote2", "range_depth,range_normal,threshold=1..64"},
     {"mote4", "range_depth,range_nx,range_ny,range_nz,threshold=1..64"},
     {"mote16", "range_depth,range_nx,range_ny,range_nz,threshold"},
     {"polygon_offset", "factor=-4..0,units=-65536..0"},
@@ -73,8 +73,9 @@ void narrow(const std::string& range, TunedKnob& knob) {
         *high > param.max) {
         throw core::Error("--params",
                           fmt::format("'{}' is no range of {}", range, param.name),
-                          is_number(param) ? fmt::format("low..high within {}..{}", param.min, param.max)
-                                           : "the name alone: every choice is tried");
+                          is_number(param)
+                              ? fmt::format("low..high within {}..{}", param.min, param.max)
+                              : "the name alone: every choice is tried");
     }
     knob.low = *low;
     knob.high = *high;

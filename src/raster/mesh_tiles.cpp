@@ -1,7 +1,6 @@
 #include "raster/mesh_tiles.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 
 #include "raster/whole_fill.h"
@@ -57,7 +56,7 @@ void MeshTileWorker::draw_front(int tile) {
     const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
     if (std::none_of(runs_.begin(), end, has_lanes)) return;
     buffer_.start(tile);
-    rects_ = needed_rects(buffer_, 0, job_.grid.halo_px);
+    rows_ = DrawnRows::all(buffer_);
     buffer_.touch();
     coarse_.start(buffer_);
     for (auto run = runs_.begin(); run != end; ++run)
@@ -73,15 +72,13 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
     if (fronts_ > 0 && front_.tile(tile).is_drawn) {
         buffer_.resume(tile, front_.tile(tile).pixels);
         ++count_of(skips_, Skip::empty_tiles).of;
-        std::uint16_t flat = 0;  // and stays it: there are triangles in lanes
-        [[maybe_unused]] const bool is_flat = job_.input.flat_gives_zero && prove_flat(tile, flat);
-        assert(!is_flat);
-        rects_ = needed_rects(buffer_, flat, job_.grid.halo_px);
+        if (job_.input.flat_gives_zero) count_own_pixels();  // none flat: there are lanes
+        rows_ = DrawnRows::all(buffer_);
         coarse_.start(buffer_);
         coarse_.refresh();
         for (std::size_t i = fronts_; i < runs_.size(); ++i)
             draw_list(runs_[i], runs_[i].of(tile));
-        finish(flat, sink);
+        finish(nullptr, sink);
         return;
     }
     const bool is_empty = std::all_of(
@@ -97,39 +94,47 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         sink.finish(buffer_.view(true));
         return;
     }
-    std::uint16_t flat = 0;
-    if (job_.input.flat_gives_zero && prove_flat(tile, flat)) {
+    if (job_.input.flat_gives_zero) count_own_pixels();
+    const bool is_whole = job_.input.flat_gives_zero && list_whole(tile);
+    if (is_whole && is_flat()) {
         sink.finish(buffer_.view(true));
         return;
     }
-    rects_ = needed_rects(buffer_, flat, job_.grid.halo_px);
-    buffer_.touch();
+    const bool spares = is_whole && find_needed();
+    rows_ =
+        spares ? DrawnRows::under(needed_, buffer_, job_.grid.halo_px) : DrawnRows::all(buffer_);
+    const PixelRect written = rows_.hull(buffer_);
+    if (spares && buffer_.is_inner()) {
+        buffer_.touch(written.y0, written.y1);
+    } else {
+        buffer_.touch();
+    }
     coarse_.start(buffer_);
     for (const MeshRun& run : runs_)
         draw_list(run, run.of(tile));
-    finish(flat, sink);
+    finish(spares ? &needed_ : nullptr, sink);
 }
 
-void MeshTileWorker::finish(std::uint16_t flat, TileSink& sink) {
+void MeshTileWorker::finish(const NeededRows* needed, TileSink& sink) {
     buffer_.finish();
     buffer_.extend_frame();
     Tile finished = buffer_.view(false);
-    finished.flat_squares = flat;
+    finished.needed = needed;
     sink.finish(finished);
 }
 
-/// Whether the whole tile lies inside one plane; else which of its squares do.
-bool MeshTileWorker::prove_flat(int tile, std::uint16_t& flat) {
-    const SkipSet& skips = job_.input.skips;
-    const bool looks_at_tile = skips.has(Skip::flat_tiles);
-    const bool looks_at_squares = skips.has(Skip::flat_stencils);
-    SkipCount& tiles = count_of(skips_, Skip::flat_tiles);
-    SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
+/// What flat tiles and stencils are a part of.
+void MeshTileWorker::count_own_pixels() {
     const PixelRect& own = buffer_.own();
-    ++tiles.of;
-    pixels.of +=
+    ++count_of(skips_, Skip::flat_tiles).of;
+    count_of(skips_, Skip::flat_stencils).of +=
         static_cast<std::uint64_t>(own.x1 - own.x0) * static_cast<std::uint64_t>(own.y1 - own.y0);
-    if (!looks_at_tile && !looks_at_squares) return false;
+}
+
+/// Gives the proof a tile's triangles, if they are few and all of them whole ones.
+bool MeshTileWorker::list_whole(int tile) {
+    const SkipSet& skips = job_.input.skips;
+    if (!skips.has(Skip::flat_tiles) && !skips.has(Skip::flat_stencils)) return false;
     std::size_t count = 0;
     for (const MeshRun& run : runs_)
         count += run.of(tile).size();
@@ -141,19 +146,30 @@ bool MeshTileWorker::prove_flat(int tile, std::uint16_t& flat) {
             proof_.add(run.whole_batches()->front(), entry & ~kWholeTriangle);
         }
     }
-    const int halo = job_.grid.halo_px;
-    const PixelRect wide{own.x0 - halo, own.y0 - halo, own.x1 + halo, own.y1 + halo};
-    const PixelRect& drawn = buffer_.drawn();
-    const bool is_inner =
-        wide.x0 == drawn.x0 && wide.y0 == drawn.y0 && wide.x1 == drawn.x1 && wide.y1 == drawn.y1;
-    if (looks_at_tile && is_inner && proof_.is_flat(wide)) {
-        ++tiles.skipped;
-        return true;
+    return true;
+}
+
+/// Whether the whole tile lies inside one plane.
+bool MeshTileWorker::is_flat() {
+    if (!job_.input.skips.has(Skip::flat_tiles)) return false;
+    if (!buffer_.is_inner() || !proof_.is_flat(buffer_.drawn())) return false;
+    ++count_of(skips_, Skip::flat_tiles).skipped;
+    return true;
+}
+
+/// Whether enough of the tile's stencils lie inside one plane to leave them out.
+bool MeshTileWorker::find_needed() {
+    if (!job_.input.skips.has(Skip::flat_stencils)) return false;
+    if (!proof_.find_needed(buffer_, job_.grid.halo_px, needed_)) return false;
+    const PixelRect& own = buffer_.own();
+    SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
+    for (std::size_t i = 0; i < kStencilColumns; ++i) {
+        const int x0 = own.x0 + static_cast<int>(i) * kStencilColumn_px;
+        const int width = std::clamp(own.x1 - x0, 0, kStencilColumn_px);
+        pixels.skipped +=
+            static_cast<std::uint64_t>(width * (own.y1 - own.y0 - needed_.of[i].count()));
     }
-    if (looks_at_squares) flat = proof_.flat_squares(buffer_, halo);
-    constexpr std::uint64_t kArea = std::uint64_t{kFlatSquare_px} * kFlatSquare_px;
-    pixels.skipped += kArea * static_cast<std::uint64_t>(std::popcount(flat));
-    return false;
+    return true;
 }
 
 /// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
@@ -228,12 +244,9 @@ void MeshTileWorker::draw_whole(const std::vector<Batch>& batches, std::uint32_t
     coarse_.announce(kWholeWeight);
     const BinEntry entry{0, index};
     const FillJob fill{job_.format, near_far_, batches};
-    for (const PixelRect& rect : rects_) {
-        if (!fill_whole(fill, entry, rect, buffer_)) {
-            fill_(fill, {&entry, 1}, buffer_);
-            break;
-        }
-    }
+    if (fill_whole(fill, entry, rows_, buffer_)) return;
+    buffer_.touch();
+    fill_(fill, {&entry, 1}, buffer_);
 }
 
 }  // namespace ink::raster

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "raster/coarse_depth.h"
-#include "raster/flat_squares.h"
+#include "raster/drawn_rows.h"
+#include "raster/flat_proof.h"
 #include "raster/front_depth.h"
 #include "raster/lane_triangles.h"
 #include "raster/mesh_stage.h"
@@ -36,8 +37,11 @@ class MeshTileWorker {
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
 
   private:
-    void finish(std::uint16_t flat, TileSink& sink);
-    [[nodiscard]] bool prove_flat(int tile, std::uint16_t& flat);
+    void finish(const NeededRows* needed, TileSink& sink);
+    void count_own_pixels();
+    [[nodiscard]] bool list_whole(int tile);
+    [[nodiscard]] bool is_flat();
+    [[nodiscard]] bool find_needed();
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
     void prefetch(const LaneSource& source, std::uint32_t entry) const;
     void look_again(const LaneSource& source);
@@ -59,7 +63,8 @@ class MeshTileWorker {
     std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
     std::size_t lane_count_ = 0;
     FlatProof proof_;
-    std::vector<PixelRect> rects_;
+    NeededRows needed_;  ///< stencils of the tile
+    DrawnRows rows_;
     bool tests_hidden_;
     CoarseDepth coarse_;
     SkipCounts skips_{};

@@ -30,12 +30,17 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
     return 0;
 }
 
-void fill_words(AlignedArray<std::byte>& memory, std::uint32_t word) {
+/// Elements [begin, end) of a plane of 32 bits.
+void fill_words(AlignedArray<std::byte>& memory,
+                std::size_t begin,
+                std::size_t end,
+                std::uint32_t word) {
     const auto byte = static_cast<int>(word & 0xffU);
+    auto* const words = reinterpret_cast<std::uint32_t*>(memory.data());
     if (word == 0x01010101U * (word & 0xffU)) {  // nearly always: the library has wider stores
-        std::memset(memory.data(), byte, memory.size());
+        std::memset(words + begin, byte, (end - begin) * sizeof(std::uint32_t));
     } else {
-        std::fill_n(reinterpret_cast<std::uint32_t*>(memory.data()), memory.size() / 4, word);
+        std::fill(words + begin, words + end, word);
     }
 }
 
@@ -65,12 +70,20 @@ std::size_t TileBuffer::element_bytes() const {
 void TileBuffer::start(int tile) {
     own_ = grid_.own(tile);
     drawn_ = grid_.drawn(tile);
-    if (is_clean_) return;
-    is_clean_ = true;
+    if (is_clean()) return;
     // 0 is infinity in every depth format, float included.
-    fill_words(depth_, 0);
-    for (int plane = 0; plane < format_.planes(); ++plane)
-        fill_words(drawn_plane(plane), sky_[static_cast<std::size_t>(plane)]);
+    fill_words(depth_, dirty_begin(), dirty_end(), 0);
+    for (int plane = 0; plane < format_.planes(); ++plane) {
+        const std::uint32_t sky = sky_[static_cast<std::size_t>(plane)];
+        fill_words(drawn_plane(plane), dirty_begin(), dirty_end(), sky);
+    }
+    dirty_begin_ = kTileRows;
+    dirty_end_ = 0;
+}
+
+std::size_t TileBuffer::dirty_end() const {
+    const std::size_t end = static_cast<std::size_t>(dirty_end_) * kTileStride;
+    return dirty_end_ == kTileRows ? kElements : end;
 }
 
 void TileBuffer::exchange(TilePixels& other) {
@@ -81,7 +94,7 @@ void TileBuffer::exchange(TilePixels& other) {
         pixels.resize(drawn_plane(plane).size());
         std::swap(drawn_plane(plane), pixels);
     }
-    is_clean_ = false;
+    touch();
 }
 
 void TileBuffer::resume(int tile, TilePixels& from) {
@@ -91,14 +104,17 @@ void TileBuffer::resume(int tile, TilePixels& from) {
 }
 
 void TileBuffer::finish() {
-    if (!is_narrowed() || (is_clean_ && shows_sky_)) return;
-    shows_sky_ = is_clean_;
+    if (!is_narrowed() || (is_clean() && shows_sky_)) return;
+    shows_sky_ = is_clean();
+    // All of a tile that holds sky alone: what was drawn before is still there.
+    const std::size_t begin = is_clean() ? 0 : dirty_begin();
+    const std::size_t count = (is_clean() ? kElements : dirty_end()) - begin;
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
-        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data());
+        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data()) + begin;
         if (format_.store == Store::u8) {
-            narrow(from, kElements, reinterpret_cast<std::uint8_t*>(planes_[plane].data()));
+            narrow(from, count, reinterpret_cast<std::uint8_t*>(planes_[plane].data()) + begin);
         } else {
-            narrow(from, kElements, reinterpret_cast<std::uint16_t*>(planes_[plane].data()));
+            narrow(from, count, reinterpret_cast<std::uint16_t*>(planes_[plane].data()) + begin);
         }
     }
 }
@@ -124,6 +140,7 @@ void TileBuffer::extend_frame_of(Memory& memory, std::size_t bytes_per_element) 
 }
 
 void TileBuffer::extend_frame() {
+    if (is_inner()) return;
     extend_frame_of(depth_, sizeof(std::uint32_t));
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane)
         extend_frame_of(planes_[plane], element_bytes());

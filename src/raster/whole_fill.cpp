@@ -20,6 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// What of a triangle's box is drawn, and the edges that cross it, in 32 bits from (x0, y0).
 struct Area {
     PixelRect rect;
+    const DrawnRows* rows;
     std::int32_t at[3], dx[3], dy[3];  ///< all 0 of an edge that has every centre inside
 };
 
@@ -55,6 +56,12 @@ struct ColumnRows {
 HWY_INLINE int FloorDiv(int a, int b) {
     const int quotient = a / b;
     return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+
+/// No more than the rows [begin, end).
+ColumnRows Within(const ColumnRows& r, int begin, int end) {
+    const auto limited = [&](int row) { return std::min(std::max(row, begin), end); };
+    return {limited(r.begin), limited(r.inside_begin), limited(r.inside_end), limited(r.end)};
 }
 
 /// Of the area's columns first .. last.
@@ -146,8 +153,11 @@ void FillArea(const FillJob& job, const WholeTriangle& triangle, const Area& are
     const int origin = to.own().x0 - kTileMargin_px;
     for (int x = r.x0 - (r.x0 - origin) % kLanes; x < r.x1; x += kLanes) {
         const int first = x - r.x0;
+        const RowRun& drawn = area.rows->of[static_cast<std::size_t>(x - origin) / 16];
         const ColumnRows rows =
-            RowsOf(area, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1);
+            Within(RowsOf(area, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1),
+                   std::max(drawn.begin - r.y0, 0),
+                   std::min(drawn.end, r.y1) - r.y0);
         if (rows.begin >= rows.end) continue;
         const auto ramp = hn::Load(d, kRamp);
         const auto across = hn::Add(ramp, hn::Set(d, first));
@@ -213,16 +223,18 @@ bool FillCodes(const FillJob& job, const BinEntry& entry, const Area& area, Tile
                                 : FillWith<LimitedCodeValues<kCount>>(job, entry, area, to);
 }
 
-bool FillWhole(const FillJob& job, const BinEntry& entry, const PixelRect& rect, TileBuffer& to) {
+bool FillWhole(const FillJob& job, const BinEntry& entry, const DrawnRows& rows, TileBuffer& to) {
     const PassFormat& format = job.format;
     const bool is_affine = format.interpolation == Interpolation::affine;
     const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
+    const PixelRect rect = rows.hull(to);
     const PixelRect part{std::max(rect.x0, t.bounds.x0),
                          std::max(rect.y0, t.bounds.y0),
                          std::min(rect.x1, t.bounds.x1),
                          std::min(rect.y1, t.bounds.y1)};
     Area area;
     if (part.is_empty() || !MakeArea(t, part, area)) return true;
+    area.rows = &rows;
     switch (format.store) {
         case Store::none:
             return FillWith<NoValues>(job, entry, area, to);
@@ -248,7 +260,7 @@ HWY_EXPORT(FillWhole);
 
 bool fill_whole(const FillJob& job,
                 const BinEntry& entry,
-                const PixelRect& rect,
+                const DrawnRows& rows,
                 TileBuffer& buffer) {
     // A code that runs on the surface and has a constant is of no method.
     if (job.format.interpolation == Interpolation::perspective && job.format.constant) return false;
@@ -257,7 +269,7 @@ bool fill_whole(const FillJob& job,
     for (const EdgeFunction& e : job.batches[entry.batch].triangles[entry.index].edges) {
         if (std::abs(e.dx) > kLongest || std::abs(e.dy) > kLongest) return false;
     }
-    return HWY_DYNAMIC_DISPATCH(FillWhole)(job, entry, rect, buffer);
+    return HWY_DYNAMIC_DISPATCH(FillWhole)(job, entry, rows, buffer);
 }
 
 }  // namespace ink::raster

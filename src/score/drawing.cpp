@@ -8,12 +8,24 @@
 
 #include "core/error.h"
 #include "edge/thin.h"
+#include "score/matching.h"
 
 namespace ink::score {
 namespace {
 
 std::int64_t count(const edge::Mask& mask) {
     return std::count(mask.data(), mask.data() + mask.size(), std::uint8_t{1});
+}
+
+/// Takes out what only an ignored pixel is in reach of.
+void drop_ignored(PixelList& pixels, const TruthLists& lists) {
+    if (lists.ignore.is_empty()) return;
+    std::vector<std::uint8_t> is_dropped = within_reach(pixels, lists.ignore, lists.disk);
+    const auto has_truth = within_reach(pixels, lists.truth, lists.disk);
+    for (std::size_t i = 0; i < is_dropped.size(); ++i) {
+        if (has_truth[i] != 0) is_dropped[i] = 0;
+    }
+    pixels.drop(is_dropped);
 }
 
 }  // namespace
@@ -58,17 +70,33 @@ TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options) {
     return {PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px)};
 }
 
+TruthLists checked_lists(const edge::EdgeImage& prediction,
+                         const ScoringTruth& truth,
+                         const ScoreOptions& options) {
+    check(options);
+    check_same_size(prediction, truth.labels);
+    return list_truth(truth, options);
+}
+
 PixelList counted_pixels(edge::Mask drawn, const TruthLists& lists, const ScoreOptions& options) {
     clear_band(drawn, options.band_px);
     PixelList pixels(drawn);
-    if (lists.ignore.is_empty()) return pixels;
-    std::vector<std::uint8_t> is_dropped = within_reach(pixels, lists.ignore, lists.disk);
-    const auto has_truth = within_reach(pixels, lists.truth, lists.disk);
-    for (std::size_t i = 0; i < is_dropped.size(); ++i) {
-        if (has_truth[i] != 0) is_dropped[i] = 0;
-    }
-    pixels.drop(is_dropped);
+    drop_ignored(pixels, lists);
     return pixels;
+}
+
+PixelList counted_pixels(const edge::BitMask& drawn,
+                         const TruthLists& lists,
+                         const ScoreOptions& options) {
+    PixelList pixels(drawn, options.band_px);
+    drop_ignored(pixels, lists);
+    return pixels;
+}
+
+CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
+    return {.k = match_pixels(drawn, lists.truth, lists.disk).k,
+            .n_pred = static_cast<std::int64_t>(drawn.size()),
+            .n_truth = static_cast<std::int64_t>(lists.truth.size())};
 }
 
 }  // namespace ink::score

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "edge/edge_image.h"
 #include "score/pixel_list.h"
@@ -38,11 +40,24 @@ struct TruthLists {
 /// Lists a truth's pixels, and those under its ignore map, for the options' tolerance.
 [[nodiscard]] TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options);
 
+/// The same, if options and sizes will do. Throws core::Error as score() does if not.
+[[nodiscard]] TruthLists checked_lists(const edge::EdgeImage& prediction,
+                                       const ScoringTruth& truth,
+                                       const ScoreOptions& options);
+
 /// Takes band and ignore out of drawn pixels: of those left by the band, one with an ignored pixel
 /// and no truth pixel within the tolerance is dropped. What is left counts.
 [[nodiscard]] PixelList counted_pixels(edge::Mask drawn,
                                        const TruthLists& lists,
                                        const ScoreOptions& options);
+
+/// The same of a mask with a bit a pixel.
+[[nodiscard]] PixelList counted_pixels(const edge::BitMask& drawn,
+                                       const TruthLists& lists,
+                                       const ScoreOptions& options);
+
+/// Matches what counts of a drawing with the truth.
+[[nodiscard]] CurveCount match_counts(const PixelList& drawn, const TruthLists& lists);
 
 /// What score() says of strokes that were made already with these options: several tolerances
 /// need one thinning. `threshold` is not read.
@@ -51,6 +66,12 @@ struct TruthLists {
 [[nodiscard]] Score score_strokes(const Strokes& strokes,
                                   const ScoringTruth& truth,
                                   const ScoreOptions& options);
+
+/// The same of score_ladder().
+[[nodiscard]] std::vector<CurveCount> ladder_of_strokes(const Strokes& strokes,
+                                                        const ScoringTruth& truth,
+                                                        const ScoreOptions& options,
+                                                        std::span<const double> tolerances_px);
 
 /// Sets the pixels closer than `band_px` to the frame to 0.
 void clear_band(core::Image<std::uint8_t>& image, int band_px);

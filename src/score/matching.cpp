@@ -187,6 +187,7 @@ CandidateGraph candidate_graph(const PixelList& left, const PixelList& right, co
     graph.n_left = left.size();
     graph.n_right = right.size();
     graph.begin.assign(graph.n_left + 1, 0);
+    graph.neighbours.reserve(16 * graph.n_left);
     visit_reach(left, right, disk, [&](std::size_t i, std::size_t first, std::size_t last) {
         for (std::size_t j = first; j < last; ++j) {
             graph.neighbours.push_back(static_cast<std::uint32_t>(graph.n_left + j));

@@ -5,6 +5,7 @@
 #include "edge/set_pixels.h"
 
 namespace ink::score {
+
 PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label) {
     row_begin_.reserve(static_cast<std::size_t>(image.height_px()) + 1);
     for (int y = 0; y < image.height_px(); ++y) {
@@ -12,6 +13,19 @@ PixelList::PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label)
         edge::visit_set_pixels(row, image.width_px(), [&](int x) {
             if (label == 0 || row[x] == label) x_.push_back(x);
         });
+        row_begin_.push_back(x_.size());
+    }
+}
+
+PixelList::PixelList(const edge::BitMask& mask, int band_px) {
+    row_begin_.reserve(static_cast<std::size_t>(mask.height_px()) + 1);
+    const int x_end = mask.width_px() - band_px;
+    for (int y = 0; y < mask.height_px(); ++y) {
+        if (y >= band_px && y < mask.height_px() - band_px) {
+            mask.visit_row(y, [&](int x) {
+                if (x >= band_px && x < x_end) x_.push_back(x);
+            });
+        }
         row_begin_.push_back(x_.size());
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "edge/bit_mask.h"
 
 namespace ink::score {
 
@@ -18,6 +19,9 @@ class PixelList {
 
     /// The pixels of `image` that hold `label`; any value but 0 if `label` is 0.
     explicit PixelList(const core::Image<std::uint8_t>& image, std::uint8_t label = 0);
+
+    /// The pixels of a mask that are at least `band_px` from its frame.
+    PixelList(const edge::BitMask& mask, int band_px);
 
     [[nodiscard]] int height_px() const { return static_cast<int>(row_begin_.size()) - 1; }
     [[nodiscard]] std::size_t size() const { return x_.size(); }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/error.h"
 #include "edge/thin.h"
@@ -59,21 +58,6 @@ bool is_binary(const std::vector<std::uint8_t>& labels) {
     return labels.empty() || (labels.size() == 1 && (labels[0] == 1 || labels[0] == 255));
 }
 
-/// Throws for options or sizes that will not do; else the truth as lists.
-TruthLists checked_lists(const edge::EdgeImage& prediction,
-                         const ScoringTruth& truth,
-                         const ScoreOptions& options) {
-    check(options);
-    check_same_size(prediction, truth.labels);
-    return list_truth(truth, options);
-}
-
-CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
-    return {.k = match_pixels(drawn, lists.truth, lists.disk).k,
-            .n_pred = static_cast<std::int64_t>(drawn.size()),
-            .n_truth = static_cast<std::int64_t>(lists.truth.size())};
-}
-
 /// Each class against all that is drawn, with a matching of its own: which of the equally good
 /// global matchings was found must not decide a recall.
 std::vector<ClassCount> match_classes(const PixelList& drawn,
@@ -93,18 +77,6 @@ std::vector<ClassCount> match_classes(const PixelList& drawn,
 
 double Score::f() const {
     return CurveCount{k, n_pred, n_truth}.f();
-}
-
-CurveCount& CurveCount::operator+=(const CurveCount& other) {
-    k += other.k;
-    n_pred += other.n_pred;
-    n_truth += other.n_truth;
-    return *this;
-}
-
-double CurveCount::f() const {
-    const std::int64_t all = n_pred + n_truth;
-    return all > 0 ? 2.0 * static_cast<double>(k) / static_cast<double>(all) : 1.0;
 }
 
 std::optional<double> Score::precision() const {
@@ -173,76 +145,6 @@ Score score(const edge::EdgeImage& prediction,
     check(options);
     check_same_size(prediction, truth.labels);
     return score_strokes(make_strokes(prediction, options.threshold, options), truth, options);
-}
-
-std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
-                                       const ScoringTruth& truth,
-                                       const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(prediction, truth, options);
-    std::array<std::int64_t, 257> n_at_least{};  // pixels of at least this strength
-    for (std::size_t i = 0; i < prediction.size(); ++i)
-        ++n_at_least[prediction.data()[i]];
-    for (std::size_t s = 255; s > 0; --s)
-        n_at_least[s] += n_at_least[s + 1];
-
-    std::array<CurveCount, 99> curve;
-    std::int64_t n_before = -1;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        const int threshold = edge::strength_at_percent(static_cast<int>(i) + 1);
-        const std::int64_t n_drawn = n_at_least[static_cast<std::size_t>(threshold)];
-        // The masks are nested, so as many pixels are the same pixels.
-        if (n_drawn == n_before) {
-            curve[i] = curve[i - 1];
-            continue;
-        }
-        n_before = n_drawn;
-        Strokes strokes = make_strokes(prediction, threshold, options);
-        curve[i] = match_counts(counted_pixels(std::move(strokes.thinned), lists, options), lists);
-    }
-    return curve;
-}
-
-std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
-                                     const ScoringTruth& truth,
-                                     const ScoreOptions& options,
-                                     std::span<const double> tolerances_px) {
-    std::vector<CurveCount> ladder;
-    if (tolerances_px.empty()) return ladder;
-    ScoreOptions at = options;
-    at.tolerance_px = tolerances_px.front();
-    TruthLists lists = checked_lists(prediction, truth, at);
-    const Strokes strokes = make_strokes(prediction, options.threshold, options);
-    for (const double tolerance_px : tolerances_px) {
-        at.tolerance_px = tolerance_px;
-        check(at);
-        lists.disk = Disk(tolerance_px);
-        ladder.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
-    }
-    return ladder;
-}
-
-double average_precision(const std::array<CurveCount, 99>& curve) {
-    const auto n_truth = static_cast<double>(curve[0].n_truth);
-    if (n_truth == 0) {
-        const bool fires = std::any_of(
-            curve.begin(), curve.end(), [](const CurveCount& c) { return c.n_pred > 0; });
-        return fires ? 0 : 1;
-    }
-    std::vector<std::pair<double, double>> points;  // recall, precision
-    for (const CurveCount& c : curve) {
-        if (c.n_pred == 0) continue;
-        const auto k = static_cast<double>(c.k);
-        points.emplace_back(k / n_truth, k / static_cast<double>(c.n_pred));
-    }
-    std::sort(points.begin(), points.end());
-    double area = 0;
-    double best_precision = 0;
-    for (std::size_t i = points.size(); i-- > 0;) {
-        best_precision = std::max(best_precision, points[i].second);
-        const double recall_below = i > 0 ? points[i - 1].first : 0;
-        area += (points[i].first - recall_below) * best_precision;
-    }
-    return area;
 }
 
 }  // namespace ink::score

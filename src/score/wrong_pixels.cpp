@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "score/drawing.h"
-
 namespace ink::score {
 namespace {
 
@@ -21,18 +19,26 @@ std::vector<Pixel> out_of_reach(const PixelList& from, const PixelList& to, cons
 
 }  // namespace
 
+WrongPixels wrong_pixels(const Strokes& strokes,
+                         const ScoringTruth& truth,
+                         const ScoreOptions& options) {
+    check(options);
+    check_same_size(strokes.drawn, truth.labels);
+    const TruthLists lists = list_truth(truth, options);
+    const PixelList counted = counted_pixels(strokes.thinned, lists, options);
+    edge::Mask drawn = strokes.drawn;
+    clear_band(drawn, options.band_px);
+    return {.off_line = out_of_reach(counted, lists.truth, lists.disk),
+            .missing = out_of_reach(lists.truth, counted, lists.disk),
+            .drawn = std::move(drawn)};
+}
+
 WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
                          const ScoringTruth& truth,
                          const ScoreOptions& options) {
     check(options);
     check_same_size(prediction, truth.labels);
-    const TruthLists lists = list_truth(truth, options);
-    Strokes strokes = make_strokes(prediction, options.threshold, options);
-    const PixelList counted = counted_pixels(std::move(strokes.thinned), lists, options);
-    clear_band(strokes.drawn, options.band_px);
-    return {.off_line = out_of_reach(counted, lists.truth, lists.disk),
-            .missing = out_of_reach(lists.truth, counted, lists.disk),
-            .drawn = std::move(strokes.drawn)};
+    return wrong_pixels(make_strokes(prediction, options.threshold, options), truth, options);
 }
 
 }  // namespace ink::score

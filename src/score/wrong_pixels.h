@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "edge/edge_image.h"
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::score {
@@ -30,6 +31,11 @@ struct WrongPixels {
 ///
 /// Throws core::Error for another size or options outside their range. Empty images have none.
 [[nodiscard]] WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
+                                       const ScoringTruth& truth,
+                                       const ScoreOptions& options);
+
+/// The same of strokes that were made already with these options; `threshold` is not read.
+[[nodiscard]] WrongPixels wrong_pixels(const Strokes& strokes,
                                        const ScoringTruth& truth,
                                        const ScoreOptions& options);
 

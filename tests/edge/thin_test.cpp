@@ -184,6 +184,42 @@ TEST(Thin, EqualsFullPassesOnRandomMasks) {
     }
 }
 
+TEST(Thin, EqualsFullPassesAcrossTheBordersOfWords) {
+    std::mt19937 random(10);
+    for (const int width_px : {63, 64, 65, 128, 190}) {
+        for (int i = 0; i < 20; ++i) {
+            const double share = (i % 10 + 0.5) / 10;
+            const Mask mask = random_mask(width_px, 9, share, random);
+            ASSERT_EQ(rows_of(thin(mask)), rows_of(thin_by_passes(mask))) << "mask " << i;
+        }
+        const Mask full(width_px, 12, 1);
+        ASSERT_EQ(rows_of(thin(full)), rows_of(thin_by_passes(full))) << width_px;
+    }
+}
+
+TEST(BitMask, GivesItsMaskBack) {
+    std::mt19937 random(11);
+    for (const int width_px : {1, 7, 8, 9, 63, 64, 65, 130}) {
+        const Mask mask = random_mask(width_px, 3, 0.4, random);
+        const ink::edge::BitMask bits(mask);
+        EXPECT_EQ(rows_of(bits.bytes()), rows_of(mask));
+        ink::edge::BitMask set(width_px, 3);
+        for (int y = 0; y < 3; ++y) {
+            int next = 0;
+            bits.visit_row(y, [&](int x) {
+                for (; next < x; ++next)
+                    EXPECT_EQ(mask.at(next, y), 0);
+                EXPECT_EQ(mask.at(next++, y), 1);
+                set.set(x, y);
+            });
+            for (; next < width_px; ++next)
+                EXPECT_EQ(mask.at(next, y), 0);
+            for (int x = 0; x < width_px; ++x)
+                EXPECT_EQ(set.is_set(x, y), mask.at(x, y) == 1);
+        }
+    }
+}
+
 TEST(Thin, ChangesNothingTheSecondTime) {
     std::mt19937 random(8);
     for (int i = 0; i < 100; ++i) {

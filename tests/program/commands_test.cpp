@@ -51,8 +51,19 @@ Table only(const Table& rows, const std::string& method) {
 TEST(Help, OfEveryCommandHasAnExample) {
     const Desk desk;
     EXPECT_THAT(expect_done(desk, {"--help"}), HasSubstr("Example"));
-    for (const char* command :
-         {"compare", "draw", "truth", "score", "list", "explain", "timedemo", "run", "merge"}) {
+    for (const char* command : {"compare",
+                                "draw",
+                                "truth",
+                                "score",
+                                "list",
+                                "explain",
+                                "timedemo",
+                                "run",
+                                "merge",
+                                "tune",
+                                "stress",
+                                "figures",
+                                "bound"}) {
         EXPECT_THAT(expect_done(desk, {command, "--help"}),
                     AllOf(HasSubstr("Example"), HasSubstr(std::string("inkbench ") + command)));
     }

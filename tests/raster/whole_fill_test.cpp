@@ -120,7 +120,7 @@ TEST(WholeFill, GivesTheBitsOfThePlainLoopOnEveryTarget) {
                 int drawn = 0;
                 for (std::uint32_t i = 0; i < batches.front().triangles.size(); ++i) {
                     const BinEntry entry{0, i};
-                    if (!fill_whole(job, entry, vectors.drawn(), vectors)) continue;
+                    if (!fill_whole(job, entry, DrawnRows::all(vectors), vectors)) continue;
                     fill_function(made.format)(job, {&entry, 1}, plain);
                     ++drawn;
                 }
@@ -133,7 +133,7 @@ TEST(WholeFill, GivesTheBitsOfThePlainLoopOnEveryTarget) {
     }
 }
 
-TEST(WholeFill, LeavesAloneWhatLiesOutsideItsRectangle) {
+TEST(WholeFill, LeavesAloneWhatLiesOutsideItsRows) {
     const Case made = cases()[2];
     const Input scene(made);
     const PassInput input = scene.pass();
@@ -143,13 +143,14 @@ TEST(WholeFill, LeavesAloneWhatLiesOutsideItsRectangle) {
     TileBuffer buffer(made.format, input, {kSize_px, kSize_px, 1});
     buffer.start(0);
     buffer.touch();
-    const PixelRect rect{9, 5, 30, 22};
+    const DrawnRows rows{{{{5, 22}, {}, {9, 30}, {40, 64}, {0, 7}}}};
     for (std::uint32_t i = 0; i < batches.front().triangles.size(); ++i)
-        EXPECT_TRUE(fill_whole(job, {0, i}, rect, buffer));
+        EXPECT_TRUE(fill_whole(job, {0, i}, rows, buffer));
     int inside = 0;
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 64; ++x) {
-            const bool is_in = x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
+            const RowRun& run = rows.of[static_cast<std::size_t>(x + 8) / 16];
+            const bool is_in = y >= run.begin && y < run.end;
             const float depth = buffer.depth_row<float>(y)[x];
             inside += is_in && depth > 0 ? 1 : 0;
             EXPECT_TRUE(is_in || depth == 0) << x << ' ' << y;

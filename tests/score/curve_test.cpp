@@ -14,8 +14,8 @@ using Curve = std::array<CurveCount, 99>;
 
 TEST(Curve, EqualsAScoreAtEachThreshold) {
     std::mt19937 random(31);
-    const Picture drawn = random_picture(60, 50, 0.3, 255, random);
-    const Picture labels = random_picture(60, 50, 0.1, 7, random);
+    const Picture drawn = random_picture(135, 50, 0.3, 255, random);
+    const Picture labels = random_picture(135, 50, 0.1, 7, random);
     const ScoreOptions options{.tolerance_px = 2, .band_px = 3, .ignore_label = 7};
     const auto truth = prepare_truth(labels, options, false);
     const Curve curve = ink::score::score_curve(drawn, truth, options);

@@ -1,0 +1,268 @@
+#include "lab/tune.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/progress.h"
+#include "core/whole_file.h"
+#include "lab/cell.h"
+#include "lab/csv.h"
+#include "lab/interrupt.h"
+#include "lab/ods.h"
+#include "lab/preset.h"
+#include "lab/tune_bench.h"
+#include "lab/tune_report.h"
+
+namespace ink::lab {
+namespace {
+
+/// Thrown between two evaluations after Ctrl-C.
+struct Interrupted {};
+
+/// The settings that the user fixed, with those of the knobs over them.
+Entrant with(const Entrant& entrant, const core::ParamValues& settings) {
+    Entrant changed = entrant;
+    for (const auto& [name, value] : settings)
+        changed.settings[name] = value;
+    return changed;
+}
+
+score::CurveCount pooled(const std::vector<score::CurveCount>& counts) {
+    score::CurveCount sum;
+    for (const score::CurveCount& count : counts)
+        sum += count;
+    return sum;
+}
+
+/// A search under way: answers the optimiser from what is known, from the disk or by drawing.
+class Tuner {
+  public:
+    Tuner(const TuneOptions& options, const TuneSpace& space, TuneBench& bench, TuneLog& log)
+        : options_(options),
+          space_(space),
+          bench_(bench),
+          log_(log),
+          progress_("tune", options.plan.evaluations * (options.random ? 2 : 1)) {}
+
+    [[nodiscard]] TuneValue value_of(const core::ParamValues& settings) {
+        const std::string key = join_params(settings);
+        if (const auto known = log_.find(key)) return *known;
+        if (is_interrupted()) throw Interrupted();
+        const TuneValue found = measured(with(options_.entrant, settings));
+        log_.add(key, found);
+        return found;
+    }
+
+    /// An objective that notes its evaluations in `steps`.
+    [[nodiscard]] SearchObjective into(std::vector<TuneStep>& steps) {
+        tried_.clear();
+        best_ = 2;
+        return [this, &steps](const char* phase, const std::vector<double>& point) {
+            const core::ParamValues settings = space_.settings_at(point);
+            const auto known = tried_.find(settings);
+            if (known != tried_.end()) return SearchValue{known->second, false};
+            progress_.report(done_++, fmt::format("{}, best {:.4f}", phase, best_));
+            const TuneValue found = value_of(settings);
+            best_ = std::min(best_, found.value);
+            tried_[settings] = found.value;
+            steps.push_back({phase, settings, found});
+            return SearchValue{found.value, true};
+        };
+    }
+
+  private:
+    [[nodiscard]] TuneValue measured(const Entrant& entrant) {
+        TuneValue found;
+        if (options_.objective == TuneObjective::ap) {
+            found.error = 1 - score::average_precision(bench_.curve(entrant));
+        } else {
+            const std::vector<score::CurveCount> scenes = bench_.counts(entrant);
+            const bool is_pooled = options_.objective == TuneObjective::error;
+            found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
+        }
+        found.value = found.error;
+        if (!options_.budget_ms) return found;
+        found.draw_ms = bench_.draw_ms();
+        if (*found.draw_ms > *options_.budget_ms) {
+            found.value = 1 + *found.draw_ms / *options_.budget_ms;
+        }
+        return found;
+    }
+
+    const TuneOptions& options_;
+    const TuneSpace& space_;
+    TuneBench& bench_;
+    TuneLog& log_;
+    core::Progress progress_;
+    std::map<core::ParamValues, double> tried_;
+    double best_ = 2;
+    int done_ = 0;
+};
+
+const TuneStep& best_of(const std::vector<TuneStep>& steps) {
+    return *std::min_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
+        return a.found.value < b.found.value;
+    });
+}
+
+/// All that a result of the search hangs on.
+std::string key_of(const TuneOptions& options, const TuneSpace& space, const std::string& inputs) {
+    core::Hasher hasher;
+    hasher.text(options.command).text(inputs).text(options.entrant.info->name);
+    hasher.text(join_params(options.entrant.info->complete(options.entrant.settings)));
+    for (const TunedKnob& knob : space.knobs())
+        hasher.text(knob.param.name).value(knob.low).value(knob.high);
+    return hasher.hex();
+}
+
+TuneSpace checked_space(const TuneOptions& options) {
+    TuneSpace space(*options.entrant.info, options.knobs);
+    if (options.objective == TuneObjective::ap && space.has("threshold")) {
+        if (!options.knobs.empty()) {
+            throw core::Error("--params",
+                              "average precision is over all thresholds",
+                              "no threshold with --objective ap");
+        }
+        std::string others;
+        for (const std::string& knob : split_list(default_knobs(*options.entrant.info))) {
+            if (!knob.starts_with("threshold")) others += knob + ",";
+        }
+        space = TuneSpace(*options.entrant.info, others);
+    }
+    for (const TunedKnob& knob : space.knobs()) {
+        if (options.entrant.settings.count(knob.param.name) == 0) continue;
+        throw core::Error("--set",
+                          fmt::format("{} is tuned", knob.param.name),
+                          "knobs that --params does not name");
+    }
+    return space;
+}
+
+/// The knobs' values among all settings of `entrant`.
+core::ParamValues knobs_of(const Entrant& entrant, const TuneSpace& space) {
+    const core::ParamValues all = entrant.info->complete(entrant.settings);
+    core::ParamValues knobs;
+    for (const TunedKnob& knob : space.knobs())
+        knobs[knob.param.name] = all.at(knob.param.name);
+    return knobs;
+}
+
+void set_best_threshold(const Entrant& entrant, TuneBench& bench, TunedSettings& found) {
+    const CellCurve curve{found.name, true, bench.curve(with(entrant, found.settings))};
+    found.settings["threshold"] = std::to_string(ods_on_training({curve}).front().threshold);
+}
+
+void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
+    core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
+    PresetFile file{options.name, options.entrant.info, options.entrant.settings, {}};
+    for (const auto& [name, value] : result.tuned.settings)
+        file.settings[name] = value;
+    file.provenance = provenance_lines(result, options);
+    result.preset = options.out / (options.name + ".toml");
+    core::write_whole_file(result.preset, preset_toml(file));
+}
+
+}  // namespace
+
+double scenes_error(const std::vector<score::CurveCount>& scenes) {
+    if (scenes.empty()) return 0;
+    double sum = 0;
+    for (const score::CurveCount& scene : scenes)
+        sum += std::sqrt(1 - scene.f());
+    const double mean = sum / static_cast<double>(scenes.size());
+    return mean * mean;
+}
+
+void add_training_views(Subject& subject, const ViewRequest& request, int count) {
+    if (count == 0 || subject.scene.split != scene::Split::train) return;
+    ViewRequest more = request;
+    more.orbit_count = count;
+    more.cameras.clear();
+    more.file_cameras = false;
+    for (scene::View& view : make_subject(subject.scene, more).views) {
+        view.camera.name = "more_" + view.camera.name;
+        subject.views.push_back(std::move(view));
+    }
+}
+
+TuneResult tune(std::vector<Subject> subjects, const TuneOptions& options) {
+    const InterruptGuard guard;
+    const TuneSpace space = checked_space(options);
+    const auto middle = std::stable_partition(subjects.begin(), subjects.end(), [](auto& subject) {
+        return subject.scene.split == scene::Split::train;
+    });
+    const std::vector<Subject> train(subjects.begin(), middle);
+    const std::vector<Subject> heldout(middle, subjects.end());
+    if (train.empty()) {
+        throw core::Error("--scenes",
+                          "none of them is a training scene",
+                          "one or more of those that inkbench list scenes calls training");
+    }
+    std::error_code failure;
+    std::filesystem::create_directories(options.out, failure);
+
+    TuneResult result;
+    TuneBench bench(train, options.trace, options.threads);
+    if (is_interrupted()) {
+        result.is_interrupted = true;
+        return result;
+    }
+    if (options.budget_ms) bench.take_times();
+    result.train_views = bench.view_count();
+    result.inputs_hash = bench.hash();
+    TuneLog log(options.out / "evaluations.csv.part", key_of(options, space, bench.hash()));
+    result.resumed = log.found();
+    const core::ParamValues start = knobs_of(options.entrant, space);
+    try {
+        Tuner tuner(options, space, bench, log);
+        result.defaults = {options.entrant.info->name, start, tuner.value_of(start), {}, {}};
+        search(tuner.into(result.steps), space.point_of(start), options.plan);
+        if (options.random) {
+            random_search(tuner.into(result.random_steps), space.size(), options.plan);
+        }
+    } catch (const Interrupted&) {
+        result.is_interrupted = true;
+        return result;
+    }
+    const TuneStep& best = best_of(result.steps);
+    // The start of the search is the default taken into the ranges, which need not be the default.
+    const bool is_better = best.found.value < result.defaults.found.value;
+    result.tuned = result.defaults;
+    if (is_better) {
+        result.tuned.settings = best.settings;
+        result.tuned.found = best.found;
+    }
+    result.tuned.name = options.name;
+    if (options.random && !result.random_steps.empty()) {
+        const TuneStep& lucky = best_of(result.random_steps);
+        result.random = TunedSettings{"random search", lucky.settings, lucky.found, {}, {}};
+    }
+    std::vector<TunedSettings*> all = {&result.defaults, &result.tuned};
+    if (result.random) all.push_back(&*result.random);
+    if (options.objective == TuneObjective::ap) {
+        for (TunedSettings* each : all) {
+            if (each != &result.defaults) set_best_threshold(options.entrant, bench, *each);
+        }
+    }
+    for (TunedSettings* each : all)
+        each->train = bench.counts(with(options.entrant, each->settings));
+    if (!heldout.empty()) {
+        TuneBench unseen(heldout, options.trace, options.threads);
+        result.is_interrupted = is_interrupted();
+        if (result.is_interrupted) return result;
+        result.heldout_views = unseen.view_count();
+        for (TunedSettings* each : all)
+            each->heldout = unseen.counts(with(options.entrant, each->settings));
+    }
+    write_results(options, space, result);
+    log.remove();
+    return result;
+}
+
+}  // namespace ink::lab

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/suite.h"
+#include "lab/tune.h"
+
+namespace ink::lab {
+
+/// Beside what a search found, the most that any four weights of the method's code could score on
+/// the training scenes and on the held-out ones (lab/linear_bound.h), as lines for a terminal: F of
+/// the tuned settings, the bound, how far below it they stay, and how certain the bound is. "" for
+/// a method that declares no linear code; the reason in a line where its code has no bound.
+[[nodiscard]] std::string tune_bound_lines(const std::vector<Subject>& subjects,
+                                           const TuneResult& result,
+                                           const TuneOptions& options);
+
+}  // namespace ink::lab

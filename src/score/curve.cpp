@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "edge/bit_mask.h"
+#include "edge/set_pixels.h"
+#include "edge/thin.h"
+#include "score/drawing.h"
+#include "score/score.h"
+
+namespace ink::score {
+namespace {
+
+/// The drawn pixels of a picture, the strongest first.
+class ByStrength {
+  public:
+    struct Place {
+        int x;
+        int y;
+    };
+
+    explicit ByStrength(const edge::EdgeImage& picture) {
+        visit(picture, [&](int strength, Place) { ++count_[static_cast<std::size_t>(strength)]; });
+        for (std::size_t s = 255; s > 0; --s)
+            count_[s] += count_[s + 1];
+        places_.resize(count_[1]);
+        std::array<std::size_t, 257> next = count_;
+        visit(picture, [&](int strength, Place place) {
+            places_[next[static_cast<std::size_t>(strength) + 1]++] = place;
+        });
+    }
+
+    /// How many have at least this strength, 1..255: that many from the first on.
+    [[nodiscard]] std::size_t count(int strength) const {
+        return count_[static_cast<std::size_t>(strength)];
+    }
+    [[nodiscard]] const Place& at(std::size_t i) const { return places_[i]; }
+
+  private:
+    template <class Visit>
+    static void visit(const edge::EdgeImage& picture, Visit visit) {
+        for (int y = 0; y < picture.height_px(); ++y) {
+            const std::uint8_t* row = picture.row(y);
+            edge::visit_set_pixels(row, picture.width_px(), [&](int x) {
+                visit(int{row[x]}, Place{x, y});
+            });
+        }
+    }
+
+    std::array<std::size_t, 257> count_{};
+    std::vector<Place> places_;
+};
+
+}  // namespace
+
+CurveCount& CurveCount::operator+=(const CurveCount& other) {
+    k += other.k;
+    n_pred += other.n_pred;
+    n_truth += other.n_truth;
+    return *this;
+}
+
+double CurveCount::f() const {
+    const std::int64_t all = n_pred + n_truth;
+    return all > 0 ? 2.0 * static_cast<double>(k) / static_cast<double>(all) : 1.0;
+}
+
+std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
+                                       const ScoringTruth& truth,
+                                       const ScoreOptions& options) {
+    const TruthLists lists = checked_lists(prediction, truth, options);
+    const ByStrength pixels(prediction);
+    std::array<CurveCount, 99> curve;
+    // From the highest threshold down, each mask is the one before and some pixels more.
+    edge::BitMask drawn(prediction.width_px(), prediction.height_px());
+    std::size_t n_drawn = 0;
+    for (std::size_t i = curve.size(); i-- > 0;) {
+        const int threshold = edge::strength_at_percent(static_cast<int>(i) + 1);
+        const std::size_t n_now = pixels.count(threshold);
+        if (n_now == n_drawn && i + 1 < curve.size()) {
+            curve[i] = curve[i + 1];
+            continue;
+        }
+        for (; n_drawn < n_now; ++n_drawn)
+            drawn.set(pixels.at(n_drawn).x, pixels.at(n_drawn).y);
+        edge::BitMask thinned = drawn;
+        if (options.thin) edge::thin(thinned);
+        curve[i] = match_counts(counted_pixels(thinned, lists, options), lists);
+    }
+    return curve;
+}
+
+std::vector<CurveCount> ladder_of_strokes(const Strokes& strokes,
+                                          const ScoringTruth& truth,
+                                          const ScoreOptions& options,
+                                          std::span<const double> tolerances_px) {
+    std::vector<CurveCount> ladder;
+    if (tolerances_px.empty()) return ladder;
+    ScoreOptions at = options;
+    at.tolerance_px = tolerances_px.front();
+    TruthLists lists = checked_lists(strokes.drawn, truth, at);
+    for (const double tolerance_px : tolerances_px) {
+        at.tolerance_px = tolerance_px;
+        check(at);
+        lists.disk = Disk(tolerance_px);
+        ladder.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
+    }
+    return ladder;
+}
+
+std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
+                                     const ScoringTruth& truth,
+                                     const ScoreOptions& options,
+                                     std::span<const double> tolerances_px) {
+    if (tolerances_px.empty()) return {};
+    ScoreOptions first = options;
+    first.tolerance_px = tolerances_px.front();
+    check(first);
+    check_same_size(prediction, truth.labels);
+    return ladder_of_strokes(
+        make_strokes(prediction, options.threshold, options), truth, options, tolerances_px);
+}
+
+double average_precision(const std::array<CurveCount, 99>& curve) {
+    const auto n_truth = static_cast<double>(curve[0].n_truth);
+    if (n_truth == 0) {
+        const bool fires = std::any_of(
+            curve.begin(), curve.end(), [](const CurveCount& c) { return c.n_pred > 0; });
+        return fires ? 0 : 1;
+    }
+    std::vector<std::pair<double, double>> points;  // recall, precision
+    for (const CurveCount& c : curve) {
+        if (c.n_pred == 0) continue;
+        const auto k = static_cast<double>(c.k);
+        points.emplace_back(k / n_truth, k / static_cast<double>(c.n_pred));
+    }
+    std::sort(points.begin(), points.end());
+    double area = 0;
+    double best_precision = 0;
+    for (std::size_t i = points.size(); i-- > 0;) {
+        best_precision = std::max(best_precision, points[i].second);
+        const double recall_below = i > 0 ? points[i - 1].first : 0;
+        area += (points[i].first - recall_below) * best_precision;
+    }
+    return area;
+}
+
+}  // namespace ink::score

@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/program/run_program.h"
+
+namespace ink::program {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(CompareCancellation, WritesCountsOfMethodsThatDeclareACodeAndTheSection) {
+    const Desk desk;
+    ASSERT_EQ(desk.run({"compare",
+                        "--scenes",
+                        "cube",
+                        "--methods",
+                        "mote4,ids",
+                        "--size",
+                        "160x90",
+                        "--repetitions",
+                        "1",
+                        "--no-sweep",
+                        "--no-witness",
+                        "--out",
+                        "out"})
+                  .exit_code,
+              0);
+    std::set<std::string> classes;
+    for (const auto& line : parse_csv(desk.read("out/cancellation.csv"))) {
+        EXPECT_EQ(line.at("method"), "mote4") << "ids declares no code";
+        EXPECT_EQ(line.at("scene"), "cube");
+        EXPECT_EQ(line.at("dihedral_low_deg"), "90") << "a cube has no other angle";
+        classes.insert(line.at("class"));
+        const int n_truth = std::stoi(line.at("n_truth"));
+        const int predicted = std::stoi(line.at("predicted_missed"));
+        const int measured = std::stoi(line.at("measured_missed"));
+        EXPECT_LE(predicted, n_truth);
+        EXPECT_LE(std::abs(predicted - measured), 1 + n_truth / 50) << "two points, or a pixel";
+        EXPECT_LE(std::stoi(line.at("both_missing")), std::stoi(line.at("measured_missing")));
+        EXPECT_LE(std::stoi(line.at("measured_missing")), measured);
+    }
+    EXPECT_EQ(classes, (std::set<std::string>{"contour", "crease"}));
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("<section id=\"cancellation\">"));
+    EXPECT_THAT(desk.read("out/figures/cancellation.svg"), StartsWith("<svg "));
+}
+
+}  // namespace
+}  // namespace ink::program

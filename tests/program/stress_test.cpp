@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/program/run_program.h"
+
+namespace ink::program {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> small_run(const std::string& out) {
+    return {"stress",
+            "--axes",
+            "grazing,threads",
+            "--methods",
+            "mote4,edge_list",
+            "--points",
+            "3",
+            "--size",
+            "96x54",
+            "--no-cache",
+            "--out",
+            out};
+}
+
+TEST(Stress, WritesRowsSummaryPageAndFigures) {
+    const Desk desk;
+    const Outcome outcome = desk.run(small_run("out"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("grazing"));
+    const Table rows = parse_csv(desk.read("out/stress.csv"));
+    // Three values of three and of four cases, each with three brackets and two methods.
+    EXPECT_EQ(rows.size(), 3U * (3 + 4) * 5);
+    std::set<std::string> values;
+    for (const auto& row : rows) {
+        EXPECT_EQ(row.at("status"), "ok");
+        EXPECT_EQ(row.at("lost_cell"), "0");
+        EXPECT_EQ(row.at("draw_ns"), "");
+        if (row.at("axis") == "grazing") values.insert(row.at("value"));
+    }
+    EXPECT_EQ(values, (std::set<std::string>{"0.1", "2", "20"}));
+    EXPECT_EQ(parse_csv(desk.read("out/stress_summary.csv")).size(), 3U * 2 * 5);
+    EXPECT_THAT(desk.read("out/stress.html"), HasSubstr("Nothing crashed"));
+    EXPECT_THAT(desk.read("out/figures/stress_grazing.svg"), HasSubstr("mote4"));
+    EXPECT_THAT(desk.read("out/figures/stress_threads.svg"), HasSubstr("edge_list"));
+}
+
+TEST(Stress, GivesTheSameBytesAgain) {
+    const Desk desk;
+    ASSERT_EQ(desk.run(small_run("a")).exit_code, 0);
+    ASSERT_EQ(desk.run(small_run("b")).exit_code, 0);
+    for (const char* file : {"/stress.csv", "/stress_summary.csv", "/stress.html"})
+        EXPECT_EQ(desk.read(std::string("a") + file), desk.read(std::string("b") + file)) << file;
+}
+
+TEST(Stress, RefusesWhatItDoesNotKnow) {
+    const Desk desk;
+    const auto before = desk.inventory();
+    const Outcome axis = desk.run({"stress", "--axes", "grazin"});
+    EXPECT_EQ(axis.exit_code, 2);
+    EXPECT_THAT(axis.err, HasSubstr("grazing"));
+    EXPECT_EQ(desk.run({"stress", "--axes", "zoom,zoom"}).exit_code, 2);
+    EXPECT_EQ(desk.run({"stress", "--points", "1"}).exit_code, 2);
+    EXPECT_EQ(desk.inventory(), before);
+    const Outcome list = desk.run({"list", "axes"});
+    EXPECT_EQ(list.exit_code, 0);
+    EXPECT_THAT(list.out, HasSubstr("cube_roll"));
+}
+
+}  // namespace
+}  // namespace ink::program
