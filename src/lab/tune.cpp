@@ -48,15 +48,11 @@ class Tuner {
           space_(space),
           bench_(bench),
           log_(log),
+          has_planes_(!options.budget_ms && bench.planes().can_search(options.entrant, space)),
           progress_("tune", options.plan.evaluations * (options.random ? 2 : 1)) {}
 
     [[nodiscard]] TuneValue value_of(const core::ParamValues& settings) {
-        const std::string key = join_params(settings);
-        if (const auto known = log_.find(key)) return *known;
-        if (is_interrupted()) throw Interrupted();
-        const TuneValue found = measured(with(options_.entrant, settings));
-        log_.add(key, found);
-        return found;
+        return value_by(settings, DrawnBy::method);
     }
 
     /// An objective that notes its evaluations in `steps`.
@@ -68,7 +64,7 @@ class Tuner {
             const auto known = tried_.find(settings);
             if (known != tried_.end()) return SearchValue{known->second, false};
             progress_.report(done_++, fmt::format("{}, best {:.4f}", phase, best_));
-            const TuneValue found = value_of(settings);
+            const TuneValue found = candidate(settings);
             best_ = std::min(best_, found.value);
             tried_[settings] = found.value;
             steps.push_back({phase, settings, found});
@@ -77,12 +73,35 @@ class Tuner {
     }
 
   private:
-    [[nodiscard]] TuneValue measured(const Entrant& entrant) {
+    /// By planes where that can be, unless it may be the best yet: that the method itself decides.
+    /// Hangs on the search alone and on nothing that is on disk already.
+    [[nodiscard]] TuneValue candidate(const core::ParamValues& settings) {
+        if (has_planes_ && bench_.planes().can_draw(with(options_.entrant, settings))) {
+            const TuneValue found = value_by(settings, DrawnBy::planes);
+            if (found.value >= best_) return found;
+        }
+        return value_by(settings, DrawnBy::method);
+    }
+
+    [[nodiscard]] TuneValue value_by(const core::ParamValues& settings, DrawnBy by) {
+        const bool is_by_planes = by == DrawnBy::planes;
+        const std::string key = (is_by_planes ? "planes;" : "") + join_params(settings);
+        std::optional<TuneValue> found = log_.find(key);
+        if (!found) {
+            if (is_interrupted()) throw Interrupted();
+            found = measured(with(options_.entrant, settings), by);
+            log_.add(key, *found);
+        }
+        found->is_by_planes = is_by_planes;
+        return *found;
+    }
+
+    [[nodiscard]] TuneValue measured(const Entrant& entrant, DrawnBy by) {
         TuneValue found;
         if (options_.objective == TuneObjective::ap) {
-            found.error = 1 - score::average_precision(bench_.curve(entrant));
+            found.error = 1 - score::average_precision(bench_.curve(entrant, by));
         } else {
-            const std::vector<score::CurveCount> scenes = bench_.counts(entrant);
+            const std::vector<score::CurveCount> scenes = bench_.counts(entrant, by);
             const bool is_pooled = options_.objective == TuneObjective::error;
             found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
         }
@@ -99,6 +118,7 @@ class Tuner {
     const TuneSpace& space_;
     TuneBench& bench_;
     TuneLog& log_;
+    bool has_planes_;  ///< a time is the method's own
     core::Progress progress_;
     std::map<core::ParamValues, double> tried_;
     double best_ = 2;
@@ -252,6 +272,11 @@ TuneResult tune(std::vector<Subject> subjects, const TuneOptions& options) {
     }
     for (TunedSettings* each : all)
         each->train = bench.counts(with(options.entrant, each->settings));
+    const bool has_planes = std::any_of(result.steps.begin(), result.steps.end(), [](auto& step) {
+        return step.found.is_by_planes;
+    });
+    if (has_planes)
+        result.agreement = bench.agreement(with(options.entrant, result.tuned.settings));
     if (!heldout.empty()) {
         TuneBench unseen(heldout, options.trace, options.threads);
         result.is_interrupted = is_interrupted();

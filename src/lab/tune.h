@@ -9,6 +9,7 @@
 #include "lab/spread.h"
 #include "lab/suite.h"
 #include "lab/tracing.h"
+#include "lab/tune_bench.h"
 #include "lab/tune_log.h"
 #include "lab/tune_search.h"
 #include "lab/tune_space.h"
@@ -71,7 +72,8 @@ struct TuneResult {
     std::optional<TunedSettings> random;  ///< the best that chance found
     std::vector<TuneStep> steps;          ///< the search's evaluations
     std::vector<TuneStep> random_steps;
-    std::size_t resumed = 0;  ///< evaluations that were found on disk
+    std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
+    std::size_t resumed = 0;                  ///< evaluations that were found on disk
     bool is_interrupted = false;
     std::size_t train_views = 0;
     std::size_t heldout_views = 0;
@@ -84,11 +86,14 @@ struct TuneResult {
 void add_training_views(Subject& subject, const ViewRequest& request, int count);
 
 /// Looks for the settings of a method that make the fewest errors on the training scenes among
-/// `subjects`, starting from its defaults, so that what is lowered is never worse there; scores them on
-/// the held-out scenes, which the search never sees.
+/// `subjects`, starting from its defaults, so that what is lowered is never worse there; scores
+/// them on the held-out scenes, which the search never sees.
 ///
-/// Truths are traced once, a picture is drawn once for settings that differ in the threshold alone.
-/// Everything but times is the same for every thread count. Finished evaluations are kept in
+/// Truths are traced once, and what a linear code reads of the scenes is rendered once: settings of
+/// such a code are drawn from that, and by the method itself only where they may be the best yet
+/// (lab/tune_planes.h). What other methods draw, they draw anew unless settings differ in the
+/// threshold alone. All errors of `defaults`, `tuned` and `random` are the method's own. Everything
+/// but times is the same for every thread count. Finished evaluations are kept in
 /// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
 /// if no training scene takes part, or `out` cannot be written.
 [[nodiscard]] TuneResult tune(std::vector<Subject> subjects, const TuneOptions& options);

@@ -22,10 +22,10 @@ using Clock = std::chrono::steady_clock;
 /// Settings whose pictures are kept: the one in hand and the one before it.
 constexpr std::size_t kKeptPictures = 2;
 
-std::string key_without_threshold(const Entrant& entrant) {
+std::string key_of(const Entrant& entrant, DrawnBy by) {
     core::ParamValues all = entrant.info->complete(entrant.settings);
     all.erase("threshold");
-    return join_params(all);
+    return (by == DrawnBy::planes ? "planes " : "method ") + join_params(all);
 }
 
 int threshold_of(const Entrant& entrant) {
@@ -35,7 +35,7 @@ int threshold_of(const Entrant& entrant) {
 }  // namespace
 
 TuneBench::TuneBench(const std::vector<Subject>& subjects, const TraceOptions& trace, int threads)
-    : subjects_(subjects), threads_(threads) {
+    : subjects_(subjects), threads_(threads), planes_(subjects) {
     int total = 0;
     for (const Subject& subject : subjects)
         total += static_cast<int>(subject.views.size());
@@ -53,6 +53,7 @@ TuneBench::TuneBench(const std::vector<Subject>& subjects, const TraceOptions& t
                 hasher.text(core::image_hash(truth.scoring.ignore));
                 score::TruthLists lists = score::list_truth(truth.scoring, options);
                 views_.push_back({s, view, std::move(truth.scoring), std::move(lists)});
+                planes_.add_view(s, view, std::move(truth.traced.layers.triangle));
             } catch (const truth::TooLarge& reason) {
                 throw core::Error(name, reason.what(), "scenes whose truth can be traced");
             }
@@ -79,8 +80,18 @@ void TuneBench::draw_subject(const Entrant& entrant,
     }
 }
 
-const std::vector<edge::EdgeImage>& TuneBench::pictures_of(const Entrant& entrant) {
-    const std::string key = key_without_threshold(entrant);
+std::vector<edge::EdgeImage> TuneBench::drawn_by_method(const Entrant& entrant) {
+    std::vector<edge::EdgeImage> pictures(views_.size());
+    std::vector<double> times_ms(views_.size());
+    core::parallel_for(subjects_.size(), takes_times_ ? 1 : threads_, [&](std::size_t s) {
+        draw_subject(entrant, s, pictures, times_ms);
+    });
+    draw_ms_ = quantile(times_ms, 0.5).value_or(0);
+    return pictures;
+}
+
+const std::vector<edge::EdgeImage>& TuneBench::pictures_of(const Entrant& entrant, DrawnBy by) {
+    const std::string key = key_of(entrant, by);
     const auto found = std::find_if(
         kept_.begin(), kept_.end(), [&](const Drawn& drawn) { return drawn.key == key; });
     // With times a picture is drawn for each setting: a time belongs to it.
@@ -88,19 +99,16 @@ const std::vector<edge::EdgeImage>& TuneBench::pictures_of(const Entrant& entran
         std::rotate(found, found + 1, kept_.end());
         return kept_.back().pictures;
     }
-    Drawn drawn{key, std::vector<edge::EdgeImage>(views_.size())};
-    std::vector<double> times_ms(views_.size());
-    core::parallel_for(subjects_.size(), takes_times_ ? 1 : threads_, [&](std::size_t s) {
-        draw_subject(entrant, s, drawn.pictures, times_ms);
-    });
-    draw_ms_ = quantile(times_ms, 0.5).value_or(0);
+    Drawn drawn{key, {}};
+    drawn.pictures =
+        by == DrawnBy::planes ? planes_.pictures(entrant, threads_) : drawn_by_method(entrant);
     if (kept_.size() == kKeptPictures) kept_.erase(kept_.begin());
     kept_.push_back(std::move(drawn));
     return kept_.back().pictures;
 }
 
-std::vector<score::CurveCount> TuneBench::counts(const Entrant& entrant) {
-    const std::vector<edge::EdgeImage>& pictures = pictures_of(entrant);
+std::vector<score::CurveCount> TuneBench::counts(const Entrant& entrant, DrawnBy by) {
+    const std::vector<edge::EdgeImage>& pictures = pictures_of(entrant, by);
     const score::ScoreOptions options = score_options(threshold_of(entrant));
     std::vector<score::CurveCount> by_view(views_.size());
     core::parallel_for(views_.size(), threads_, [&](std::size_t i) {
@@ -118,8 +126,24 @@ std::vector<score::CurveCount> TuneBench::counts(const Entrant& entrant) {
     return by_scene;
 }
 
-std::array<score::CurveCount, 99> TuneBench::curve(const Entrant& entrant) {
-    const std::vector<edge::EdgeImage>& pictures = pictures_of(entrant);
+PlaneAgreement TuneBench::agreement(const Entrant& entrant) {
+    PlaneAgreement agreement;
+    agreement.by_planes = counts(entrant, DrawnBy::planes);
+    const std::vector<edge::EdgeImage> planes = pictures_of(entrant, DrawnBy::planes);
+    const std::vector<edge::EdgeImage>& method = pictures_of(entrant, DrawnBy::method);
+    const int threshold = threshold_of(entrant);
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        agreement.total_px += static_cast<std::int64_t>(method[i].size());
+        for (std::size_t p = 0; p < method[i].size(); ++p) {
+            const bool is_drawn = method[i].data()[p] >= threshold;
+            agreement.differ_px += is_drawn != (planes[i].data()[p] >= threshold);
+        }
+    }
+    return agreement;
+}
+
+std::array<score::CurveCount, 99> TuneBench::curve(const Entrant& entrant, DrawnBy by) {
+    const std::vector<edge::EdgeImage>& pictures = pictures_of(entrant, by);
     std::vector<std::array<score::CurveCount, 99>> by_view(views_.size());
     core::parallel_for(views_.size(), threads_, [&](std::size_t i) {
         by_view[i] = score::score_curve(pictures[i], views_[i].truth, score_options(1));

@@ -10,16 +10,31 @@
 #include "lab/entrants.h"
 #include "lab/suite.h"
 #include "lab/tracing.h"
+#include "lab/tune_planes.h"
 #include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::lab {
 
+/// Who draws a setting.
+enum class DrawnBy {
+    method,  ///< as every harness has it drawn
+    planes,  ///< from what its code reads, which is made once (lab/tune_planes.h)
+};
+
+/// How far planes are from the method that they stand for.
+struct PlaneAgreement {
+    std::int64_t differ_px = 0;  ///< drawn by one and not by the other, at the threshold
+    std::int64_t total_px = 0;   ///< of all views
+    std::vector<score::CurveCount> by_planes;  ///< a sum per scene, at 2 px
+};
+
 /// What a tuner wants of a set of views: everything but the method's own work, done once.
 ///
 /// Truths are traced (or read) once and kept as lists of pixels; a setting is then drawn and
-/// matched at 2 px alone. The pictures of the last settings are kept, so that one that differs in
-/// its threshold alone is not drawn again.
+/// matched at 2 px alone. Where its code is one linear sum it can be drawn from planes, without the
+/// scenes. The pictures of the last settings are kept, so that one that differs in its threshold
+/// alone is not drawn again.
 class TuneBench {
   public:
     /// Traces every view of `subjects`, saying on a terminal how far it is. Borrows the subjects.
@@ -31,11 +46,19 @@ class TuneBench {
     /// A hash of what is scored against: names, sizes, truth pixels.
     [[nodiscard]] const std::string& hash() const { return hash_; }
 
+    /// What can be drawn from planes.
+    [[nodiscard]] const TunePlanes& planes() const { return planes_; }
+
     /// Counts at 2 px and the entrant's own threshold, summed over the views of each scene.
-    [[nodiscard]] std::vector<score::CurveCount> counts(const Entrant& entrant);
+    [[nodiscard]] std::vector<score::CurveCount> counts(const Entrant& entrant,
+                                                        DrawnBy by = DrawnBy::method);
 
     /// The same at the 99 thresholds, summed over all views: for average precision.
-    [[nodiscard]] std::array<score::CurveCount, 99> curve(const Entrant& entrant);
+    [[nodiscard]] std::array<score::CurveCount, 99> curve(const Entrant& entrant,
+                                                          DrawnBy by = DrawnBy::method);
+
+    /// Planes held against the method that draws the same.
+    [[nodiscard]] PlaneAgreement agreement(const Entrant& entrant);
 
     /// Median over the views of the milliseconds that one drawing took, one view after the other on
     /// one thread, when this was last asked to draw.
@@ -51,10 +74,11 @@ class TuneBench {
         score::TruthLists lists;
     };
     struct Drawn {
-        std::string key;  ///< all settings but the threshold
+        std::string key;  ///< all settings but the threshold, and who drew
         std::vector<edge::EdgeImage> pictures;
     };
-    const std::vector<edge::EdgeImage>& pictures_of(const Entrant& entrant);
+    const std::vector<edge::EdgeImage>& pictures_of(const Entrant& entrant, DrawnBy by);
+    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const Entrant& entrant);
     void draw_subject(const Entrant& entrant,
                       std::size_t subject,
                       std::vector<edge::EdgeImage>& pictures,
@@ -66,6 +90,7 @@ class TuneBench {
     double draw_ms_ = 0;
     std::vector<BenchView> views_;
     std::string hash_;
+    TunePlanes planes_;
     std::vector<Drawn> kept_;  ///< the latest last
 };
 

@@ -15,10 +15,12 @@ struct TuneValue {
     double value = 0;  ///< what the search lowers: 1 - F or 1 - AP, and more beyond a time budget
     double error = 0;  ///< 1 - F or 1 - AP
     std::optional<double> draw_ms;  ///< where a time budget asked for it
+    bool is_by_planes = false;      ///< else the method itself drew; no part of the log's lines
 };
 
 /// The finished evaluations of a search, on disk as soon as they are known.
 ///
+/// A setting may be there twice, drawn from planes and by its method, under a key of its own each.
 /// Lines are flushed one by one. A search that was killed and is started again with the same key
 /// finds them, and since it asks for the same settings in the same order it comes to the point
 /// where it stopped without drawing anything. Numbers are written so that they read back the same.

@@ -89,6 +89,24 @@ std::string convergence(const TuneResult& result) {
     return head + "\n" + found + "\n" + (result.random_steps.empty() ? "" : chance + "\n");
 }
 
+/// Who drew the search's settings, and how much it matters.
+std::string agreement_line(const TuneResult& result) {
+    if (!result.agreement) return "";
+    const auto n_planes =
+        std::count_if(result.steps.begin(), result.steps.end(), [](const TuneStep& step) {
+            return step.found.is_by_planes;
+        });
+    const PlaneAgreement& agreement = *result.agreement;
+    return fmt::format(
+        "drawn from planes: {} of {} evaluations; all that was best when it came is the method's "
+        "own\n  at the tuned settings {:.4f} % of the pixels differ, E by {:+.6f}\n\n",
+        n_planes,
+        result.steps.size(),
+        100.0 * static_cast<double>(agreement.differ_px) /
+            static_cast<double>(std::max<std::int64_t>(agreement.total_px, 1)),
+        f_of(result.tuned.train) - f_of(agreement.by_planes));
+}
+
 std::string settings_lines(const TuneResult& result, const TuneOptions& options) {
     std::string text;
     const core::ParamValues defaults = options.entrant.info->complete(options.entrant.settings);
@@ -103,7 +121,7 @@ std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
     std::string text = "evaluation,phase";
     for (const TunedKnob& knob : space.knobs())
         text += "," + knob.param.name;
-    text += ",e_train";
+    text += ",e_train,drawn_by";
     const bool has_times = !result.steps.empty() && result.steps.front().found.draw_ms;
     text += has_times ? ",draw_ms\n" : "\n";
     for (const auto* steps : {&result.steps, &result.random_steps}) {
@@ -112,7 +130,8 @@ std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
             text += fmt::format("{},{}", i + 1, step.phase);
             for (const TunedKnob& knob : space.knobs())
                 text += "," + step.settings.at(knob.param.name);
-            text += fmt::format(",{}", step.found.error);
+            text += fmt::format(
+                ",{},{}", step.found.error, step.found.is_by_planes ? "planes" : "method");
             text += has_times ? fmt::format(",{}\n", step.found.draw_ms.value_or(0)) : "\n";
         }
     }
@@ -174,6 +193,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     text += '\n';
     text += convergence(result);
     text += '\n';
+    text += agreement_line(result);
     text += settings_lines(result, options);
     text += fmt::format("\npreset: {}\nevaluations: {}\n",
                         result.preset.string(),

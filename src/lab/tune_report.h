@@ -9,7 +9,8 @@
 namespace ink::lab {
 
 /// A line per evaluation: its number within the search (the random one counts anew), phase, knobs,
-/// e_train, and draw_ms where there was a time budget.
+/// e_train as the search saw it, drawn_by (method | planes), and draw_ms where there was a time
+/// budget.
 [[nodiscard]] std::string evaluations_csv(const TuneResult& result, const TuneSpace& space);
 
 /// What a preset says of how it came about.

@@ -101,8 +101,9 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     const TuneOptions with = options("decaudin", "k_normal=0.05..1,join");
     const TuneResult result = tune(subjects({"cube"}), with);
     const std::string csv = read("evaluations.csv");
-    EXPECT_THAT(csv,
-                testing::StartsWith("evaluation,phase,k_normal,join,e_train\n1,start,0.25,max,"));
+    EXPECT_THAT(
+        csv,
+        testing::StartsWith("evaluation,phase,k_normal,join,e_train,drawn_by\n1,start,0.25,max,"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 24 + 24);
     EXPECT_FALSE(fs::exists(out_ / "evaluations.csv.part"));
 
@@ -193,6 +194,36 @@ TEST(TuneBenchTest, KeptPicturesScoreAsFreshOnes) {
                 << range << " " << threshold;
         }
     }
+}
+
+TEST_F(Tune, WhatWasBestWhenItCameIsTheMethodsOwnAndTheRestIsDrawnFromPlanes) {
+    TuneOptions with = options("mote4", "range_depth,range_nz,threshold=1..64");
+    with.plan.evaluations = 40;
+    const TuneResult result = tune(subjects({"cube", "torus"}), with);
+    double best = 2;
+    int by_planes = 0;
+    for (const TuneStep& step : result.steps) {
+        by_planes += step.found.is_by_planes;
+        if (step.found.value < best) {
+            EXPECT_FALSE(step.found.is_by_planes);
+            best = step.found.value;
+        }
+    }
+    EXPECT_GT(by_planes, 20);
+    EXPECT_EQ(result.tuned.found.value, best);
+    ASSERT_TRUE(result.agreement);
+    EXPECT_EQ(result.agreement->total_px, 6 * 160 * 90);
+    EXPECT_LE(result.agreement->differ_px, 6 * 160 * 90 / 500);
+    EXPECT_NEAR(error_of(result.agreement->by_planes), error_of(result.tuned.train), 0.01);
+    EXPECT_THAT(tune_summary(result, with), HasSubstr("drawn from planes: "));
+}
+
+TEST_F(Tune, OtherCodesAreDrawnByTheirMethod) {
+    for (const char* knobs : {"crease_deg", "depth_encoding,sky"}) {
+        const TuneResult result = tune(subjects({"cube"}), options("mote4", knobs));
+        EXPECT_EQ(result.agreement.has_value(), knobs != std::string("crease_deg")) << knobs;
+    }
+    EXPECT_FALSE(tune(subjects({"cube"}), options("decaudin", "")).agreement);
 }
 
 TEST(PresetFile, SpellsValuesAsTomlDoes) {
