@@ -198,7 +198,7 @@ BlockResult run_settings(Bench& bench, const BlockPlace& at, const std::vector<E
     return result;
 }
 
-/// Seconds for `cells` pictures of a view, as measured on two cores of a server of 2023: a part for
+/// Seconds for `cells` pictures of a view, roughly, on two cores without other work: a part for
 /// every cell, one for its pixels (scores) and one for its triangles (drawing); then the truth.
 double work_s(const Bench& bench, const BlockPlace& at, int cells, bool is_full) {
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;

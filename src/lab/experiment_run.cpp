@@ -80,7 +80,7 @@ class Work {
         for (const std::size_t i : missing_)
             left += plan_.blocks[i].work;
         if (known_work_ <= 0) {
-            return fmt::format("about {} by the size of scenes and pictures, on two cores of 2023",
+            return fmt::format("about {} by the size of scenes and pictures, on two idle cores",
                                duration_text(left));
         }
         return fmt::format("about {} by the {} finished blocks",

@@ -6,7 +6,8 @@
 namespace ink::raster {
 namespace {
 
-// Found by the times of balls of 20 to 1280 facets at 1 to 33 million pixels.
+// More triangles than this are seldom flat together, and a proof that spares less than a quarter of
+// a tile costs about what it spares.
 constexpr std::size_t kMostForStencils = 3;
 constexpr int kFewStencils = kTileSize_px * kTileSize_px / 4;
 

@@ -101,6 +101,10 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         return;
     }
     const bool spares = is_whole && find_needed();
+    if (spares && needed_.hull().is_empty()) {  // flat, and found so stencil by stencil
+        sink.finish(buffer_.view(true));
+        return;
+    }
     rows_ =
         spares ? DrawnRows::under(needed_, buffer_, job_.grid.halo_px) : DrawnRows::all(buffer_);
     const PixelRect written = rows_.hull(buffer_);

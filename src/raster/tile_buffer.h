@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -97,6 +98,7 @@ class TileBuffer {
         return is_narrowed() ? wide_[at] : planes_[at];
     }
     void touch_rows(int first, int end) {
+        assert(0 <= first && first <= end && end <= kTileRows);
         dirty_begin_ = std::min(dirty_begin_, first);
         dirty_end_ = std::max(dirty_end_, end);
     }

@@ -262,7 +262,8 @@ TEST_F(ReportFiles, FiguresAreStripsAndCharts) {
                                               "figures/overview.png",
                                               "figures/fronts.svg",
                                               "figures/classes.svg",
-                                              "figures/causes.svg"));
+                                              "figures/causes.svg",
+                                              "figures/cancellation.svg"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/fronts.svg")), "");
     EXPECT_THAT(text_of(folder_ / "figures/fronts.svg"), HasSubstr(">decaudin</text>"));
     EXPECT_EQ(nesting_error(text_of(folder_ / "figures/classes.svg")), "");
@@ -300,8 +301,10 @@ TEST_F(ReportFiles, FiguresOfScenesWithOneFileNameDoNotOverwriteEachOther) {
 TEST_F(ReportFiles, FiguresWithoutAnythingToShowAreEmptyCharts) {
     write_figures({}, folder_);
     EXPECT_THAT(names(),
-                testing::UnorderedElementsAre(
-                    "figures/fronts.svg", "figures/classes.svg", "figures/causes.svg"));
+                testing::UnorderedElementsAre("figures/fronts.svg",
+                                              "figures/classes.svg",
+                                              "figures/causes.svg",
+                                              "figures/cancellation.svg"));
 }
 
 TEST_F(ReportFiles, FiguresThatCannotBeWrittenAreAnError) {
