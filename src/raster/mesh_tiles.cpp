@@ -101,10 +101,6 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         return;
     }
     const bool spares = is_whole && find_needed();
-    if (spares && needed_.hull().is_empty()) {  // flat, and found so stencil by stencil
-        sink.finish(buffer_.view(true));
-        return;
-    }
     rows_ =
         spares ? DrawnRows::under(needed_, buffer_, job_.grid.halo_px) : DrawnRows::all(buffer_);
     const PixelRect written = rows_.hull(buffer_);
@@ -161,10 +157,12 @@ bool MeshTileWorker::is_flat() {
     return true;
 }
 
-/// Whether enough of the tile's stencils lie inside one plane to leave them out.
+/// Whether enough of the tile's stencils lie inside one plane to leave them out. A tile that is flat
+/// throughout is for flat_tiles, and drawn where that is not allowed.
 bool MeshTileWorker::find_needed() {
     if (!job_.input.skips.has(Skip::flat_stencils)) return false;
     if (!proof_.find_needed(buffer_, job_.grid.halo_px, needed_)) return false;
+    if (needed_.hull().is_empty()) return false;
     const PixelRect& own = buffer_.own();
     SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
     for (std::size_t i = 0; i < kStencilColumns; ++i) {
