@@ -101,7 +101,7 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         return;
     }
     const bool spares = is_whole && find_needed();
-    if (spares && needed_.hull().is_empty()) {  // flat, and found so stencil by stencil
+    if (spares && needed_.hull().is_empty()) {
         sink.finish(buffer_.view(true));
         return;
     }
@@ -153,18 +153,24 @@ bool MeshTileWorker::list_whole(int tile) {
     return true;
 }
 
+bool MeshTileWorker::is_one_triangle() const {
+    return buffer_.is_inner() && proof_.is_flat(buffer_.drawn());
+}
+
 /// Whether the whole tile lies inside one plane.
 bool MeshTileWorker::is_flat() {
     if (!job_.input.skips.has(Skip::flat_tiles)) return false;
-    if (!buffer_.is_inner() || !proof_.is_flat(buffer_.drawn())) return false;
+    if (!is_one_triangle()) return false;
     ++count_of(skips_, Skip::flat_tiles).skipped;
     return true;
 }
 
-/// Whether enough of the tile's stencils lie inside one plane to leave them out.
+/// Whether enough of the tile's stencils lie inside one plane to leave them out. A tile that one
+/// triangle fills is for flat_tiles, and drawn where that is not allowed.
 bool MeshTileWorker::find_needed() {
     if (!job_.input.skips.has(Skip::flat_stencils)) return false;
     if (!proof_.find_needed(buffer_, job_.grid.halo_px, needed_)) return false;
+    if (needed_.hull().is_empty() && is_one_triangle()) return false;
     const PixelRect& own = buffer_.own();
     SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
     for (std::size_t i = 0; i < kStencilColumns; ++i) {

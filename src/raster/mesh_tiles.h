@@ -40,6 +40,7 @@ class MeshTileWorker {
     void finish(const NeededRows* needed, TileSink& sink);
     void count_own_pixels();
     [[nodiscard]] bool list_whole(int tile);
+    [[nodiscard]] bool is_one_triangle() const;
     [[nodiscard]] bool is_flat();
     [[nodiscard]] bool find_needed();
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
