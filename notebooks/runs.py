@@ -15,7 +15,10 @@ COMMANDS = {
 COMMANDS["bound"] = "build/release/inkbench bound --method mote4 --out inkbench-out/bound"
 COMMANDS["scaling"] = ("build/release/inkbench compare --scenes sphere --no-sweep --scaling "
                        "--out inkbench-out/scaling")
-COMMANDS["tune"] = "build/release/inkbench tune mote4 --out inkbench-out/tune/mote4"
+COMMANDS["tune"] = (
+    "build/release/inkbench tune mote4 --objective scenes --evaluations 1000 --seed 7 --size 640x360"
+    " --out inkbench-out/tune/mote4"
+)
 
 CLASSES = ["contour", "boundary", "crease", "intersection", "seam"]
 
