@@ -22,7 +22,7 @@ struct MeasureOptions {
     int threads = 1;  ///< of the method
     int min_repetitions = 3;
     int max_repetitions = 15;
-    double budget_s = 0.06;  ///< a method on a view stops repeating after this much drawing
+    double budget_s = 0.03;  ///< a method on a view stops repeating after this much drawing
     raster::SkipSet skips = skips_of_repeated_drawings();
 };
 
