@@ -21,7 +21,11 @@ class Log : public testing::Test {
         std::ifstream file(path_);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    const fs::path path_ = fs::path(testing::TempDir()) / "tune_log_test.part";
+    /// Of each test its own: they run side by side.
+    const fs::path path_ =
+        fs::path(testing::TempDir()) /
+        (std::string("tune_log_test_") +
+         testing::UnitTest::GetInstance()->current_test_info()->name() + ".part");
 };
 
 TEST_F(Log, GivesBackWhatWasAddedToTheLastBit) {

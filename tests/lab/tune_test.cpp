@@ -51,7 +51,10 @@ class Tune : public testing::Test {
         EXPECT_TRUE(file.is_open()) << name;
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    const fs::path out_ = fs::path(testing::TempDir()) / "tune_test";
+    /// Of each test its own: they run side by side.
+    const fs::path out_ =
+        fs::path(testing::TempDir()) /
+        (std::string("tune_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 double error_of(const std::vector<score::CurveCount>& counts) {
