@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "methods/presets.h"
+#include "methods/tuned.h"
 
 namespace ink::lab {
 namespace {
@@ -66,6 +67,13 @@ void apply_setting(const Setting& setting, std::vector<Entrant>& entrants) {
                       core::known_names({known.begin(), known.end()}, setting.key));
 }
 
+/// Whether a registered method is itself a preset: `inkbench tune` gives that name, too.
+bool is_shipped(const std::string& name) {
+    const auto shipped = methods::shipped_presets();
+    return std::any_of(
+        shipped.begin(), shipped.end(), [&](const auto& preset) { return preset.name == name; });
+}
+
 }  // namespace
 
 std::vector<std::string> split_list(const std::string& text) {
@@ -95,7 +103,7 @@ Entrant preset_entrant(const std::filesystem::path& file) {
     const methods::Preset preset = methods::parse_preset(text, file.string(), bases);
     const bool is_taken = std::any_of(
         bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
-    if (is_taken) {
+    if (is_taken && !is_shipped(preset.name)) {
         throw core::Error(file.string(),
                           fmt::format("there is a method '{}' already", preset.name),
                           "a name of its own");
@@ -121,6 +129,10 @@ std::vector<Entrant> make_entrants(const std::string& methods,
     }
     for (const std::string& file : presets) {
         Entrant entrant = preset_entrant(file);
+        const auto is_namesake = [&](const Entrant& other) {
+            return !other.owned && other.info->name == entrant.info->name;
+        };
+        if (methods.empty()) std::erase_if(entrants, is_namesake);
         if (!names.insert(entrant.info->name).second) {
             throw core::Error(file,
                               fmt::format("'{}' is there twice", entrant.info->name),

@@ -23,8 +23,8 @@ struct Entrant {
 
 /// The entrant that a preset file of the user's describes (methods/presets.h).
 ///
-/// Throws core::Error that names the file and the line, also where it is called as a method that
-/// there is.
+/// It may be called as a shipped preset, whose place it takes among all methods. Throws core::Error
+/// that names the file and the line, also where it is called as any other method that there is.
 [[nodiscard]] Entrant preset_entrant(const std::filesystem::path& file);
 
 /// Gives each of `settings` to those that it means, as make_entrants does, and reads all of them.

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
 #include "core/error.h"
 
 namespace ink::lab {
@@ -45,6 +49,18 @@ TEST(Entrants, BadNamesAndValuesAreNamed) {
     EXPECT_THAT(message_of("mote4", {"decaudin.k_depth=2"}), HasSubstr("does not take part"));
     EXPECT_THAT(message_of("mote4", {"clip_bits"}), HasSubstr("key=value"));
     EXPECT_THAT(message_of("mote4", {"clip_bits=99"}), HasSubstr("clip_bits cannot be '99'"));
+}
+
+TEST(Entrants, APresetCalledAsAShippedOneTakesItsPlace) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "entrants_test_preset.toml";
+    std::ofstream(file)
+        << "name = \"mote4_tuned\"\nmethod = \"mote4\"\n[settings]\nthreshold = 77\n";
+    const std::vector<Entrant> entrants = make_entrants("", {}, {file.string()});
+    std::filesystem::remove(file);
+    const auto is_namesake = [](const Entrant& e) { return e.info->name == "mote4_tuned"; };
+    EXPECT_EQ(std::count_if(entrants.begin(), entrants.end(), is_namesake), 1);
+    EXPECT_EQ(entrants.back().info->name, "mote4_tuned");
+    EXPECT_EQ(entrants.back().info->complete({}).at("threshold"), "77");
 }
 
 TEST(SplitList, LeavesOutWhatIsEmpty) {
