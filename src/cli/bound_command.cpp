@@ -9,11 +9,10 @@
 #include "core/whole_file.h"
 #include "lab/interrupt.h"
 #include "lab/linear_bound_study.h"
+#include "lab/out_folder.h"
 
 namespace ink::cli {
 namespace {
-
-constexpr int kInterrupted = 130;
 
 struct BoundArgs {
     std::vector<std::string> models;
@@ -62,9 +61,8 @@ lab::BoundStudyOptions study_options(const BoundArgs& args) {
 
 void run_bound(const BoundArgs& args) {
     const lab::BoundStudyOptions options = study_options(args);
-    std::vector<std::string> names = lab::split_list(args.scenes);
-    names.insert(names.end(), args.models.begin(), args.models.end());
-    const auto subjects = lab::load_subjects(names, view_request(args.views));
+    const auto subjects =
+        lab::load_subjects(scene_names(args.scenes, args.models), view_request(args.views));
     const lab::InterruptGuard guard;
     const auto rows = lab::study_bounds(subjects, options);
     fmt::print("{}", lab::bound_table(rows));
@@ -78,14 +76,6 @@ void run_bound(const BoundArgs& args) {
     fmt::print("{}\n", path.string());
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder)) {
-        throw core::Error(folder, "this folder cannot be made", "a writable place for --out");
-    }
-}
-
 }  // namespace
 
 void add_bound_command(CLI::App& app) {
@@ -96,9 +86,7 @@ void add_bound_command(CLI::App& app) {
     command->add_option("--scenes", args->scenes, "Scenes a,b (the whole catalogue unless given)");
     command->add_option("--method,--methods", args->method, "A method whose code is a linear sum")
         ->capture_default_str();
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     command->add_flag("--signed", args->is_signed, "Weights below 0 too");
     command
         ->add_option("--least-threshold",
@@ -121,7 +109,7 @@ void add_bound_command(CLI::App& app) {
         "Example: inkbench bound torus gem --method mote4 --size 640x360\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
     command->callback([args] {
-        if (!args->out.empty()) make_folder(args->out);
+        if (!args->out.empty()) lab::make_out_folder(args->out);
         run_bound(*args);
     });
 }

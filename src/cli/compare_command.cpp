@@ -14,8 +14,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
-
 struct CompareArgs {
     std::vector<std::string> models;
     std::string scenes;
@@ -37,12 +35,6 @@ struct CompareArgs {
     bool skip_study = false;
     bool motion = false;
 };
-
-std::vector<std::string> names_of(const CompareArgs& args) {
-    std::vector<std::string> names = lab::split_list(args.scenes);
-    names.insert(names.end(), args.models.begin(), args.models.end());
-    return names;
-}
 
 lab::CompareOptions compare_options(const CompareArgs& args) {
     lab::CompareOptions options;
@@ -81,8 +73,9 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
 void run_compare(const CompareArgs& args, const std::string& command_line) {
     lab::CompareOptions options = compare_options(args);
     options.command = command_line;
-    const lab::CompareResult result =
-        lab::compare(lab::load_subjects(names_of(args), view_request(args.views)), options);
+    const lab::CompareResult result = lab::compare(
+        lab::load_subjects(scene_names(args.scenes, args.models), view_request(args.views)),
+        options);
     fmt::print("{}\n", lab::verdict_table(result.rows, result.curves));
     fmt::print("{}", lab::threshold_lines(result.rows, result.curves));
     fmt::print("report: {}\n", result.report.string());
@@ -105,9 +98,7 @@ void add_compare_command(CLI::App& app) {
     command->add_option("models", args->models, "Model files; none and no --scenes: the catalogue");
     command->add_option("--scenes", args->scenes, "Built-in scenes a,b (see inkbench list scenes)");
     command->add_option("--methods", args->methods, "Methods a,b (all unless given)");
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     add_preset_option(*command, args->presets, "beside the methods");
     add_view_options(*command, args->views);
     command

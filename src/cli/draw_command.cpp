@@ -115,9 +115,7 @@ void add_draw_command(CLI::App& app) {
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")->required();
     command->add_option(
         "--method,--methods", args->method, fmt::format("Method ({} unless given)", kMethod));
-    command->add_option("--set", args->settings, "A parameter of the method: key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings, "A parameter of the method: key=value");
     add_preset_option(*command, args->presets, "instead of --method");
     command->add_option("--view", args->view, "Name of the view (the first unless given)");
     add_view_options(*command, args->views);

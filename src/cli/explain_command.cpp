@@ -89,9 +89,7 @@ void add_explain_command(CLI::App& app) {
         "explain", "Say what a scene has, what each method may leave out there, and why");
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     command->add_option("--view", args->view, "Name of a view (all unless given)");
     add_view_options(*command, args->views);
     command->add_option("--crease", args->crease_deg, "Crease angle of the ledger, degrees")

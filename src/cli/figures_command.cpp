@@ -16,8 +16,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
-
 // Between them every class of line, and depth and normals that cancel.
 constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
 
@@ -42,8 +40,7 @@ constexpr std::size_t kScenesOfRun = 4;
 
 /// What is drawn; `run` are the rows that --from names, if it does.
 std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<lab::Row>& run) {
-    std::vector<std::string> names = lab::split_list(args.scenes);
-    names.insert(names.end(), args.models.begin(), args.models.end());
+    std::vector<std::string> names = scene_names(args.scenes, args.models);
     if (!names.empty()) return names;
     if (run.empty()) return lab::split_list(kUsualScenes);
     names = lab::drawable_scenes(run, kScenesOfRun);
@@ -177,9 +174,7 @@ void add_figures_command(CLI::App& app) {
                         args->scenes,
                         fmt::format("Built-in scenes a,b (with no model file: {})", kUsualScenes));
     command->add_option("--methods", args->methods, "Methods a,b (all unless given)");
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     command->add_option("--pair",
                         args->pair,
                         "Two methods a,b to enlarge where they differ most (unless given mote4 and "

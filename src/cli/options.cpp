@@ -70,6 +70,19 @@ void parse_cameras(const ViewOptions& options, lab::ViewRequest& request) {
 
 }  // namespace
 
+void add_set_option(CLI::App& command, std::vector<std::string>& settings, const char* doc) {
+    command.add_option("--set", settings, doc)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<std::string> scene_names(const std::string& scenes,
+                                     const std::vector<std::string>& models) {
+    std::vector<std::string> names = lab::split_list(scenes);
+    names.insert(names.end(), models.begin(), models.end());
+    return names;
+}
+
 void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role) {
     command
         .add_option("--preset",

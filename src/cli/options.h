@@ -12,6 +12,9 @@
 
 namespace ink::cli {
 
+/// The exit code of a run that was asked to end: 128 + SIGINT, as shells have it.
+inline constexpr int kInterrupted = 130;
+
 /// The options by which every command says which views it means, as text until `view_request` reads
 /// them.
 struct ViewOptions {
@@ -30,6 +33,15 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
 [[nodiscard]] lab::ViewRequest view_request(const ViewOptions& options);
+
+/// Adds --set, which may be given again; `doc` says what is set.
+void add_set_option(CLI::App& command,
+                    std::vector<std::string>& settings,
+                    const char* doc = "A parameter: key=value or method.key=value");
+
+/// The scenes of a comma list and the model files beside them, in that order.
+[[nodiscard]] std::vector<std::string> scene_names(const std::string& scenes,
+                                                   const std::vector<std::string>& models);
 
 /// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
 void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);

@@ -13,7 +13,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
 constexpr int kMostViews = 360;
 
 struct RunArgs {

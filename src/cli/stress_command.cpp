@@ -13,8 +13,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr int kInterrupted = 130;
-
 struct StressArgs {
     std::string axes;
     std::string methods;
@@ -101,9 +99,7 @@ void add_stress_command(CLI::App& app) {
         app.add_subcommand("stress", "Sweep one difficulty at a time: error curves per method");
     command->add_option("--axes,--axis", args->axes, "Axes a,b (all unless given; list axes)");
     command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     command->add_option("--points", args->points, "Points of an axis at most (all unless given)");
     command->add_option("--size", args->views.size, "Size of a picture")->capture_default_str();
     command->add_option("--threads", args->threads, "Threads of a method")->capture_default_str();

@@ -7,13 +7,12 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "lab/interrupt.h"
+#include "lab/out_folder.h"
 #include "lab/skip_switches.h"
 #include "lab/timedemo.h"
 
 namespace ink::cli {
 namespace {
-
-constexpr int kInterrupted = 130;
 
 struct TimedemoArgs {
     std::string scene;
@@ -44,6 +43,7 @@ void run_timedemo(const TimedemoArgs& args) {
             "--time", "a time demo shows all of an animation", "no --time or --frame");
     }
     const lab::Subject subject = lab::load_one_view(args.scene, args.view, request);
+    if (!args.out.empty()) lab::make_out_folder(args.out);
     const lab::InterruptGuard guard;
     const auto frames = lab::run_timedemo(subject, options);
     if (lab::is_interrupted()) {
@@ -53,7 +53,6 @@ void run_timedemo(const TimedemoArgs& args) {
     fmt::print("{}\n", lab::timedemo_heading(subject, options));
     fmt::print("{}", lab::timedemo_table(frames));
     if (args.out.empty()) return;
-    std::filesystem::create_directories(args.out);
     const auto path = std::filesystem::path(args.out) / "timedemo.csv";
     lab::write_timedemo(subject, frames, path);
     fmt::print("{}\n", path.string());
@@ -67,9 +66,7 @@ void add_timedemo_command(CLI::App& app) {
         "timedemo", "Time an animation: frames per second plain, shaded and with lines");
     command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
     command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
-    command->add_option("--set", args->settings, "A parameter: key=value or method.key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings);
     command->add_option("--frames", args->frames, "Frames of each camera path")
         ->capture_default_str();
     command->add_option("--view", args->view, "Where the camera starts (the first unless given)");

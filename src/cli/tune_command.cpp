@@ -16,8 +16,6 @@
 namespace ink::cli {
 namespace {
 
-constexpr int kInterrupted = 130;  // 128 + SIGINT, as shells have it
-
 struct TuneArgs {
     std::string method;
     std::string knobs;
@@ -149,9 +147,7 @@ void add_tune_command(CLI::App& app) {
                         args->knobs,
                         "What to tune: knobs a,b or a=low..high,b (unless given: what is worth it "
                         "in the method, else its threshold)");
-    command->add_option("--set", args->settings, "A parameter that stays as it is: key=value")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_set_option(*command, args->settings, "A parameter that stays as it is: key=value");
     command
         ->add_option(
             "--objective",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
 #include "lab/cancellation_study.h"
@@ -15,6 +14,7 @@
 #include "lab/interrupt.h"
 #include "lab/miss_prediction.h"
 #include "lab/motion_study.h"
+#include "lab/out_folder.h"
 #include "lab/shots.h"
 #include "lab/skip_study.h"
 #include "lab/summary_csv.h"
@@ -237,22 +237,13 @@ class Comparison {
     std::vector<std::string> void_reasons_;
 };
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder)) {
-        throw core::Error(
-            folder.string(), "this folder cannot be made", "a writable place for --out");
-    }
-}
-
 }  // namespace
 
 CompareResult compare(const std::vector<Subject>& subjects, const CompareOptions& options) {
     using Clock = std::chrono::steady_clock;
     const InterruptGuard guard;
     const auto start = Clock::now();
-    make_folder(options.out);
+    make_out_folder(options.out);
 
     int total = 0;
     for (const Subject& subject : subjects)

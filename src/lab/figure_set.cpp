@@ -10,6 +10,7 @@
 #include "lab/charts.h"
 #include "lab/error_time_chart.h"
 #include "lab/figure_grids.h"
+#include "lab/out_folder.h"
 #include "lab/summary_csv.h"
 
 namespace ink::lab {
@@ -29,15 +30,6 @@ std::string rows_csv(const std::vector<Row>& rows) {
     for (const Row& row : rows)
         text += to_csv(row) + "\n";
     return text;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder)) {
-        throw core::Error(
-            folder.string(), "this folder cannot be made", "a writable place for --out");
-    }
 }
 
 bool takes_part(const FigureOptions& options, const std::string& method) {
@@ -203,7 +195,7 @@ void write_charts(const std::vector<Row>& rows, const std::string& source, Write
 
 FigureFiles make_figures(const std::vector<Subject>& subjects, const FigureOptions& options) {
     const Pair pair = pair_of(options);
-    make_folder(options.out);
+    make_out_folder(options.out);
     const DrawnScenes drawn = draw_scenes(subjects, options.drawing);
     Writer writer(options.out);
     write_grids(drawn.shown, pair, writer);

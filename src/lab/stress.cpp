@@ -4,25 +4,16 @@
 
 #include <algorithm>
 
-#include "core/error.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
 #include "lab/csv.h"
 #include "lab/interrupt.h"
+#include "lab/out_folder.h"
 #include "lab/stress_chart.h"
 #include "lab/stress_page.h"
 
 namespace ink::lab {
 namespace {
-
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure || !std::filesystem::is_directory(folder)) {
-        throw core::Error(
-            folder.string(), "this folder cannot be made", "a writable place for --out");
-    }
-}
 
 /// The rows of one axis, written case by case.
 std::vector<StressRow> run_axis(const StressAxis& axis,
@@ -53,7 +44,7 @@ std::vector<StressRow> run_axis(const StressAxis& axis,
 
 StressResult run_stress(const StressOptions& options) {
     const InterruptGuard guard;
-    make_folder(options.out / "figures");
+    make_out_folder(options.out / "figures");
     CsvFile file(options.out / "stress.csv", stress_columns());
     int total = 0;
     for (const StressAxis* axis : options.axes)

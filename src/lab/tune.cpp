@@ -15,6 +15,7 @@
 #include "lab/csv.h"
 #include "lab/interrupt.h"
 #include "lab/ods.h"
+#include "lab/out_folder.h"
 #include "lab/preset.h"
 #include "lab/tune_bench.h"
 #include "lab/tune_report.h"
@@ -224,8 +225,7 @@ TuneResult tune(std::vector<Subject> subjects, const TuneOptions& options) {
                           "none of them is a training scene",
                           "one or more of those that inkbench list scenes calls training");
     }
-    std::error_code failure;
-    std::filesystem::create_directories(options.out, failure);
+    make_out_folder(options.out);
 
     TuneResult result;
     TuneBench bench(train, options.trace, options.threads);
