@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "scene/import.h"
+#include "import/import.h"
 
 namespace ink::bench {
 namespace {
@@ -81,8 +81,8 @@ scene::Mesh subdivide(const scene::Mesh& mesh) {
 
 scene::Scene make_scene(const std::string& name) {
     if (name == "sphere") return make_sphere(131, 266);
-    if (name == "dragon") return scene::import_scene(model_path("dragon.ply"));
-    scene::Scene bunny = scene::import_scene(model_path("bunny.obj"));
+    if (name == "dragon") return import::import_scene(model_path("dragon.ply"));
+    scene::Scene bunny = import::import_scene(model_path("bunny.obj"));
     if (name == "bunny") return bunny;
     for (scene::Mesh& mesh : bunny.meshes)
         mesh = subdivide(subdivide(mesh));

@@ -7,12 +7,12 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
+#include "buffers/vertex_weld.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/shapes.h"
 #include "core/hash.h"
 #include "methods/edge_hash/soup_models.h"
 #include "methods/edge_list/edge_builders.h"
-#include "methods/vertex_weld.h"
-#include "scene/catalogue.h"
-#include "scene/shapes.h"
 
 namespace ink::bench {
 namespace {
@@ -21,8 +21,8 @@ using methods::EdgeBuilder;
 using Triangles = std::vector<scene::Triangle>;
 
 Triangles welded(const std::vector<glm::dvec3>& points, const Triangles& triangles) {
-    const methods::VertexWeld weld = methods::weld_vertices(points, 0);
-    return methods::weld_faces(weld, points, triangles, methods::DoubleFaces::keep).faces;
+    const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
+    return buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
 }
 
 Triangles welded(const scene::Mesh& mesh) {
@@ -31,7 +31,7 @@ Triangles welded(const scene::Mesh& mesh) {
 
 /// The catalogue's rocket as one list: 100 triangles, 150 edges, as many as CoRgi's had.
 Triangles rocket() {
-    const scene::Surface surface = scene::flatten(scene::make_catalogue_scene("rocket"));
+    const scene::Surface surface = scene::flatten(catalogue::make_catalogue_scene("rocket"));
     return welded(surface.p_world, surface.triangles);
 }
 
@@ -50,7 +50,7 @@ const Triangles& triangles_of(const std::string& mesh) {
     if (!triangles.empty()) return triangles;
     if (mesh == "rocket") triangles = rocket();
     if (mesh == "rocket_mixed") triangles = mixed(rocket());
-    if (mesh == "ball") triangles = welded(scene::make_icosphere(1, 3));
+    if (mesh == "ball") triangles = welded(catalogue::make_icosphere(1, 3));
     if (triangles.empty()) {
         const scene::Surface surface = scene::flatten(bench_scene(mesh));
         triangles = welded(surface.p_world, surface.triangles);
@@ -90,7 +90,7 @@ void time_builder(benchmark::State& state, EdgeBuilder builder, const std::strin
 /// Two frames of an animation of the mesh.
 std::array<scene::Scene, 2> frames_of(const std::string& mesh) {
     std::array<scene::Scene, 2> frames;
-    frames.fill(mesh == "rocket" ? scene::make_catalogue_scene("rocket") : bench_scene(mesh));
+    frames.fill(mesh == "rocket" ? catalogue::make_catalogue_scene("rocket") : bench_scene(mesh));
     for (glm::vec3& p : frames[1].meshes[0].positions)
         p.y *= 1.25F;
     return frames;

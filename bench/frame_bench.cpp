@@ -13,14 +13,14 @@ namespace {
 
 /// One method at its default settings on one mesh.
 struct FrameKey {
-    const methods::MethodInfo& info;
+    const method::MethodInfo& info;
     std::string mesh;
     PictureSize size;
 };
 
 /// Prepared and posed once for all sizes, threads and repetitions: `draw` is what is timed.
-methods::Method& prepared(const FrameKey& key) {
-    static std::map<std::pair<std::string, std::string>, std::unique_ptr<methods::Method>> kept;
+method::Method& prepared(const FrameKey& key) {
+    static std::map<std::pair<std::string, std::string>, std::unique_ptr<method::Method>> kept;
     auto& method = kept[{key.info.name, key.mesh}];
     if (method == nullptr) {
         method = key.info.make({});
@@ -34,7 +34,7 @@ methods::Method& prepared(const FrameKey& key) {
 void time_frame(benchmark::State& state, const FrameKey& key, int threads) {
     const scene::Scene& scene = bench_scene(key.mesh);
     const auto views = bench_views(scene, key.size);
-    methods::Method& method = prepared(key);
+    method::Method& method = prepared(key);
     std::array<edge::EdgeImage, 2> out;
     out.fill(edge::EdgeImage(key.size.width_px, key.size.height_px));
     const auto hash_of_both = [&] {
@@ -70,7 +70,7 @@ void add_frame_benchmarks(int draws) {
     };
     for (const std::string& mesh : mesh_names()) {
         for (const PictureSize& size : picture_sizes()) {
-            for (const methods::MethodInfo& info : methods::registry())
+            for (const method::MethodInfo& info : methods::registry())
                 add({info, mesh, size});
         }
     }

@@ -8,7 +8,7 @@
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "core/hash.h"
-#include "raster/mesh_pass.h"
+#include "raster/mesh/mesh_pass.h"
 
 namespace ink::bench {
 namespace {

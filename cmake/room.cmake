@@ -1,5 +1,5 @@
 # ink_room(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
-# Includes are by path from src/ ("raster/pass.h") or from the root ("methods/method.h").
+# Includes are by path from src/ ("raster/pass/pass.h") or from the root ("method/method.h").
 function(ink_room name)
     cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(ink_${name} STATIC ${ROOM_SOURCES})

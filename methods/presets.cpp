@@ -20,15 +20,18 @@ std::string place_of(const toml::node& node, const std::string& where) {
     return fmt::format("{}:{}", where, node.source().begin.line);
 }
 
-const MethodInfo* find_base(const std::vector<MethodInfo>& bases, const std::string& name) {
-    const auto found = std::find_if(
-        bases.begin(), bases.end(), [&](const MethodInfo& info) { return info.name == name; });
+const method::MethodInfo* find_base(const std::vector<method::MethodInfo>& bases,
+                                    const std::string& name) {
+    const auto found =
+        std::find_if(bases.begin(), bases.end(), [&](const method::MethodInfo& info) {
+            return info.name == name;
+        });
     return found == bases.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> names_of(const std::vector<MethodInfo>& bases) {
+std::vector<std::string> names_of(const std::vector<method::MethodInfo>& bases) {
     std::vector<std::string> names;
-    for (const MethodInfo& info : bases)
+    for (const method::MethodInfo& info : bases)
         names.push_back(info.name);
     return names;
 }
@@ -87,7 +90,7 @@ std::string spelling(const toml::node& node) {
 }
 
 core::ParamValues read_settings(const toml::table& settings,
-                                const MethodInfo& base,
+                                const method::MethodInfo& base,
                                 const std::string& where) {
     core::ParamValues values;
     for (const auto& [key, node] : settings) {
@@ -133,7 +136,8 @@ bool touches(const core::ParamValues& line, const core::ParamValues& tuned) {
         line.begin(), line.end(), [&](const auto& each) { return tuned.count(each.first) > 0; });
 }
 
-std::vector<core::ParamValues> sweep_of(const MethodInfo& tuned, const MethodInfo& base) {
+std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
+                                        const method::MethodInfo& base) {
     std::vector<core::ParamValues> lines = {{}};
     std::vector<core::ParamValues> seen = {tuned.complete({})};
     const auto add = [&](const core::ParamValues& line) {
@@ -172,14 +176,14 @@ std::vector<core::ParamValues> sweep_of(const MethodInfo& tuned, const MethodInf
 
 Preset parse_preset(std::string_view text,
                     const std::string& where,
-                    const std::vector<MethodInfo>& bases) {
+                    const std::vector<method::MethodInfo>& bases) {
     const toml::table file = parse_toml(text, where);
     refuse_unknown_keys(file, where);
     Preset preset;
     preset.name = text_of(file, "name", where);
     check_name(file, preset.name, where);
     preset.method = text_of(file, "method", where);
-    const MethodInfo* base = find_base(bases, preset.method);
+    const method::MethodInfo* base = find_base(bases, preset.method);
     if (base == nullptr) {
         throw core::Error(place_of(*file.get("method"), where),
                           fmt::format("there is no method '{}'", preset.method),
@@ -197,9 +201,10 @@ Preset parse_preset(std::string_view text,
     return preset;
 }
 
-MethodInfo preset_method(const Preset& preset, const std::vector<MethodInfo>& bases) {
-    const MethodInfo& base = *find_base(bases, preset.method);
-    MethodInfo info = base;
+method::MethodInfo preset_method(const Preset& preset,
+                                 const std::vector<method::MethodInfo>& bases) {
+    const method::MethodInfo& base = *find_base(bases, preset.method);
+    method::MethodInfo info = base;
     info.name = preset.name;
     info.source = fmt::format("{}, with settings found by inkbench tune", base.name);
     info.summary = fmt::format("{}: {}", base.name, base.summary);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/method.h"
+#include "method/method.h"
 
 namespace ink::methods {
 
@@ -36,7 +36,7 @@ struct Preset {
 /// a setting that it does not have or does not accept.
 [[nodiscard]] Preset parse_preset(std::string_view text,
                                   const std::string& where,
-                                  const std::vector<MethodInfo>& bases);
+                                  const std::vector<method::MethodInfo>& bases);
 
 /// A row for the registry: the method of `preset` among `bases`, with the preset's settings as
 /// defaults.
@@ -44,6 +44,7 @@ struct Preset {
 /// The sweep has eight settings: the tuned ones, those lines of the method's own sweep that leave
 /// the tuned knobs alone, and steps of the tuned knobs to both sides, which show how sharp the
 /// optimum is.
-[[nodiscard]] MethodInfo preset_method(const Preset& preset, const std::vector<MethodInfo>& bases);
+[[nodiscard]] method::MethodInfo preset_method(const Preset& preset,
+                                               const std::vector<method::MethodInfo>& bases);
 
 }  // namespace ink::methods

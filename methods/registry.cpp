@@ -25,18 +25,18 @@
 namespace ink::methods {
 namespace {
 
-std::vector<MethodInfo> with_tuned(std::vector<MethodInfo> methods) {
-    std::vector<MethodInfo> tuned = tuned_methods(methods);
+std::vector<method::MethodInfo> with_tuned(std::vector<method::MethodInfo> methods) {
+    std::vector<method::MethodInfo> tuned = tuned_methods(methods);
     std::move(tuned.begin(), tuned.end(), std::back_inserter(methods));
     return methods;
 }
 
 }  // namespace
 
-const std::vector<MethodInfo>& registry() {
+const std::vector<method::MethodInfo>& registry() {
     // A static object of its own per method would register itself, and vanish with the object file
     // that nobody else refers to when this is linked from a static library. Hence a list.
-    static const std::vector<MethodInfo> methods = with_tuned({
+    static const std::vector<method::MethodInfo> methods = with_tuned({
         decaudin(),
         mote2(),
         mote4(),
@@ -57,13 +57,15 @@ const std::vector<MethodInfo>& registry() {
     return methods;
 }
 
-const MethodInfo& find_method(const std::string& name) {
+const method::MethodInfo& find_method(const std::string& name) {
     const auto& methods = registry();
-    const auto found = std::find_if(
-        methods.begin(), methods.end(), [&](const MethodInfo& info) { return info.name == name; });
+    const auto found =
+        std::find_if(methods.begin(), methods.end(), [&](const method::MethodInfo& info) {
+            return info.name == name;
+        });
     if (found != methods.end()) return *found;
     std::vector<std::string> names;
-    for (const MethodInfo& info : methods)
+    for (const method::MethodInfo& info : methods)
         names.push_back(info.name);
     throw core::Error(
         "methods", "there is no method '" + name + "'", core::known_names(names, name));

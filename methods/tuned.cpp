@@ -11,8 +11,8 @@ std::span<const ShippedPreset> shipped_presets() {
     return kShippedPresets;
 }
 
-std::vector<MethodInfo> tuned_methods(const std::vector<MethodInfo>& bases) {
-    std::vector<MethodInfo> methods;
+std::vector<method::MethodInfo> tuned_methods(const std::vector<method::MethodInfo>& bases) {
+    std::vector<method::MethodInfo> methods;
     for (const ShippedPreset& shipped : shipped_presets()) {
         const std::string name(shipped.name);
         const std::string where = "methods/" + name + "/" + name + ".toml";

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/method.h"
+#include "method/method.h"
 
 namespace ink::methods {
 
@@ -19,6 +19,7 @@ struct ShippedPreset {
 
 /// Their rows for the registry, made from the methods in `bases`. A shipped file that cannot be
 /// read is an Error at the program's first look at its registry, which the tests take.
-[[nodiscard]] std::vector<MethodInfo> tuned_methods(const std::vector<MethodInfo>& bases);
+[[nodiscard]] std::vector<method::MethodInfo> tuned_methods(
+    const std::vector<method::MethodInfo>& bases);
 
 }  // namespace ink::methods

@@ -22,7 +22,7 @@ from matplotlib.transforms import ScaledTranslation  # noqa: E402
 FOLDER = Path(os.environ.get("INKBENCH_FIGURES", "figures"))
 NARROW, WIDE = 3.4, 7.0  # inches: one column of a paper, both
 
-# As src/lab/palette.h has them (Okabe and Ito, Color Universal Design, 2008).
+# As src/draw/palette.h has them (Okabe and Ito, Color Universal Design, 2008).
 INK, FAINT, MIST = "#20242a", "#5b6470", "#cdd1d6"
 BLUE, VERMILION, GREEN = "#0072b2", "#d55e00", "#009e73"
 PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
@@ -36,7 +36,7 @@ CAUSE_COLOURS = {
     "missing_undeclared": "#d98a3a",
 }
 
-# As src/lab/method_looks.cpp has them, so that a method looks alike here and in the report; the
+# As src/report/method_looks.cpp has them, so that a method looks alike here and in the report; the
 # markers go by place.
 FAMILIES = {
     "packed": (BLUE, ["mote2", "mote4", "mote16", "auto", "canny"]),

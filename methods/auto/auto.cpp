@@ -31,8 +31,8 @@ std::vector<core::ParamValues> sweep() {
     };
 }
 
-PackParams pack_params(const Auto::Params& params) {
-    PackParams pack;
+buffers::PackParams pack_params(const Auto::Params& params) {
+    buffers::PackParams pack;
     pack.crease_deg = params.crease_deg;
     pack.interpolation = params.interpolation;
     pack.depth_format = params.depth_format;
@@ -93,8 +93,8 @@ Auto::Auto(const Params& params) : params_(params) {
 
 void Auto::replan(const scene::Scene& scene) {
     plan_ = make_plan(scene::make_ledger(scene, glm::radians(params_.crease_deg)), params_);
-    buffer_ =
-        std::make_unique<PackedBuffer>(plan_.applied_to(pack_params(params_)), plan_.layout());
+    buffer_ = std::make_unique<buffers::PackedBuffer>(plan_.applied_to(pack_params(params_)),
+                                                      plan_.layout());
     planned_hash_ = scene::scene_hash(scene);
 }
 
@@ -108,11 +108,11 @@ void Auto::pose(const scene::Scene& scene) {
     buffer_->pose(scene);
 }
 
-MethodInfo auto_method() {
-    MethodInfo info =
-        method_info<Auto>("auto",
-                          "new here; a code in MOTE's manner, planned for the scene",
-                          "one or two bytes of what the scene's ledger says can make a line");
+method::MethodInfo auto_method() {
+    method::MethodInfo info = method::method_info<Auto>(
+        "auto",
+        "new here; a code in MOTE's manner, planned for the scene",
+        "one or two bytes of what the scene's ledger says can make a line");
     info.sweep = sweep();
     return info;
 }

@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <memory>
 
+#include "buffers/packed_buffer.h"
 #include "methods/auto/auto_plan.h"
-#include "methods/packed_buffer.h"
 
 namespace ink::methods {
 
 /// A packed buffer whose code is planned from the scene's ledger: which channels, how many bytes,
 /// which step is a line. It leaves channels out, so its picture is its own.
-class Auto : public Method {
+class Auto : public method::Method {
   public:
     struct Params : PlanWishes {
         double crease_deg = 40;
@@ -27,26 +27,30 @@ class Auto : public Method {
     void prepare(const scene::Scene& scene) override;
     /// Plans anew if anything moved: where pieces stand is part of the plan.
     void pose(const scene::Scene& scene) override;
-    void draw(const Frame& frame, edge::EdgeImage& out) override { buffer_->draw(frame, out); }
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override {
+        buffer_->draw(frame, out);
+    }
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return buffer_->layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return buffer_->bytes_per_px(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return buffer_->skip_counts(); }
-    [[nodiscard]] Cost cost() const override { return buffer_->cost(); }
-    [[nodiscard]] std::optional<LinearCode> code() const override { return buffer_->code(); }
-    [[nodiscard]] std::vector<PlanLine> plan() const override { return plan_.lines; }
+    [[nodiscard]] method::Cost cost() const override { return buffer_->cost(); }
+    [[nodiscard]] std::optional<method::LinearCode> code() const override {
+        return buffer_->code();
+    }
+    [[nodiscard]] std::vector<method::PlanLine> plan() const override { return plan_.lines; }
 
   private:
     void replan(const scene::Scene& scene);
 
     Params params_;
     CodePlan plan_;
-    std::unique_ptr<PackedBuffer> buffer_;
+    std::unique_ptr<buffers::PackedBuffer> buffer_;
     std::uint64_t planned_hash_ = 0;
 };
 
 /// `auto` is a word of the language.
-[[nodiscard]] MethodInfo auto_method();
+[[nodiscard]] method::MethodInfo auto_method();
 
 }  // namespace ink::methods

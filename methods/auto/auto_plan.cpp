@@ -171,14 +171,14 @@ class Planner {
 
 }  // namespace
 
-CodeLayout CodePlan::layout() const {
+buffers::CodeLayout CodePlan::layout() const {
     const int bits = store == raster::Store::u8 ? 8 : 16;
     return {.store = store, .planes = 1, .fields = {{.ranges = ranges, .bits = bits}}};
 }
 
-PackParams CodePlan::applied_to(PackParams params) const {
+buffers::PackParams CodePlan::applied_to(buffers::PackParams params) const {
     params.depth_encoding = encoding;
-    params.depth_sign = DepthSign::far_high;
+    params.depth_sign = buffers::DepthSign::far_high;
     params.scale_bits = scale_bits;
     params.sky = store == raster::Store::u8 ? 255 : 65535;
     return params;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "methods/packed_buffer.h"
+#include "buffers/packed_buffer.h"
 #include "scene/ledger.h"
 
 namespace ink::methods {
@@ -25,15 +25,15 @@ inline constexpr int kPlannedStrength = 64;
 
 /// A code made to measure.
 struct CodePlan {
-    Ranges ranges;
+    buffers::Ranges ranges;
     raster::Store store = raster::Store::u16;
     raster::DepthEncoding encoding = raster::DepthEncoding::log;
     int scale_bits = 0;
-    std::vector<PlanLine> lines;  ///< what was chosen and why
+    std::vector<method::PlanLine> lines;  ///< what was chosen and why
 
-    [[nodiscard]] CodeLayout layout() const;
+    [[nodiscard]] buffers::CodeLayout layout() const;
     /// `params` with what follows from the plan: encoding, scale, and a sky farther than far.
-    [[nodiscard]] PackParams applied_to(PackParams params) const;
+    [[nodiscard]] buffers::PackParams applied_to(buffers::PackParams params) const;
 };
 
 /// Plans the code for a scene, from its ledger and the wishes alone. Any ledger has a plan.

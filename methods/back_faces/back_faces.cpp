@@ -3,7 +3,7 @@
 
 #include "methods/back_faces/back_faces.h"
 
-#include "methods/line_cost.h"
+#include "buffers/line_cost.h"
 
 namespace ink::methods {
 namespace {
@@ -62,7 +62,7 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
 BackFaces::BackFaces(const Params& params)
     : params_(params), scene_(params.edges), filled_lines_(params.depth_format) {}
 
-void BackFaces::draw(const Frame& frame, edge::EdgeImage& out) {
+void BackFaces::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     out.fill(0);
     if (scene_.is_empty() || out.is_empty()) return;
@@ -75,12 +75,12 @@ void BackFaces::draw(const Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = filled_lines_.draw(frame, scene_, fills, lines, out);
 }
 
-Cost BackFaces::cost() const {
-    return filled_lines_cost(filled_lines_.format());
+method::Cost BackFaces::cost() const {
+    return buffers::filled_lines_cost(filled_lines_.format());
 }
 
-MethodInfo back_faces() {
-    MethodInfo info = method_info<BackFaces>(
+method::MethodInfo back_faces() {
+    method::MethodInfo info = method::method_info<BackFaces>(
         "back_faces",
         "CoRgi, after Lander, Under the Shade of the Rendering Tree, Game Developer 2000",
         "back faces as thick wireframe, front faces filled over it; no adjacency");

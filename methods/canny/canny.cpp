@@ -9,8 +9,8 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "buffers/surface_values.h"
 #include "core/parallel.h"
-#include "methods/surface_values.h"
 
 namespace ink::methods {
 namespace {
@@ -47,9 +47,10 @@ class OpenCvThreads {
     int before_;
 };
 
-CodeLayout layout(const Canny::Params& params) {
-    const Field sum{.ranges = {.depth = params.range_depth,
-                               .normal = {params.range_nx, params.range_ny, params.range_nz}}};
+buffers::CodeLayout layout(const Canny::Params& params) {
+    const buffers::Field sum{
+        .ranges = {.depth = params.range_depth,
+                   .normal = {params.range_nx, params.range_ny, params.range_nz}}};
     return {.store = raster::Store::u8, .planes = 1, .fields = {sum}};
 }
 
@@ -105,7 +106,7 @@ core::ParamTable<Canny::Params> Canny::table() {
               "l2_gradient",
               "Measure the gradient by its length, else by the sum of its components' sizes.")
         .flag(&Params::blur, "blur", "Smooth the codes by a Gaussian of 5 x 5 px first.");
-    return add_input_params(table)
+    return buffers::add_input_params(table)
         .number(&Params::sky, "sky", range, "code", "What empty pixels hold.")
         .number(&Params::threshold,
                 "threshold",
@@ -116,20 +117,21 @@ core::ParamTable<Canny::Params> Canny::table() {
 
 Canny::Canny(const Params& params)
     : params_(params),
-      packer_(layout(params), params.depth_sign, Quantise::sum, raster::Overflow::saturate),
+      packer_(
+          layout(params), params.depth_sign, buffers::Quantise::sum, raster::Overflow::saturate),
       format_(pass_format(params)),
       inputs_(params) {}
 
 std::unique_ptr<raster::CornerValues> Canny::corner_values() const {
     if (params_.depth_encoding != raster::DepthEncoding::inverse)
-        return std::make_unique<CodeValues>(inputs_, packer_, params_.depth_encoding);
-    const Ranges& ranges = packer_.layout().fields.front().ranges;
+        return std::make_unique<buffers::CodeValues>(inputs_, packer_, params_.depth_encoding);
+    const buffers::Ranges& ranges = packer_.layout().fields.front().ranges;
     std::vector<raster::LinearValue> values = {
-        linear_code(inputs_.linear_channels(), ranges, params_.depth_sign)};
-    return std::make_unique<LinearValues>(std::move(values), false);
+        buffers::linear_code(inputs_.linear_channels(), ranges, params_.depth_sign)};
+    return std::make_unique<buffers::LinearValues>(std::move(values), false);
 }
 
-void Canny::draw(const Frame& frame, edge::EdgeImage& out) {
+void Canny::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (inputs_.is_empty() || out.is_empty()) return out.fill(0);
     if (codes_.width_px() != out.width_px() || codes_.height_px() != out.height_px())
@@ -157,35 +159,35 @@ int Canny::bytes_per_px() const {
     return format_.bytes_per_px() + 1;  // the whole picture of codes beside the tile's
 }
 
-Cost Canny::cost() const {
-    Cost cost;
+method::Cost Canny::cost() const {
+    method::Cost cost;
     cost.passes = 1;
     cost.interpolants = 1;
     cost.values_per_vertex = 1;
     cost.shares_vertices = params_.normals != scene::NormalSource::facet;
     cost.buffer_bytes_per_px = bytes_per_px();
-    cost.fill = fill_work(format_);
-    const PixelWork gather{1, 1, 0};
-    PixelWork blur;
+    cost.fill = method::fill_work(format_);
+    const method::PixelWork gather{1, 1, 0};
+    method::PixelWork blur;
     if (params_.blur) blur = {2, 2, 2 * (5 + 4)};  // two passes of five
     // Two separable derivatives of 16 bits, their sizes summed, kept; the largest along the
     // gradient, by a slope's comparison; two thresholds; edges followed: a map read and written.
     const double taps = kernel_px();
-    PixelWork gradient{1, 4 + 4, 2 * (2 * taps - 1) * 2 + 3};
+    method::PixelWork gradient{1, 4 + 4, 2 * (2 * taps - 1) * 2 + 3};
     if (params_.l2_gradient) gradient.operations += 1;
-    const PixelWork thin{4 + 4, 1, 4 + 2 + 2};
-    const PixelWork follow{1, 1, 2};
+    const method::PixelWork thin{4 + 4, 1, 4 + 2 + 2};
+    const method::PixelWork follow{1, 1, 2};
     cost.filter = gather + blur + gradient + thin + follow;
     return cost;
 }
 
 /// The codes are those of a draw, which keeps them for the operator.
-std::vector<Layer> Canny::layers(const Frame& frame) {
+std::vector<method::Layer> Canny::layers(const method::Frame& frame) {
     const raster::SkipCounts counts = skip_counts_;
     edge::EdgeImage lines(frame.view.width_px, frame.view.height_px);
     draw(frame, lines);
     skip_counts_ = counts;
-    Layer layer{"packed", {lines.width_px(), lines.height_px()}};
+    method::Layer layer{"packed", {lines.width_px(), lines.height_px()}};
     if (!inputs_.is_empty() && !lines.is_empty()) {
         std::transform(
             codes_.data(), codes_.data() + codes_.size(), layer.rgb.data(), [](std::uint8_t code) {
@@ -195,10 +197,11 @@ std::vector<Layer> Canny::layers(const Frame& frame) {
     return {std::move(layer)};
 }
 
-MethodInfo canny() {
-    MethodInfo info = method_info<Canny>("canny",
-                                         "Canny 1986, as OpenCV has it, on the buffer of mote4",
-                                         "OpenCV's Canny on depth and normal summed in one byte");
+method::MethodInfo canny() {
+    method::MethodInfo info =
+        method::method_info<Canny>("canny",
+                                   "Canny 1986, as OpenCV has it, on the buffer of mote4",
+                                   "OpenCV's Canny on depth and normal summed in one byte");
     info.sweep = sweep();
     return info;
 }

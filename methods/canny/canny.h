@@ -1,18 +1,18 @@
 #pragma once
 
-#include "methods/code_layout.h"
-#include "methods/method.h"
-#include "methods/surface_inputs.h"
+#include "buffers/code_layout.h"
+#include "buffers/surface_inputs.h"
+#include "method/method.h"
 
 namespace ink::methods {
 
 /// OpenCV's Canny detector over a byte of depth and normal summed: the textbook's edges of the
 /// packed picture.
-class Canny : public Method {
+class Canny : public method::Method {
   public:
     /// Side of the Sobel kernels.
     enum class Aperture { three, five, seven };
-    struct Params : InputParams {
+    struct Params : buffers::InputParams {
         double range_depth = 63;
         double range_nx = 63;
         double range_ny = 63;
@@ -32,11 +32,11 @@ class Canny : public Method {
 
     void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `packed`: the codes, black to white.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override;
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
     [[nodiscard]] int bytes_per_px() const override;
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
@@ -44,14 +44,14 @@ class Canny : public Method {
     [[nodiscard]] int kernel_px() const { return 3 + 2 * static_cast<int>(params_.aperture); }
 
     Params params_;
-    Packer packer_;
+    buffers::Packer packer_;
     raster::PassFormat format_;
-    SurfaceInputs inputs_;
+    buffers::SurfaceInputs inputs_;
     raster::MeshPass pass_;
     core::Image<std::uint8_t> codes_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo canny();
+[[nodiscard]] method::MethodInfo canny();
 
 }  // namespace ink::methods

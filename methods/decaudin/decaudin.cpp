@@ -4,14 +4,16 @@
 
 #include <array>
 
-#include "methods/packed_sink.h"
+#include "buffers/packed_sink.h"
 
 namespace ink::methods {
 namespace {
 
 class DecaudinSink : public raster::TileSink {
   public:
-    DecaudinSink(const Decaudin::Params& params, const DepthCarrier& carrier, edge::EdgeImage& out)
+    DecaudinSink(const Decaudin::Params& params,
+                 const method::DepthCarrier& carrier,
+                 edge::EdgeImage& out)
         : params_(params), carrier_(carrier), out_(out) {}
 
     void finish(const raster::Tile& tile) override;
@@ -20,7 +22,7 @@ class DecaudinSink : public raster::TileSink {
     [[nodiscard]] edge::DecaudinJoin join() const;
 
     const Decaudin::Params& params_;
-    const DepthCarrier& carrier_;
+    const method::DepthCarrier& carrier_;
     edge::EdgeImage& out_;
 };
 
@@ -37,13 +39,13 @@ edge::DecaudinJoin DecaudinSink::join() const {
 }
 
 void DecaudinSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return clear_tile(tile, out_);
-    TileFloats depth_buffer;
-    std::array<TileFloats, 3> normal_buffers;
-    const TilePlane depth = encoded_depth(
+    if (tile.is_empty) return buffers::clear_tile(tile, out_);
+    buffers::TileFloats depth_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    const buffers::TilePlane depth = buffers::encoded_depth(
         tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
-    const std::array<TilePlane, 3> normals =
-        view_normals(tile, params_.renormalise, normal_buffers);
+    const std::array<buffers::TilePlane, 3> normals =
+        buffers::view_normals(tile, params_.renormalise, normal_buffers);
     const edge::DecaudinK k_depth{static_cast<float>(params_.k_depth), params_.k_place};
     const edge::DecaudinK k_normal{static_cast<float>(params_.k_normal), params_.k_place};
     const std::array<edge::DecaudinChannel, 4> channels = {
@@ -109,7 +111,7 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
                 "k inside the square, (d/k)^2, or outside, d^2/k.")
         .choice(
             &Params::join, "join", {"max", "or", "length"}, "How the four channels' p become one.");
-    return add_input_params(table)
+    return buffers::add_input_params(table)
         .number(&Params::sky,
                 "sky",
                 {-1, 1},
@@ -124,16 +126,16 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
 
 Decaudin::Decaudin(const Params& params) : params_(params), buffers_(params, 2) {}
 
-void Decaudin::draw(const Frame& frame, edge::EdgeImage& out) {
+void Decaudin::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (buffers_.is_empty()) return out.fill(0);
-    const DepthCarrier carrier = buffers_.see(frame);
+    const method::DepthCarrier carrier = buffers_.see(frame);
     DecaudinSink sink(params_, carrier, out);
     skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
 }
 
-MethodInfo decaudin() {
-    MethodInfo info = method_info<Decaudin>(
+method::MethodInfo decaudin() {
+    method::MethodInfo info = method::method_info<Decaudin>(
         "decaudin",
         "Decaudin, Cartoon-looking rendering of 3D-scenes, INRIA RR-2919, 1996",
         "two nonlinear operators over full depth and normal buffers: the reference");

@@ -2,21 +2,21 @@
 
 #include <vector>
 
+#include "buffers/full_buffers.h"
 #include "edge/decaudin_filter.h"
-#include "methods/full_buffers.h"
-#include "methods/method.h"
+#include "method/method.h"
 
 namespace ink::methods {
 
 /// Decaudin's outlines from full depth and normal buffers: the reference of the seeds' line.
-class Decaudin : public Method {
+class Decaudin : public method::Method {
   public:
     enum class Join {
         max,     ///< the largest p
         either,  ///< 1 - prod(1 - p): the soft "or"
         length,  ///< the length of the vector of p, at most 1
     };
-    struct Params : InputParams {
+    struct Params : buffers::InputParams {
         double k_depth = 0.02;
         double k_normal = 0.25;
         edge::KPlace k_place = edge::KPlace::inside;
@@ -31,21 +31,21 @@ class Decaudin : public Method {
 
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return buffers_.layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    FullBuffers buffers_;
+    buffers::FullBuffers buffers_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo decaudin();
+[[nodiscard]] method::MethodInfo decaudin();
 
 }  // namespace ink::methods

@@ -10,11 +10,11 @@ constexpr double kFloat_bytes = sizeof(float);
 
 /// g of one channel: eight differences and their sizes, corners and sides summed, sides doubled,
 /// both added, over 8. p looks at g's neighbours, so g is a picture of its own.
-constexpr PixelWork kG{kFloat_bytes, kFloat_bytes, 8 + 8 + 3 + 3 + 1 + 1 + 1};
+constexpr method::PixelWork kG{kFloat_bytes, kFloat_bytes, 8 + 8 + 3 + 3 + 1 + 1 + 1};
 
 /// p of one channel: the extremes of a column serve three pixels (two comparisons each), those of
 /// three columns are two more each; difference, over k, squared, at most 1.
-constexpr PixelWork kP{kFloat_bytes, 0, 2 * (2 + 2) + 1 + 1 + 1 + 1};
+constexpr method::PixelWork kP{kFloat_bytes, 0, 2 * (2 + 2) + 1 + 1 + 1 + 1};
 
 double join_operations(Decaudin::Join join) {
     switch (join) {
@@ -30,18 +30,18 @@ double join_operations(Decaudin::Join join) {
 
 }  // namespace
 
-Cost Decaudin::cost() const {
-    Cost cost = buffers_.cost();
-    PixelWork depth = encode_work(params_.depth_encoding, params_.interpolation);
-    if (params_.depth_sign == DepthSign::far_high) depth.operations += 1;
-    if (depth.operations > 0) depth = depth + PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    PixelWork normals;
+method::Cost Decaudin::cost() const {
+    method::Cost cost = buffers_.cost();
+    method::PixelWork depth = method::encode_work(params_.depth_encoding, params_.interpolation);
+    if (params_.depth_sign == buffers::DepthSign::far_high) depth.operations += 1;
+    if (depth.operations > 0) depth = depth + method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    method::PixelWork normals;
     if (params_.renormalise) {
-        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
+        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
     }
-    const PixelWork join{0, 0, join_operations(params_.join)};
-    PixelWork write{0, 1, 4};  // at most 1, times 255, plus a half, to a byte
-    if (params_.join == Join::length) write.operations += kSlowOperations;
+    const method::PixelWork join{0, 0, join_operations(params_.join)};
+    method::PixelWork write{0, 1, 4};  // at most 1, times 255, plus a half, to a byte
+    if (params_.join == Join::length) write.operations += method::kSlowOperations;
     cost.filter = depth + normals + kChannels * (kG + kP + join) + write;
     return cost;
 }

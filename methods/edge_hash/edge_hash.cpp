@@ -17,18 +17,20 @@ constexpr glm::u8vec3 kPaper{240, 240, 240};
 constexpr glm::u8vec3 kSurface{150, 150, 150};
 
 struct KindColor {
-    EdgeKind kind;
+    buffers::EdgeKind kind;
     glm::u8vec3 color;
 };
 
 /// In the order in which they are drawn: what is wrong with a model lies on top.
-constexpr std::array<KindColor, 3> kKindColors = {{{EdgeKind::crease, {255, 255, 255}},
-                                                   {EdgeKind::contour, {0, 0, 0}},
-                                                   {EdgeKind::lone, {255, 0, 0}}}};
+constexpr std::array<KindColor, 3> kKindColors = {{{buffers::EdgeKind::crease, {255, 255, 255}},
+                                                   {buffers::EdgeKind::contour, {0, 0, 0}},
+                                                   {buffers::EdgeKind::lone, {255, 0, 0}}}};
 
-std::size_t count_of(const std::vector<KnownEdge>& edges, EdgeKind kind) {
-    return static_cast<std::size_t>(std::count_if(
-        edges.begin(), edges.end(), [&](const KnownEdge& edge) { return edge.kind == kind; }));
+std::size_t count_of(const std::vector<buffers::KnownEdge>& edges, buffers::EdgeKind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(edges.begin(), edges.end(), [&](const buffers::KnownEdge& edge) {
+            return edge.kind == kind;
+        }));
 }
 
 /// From the fastest to the most exact, the method as it comes among them.
@@ -79,7 +81,7 @@ core::ParamTable<EdgeHash::Params> EdgeHash::table() {
             "lone_edges",
             {"silhouette", "crease", "none"},
             "Whether an edge of one face is drawn as a silhouette, as a crease, or not at all.");
-    return add_hidden_line_params(table).number(
+    return buffers::add_hidden_line_params(table).number(
         &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
 }
 
@@ -122,7 +124,7 @@ double EdgeHash::lone_width_px() const {
     return 0;
 }
 
-void EdgeHash::draw(const Frame& frame, edge::EdgeImage& out) {
+void EdgeHash::draw(const method::Frame& frame, edge::EdgeImage& out) {
     out.fill(0);
     if (hidden_.is_empty()) return;
     hidden_.fill(frame);
@@ -134,25 +136,25 @@ void EdgeHash::draw(const Frame& frame, edge::EdgeImage& out) {
                  out);
 }
 
-DebugPicture EdgeHash::debug_picture(const Frame& frame) {
+DebugPicture EdgeHash::debug_picture(const method::Frame& frame) {
     const int width_px = frame.view.width_px;
     const int height_px = frame.view.height_px;
     DebugPicture picture{core::Image<glm::u8vec3>(width_px, height_px, kPaper), {}};
     if (hidden_.is_empty()) return picture;
     const auto edges = models_.lines(eye_of(frame.view.camera));
-    picture.counts = {.silhouettes = count_of(edges, EdgeKind::contour),
-                      .creases = count_of(edges, EdgeKind::crease),
-                      .lone = count_of(edges, EdgeKind::lone),
+    picture.counts = {.silhouettes = count_of(edges, buffers::EdgeKind::contour),
+                      .creases = count_of(edges, buffers::EdgeKind::crease),
+                      .lone = count_of(edges, buffers::EdgeKind::lone),
                       .models = models_.totals()};
     hidden_.fill(frame);
     for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
         if (hidden_.depth().bits().data()[i] > 0) picture.rgb.data()[i] = kSurface;
     }
     for (const auto& [kind, color] : kKindColors) {
-        KindWidths widths;
-        if (kind == EdgeKind::crease) widths.crease_px = params_.width_crease_px;
-        if (kind == EdgeKind::contour) widths.contour_px = params_.width_contour_px;
-        if (kind == EdgeKind::lone) widths.lone_px = params_.width_contour_px;
+        buffers::KindWidths widths;
+        if (kind == buffers::EdgeKind::crease) widths.crease_px = params_.width_crease_px;
+        if (kind == buffers::EdgeKind::contour) widths.contour_px = params_.width_contour_px;
+        if (kind == buffers::EdgeKind::lone) widths.lone_px = params_.width_contour_px;
         edge::EdgeImage lines(width_px, height_px);
         hidden_.draw(frame, edges, widths, lines);
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -162,7 +164,7 @@ DebugPicture EdgeHash::debug_picture(const Frame& frame) {
     return picture;
 }
 
-std::vector<Layer> EdgeHash::layers(const Frame& frame) {
+std::vector<method::Layer> EdgeHash::layers(const method::Frame& frame) {
     DebugPicture picture = debug_picture(frame);
     const EdgeCounts& counts = picture.counts;
     return {{"edges",
@@ -178,8 +180,8 @@ std::vector<Layer> EdgeHash::layers(const Frame& frame) {
                          counts.models.duplicate)}};
 }
 
-MethodInfo edge_hash() {
-    MethodInfo info = method_info<EdgeHash>(
+method::MethodInfo edge_hash() {
+    method::MethodInfo info = method::method_info<EdgeHash>(
         "edge_hash",
         "TechnicalQuake, a project of technical illustration in Quake, about 2004",
         "edges found in polygon soup through a hash of model, frame and edge; cached");

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "buffers/hidden_lines.h"
 #include "core/image.h"
+#include "method/method.h"
 #include "methods/edge_hash/soup_models.h"
-#include "methods/hidden_lines.h"
-#include "methods/method.h"
 
 namespace ink::methods {
 
@@ -25,7 +25,7 @@ struct DebugPicture {
 
 /// TechnicalQuake's outlines: adjacency rebuilt from loose polygons into a hash of model, frame and
 /// edge, kept from frame to frame.
-class EdgeHash : public Method {
+class EdgeHash : public method::Method {
   public:
     /// Where the eye stands that silhouettes are found for.
     enum class Eye {
@@ -34,7 +34,7 @@ class EdgeHash : public Method {
     };
     /// How an edge of one face is drawn.
     enum class LoneEdges { silhouette, crease, none };
-    struct Params : HiddenLineParams {
+    struct Params : buffers::HiddenLineParams {
         ModelScope scope = ModelScope::object;
         double epsilon = 1e-5;
         int cached_frames = 1024;
@@ -49,16 +49,16 @@ class EdgeHash : public Method {
     void prepare(const scene::Scene& scene) override;
     /// Finds the edges of frames that are new, and finds those again that are not.
     void pose(const scene::Scene& scene) override;
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `edges`: the debug_picture, its counts in the note.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override;
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
     [[nodiscard]] int bytes_per_px() const override { return hidden_.bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override { return hidden_.cost(); }
+    [[nodiscard]] method::Cost cost() const override { return hidden_.cost(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return hidden_.skip_counts(); }
 
     /// The frame in colours, its lines as wide as draw() has them, lone edges always drawn; with
     /// the counts of the edges behind it. Surfaces are grey, paper is lighter.
-    [[nodiscard]] DebugPicture debug_picture(const Frame& frame);
+    [[nodiscard]] DebugPicture debug_picture(const method::Frame& frame);
 
     /// What pose() built and what it found since prepare().
     [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return models_.cache_counts(); }
@@ -69,11 +69,11 @@ class EdgeHash : public Method {
 
     Params params_;
     SoupModels models_;
-    HiddenLines hidden_;
+    buffers::HiddenLines hidden_;
     std::optional<glm::dvec3> eye_world_;     ///< of the last draw
     std::optional<glm::dvec3> before_world_;  ///< of the last one that stood elsewhere
 };
 
-[[nodiscard]] MethodInfo edge_hash();
+[[nodiscard]] method::MethodInfo edge_hash();
 
 }  // namespace ink::methods

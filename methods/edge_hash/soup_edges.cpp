@@ -4,8 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "buffers/vertex_weld.h"
 #include "core/hash.h"
-#include "methods/vertex_weld.h"
 
 namespace ink::methods {
 namespace {
@@ -62,8 +62,10 @@ void list_faces(const std::vector<std::uint32_t>& edge_of, SoupEdges& soup) {
 }  // namespace
 
 SoupEdges find_edges(const Soup& soup, double epsilon) {
-    VertexWeld weld = weld_vertices(soup.points, epsilon * diagonal_of(soup.points));
-    WeldedFaces welded = weld_faces(weld, soup.points, soup.triangles, DoubleFaces::drop);
+    buffers::VertexWeld weld =
+        buffers::weld_vertices(soup.points, epsilon * buffers::diagonal_of(soup.points));
+    buffers::WeldedFaces welded =
+        buffers::weld_faces(weld, soup.points, soup.triangles, buffers::DoubleFaces::drop);
 
     SoupEdges found;
     found.vertex_of = std::move(weld.first_of);

@@ -113,13 +113,13 @@ void SoupModels::pose(const scene::Scene& scene) {
     }
 }
 
-EdgeKind SoupModels::kind_of(const Placed& placed,
-                             std::size_t edge_index,
-                             const std::vector<std::int8_t>& facings,
-                             const glm::dvec3& eye_world) const {
+buffers::EdgeKind SoupModels::kind_of(const Placed& placed,
+                                      std::size_t edge_index,
+                                      const std::vector<std::int8_t>& facings,
+                                      const glm::dvec3& eye_world) const {
     const SoupEdge& edge = placed.soup->edges[edge_index];
     const auto faces = placed.soup->faces_of(edge);
-    if (faces.size() == 1) return EdgeKind::lone;
+    if (faces.size() == 1) return buffers::EdgeKind::lone;
     // A face that the eye sees from the front lies on the left of a side that runs through it
     // forwards; one that is edge-on lies on neither side.
     Nearest left(placed.p_world, edge, eye_world), right = left;
@@ -128,15 +128,15 @@ EdgeKind SoupModels::kind_of(const Placed& placed,
         if (side > 0) left.offer(face);
         if (side < 0) right.offer(face);
     }
-    if (left.face() == nullptr && right.face() == nullptr) return EdgeKind::none;
-    if (left.face() == nullptr || right.face() == nullptr) return EdgeKind::contour;
+    if (left.face() == nullptr && right.face() == nullptr) return buffers::EdgeKind::none;
+    if (left.face() == nullptr || right.face() == nullptr) return buffers::EdgeKind::contour;
     const bool is_crease = faces.size() == 2 ? placed.is_crease[edge_index] != 0
                                              : bends(placed, edge, *left.face(), *right.face());
-    return is_crease ? EdgeKind::crease : EdgeKind::none;
+    return is_crease ? buffers::EdgeKind::crease : buffers::EdgeKind::none;
 }
 
-std::vector<KnownEdge> SoupModels::lines(const glm::dvec3& eye_world) const {
-    std::vector<KnownEdge> lines;
+std::vector<buffers::KnownEdge> SoupModels::lines(const glm::dvec3& eye_world) const {
+    std::vector<buffers::KnownEdge> lines;
     std::vector<std::int8_t> facings;
     for (const Placed& placed : placed_) {
         const auto& p = placed.p_world;
@@ -144,9 +144,9 @@ std::vector<KnownEdge> SoupModels::lines(const glm::dvec3& eye_world) const {
         for (const auto& [a, b, c] : placed.soup->faces)
             facings.push_back(static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world)));
         for (std::size_t e = 0; e < placed.soup->edges.size(); ++e) {
-            const EdgeKind kind = kind_of(placed, e, facings, eye_world);
+            const buffers::EdgeKind kind = kind_of(placed, e, facings, eye_world);
             const SoupEdge& edge = placed.soup->edges[e];
-            if (kind != EdgeKind::none) lines.push_back({p[edge.a], p[edge.b], kind});
+            if (kind != buffers::EdgeKind::none) lines.push_back({p[edge.a], p[edge.b], kind});
         }
     }
     return lines;

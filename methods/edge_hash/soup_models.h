@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "buffers/known_edge.h"
 #include "methods/edge_hash/edge_cache.h"
-#include "methods/known_edge.h"
 #include "scene/scene.h"
 
 namespace ink::methods {
@@ -48,7 +48,7 @@ class SoupModels {
     void pose(const scene::Scene& scene);
 
     /// The edges that are a line for an eye at `eye_world`, in no order that matters.
-    [[nodiscard]] std::vector<KnownEdge> lines(const glm::dvec3& eye_world) const;
+    [[nodiscard]] std::vector<buffers::KnownEdge> lines(const glm::dvec3& eye_world) const;
 
     [[nodiscard]] const EdgeCacheCounts& cache_counts() const { return cache_.counts(); }
     [[nodiscard]] SoupTotals totals() const;
@@ -68,10 +68,10 @@ class SoupModels {
                              const SoupEdge& edge,
                              const EdgeFace& face0,
                              const EdgeFace& face1) const;
-    [[nodiscard]] EdgeKind kind_of(const Placed& placed,
-                                   std::size_t edge,
-                                   const std::vector<std::int8_t>& facings,
-                                   const glm::dvec3& eye_world) const;
+    [[nodiscard]] buffers::EdgeKind kind_of(const Placed& placed,
+                                            std::size_t edge,
+                                            const std::vector<std::int8_t>& facings,
+                                            const glm::dvec3& eye_world) const;
 
     Options options_;
     EdgeCache cache_;

@@ -65,7 +65,7 @@ core::ParamTable<EdgeList::Params> EdgeList::table() {
                 "lone_edges",
                 {"thick", "thin", "none"},
                 "How an edge of one face is drawn; the source had none.");
-    return add_hidden_line_params(table).number(
+    return buffers::add_hidden_line_params(table).number(
         &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
 }
 
@@ -84,7 +84,7 @@ void EdgeList::pose(const scene::Scene& scene) {
     hidden_.pose(scene);
 }
 
-void EdgeList::draw(const Frame& frame, edge::EdgeImage& out) {
+void EdgeList::draw(const method::Frame& frame, edge::EdgeImage& out) {
     out.fill(0);
     if (hidden_.is_empty()) return;
     hidden_.fill(frame);
@@ -96,8 +96,8 @@ void EdgeList::draw(const Frame& frame, edge::EdgeImage& out) {
                  out);
 }
 
-MethodInfo edge_list() {
-    MethodInfo info = method_info<EdgeList>(
+method::MethodInfo edge_list() {
+    method::MethodInfo info = method::method_info<EdgeList>(
         "edge_list",
         "CoRgi's comic renderer, a master's project, about 2000",
         "a list of edges; contours thick, creases thin, hidden by the depth buffer");

@@ -1,17 +1,17 @@
 #pragma once
 
+#include "buffers/hidden_lines.h"
+#include "method/method.h"
 #include "methods/edge_list/listed_models.h"
-#include "methods/hidden_lines.h"
-#include "methods/method.h"
 
 namespace ink::methods {
 
 /// CoRgi's outlines: a list of edges, each drawn thick or thin by what its two faces do.
-class EdgeList : public Method {
+class EdgeList : public method::Method {
   public:
     /// How an edge of one face is drawn; the source's lists had none.
     enum class LoneEdges { thick, thin, none };
-    struct Params : HiddenLineParams {
+    struct Params : buffers::HiddenLineParams {
         EdgeBuilder builder = EdgeBuilder::hash;
         EdgeScope scope = EdgeScope::object;
         FacingRule facing = FacingRule::position;
@@ -25,17 +25,17 @@ class EdgeList : public Method {
 
     void prepare(const scene::Scene& scene) override;
     void pose(const scene::Scene& scene) override;
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override { return hidden_.bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override { return hidden_.cost(); }
+    [[nodiscard]] method::Cost cost() const override { return hidden_.cost(); }
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return hidden_.skip_counts(); }
 
   private:
     Params params_;
     ListedModels models_;
-    HiddenLines hidden_;
+    buffers::HiddenLines hidden_;
 };
 
-[[nodiscard]] MethodInfo edge_list();
+[[nodiscard]] method::MethodInfo edge_list();
 
 }  // namespace ink::methods

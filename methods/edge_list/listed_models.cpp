@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "buffers/vertex_weld.h"
 #include "core/error.h"
-#include "methods/vertex_weld.h"
 #include "scene/predicates.h"
 #include "scene/surface.h"
 
@@ -29,11 +29,11 @@ std::int8_t sign(double value) {
     return static_cast<std::int8_t>((value > 0) - (value < 0));
 }
 
-EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule edge_on) {
+buffers::EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule edge_on) {
     const bool is_contour = facing0 * facing1 < 0 ||
                             (edge_on == EdgeOnRule::include && (facing0 == 0) != (facing1 == 0));
-    if (is_contour) return EdgeKind::contour;
-    return is_crease ? EdgeKind::crease : EdgeKind::none;
+    if (is_contour) return buffers::EdgeKind::contour;
+    return is_crease ? buffers::EdgeKind::crease : buffers::EdgeKind::none;
 }
 
 }  // namespace
@@ -43,8 +43,8 @@ std::shared_ptr<const ListedModels::List> ListedModels::make_list(
     const std::vector<glm::dvec3>& points,
     const std::vector<scene::Triangle>& triangles) {
     auto list = std::make_shared<List>();
-    const VertexWeld weld = weld_vertices(points, 0);
-    list->faces = weld_faces(weld, points, triangles, DoubleFaces::keep).faces;
+    const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
+    list->faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
     check_size(builder_, list->faces.size());
     EdgeListing listing = list_edges(list->faces, builder_);
     list->edges = std::move(listing.edges);
@@ -138,25 +138,25 @@ void ListedModels::pose(const scene::Scene& scene) {
 void ListedModels::append_lines(const Placed& placed,
                                 const std::vector<std::int8_t>& facings,
                                 EdgeOnRule edge_on,
-                                std::vector<KnownEdge>& lines) {
+                                std::vector<buffers::KnownEdge>& lines) {
     const auto& edges = placed.list->edges;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const ListedEdge& edge = edges[e];
-        const EdgeKind kind = edge.is_lone() ? EdgeKind::lone
-                                             : kind_of(facings[edge.faces[0]],
-                                                       facings[edge.faces[1]],
-                                                       placed.is_crease[e] != 0,
-                                                       edge_on);
-        if (kind != EdgeKind::none)
+        const buffers::EdgeKind kind = edge.is_lone() ? buffers::EdgeKind::lone
+                                                      : kind_of(facings[edge.faces[0]],
+                                                                facings[edge.faces[1]],
+                                                                placed.is_crease[e] != 0,
+                                                                edge_on);
+        if (kind != buffers::EdgeKind::none)
             lines.push_back({placed.p_world[edge.a], placed.p_world[edge.b], kind});
     }
 }
 
-std::vector<KnownEdge> ListedModels::lines(const scene::Camera& camera,
-                                           FacingRule facing,
-                                           EdgeOnRule edge_on) const {
+std::vector<buffers::KnownEdge> ListedModels::lines(const scene::Camera& camera,
+                                                    FacingRule facing,
+                                                    EdgeOnRule edge_on) const {
     const glm::dvec3 back_world = glm::transpose(camera.view_from_world)[2];
-    std::vector<KnownEdge> lines;
+    std::vector<buffers::KnownEdge> lines;
     std::vector<std::int8_t> facings;
     for (const Placed& placed : placed_) {
         facings.clear();

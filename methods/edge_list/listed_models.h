@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "buffers/known_edge.h"
 #include "methods/edge_list/edge_builders.h"
-#include "methods/known_edge.h"
 #include "scene/scene.h"
 
 namespace ink::methods {
@@ -41,9 +41,9 @@ class ListedModels {
     void pose(const scene::Scene& scene);
 
     /// The edges that are a line from this camera, in no order that matters.
-    [[nodiscard]] std::vector<KnownEdge> lines(const scene::Camera& camera,
-                                               FacingRule facing,
-                                               EdgeOnRule edge_on) const;
+    [[nodiscard]] std::vector<buffers::KnownEdge> lines(const scene::Camera& camera,
+                                                        FacingRule facing,
+                                                        EdgeOnRule edge_on) const;
 
     /// What the builder did, over all lists.
     [[nodiscard]] const BuildCounts& counts() const { return counts_; }
@@ -79,7 +79,7 @@ class ListedModels {
     static void append_lines(const Placed& placed,
                              const std::vector<std::int8_t>& facings,
                              EdgeOnRule edge_on,
-                             std::vector<KnownEdge>& lines);
+                             std::vector<buffers::KnownEdge>& lines);
 
     EdgeScope scope_;
     EdgeBuilder builder_;

@@ -1,6 +1,6 @@
 #include "methods/ids/ids.h"
 
-#include "methods/packed_sink.h"
+#include "buffers/packed_sink.h"
 
 namespace ink::methods {
 namespace {
@@ -34,7 +34,7 @@ class IdSink : public raster::TileSink {
     IdSink(const Ids::Params& params, edge::EdgeImage& out) : params_(params), out_(out) {}
 
     void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return clear_tile(tile, out_);
+        if (tile.is_empty) return buffers::clear_tile(tile, out_);
         if (params_.depth_format == raster::DepthFormat::q32) return finish_as<float>(tile);
         finish_as<std::uint32_t>(tile);
     }
@@ -87,7 +87,7 @@ std::vector<core::ParamValues> sweep() {
 
 core::ParamTable<Ids::Params> Ids::table() {
     core::ParamTable<Params> table;
-    return add_id_params(table)
+    return buffers::add_id_params(table)
         .choice(&Params::side,
                 "side",
                 {"nearer", "both"},
@@ -105,7 +105,7 @@ core::ParamTable<Ids::Params> Ids::table() {
 
 Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}
 
-void Ids::draw(const Frame& frame, edge::EdgeImage& out) {
+void Ids::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (ids_.is_empty()) return out.fill(0);
     IdSink sink(params_, out);
@@ -114,16 +114,16 @@ void Ids::draw(const Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = result.skips;
 }
 
-Cost Ids::cost() const {
-    Cost cost = ids_.cost();
+method::Cost Ids::cost() const {
+    method::Cost cost = ids_.cost();
     // Four comparisons, joined; on a border's side four more of depth, which few pixels reach.
     cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
     if (params_.side == Side::nearer) cost.filter.bytes_read += 4;
     return cost;
 }
 
-MethodInfo ids() {
-    MethodInfo info = method_info<Ids>(
+method::MethodInfo ids() {
+    method::MethodInfo info = method::method_info<Ids>(
         "ids",
         "item buffers: Weghorst, Hooper and Greenberg 1984; borders of ids as engines draw them",
         "a line wherever neighbours belong to other objects or smooth patches");

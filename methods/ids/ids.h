@@ -1,17 +1,17 @@
 #pragma once
 
-#include "methods/id_pass.h"
+#include "buffers/id_pass.h"
 
 namespace ink::methods {
 
 /// Borders between ids of objects, patches or triangles: a line wherever two neighbours differ.
-class Ids : public Method {
+class Ids : public method::Method {
   public:
     enum class Side {
         nearer,  ///< one pixel wide, on the surface that is in front
         both,    ///< two: each pixel that has another id beside it
     };
-    struct Params : IdParams {
+    struct Params : buffers::IdParams {
         Side side = Side::nearer;
         int threshold = 128;  ///< it draws 0 and 255 alone
     };
@@ -21,21 +21,21 @@ class Ids : public Method {
 
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `ids`, see IdPass.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return {ids_.layer(frame)};
     }
     [[nodiscard]] int bytes_per_px() const override { return ids_.format().bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    IdPass ids_;
+    buffers::IdPass ids_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo ids();
+[[nodiscard]] method::MethodInfo ids();
 
 }  // namespace ink::methods

@@ -112,7 +112,7 @@ void InvertedHull::pose(const scene::Scene& scene) {
 }
 
 /// Moves the hull's vertices for this view.
-void InvertedHull::grow(const Frame& frame) {
+void InvertedHull::grow(const method::Frame& frame) {
     constexpr std::size_t kRun = 8192;
     const std::size_t count = surface_.p_world.size();
     const scene::Projection projection(frame.view);
@@ -134,7 +134,7 @@ void InvertedHull::grow(const Frame& frame) {
     hull_mesh_.update(hull_);
 }
 
-raster::MeshInput InvertedHull::mesh_input(const Frame& frame) const {
+raster::MeshInput InvertedHull::mesh_input(const method::Frame& frame) const {
     raster::MeshInput input;
     input.view = frame.view;
     input.threads = frame.threads;
@@ -142,7 +142,7 @@ raster::MeshInput InvertedHull::mesh_input(const Frame& frame) const {
     return input;
 }
 
-void InvertedHull::draw(const Frame& frame, edge::EdgeImage& out) {
+void InvertedHull::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (out.is_empty()) return;
     if (surface_.triangles.empty()) return out.fill(0);
@@ -173,21 +173,21 @@ int InvertedHull::bytes_per_px() const {
     return 2 * format_.bytes_per_px();  // the fronts' depth and the hull's
 }
 
-Cost InvertedHull::cost() const {
-    Cost cost;
+method::Cost InvertedHull::cost() const {
+    method::Cost cost;
     cost.passes = 2;
     cost.values_per_vertex = params_.space == Space::screen ? 3 : 0;  // the grown position
     cost.shares_vertices = params_.crease_deg > 0;
     cost.buffer_bytes_per_px = bytes_per_px();
-    cost.fill = fill_work(format_);
+    cost.fill = method::fill_work(format_);
     // The fronts' depth is written to the frame and read again beside the hull's: one comparison.
     const double depth_bytes = format_.bytes_per_px();
     cost.filter = {3 * depth_bytes, depth_bytes + 1, 1};
     return cost;
 }
 
-MethodInfo inverted_hull() {
-    MethodInfo info = method_info<InvertedHull>(
+method::MethodInfo inverted_hull() {
+    method::MethodInfo info = method::method_info<InvertedHull>(
         "inverted_hull",
         "Rossignac and van Emmerik 1992, Raskar and Cohen 1999; as engines do it today",
         "back faces moved out along their normals, black; front faces over them");

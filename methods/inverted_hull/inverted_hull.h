@@ -2,15 +2,15 @@
 
 #include <memory>
 
-#include "methods/method.h"
-#include "raster/depth_image.h"
-#include "raster/mesh_pass.h"
+#include "method/method.h"
+#include "raster/depth/depth_image.h"
+#include "raster/mesh/mesh_pass.h"
 
 namespace ink::methods {
 
 /// The inverted hull: the surface grown along its normals, its back faces black behind the front
 /// faces.
-class InvertedHull : public Method {
+class InvertedHull : public method::Method {
   public:
     enum class Space {
         screen,  ///< as many px everywhere
@@ -30,14 +30,14 @@ class InvertedHull : public Method {
 
     void prepare(const scene::Scene& scene) override;
     void pose(const scene::Scene& scene) override;
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override;
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
-    void grow(const Frame& frame);
-    [[nodiscard]] raster::MeshInput mesh_input(const Frame& frame) const;
+    void grow(const method::Frame& frame);
+    [[nodiscard]] raster::MeshInput mesh_input(const method::Frame& frame) const;
 
     Params params_;
     raster::PassFormat format_;
@@ -53,6 +53,6 @@ class InvertedHull : public Method {
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo inverted_hull();
+[[nodiscard]] method::MethodInfo inverted_hull();
 
 }  // namespace ink::methods

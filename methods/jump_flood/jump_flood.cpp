@@ -18,7 +18,7 @@ struct Run {
     /// more than either side's slope by `depth_step` of the nearer.
     [[nodiscard]] bool has_border(float depth_step) const {
         if (id[0] != id[step]) return true;
-        if (depth_step == 0 || id[0] == kNoId) return false;
+        if (depth_step == 0 || id[0] == buffers::kNoId) return false;
         const float jump = std::abs(q[step] - q[0]);
         if (!(jump > depth_step * std::max(q[0], q[step]))) return false;
         // A slope is known only where the same surface goes on.
@@ -97,7 +97,7 @@ std::vector<core::ParamValues> sweep() {
 core::ParamTable<JumpFlood::Params> JumpFlood::table() {
     core::ParamTable<Params> table;
     table.number(&Params::width_px, "width_px", {1, 64}, "px", "Width of the lines.");
-    return add_id_params(table)
+    return buffers::add_id_params(table)
         .number(&Params::depth_step,
                 "depth_step",
                 {0, 1},
@@ -116,7 +116,7 @@ int JumpFlood::reach_px() const {
     return static_cast<int>(std::ceil(params_.width_px / 2)) - 1;
 }
 
-void JumpFlood::draw(const Frame& frame, edge::EdgeImage& out) {
+void JumpFlood::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (ids_.is_empty() || out.is_empty()) return out.fill(0);
     if (seeds_.width_px() != out.width_px() || seeds_.height_px() != out.height_px())
@@ -132,24 +132,24 @@ int JumpFlood::bytes_per_px() const {
     return ids_.format().bytes_per_px() + 2 * static_cast<int>(sizeof(edge::NearestSeed));
 }
 
-Cost JumpFlood::cost() const {
+method::Cost JumpFlood::cost() const {
     constexpr double kSeed_bytes = sizeof(edge::NearestSeed);
-    Cost cost = ids_.cost();
+    method::Cost cost = ids_.cost();
     cost.buffer_bytes_per_px = bytes_per_px();
     // Four borders: ids compared and joined; a difference, its size, the larger q, a product and a
     // comparison where depth is asked. Then a choice of seed or none.
-    PixelWork seeds{2 * 4, kSeed_bytes, 4 + 3 + 1};
+    method::PixelWork seeds{2 * 4, kSeed_bytes, 4 + 3 + 1};
     if (params_.depth_step > 0) seeds.operations += 4 * 5;
     // Nine seeds: two differences, two squares, a sum, a comparison, a choice.
-    const PixelWork pass{kSeed_bytes, kSeed_bytes, 9 * 7};
+    const method::PixelWork pass{kSeed_bytes, kSeed_bytes, 9 * 7};
     // A square distance and its root, from half the width, cut at both ends, scaled, to a byte.
-    const PixelWork line{kSeed_bytes, 1, 5 + kSlowOperations + 1 + 2 + 3};
+    const method::PixelWork line{kSeed_bytes, 1, 5 + method::kSlowOperations + 1 + 2 + 3};
     cost.filter = seeds + edge::jump_flood_passes(reach_px()) * pass + line;
     return cost;
 }
 
-MethodInfo jump_flood() {
-    MethodInfo info = method_info<JumpFlood>(
+method::MethodInfo jump_flood() {
+    method::MethodInfo info = method::method_info<JumpFlood>(
         "jump_flood",
         "Rong and Tan, Jump flooding in GPU, I3D 2006; wide outlines as engines draw them",
         "borders of ids and depth, spread to any width by jump flooding");

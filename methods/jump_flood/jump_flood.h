@@ -1,14 +1,14 @@
 #pragma once
 
+#include "buffers/id_pass.h"
 #include "edge/jump_flood.h"
-#include "methods/id_pass.h"
 
 namespace ink::methods {
 
 /// Lines of any width: borders of ids and of depth as seeds, spread by jump flooding.
-class JumpFlood : public Method {
+class JumpFlood : public method::Method {
   public:
-    struct Params : IdParams {
+    struct Params : buffers::IdParams {
         double width_px = 2;
         double depth_step = 0.02;
         int threshold = 128;
@@ -19,13 +19,13 @@ class JumpFlood : public Method {
 
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `ids`, see IdPass.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return {ids_.layer(frame)};
     }
     [[nodiscard]] int bytes_per_px() const override;
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
@@ -33,12 +33,12 @@ class JumpFlood : public Method {
     [[nodiscard]] int reach_px() const;
 
     Params params_;
-    IdPass ids_;
+    buffers::IdPass ids_;
     core::Image<edge::NearestSeed> seeds_;
     core::Image<edge::NearestSeed> scratch_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo jump_flood();
+[[nodiscard]] method::MethodInfo jump_flood();
 
 }  // namespace ink::methods

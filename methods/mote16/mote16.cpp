@@ -3,27 +3,27 @@
 namespace ink::methods {
 namespace {
 
-Field depth_field(int bits) {
+buffers::Field depth_field(int bits) {
     return {.ranges = {.depth = static_cast<double>((1 << bits) - 1)},
             .shift = 16 - bits,
             .bits = bits};
 }
 
 /// The three components summed in the lowest `bits`, a third of the range each.
-Field normal_field(int bits) {
+buffers::Field normal_field(int bits) {
     const double third = static_cast<double>((1 << bits) - 1) / 3;
     return {.ranges = {.normal = {third, third, third}}, .shift = 0, .bits = bits};
 }
 
-Field component_field(int component, int shift) {
-    Field field;
+buffers::Field component_field(int component, int shift) {
+    buffers::Field field;
     field.shift = shift;
     field.bits = 4;
     field.ranges.normal[component] = 15;
     return field;
 }
 
-std::vector<Field> fields(const Mote16::Params& params) {
+std::vector<buffers::Field> fields(const Mote16::Params& params) {
     switch (params.layout) {
         case Mote16::Layout::eight_eight:
             return {depth_field(8), normal_field(8)};
@@ -114,17 +114,18 @@ core::ParamTable<Mote16::Params> Mote16::table() {
                 range,
                 "code",
                 "Codes that the normal's z spans (layout = sum).");
-    return add_pack_params(table, 65535);
+    return buffers::add_pack_params(table, 65535);
 }
 
 Mote16::Mote16(const Params& params)
-    : PackedBuffer(params, {.store = raster::Store::u16, .planes = 1, .fields = fields(params)}) {}
+    : buffers::PackedBuffer(params,
+                            {.store = raster::Store::u16, .planes = 1, .fields = fields(params)}) {}
 
-MethodInfo mote16() {
-    MethodInfo info =
-        method_info<Mote16>("mote16",
-                            "Mononen, MOTE engine 1.1 (about 1999); bit layout guessed",
-                            "depth and normal in 16 bits, 4-neighbour Laplacian");
+method::MethodInfo mote16() {
+    method::MethodInfo info =
+        method::method_info<Mote16>("mote16",
+                                    "Mononen, MOTE engine 1.1 (about 1999); bit layout guessed",
+                                    "depth and normal in 16 bits, 4-neighbour Laplacian");
     info.sweep = sweep();
     return info;
 }

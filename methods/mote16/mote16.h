@@ -1,12 +1,12 @@
 #pragma once
 
-#include "methods/packed_buffer.h"
+#include "buffers/packed_buffer.h"
 
 namespace ink::methods {
 
 /// MOTE 1.1's 16-bit buffer of depth and normal. How its bits were laid out is lost: guesses, by
 /// name.
-class Mote16 : public PackedBuffer {
+class Mote16 : public buffers::PackedBuffer {
   public:
     enum class Layout {
         sum,          ///< four ranges added, as in mote4
@@ -15,7 +15,7 @@ class Mote16 : public PackedBuffer {
         ten_six,      ///< 10 bits of depth, the normal's sum in 6
         four_fours,   ///< depth, x, y, z in 4 bits each, depth highest
     };
-    struct Params : PackParams {
+    struct Params : buffers::PackParams {
         /// Strengths are then finer than a byte's by four.
         Params() {
             scale_bits = -6;
@@ -33,6 +33,6 @@ class Mote16 : public PackedBuffer {
     explicit Mote16(const Params& params);
 };
 
-[[nodiscard]] MethodInfo mote16();
+[[nodiscard]] method::MethodInfo mote16();
 
 }  // namespace ink::methods

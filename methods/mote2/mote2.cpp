@@ -3,13 +3,14 @@
 namespace ink::methods {
 namespace {
 
-CodeLayout layout(const Mote2::Params& params) {
-    const Field depth{.ranges = {.depth = params.range_depth}};
-    const Field normal{.ranges = {.normal = {0, 0, params.range_normal}}, .plane = 1};
+buffers::CodeLayout layout(const Mote2::Params& params) {
+    const buffers::Field depth{.ranges = {.depth = params.range_depth}};
+    const buffers::Field normal{.ranges = {.normal = {0, 0, params.range_normal}}, .plane = 1};
     if (params.combine == Mote2::Combine::separate) {
         return {.store = raster::Store::u8, .planes = 2, .fields = {depth, normal}};
     }
-    const Field sum{.ranges = {.depth = params.range_depth, .normal = {0, 0, params.range_normal}}};
+    const buffers::Field sum{
+        .ranges = {.depth = params.range_depth, .normal = {0, 0, params.range_normal}}};
     return {.store = raster::Store::u8, .planes = 1, .fields = {sum}};
 }
 
@@ -68,15 +69,16 @@ core::ParamTable<Mote2::Params> Mote2::table() {
                 {0, 255},
                 "code",
                 "Codes that the normal's z, -1..1, spans.");
-    return add_pack_params(table, 255);
+    return buffers::add_pack_params(table, 255);
 }
 
-Mote2::Mote2(const Params& params) : PackedBuffer(params, layout(params)) {}
+Mote2::Mote2(const Params& params) : buffers::PackedBuffer(params, layout(params)) {}
 
-MethodInfo mote2() {
-    MethodInfo info = method_info<Mote2>("mote2",
-                                         "Mononen, MOTE engine, first version (about 1998)",
-                                         "depth and normal z in one byte, 4-neighbour Laplacian");
+method::MethodInfo mote2() {
+    method::MethodInfo info =
+        method::method_info<Mote2>("mote2",
+                                   "Mononen, MOTE engine, first version (about 1998)",
+                                   "depth and normal z in one byte, 4-neighbour Laplacian");
     info.sweep = sweep();
     return info;
 }

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "methods/packed_buffer.h"
+#include "buffers/packed_buffer.h"
 
 namespace ink::methods {
 
 /// MOTE's first buffer: depth and the normal's z in one byte, or in one byte each.
-class Mote2 : public PackedBuffer {
+class Mote2 : public buffers::PackedBuffer {
   public:
     enum class Combine {
         sum,       ///< one code, one interpolant, one filter
         separate,  ///< two codes, two filters, joined by their maximum
     };
-    struct Params : PackParams {
+    struct Params : buffers::PackParams {
         Params() {
             // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
             threshold = 13;
@@ -25,6 +25,6 @@ class Mote2 : public PackedBuffer {
     explicit Mote2(const Params& params);
 };
 
-[[nodiscard]] MethodInfo mote2();
+[[nodiscard]] method::MethodInfo mote2();
 
 }  // namespace ink::methods

@@ -3,9 +3,10 @@
 namespace ink::methods {
 namespace {
 
-CodeLayout layout(const Mote4::Params& params) {
-    const Field sum{.ranges = {.depth = params.range_depth,
-                               .normal = {params.range_nx, params.range_ny, params.range_nz}}};
+buffers::CodeLayout layout(const Mote4::Params& params) {
+    const buffers::Field sum{
+        .ranges = {.depth = params.range_depth,
+                   .normal = {params.range_nx, params.range_ny, params.range_nz}}};
     return {.store = raster::Store::u8, .planes = 1, .fields = {sum}};
 }
 
@@ -69,16 +70,16 @@ core::ParamTable<Mote4::Params> Mote4::table() {
         .number(&Params::range_nx, "range_nx", range, "code", "Codes that the normal's x spans.")
         .number(&Params::range_ny, "range_ny", range, "code", "Codes that the normal's y spans.")
         .number(&Params::range_nz, "range_nz", range, "code", "Codes that the normal's z spans.");
-    return add_pack_params(table, 255);
+    return buffers::add_pack_params(table, 255);
 }
 
-Mote4::Mote4(const Params& params) : PackedBuffer(params, layout(params)) {}
+Mote4::Mote4(const Params& params) : buffers::PackedBuffer(params, layout(params)) {}
 
-MethodInfo mote4() {
-    MethodInfo info =
-        method_info<Mote4>("mote4",
-                           "Mononen, MOTE engine, second version (about 1998)",
-                           "depth and normal x, y, z summed in one byte, 4-neighbour Laplacian");
+method::MethodInfo mote4() {
+    method::MethodInfo info = method::method_info<Mote4>(
+        "mote4",
+        "Mononen, MOTE engine, second version (about 1998)",
+        "depth and normal x, y, z summed in one byte, 4-neighbour Laplacian");
     info.sweep = sweep();
     return info;
 }

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "methods/packed_buffer.h"
+#include "buffers/packed_buffer.h"
 
 namespace ink::methods {
 
 /// MOTE's second buffer: depth and all three components of the normal summed into one byte.
-class Mote4 : public PackedBuffer {
+class Mote4 : public buffers::PackedBuffer {
   public:
-    struct Params : PackParams {
+    struct Params : buffers::PackParams {
         Params() {
             // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
             threshold = 6;
@@ -22,6 +22,6 @@ class Mote4 : public PackedBuffer {
     explicit Mote4(const Params& params);
 };
 
-[[nodiscard]] MethodInfo mote4();
+[[nodiscard]] method::MethodInfo mote4();
 
 }  // namespace ink::methods

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "methods/packed_sink.h"
-#include "methods/surface_cross.h"
+#include "buffers/packed_sink.h"
+#include "buffers/surface_cross.h"
 
 namespace ink::methods {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 class PlaneSink : public raster::TileSink {
   public:
     PlaneSink(const PlaneDistance::Params& params,
-              const DepthCarrier& carrier,
+              const method::DepthCarrier& carrier,
               const raster::DepthRange& range,
               const scene::View& view,
               edge::EdgeImage& out)
@@ -21,22 +21,22 @@ class PlaneSink : public raster::TileSink {
 
   private:
     void plane_distances(const raster::Tile& tile,
-                         const TilePlane& q,
-                         const std::array<TilePlane, 3>& normals,
-                         TileFloats& to) const;
+                         const buffers::TilePlane& q,
+                         const std::array<buffers::TilePlane, 3>& normals,
+                         buffers::TileFloats& to) const;
 
     const PlaneDistance::Params& params_;
-    const DepthCarrier& carrier_;
+    const method::DepthCarrier& carrier_;
     const raster::DepthRange& range_;
-    PixelRays rays_;
+    buffers::PixelRays rays_;
     edge::EdgeImage& out_;
 };
 
 /// n . p = w (n . r), r the pixel's ray; 0 where nothing is.
 void PlaneSink::plane_distances(const raster::Tile& tile,
-                                const TilePlane& q,
-                                const std::array<TilePlane, 3>& normals,
-                                TileFloats& to) const {
+                                const buffers::TilePlane& q,
+                                const std::array<buffers::TilePlane, 3>& normals,
+                                buffers::TileFloats& to) const {
     const int halo = tile.halo_px;
     for (int y = -halo; y < tile.height_px + halo; ++y) {
         const float ry = rays_.y(tile.y0_px + y);
@@ -53,30 +53,30 @@ void PlaneSink::plane_distances(const raster::Tile& tile,
 }
 
 void PlaneSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return clear_tile(tile, out_);
-    TileFloats q_buffer;
-    std::array<TileFloats, 3> normal_buffers;
-    TileFloats plane;
-    TileFloats plane_cross;
-    TileFloats turn;
-    const TilePlane q = inverse_distance(tile, carrier_, range_, q_buffer);
-    const std::array<TilePlane, 3> normals =
-        view_normals(tile, params_.renormalise, normal_buffers);
+    if (tile.is_empty) return buffers::clear_tile(tile, out_);
+    buffers::TileFloats q_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    buffers::TileFloats plane;
+    buffers::TileFloats plane_cross;
+    buffers::TileFloats turn;
+    const buffers::TilePlane q = buffers::inverse_distance(tile, carrier_, range_, q_buffer);
+    const std::array<buffers::TilePlane, 3> normals =
+        buffers::view_normals(tile, params_.renormalise, normal_buffers);
     plane_distances(tile, q, normals, plane);
-    half_cross(tile, TilePlane(plane), plane_cross);
-    normal_cross(tile, normals, turn);
+    buffers::half_cross(tile, buffers::TilePlane(plane), plane_cross);
+    buffers::normal_cross(tile, normals, turn);
     const float per_plane = 1 / static_cast<float>(params_.plane_step);
     const float per_turn = 1 / static_cast<float>(params_.normal_step);
     for (int y = 0; y < tile.height_px; ++y) {
         std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
         for (int x = 0; x < tile.width_px; ++x) {
-            const CrossRange near = cross_range(q.row(y) + x, q.row(y + 1) + x);
+            const buffers::CrossRange near = buffers::cross_range(q.row(y) + x, q.row(y + 1) + x);
             if (near.least == 0) {  // against the sky, which has no plane
                 to[x] = near.most > 0 ? 255 : 0;
                 continue;
             }
             const float step = plane_cross.row(y)[x] * near.most * per_plane;
-            to[x] = strength_of_ratio(std::max(step, turn.row(y)[x] * per_turn));
+            to[x] = buffers::strength_of_ratio(std::max(step, turn.row(y)[x] * per_turn));
         }
     }
 }
@@ -128,41 +128,42 @@ core::ParamTable<PlaneDistance::Params> PlaneDistance::table() {
                 {1e-3, 2},
                 "",
                 "Least change of the normal that is a line: 2 sin(a/2) for a crease of angle a.");
-    return add_surface_params(table).number(
+    return buffers::add_surface_params(table).number(
         &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
 }
 
 PlaneDistance::PlaneDistance(const Params& params)
     : params_(with_distances(params)), buffers_(params_, 1) {}
 
-void PlaneDistance::draw(const Frame& frame, edge::EdgeImage& out) {
+void PlaneDistance::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (buffers_.is_empty()) return out.fill(0);
-    const DepthCarrier carrier = buffers_.see(frame);
+    const method::DepthCarrier carrier = buffers_.see(frame);
     PlaneSink sink(params_, carrier, buffers_.range(), frame.view, out);
-    skip_counts_ = buffers_.draw(frame, carrier, kNothingDrawn, sink, out);
+    skip_counts_ = buffers_.draw(frame, carrier, method::kNothingDrawn, sink, out);
 }
 
-Cost PlaneDistance::cost() const {
+method::Cost PlaneDistance::cost() const {
     constexpr double kFloat_bytes = sizeof(float);
-    Cost cost = buffers_.cost();
-    PixelWork distance{kFloat_bytes, kFloat_bytes, 2 + 1 + 1};  // scaled, at least, sky told
+    method::Cost cost = buffers_.cost();
+    method::PixelWork distance{
+        kFloat_bytes, kFloat_bytes, 2 + 1 + 1};  // scaled, at least, sky told
     if (params_.interpolation == raster::Interpolation::perspective)
-        distance.operations += kSlowOperations;
-    PixelWork normals;
+        distance.operations += method::kSlowOperations;
+    method::PixelWork normals;
     if (params_.renormalise)
-        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
+        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
     // Two products, two sums, a division, sky told.
-    const PixelWork plane{4 * kFloat_bytes, kFloat_bytes, 4 + kSlowOperations + 1};
-    const PixelWork cross{kFloat_bytes, 0, 2 + 2 + 1 + 1};
+    const method::PixelWork plane{4 * kFloat_bytes, kFloat_bytes, 4 + method::kSlowOperations + 1};
+    const method::PixelWork cross{kFloat_bytes, 0, 2 + 2 + 1 + 1};
     // Squares, sums and a root; two steps against their thresholds, the larger; to a byte.
-    const PixelWork join{0, 1, 3 + 2 + kSlowOperations + 2 + 3 + 1 + 4};
+    const method::PixelWork join{0, 1, 3 + 2 + method::kSlowOperations + 2 + 3 + 1 + 4};
     cost.filter = distance + normals + plane + 4 * cross + join;
     return cost;
 }
 
-MethodInfo plane_distance() {
-    MethodInfo info = method_info<PlaneDistance>(
+method::MethodInfo plane_distance() {
+    method::MethodInfo info = method::method_info<PlaneDistance>(
         "plane_distance",
         "practice since deferred shading: n . p in place of depth",
         "diagonal differences of the plane's distance n . p and of the normal");

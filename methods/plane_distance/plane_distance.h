@@ -1,14 +1,14 @@
 #pragma once
 
-#include "methods/full_buffers.h"
+#include "buffers/full_buffers.h"
 
 namespace ink::methods {
 
 /// Roberts' cross on the distance of each pixel's plane from the eye, n . p, and on the normal:
 /// nothing changes within a face, however it is seen.
-class PlaneDistance : public Method {
+class PlaneDistance : public method::Method {
   public:
-    struct Params : InputParams {
+    struct Params : buffers::InputParams {
         // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
         double plane_step = 0.16;
         double normal_step = 0.2;
@@ -20,21 +20,21 @@ class PlaneDistance : public Method {
 
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return buffers_.layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    FullBuffers buffers_;
+    buffers::FullBuffers buffers_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo plane_distance();
+[[nodiscard]] method::MethodInfo plane_distance();
 
 }  // namespace ink::methods

@@ -2,7 +2,7 @@
 
 #include "methods/polygon_offset/polygon_offset.h"
 
-#include "methods/line_cost.h"
+#include "buffers/line_cost.h"
 
 namespace ink::methods {
 namespace {
@@ -84,7 +84,7 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
 PolygonOffsetInk::PolygonOffsetInk(const Params& params)
     : params_(params), scene_(params.edges), filled_lines_(params.depth_format) {}
 
-void PolygonOffsetInk::draw(const Frame& frame, edge::EdgeImage& out) {
+void PolygonOffsetInk::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     out.fill(0);
     if (scene_.is_empty() || out.is_empty()) return;
@@ -99,12 +99,12 @@ void PolygonOffsetInk::draw(const Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = filled_lines_.draw(frame, scene_, fills, lines, out);
 }
 
-Cost PolygonOffsetInk::cost() const {
-    return filled_lines_cost(filled_lines_.format());
+method::Cost PolygonOffsetInk::cost() const {
+    return buffers::filled_lines_cost(filled_lines_.format());
 }
 
-MethodInfo polygon_offset() {
-    MethodInfo info = method_info<PolygonOffsetInk>(
+method::MethodInfo polygon_offset() {
+    method::MethodInfo info = method::method_info<PolygonOffsetInk>(
         "polygon_offset",
         "\"Inked\", a page on drawing outlines with polygon offset",
         "a fat black wireframe, fills pulled over it by polygon offset");

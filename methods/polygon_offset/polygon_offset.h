@@ -1,13 +1,13 @@
 #pragma once
 
-#include "methods/filled_lines.h"
-#include "methods/method.h"
-#include "methods/triangle_edges.h"
+#include "buffers/filled_lines.h"
+#include "buffers/triangle_edges.h"
+#include "method/method.h"
 
 namespace ink::methods {
 
 /// Ink by polygon offset: a fat black wireframe, and fills pulled towards the eye over it.
-class PolygonOffsetInk : public Method {
+class PolygonOffsetInk : public method::Method {
   public:
     enum class Faces {
         both,   ///< nothing is culled
@@ -17,7 +17,7 @@ class PolygonOffsetInk : public Method {
         double width_px = 2;
         double factor = -0.5;
         double units = -1;
-        WireEdges edges = WireEdges::all;
+        buffers::WireEdges edges = buffers::WireEdges::all;
         Faces faces = Faces::both;
         raster::DepthFormat depth_format = raster::DepthFormat::z24;
         int threshold = 128;  // it draws 0 and 255 only
@@ -28,20 +28,20 @@ class PolygonOffsetInk : public Method {
 
     void prepare(const scene::Scene& scene) override { scene_.prepare(scene); }
     void pose(const scene::Scene& scene) override { scene_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     [[nodiscard]] int bytes_per_px() const override {
         return filled_lines_.format().bytes_per_px();
     }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    TriangleEdges scene_;
-    FilledLines filled_lines_;
+    buffers::TriangleEdges scene_;
+    buffers::FilledLines filled_lines_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo polygon_offset();
+[[nodiscard]] method::MethodInfo polygon_offset();
 
 }  // namespace ink::methods

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "methods/packed_sink.h"
-#include "methods/surface_cross.h"
+#include "buffers/packed_sink.h"
+#include "buffers/surface_cross.h"
 
 namespace ink::methods {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 class RobertsSink : public raster::TileSink {
   public:
     RobertsSink(const Roberts::Params& params,
-                const DepthCarrier& carrier,
+                const method::DepthCarrier& carrier,
                 const raster::DepthRange& range,
                 const scene::View& view,
                 edge::EdgeImage& out)
@@ -26,9 +26,9 @@ class RobertsSink : public raster::TileSink {
     [[nodiscard]] float guarded(float step, float facing) const;
 
     const Roberts::Params& params_;
-    const DepthCarrier& carrier_;
+    const method::DepthCarrier& carrier_;
     const raster::DepthRange& range_;
-    PixelRays rays_;
+    buffers::PixelRays rays_;
     edge::EdgeImage& out_;
 };
 
@@ -51,31 +51,32 @@ float RobertsSink::guarded(float step, float facing) const {
 }
 
 void RobertsSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return clear_tile(tile, out_);
-    TileFloats q_buffer;
-    std::array<TileFloats, 3> normal_buffers;
-    TileFloats facing;
-    TileFloats depth_cross;
-    TileFloats turn;
-    const TilePlane q = inverse_distance(tile, carrier_, range_, q_buffer);
-    const std::array<TilePlane, 3> normals =
-        view_normals(tile, params_.renormalise, normal_buffers);
-    facing_ratio(tile, normals, rays_, facing);
-    half_cross(tile, q, depth_cross);
-    normal_cross(tile, normals, turn);
+    if (tile.is_empty) return buffers::clear_tile(tile, out_);
+    buffers::TileFloats q_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    buffers::TileFloats facing;
+    buffers::TileFloats depth_cross;
+    buffers::TileFloats turn;
+    const buffers::TilePlane q = buffers::inverse_distance(tile, carrier_, range_, q_buffer);
+    const std::array<buffers::TilePlane, 3> normals =
+        buffers::view_normals(tile, params_.renormalise, normal_buffers);
+    buffers::facing_ratio(tile, normals, rays_, facing);
+    buffers::half_cross(tile, q, depth_cross);
+    buffers::normal_cross(tile, normals, turn);
     const float per_depth = 1 / static_cast<float>(params_.depth_step);
     const float per_turn = 1 / static_cast<float>(params_.normal_step);
     for (int y = 0; y < tile.height_px; ++y) {
         std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
         for (int x = 0; x < tile.width_px; ++x) {
-            const CrossRange near = cross_range(q.row(y) + x, q.row(y + 1) + x);
+            const buffers::CrossRange near = buffers::cross_range(q.row(y) + x, q.row(y + 1) + x);
             if (near.least == 0) {  // against the sky, which is at no distance
                 to[x] = near.most > 0 ? 255 : 0;
                 continue;
             }
-            const float open = cross_range(facing.row(y) + x, facing.row(y + 1) + x).most;
+            const float open = buffers::cross_range(facing.row(y) + x, facing.row(y + 1) + x).most;
             const float step = guarded(depth_cross.row(y)[x] / near.most, open);
-            to[x] = strength_of_ratio(std::max(step * per_depth, turn.row(y)[x] * per_turn));
+            to[x] =
+                buffers::strength_of_ratio(std::max(step * per_depth, turn.row(y)[x] * per_turn));
         }
     }
 }
@@ -140,46 +141,48 @@ core::ParamTable<Roberts::Params> Roberts::table() {
                 {0, 100},
                 "",
                 "How many times more the ramp asks on edge (guard = ramp).");
-    return add_surface_params(table).number(
+    return buffers::add_surface_params(table).number(
         &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
 }
 
 Roberts::Roberts(const Params& params) : params_(with_distances(params)), buffers_(params_, 1) {}
 
-void Roberts::draw(const Frame& frame, edge::EdgeImage& out) {
+void Roberts::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (buffers_.is_empty()) return out.fill(0);
-    const DepthCarrier carrier = buffers_.see(frame);
+    const method::DepthCarrier carrier = buffers_.see(frame);
     RobertsSink sink(params_, carrier, buffers_.range(), frame.view, out);
-    skip_counts_ = buffers_.draw(frame, carrier, kNothingDrawn, sink, out);
+    skip_counts_ = buffers_.draw(frame, carrier, method::kNothingDrawn, sink, out);
 }
 
-Cost Roberts::cost() const {
+method::Cost Roberts::cost() const {
     constexpr double kFloat_bytes = sizeof(float);
-    Cost cost = buffers_.cost();
-    PixelWork distance{kFloat_bytes, kFloat_bytes, 2 + 1 + 1};  // scaled, at least, sky told
+    method::Cost cost = buffers_.cost();
+    method::PixelWork distance{
+        kFloat_bytes, kFloat_bytes, 2 + 1 + 1};  // scaled, at least, sky told
     if (params_.interpolation == raster::Interpolation::perspective)
-        distance.operations += kSlowOperations;
-    PixelWork normals;
+        distance.operations += method::kSlowOperations;
+    method::PixelWork normals;
     if (params_.renormalise)
-        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    PixelWork facing;
+        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    method::PixelWork facing;
     if (params_.guard != Guard::none) {
         // n . r two products, two sums; |r| two squares, two sums, a root; a division. The largest
         // of four: a column's serves two pixels.
-        facing = {3 * kFloat_bytes, kFloat_bytes, 4 + 1 + 4 + 2 * kSlowOperations + 2};
+        facing = {3 * kFloat_bytes, kFloat_bytes, 4 + 1 + 4 + 2 * method::kSlowOperations + 2};
     }
-    if (params_.guard == Guard::ramp) facing.operations += 6 + kSlowOperations;
+    if (params_.guard == Guard::ramp) facing.operations += 6 + method::kSlowOperations;
     if (params_.guard == Guard::cosine) facing.operations += 2;
-    const PixelWork cross{kFloat_bytes, 0, 2 + 2 + 1 + 1};
+    const method::PixelWork cross{kFloat_bytes, 0, 2 + 2 + 1 + 1};
     // Squares, sums and a root; two steps against their thresholds, the larger; to a byte.
-    const PixelWork join{0, 1, 3 + 2 + kSlowOperations + kSlowOperations + 2 + 3 + 1 + 4};
+    const method::PixelWork join{
+        0, 1, 3 + 2 + method::kSlowOperations + method::kSlowOperations + 2 + 3 + 1 + 4};
     cost.filter = distance + normals + facing + 4 * cross + join;
     return cost;
 }
 
-MethodInfo roberts() {
-    MethodInfo info = method_info<Roberts>(
+method::MethodInfo roberts() {
+    method::MethodInfo info = method::method_info<Roberts>(
         "roberts",
         "Roberts 1963, as outline passes of engines run it on depth and normals today",
         "diagonal differences of depth and normal, with a guard against grazing angles");

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "methods/full_buffers.h"
+#include "buffers/full_buffers.h"
 
 namespace ink::methods {
 
 /// Roberts' cross on depth and normals with a guard against grazing angles, as engines run it.
-class Roberts : public Method {
+class Roberts : public method::Method {
   public:
     /// How the threshold on depth grows where a surface is seen at a grazing angle.
     enum class Guard {
@@ -13,7 +13,7 @@ class Roberts : public Method {
         ramp,    ///< from guard_start on, up to 1 + guard_scale times
         cosine,  ///< by 1 / |n . v|, in step with a plane's own slope, which is taken off
     };
-    struct Params : InputParams {
+    struct Params : buffers::InputParams {
         Guard guard = Guard::cosine;
         double guard_start = 0.5;
         double guard_scale = 7;
@@ -28,21 +28,21 @@ class Roberts : public Method {
 
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return buffers_.layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    FullBuffers buffers_;
+    buffers::FullBuffers buffers_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo roberts();
+[[nodiscard]] method::MethodInfo roberts();
 
 }  // namespace ink::methods

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "buffers/packed_sink.h"
 #include "edge/decaudin_filter.h"
 #include "edge/sobel.h"
-#include "methods/packed_sink.h"
 
 namespace ink::methods {
 namespace {
@@ -22,30 +22,35 @@ struct Limits {
 
 class SobelSink : public raster::TileSink {
   public:
-    SobelSink(const Sobel::Params& params, const DepthCarrier& carrier, edge::EdgeImage& out)
+    SobelSink(const Sobel::Params& params,
+              const method::DepthCarrier& carrier,
+              edge::EdgeImage& out)
         : params_(params), carrier_(carrier), out_(out) {}
 
     void finish(const raster::Tile& tile) override;
 
   private:
     void add_channel(const raster::Tile& tile,
-                     const TilePlane& plane,
+                     const buffers::TilePlane& plane,
                      const Limits& limits,
-                     TileFloats& joined) const;
+                     buffers::TileFloats& joined) const;
 
     const Sobel::Params& params_;
-    const DepthCarrier& carrier_;
+    const method::DepthCarrier& carrier_;
     edge::EdgeImage& out_;
 };
 
 /// Joins the profile p = min((gmax - gmin) / k, 1)^2 of one plane, extremes over 3 x 3 pixels, by
 /// the larger. Saito and Takahashi's p is Decaudin's of another g.
-void join_profile(const raster::Tile& tile, const TilePlane& plane, float k, TileFloats& joined) {
-    TileFloats g;
+void join_profile(const raster::Tile& tile,
+                  const buffers::TilePlane& plane,
+                  float k,
+                  buffers::TileFloats& joined) {
+    buffers::TileFloats g;
     const core::ImageView<const float> from{
         plane.row(-1) - 1, tile.width_px + 2, tile.height_px + 2, plane.stride};
     const core::ImageView<float> to{
-        g.row(-1) - 1, tile.width_px + 2, tile.height_px + 2, TileFloats::kSpan};
+        g.row(-1) - 1, tile.width_px + 2, tile.height_px + 2, buffers::TileFloats::kSpan};
     edge::sobel(from, edge::Differential::first, to);
     std::array<float, raster::kTileSize_px> p;
     for (int y = 0; y < tile.height_px; ++y) {
@@ -58,11 +63,15 @@ void join_profile(const raster::Tile& tile, const TilePlane& plane, float k, Til
 }
 
 /// The same with the internal edge e = min(|l| / k, 1)^2.
-void join_internal(const raster::Tile& tile, const TilePlane& plane, float k, TileFloats& joined) {
-    TileFloats l;
+void join_internal(const raster::Tile& tile,
+                   const buffers::TilePlane& plane,
+                   float k,
+                   buffers::TileFloats& joined) {
+    buffers::TileFloats l;
     const core::ImageView<const float> from{
         plane.row(0), tile.width_px, tile.height_px, plane.stride};
-    const core::ImageView<float> to{l.row(0), tile.width_px, tile.height_px, TileFloats::kSpan};
+    const core::ImageView<float> to{
+        l.row(0), tile.width_px, tile.height_px, buffers::TileFloats::kSpan};
     edge::sobel(from, edge::Differential::second, to);
     for (int y = 0; y < tile.height_px; ++y) {
         const float* strength = l.row(y);
@@ -75,28 +84,29 @@ void join_internal(const raster::Tile& tile, const TilePlane& plane, float k, Ti
 }
 
 void SobelSink::add_channel(const raster::Tile& tile,
-                            const TilePlane& plane,
+                            const buffers::TilePlane& plane,
                             const Limits& limits,
-                            TileFloats& joined) const {
+                            buffers::TileFloats& joined) const {
     if (params_.order != Order::second) join_profile(tile, plane, limits.first, joined);
     if (params_.order != Order::first) join_internal(tile, plane, limits.second, joined);
 }
 
 void SobelSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return clear_tile(tile, out_);
-    TileFloats depth_buffer;
-    std::array<TileFloats, 3> normal_buffers;
-    TileFloats joined;
+    if (tile.is_empty) return buffers::clear_tile(tile, out_);
+    buffers::TileFloats depth_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    buffers::TileFloats joined;
     for (int y = 0; y < tile.height_px; ++y)
         std::fill_n(joined.row(y), tile.width_px, 0.0F);
-    const TilePlane depth = encoded_depth(
+    const buffers::TilePlane depth = buffers::encoded_depth(
         tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
     const Limits depth_limits{static_cast<float>(params_.k_first),
                               static_cast<float>(params_.k_second)};
     add_channel(tile, depth, depth_limits, joined);
     if (params_.uses_normals) {
         const auto k = static_cast<float>(params_.k_normal);
-        for (const TilePlane& normal : view_normals(tile, params_.renormalise, normal_buffers))
+        for (const buffers::TilePlane& normal :
+             buffers::view_normals(tile, params_.renormalise, normal_buffers))
             add_channel(tile, normal, {k, k}, joined);
     }
     for (int y = 0; y < tile.height_px; ++y) {
@@ -157,7 +167,7 @@ core::ParamTable<Sobel::Params> Sobel::table() {
                 {1e-3, 10},
                 "",
                 "Either of both at which a component of the normal makes a full line.");
-    return add_input_params(table)
+    return buffers::add_input_params(table)
         .number(&Params::sky,
                 "sky",
                 {-1, 1},
@@ -172,41 +182,42 @@ core::ParamTable<Sobel::Params> Sobel::table() {
 
 Sobel::Sobel(const Params& params) : params_(params), buffers_(params, 2) {}
 
-void Sobel::draw(const Frame& frame, edge::EdgeImage& out) {
+void Sobel::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (buffers_.is_empty()) return out.fill(0);
-    const DepthCarrier carrier = buffers_.see(frame);
+    const method::DepthCarrier carrier = buffers_.see(frame);
     SobelSink sink(params_, carrier, out);
     skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
 }
 
-Cost Sobel::cost() const {
+method::Cost Sobel::cost() const {
     constexpr double kFloat_bytes = sizeof(float);
-    Cost cost = buffers_.cost();
-    PixelWork depth = encode_work(params_.depth_encoding, params_.interpolation);
-    if (params_.depth_sign == DepthSign::far_high) depth.operations += 1;
-    if (depth.operations > 0) depth = depth + PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    PixelWork normals;
+    method::Cost cost = buffers_.cost();
+    method::PixelWork depth = method::encode_work(params_.depth_encoding, params_.interpolation);
+    if (params_.depth_sign == buffers::DepthSign::far_high) depth.operations += 1;
+    if (depth.operations > 0) depth = depth + method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    method::PixelWork normals;
     if (params_.uses_normals && params_.renormalise)
-        normals = renormalise_work() + 3 * PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    PixelWork channel;
+        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
+    method::PixelWork channel;
     if (params_.order != Order::second) {
         // g: four sums of three with the middle doubled, two differences and sizes, a sum, over 8;
         // a picture of its own. p: extremes of columns and rows, difference, over k, squared, cut.
-        channel = channel + PixelWork{kFloat_bytes, kFloat_bytes, 4 * 3 + 4 + 1 + 1};
-        channel = channel + PixelWork{kFloat_bytes, 0, 2 * (2 + 2) + 4 + 1};
+        channel = channel + method::PixelWork{kFloat_bytes, kFloat_bytes, 4 * 3 + 4 + 1 + 1};
+        channel = channel + method::PixelWork{kFloat_bytes, 0, 2 * (2 + 2) + 4 + 1};
     }
     if (params_.order != Order::first) {
         // Eight times the middle, less eight; its size, over 3 and over k, cut, squared, joined.
-        channel = channel + PixelWork{kFloat_bytes, 0, 1 + 8 + 1 + 2 * kSlowOperations + 3};
+        channel = channel +
+                  method::PixelWork{kFloat_bytes, 0, 1 + 8 + 1 + 2 * method::kSlowOperations + 3};
     }
-    const PixelWork write{0, 1, 3};
+    const method::PixelWork write{0, 1, 3};
     cost.filter = depth + normals + (params_.uses_normals ? 4.0 : 1.0) * channel + write;
     return cost;
 }
 
-MethodInfo sobel() {
-    MethodInfo info = method_info<Sobel>(
+method::MethodInfo sobel() {
+    method::MethodInfo info = method::method_info<Sobel>(
         "sobel",
         "Saito and Takahashi, Comprehensible rendering of 3-D shapes, SIGGRAPH 1990",
         "first and second differentials of depth: profiles and internal edges");

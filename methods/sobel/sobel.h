@@ -1,19 +1,19 @@
 #pragma once
 
-#include "methods/full_buffers.h"
+#include "buffers/full_buffers.h"
 
 namespace ink::methods {
 
 /// Saito and Takahashi's edges of G-buffers: a first-order differential whose spread makes
 /// profiles, and a second-order one for edges within them.
-class Sobel : public Method {
+class Sobel : public method::Method {
   public:
     enum class Order {
         first,   ///< profiles alone
         second,  ///< internal edges alone
         both,    ///< the stronger of the two
     };
-    struct Params : InputParams {
+    struct Params : buffers::InputParams {
         Order order = Order::second;
         bool uses_normals = true;
         double sky = -1;
@@ -29,21 +29,21 @@ class Sobel : public Method {
 
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override;
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<Layer> layers(const Frame& frame) override {
+    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
         return buffers_.layers(frame);
     }
     [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] Cost cost() const override;
+    [[nodiscard]] method::Cost cost() const override;
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
     Params params_;
-    FullBuffers buffers_;
+    buffers::FullBuffers buffers_;
     raster::SkipCounts skip_counts_{};
 };
 
-[[nodiscard]] MethodInfo sobel();
+[[nodiscard]] method::MethodInfo sobel();
 
 }  // namespace ink::methods

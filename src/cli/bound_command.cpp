@@ -7,9 +7,9 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/whole_file.h"
-#include "lab/interrupt.h"
-#include "lab/linear_bound_study.h"
-#include "lab/out_folder.h"
+#include "harness/interrupt.h"
+#include "harness/out_folder.h"
+#include "linear_code/linear_bound_study.h"
 
 namespace ink::cli {
 namespace {
@@ -30,9 +30,9 @@ struct BoundArgs {
     std::string out;
 };
 
-lab::BoundStudyOptions study_options(const BoundArgs& args) {
-    lab::BoundStudyOptions options;
-    const auto entrants = lab::make_entrants(args.method, args.settings);
+linear_code::BoundStudyOptions study_options(const BoundArgs& args) {
+    linear_code::BoundStudyOptions options;
+    const auto entrants = harness::make_entrants(args.method, args.settings);
     if (entrants.size() != 1) {
         throw core::Error("--method", fmt::format("'{}' is not one method", args.method), "mote4");
     }
@@ -60,19 +60,19 @@ lab::BoundStudyOptions study_options(const BoundArgs& args) {
 }
 
 void run_bound(const BoundArgs& args) {
-    const lab::BoundStudyOptions options = study_options(args);
+    const linear_code::BoundStudyOptions options = study_options(args);
     const auto subjects =
-        lab::load_subjects(scene_names(args.scenes, args.models), view_request(args.views));
-    const lab::InterruptGuard guard;
-    const auto rows = lab::study_bounds(subjects, options);
-    fmt::print("{}", lab::bound_table(rows));
-    if (lab::is_interrupted()) {
+        harness::load_subjects(scene_names(args.scenes, args.models), view_request(args.views));
+    const harness::InterruptGuard guard;
+    const auto rows = linear_code::study_bounds(subjects, options);
+    fmt::print("{}", linear_code::bound_table(rows));
+    if (harness::is_interrupted()) {
         fmt::print(stderr, "inkbench: interrupted; no file is written\n");
         throw CLI::RuntimeError(kInterrupted);
     }
     if (args.out.empty()) return;
     const auto path = std::filesystem::path(args.out) / "bound.csv";
-    core::write_whole_file(path, lab::bound_csv(rows));
+    core::write_whole_file(path, linear_code::bound_csv(rows));
     fmt::print("{}\n", path.string());
 }
 
@@ -109,7 +109,7 @@ void add_bound_command(CLI::App& app) {
         "Example: inkbench bound torus gem --method mote4 --size 640x360\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
     command->callback([args] {
-        if (!args->out.empty()) lab::make_out_folder(args->out);
+        if (!args->out.empty()) harness::make_out_folder(args->out);
         run_bound(*args);
     });
 }

@@ -7,9 +7,9 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "lab/compare.h"
-#include "lab/statistics.h"
-#include "lab/verdict.h"
+#include "experiment/compare.h"
+#include "report/statistics.h"
+#include "report/verdict.h"
 
 namespace ink::cli {
 namespace {
@@ -36,9 +36,9 @@ struct CompareArgs {
     bool motion = false;
 };
 
-lab::CompareOptions compare_options(const CompareArgs& args) {
-    lab::CompareOptions options;
-    options.entrants = lab::make_entrants(args.methods, args.settings, args.presets);
+experiment::CompareOptions compare_options(const CompareArgs& args) {
+    experiment::CompareOptions options;
+    options.entrants = harness::make_entrants(args.methods, args.settings, args.presets);
     options.measure.threads = checked_threads(args.threads);
     if (args.repetitions < 1 || args.repetitions > 10000) {
         throw core::Error(
@@ -46,7 +46,7 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
     }
     options.measure.max_repetitions = args.repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
-    options.measure.skips = lab::without_skips(options.measure.skips, args.no_skip);
+    options.measure.skips = harness::without_skips(options.measure.skips, args.no_skip);
     if (args.skip_study && !args.no_skip.empty()) {
         throw core::Error(
             "--skip-study", "it switches every skip itself", "no --no-skip beside it");
@@ -71,13 +71,13 @@ lab::CompareOptions compare_options(const CompareArgs& args) {
 }
 
 void run_compare(const CompareArgs& args, const std::string& command_line) {
-    lab::CompareOptions options = compare_options(args);
+    experiment::CompareOptions options = compare_options(args);
     options.command = command_line;
-    const lab::CompareResult result = lab::compare(
-        lab::load_subjects(scene_names(args.scenes, args.models), view_request(args.views)),
+    const experiment::CompareResult result = experiment::compare(
+        harness::load_subjects(scene_names(args.scenes, args.models), view_request(args.views)),
         options);
-    fmt::print("{}\n", lab::verdict_table(result.rows, result.curves));
-    fmt::print("{}", lab::threshold_lines(result.rows, result.curves));
+    fmt::print("{}\n", report::verdict_table(result.rows, result.curves));
+    fmt::print("{}", report::threshold_lines(result.rows, result.curves));
     fmt::print("report: {}\n", result.report.string());
     for (const std::string& reason : result.void_reasons) {
         fmt::print(stderr, "inkbench: this run is void: {}\n", reason);

@@ -6,10 +6,10 @@
 #include "cli/draw_options.h"
 #include "cli/options.h"
 #include "core/error.h"
-#include "lab/drawing.h"
-#include "lab/exr_layers.h"
-#include "lab/picture.h"
-#include "lab/skip_switches.h"
+#include "draw/drawing.h"
+#include "draw/exr_layers.h"
+#include "draw/picture.h"
+#include "harness/skip_switches.h"
 
 namespace ink::cli {
 namespace {
@@ -32,21 +32,21 @@ struct DrawArgs {
 
 constexpr const char* kMethod = "mote4";  // unless one is named
 
-lab::Entrant entrant_of(const DrawArgs& args) {
+harness::Entrant entrant_of(const DrawArgs& args) {
     if (args.presets.empty()) {
         const std::string method = args.method.empty() ? kMethod : args.method;
-        if (lab::split_list(method).size() != 1) {
+        if (harness::split_list(method).size() != 1) {
             throw core::Error("--method",
                               fmt::format("'{}' is not one method", method),
                               "one name of inkbench list methods");
         }
-        return lab::make_entrants(method, args.settings).front();
+        return harness::make_entrants(method, args.settings).front();
     }
     if (args.presets.size() > 1 || !args.method.empty()) {
         throw core::Error("--preset", "a picture is of one method", "one file, no --method");
     }
-    std::vector<lab::Entrant> entrants = {lab::preset_entrant(args.presets.front())};
-    lab::apply_settings(args.settings, entrants);
+    std::vector<harness::Entrant> entrants = {harness::preset_entrant(args.presets.front())};
+    harness::apply_settings(args.settings, entrants);
     return entrants.front();
 }
 
@@ -66,19 +66,19 @@ void refuse_no_lines(const DrawArgs& args) {
 
 /// One of the method's own pictures instead of a drawing.
 void write_layer(const DrawArgs& args,
-                 const lab::Subject& subject,
-                 const lab::Entrant& entrant,
-                 const lab::DrawOptions& options) {
-    const methods::Layer layer = lab::draw_layer(subject, entrant, args.layer, options);
-    lab::write_drawing(layer.rgb, args.file);
+                 const harness::Subject& subject,
+                 const harness::Entrant& entrant,
+                 const draw::DrawOptions& options) {
+    const method::Layer layer = draw::draw_layer(subject, entrant, args.layer, options);
+    draw::write_drawing(layer.rgb, args.file);
     fmt::print("{}\n", args.file);
     if (!layer.note.empty()) fmt::print("{}\n", layer.note);
 }
 
 void run_draw(const DrawArgs& args) {
-    lab::DrawOptions options = drawing_looks(args.looks);
-    const lab::Entrant entrant = entrant_of(args);
-    options.skips = lab::without_skips({}, args.no_skip);
+    draw::DrawOptions options = drawing_looks(args.looks);
+    const harness::Entrant entrant = entrant_of(args);
+    options.skips = harness::without_skips({}, args.no_skip);
     options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
     const std::filesystem::path path = args.file;
@@ -89,19 +89,19 @@ void run_draw(const DrawArgs& args) {
         refuse_with_layer(args.no_lines, "no --no-lines");
         refuse_with_layer(args.looks != LookOptions{}, "no option of the drawing's looks");
     }
-    const lab::Subject subject =
-        lab::load_one_view(args.scene, args.view, view_request(args.views));
+    const harness::Subject subject =
+        harness::load_one_view(args.scene, args.view, view_request(args.views));
     if (!args.layer.empty()) return write_layer(args, subject, entrant, options);
-    const lab::Drawing drawing = lab::make_drawing(subject, entrant, options);
+    const draw::Drawing drawing = draw::make_drawing(subject, entrant, options);
     if (path.extension() == ".exr") {
-        const auto layers = lab::draw_layers(subject, entrant, options);
-        lab::write_drawing_exr(subject, entrant, drawing, layers, path);
+        const auto layers = draw::draw_layers(subject, entrant, options);
+        draw::write_drawing_exr(subject, entrant, drawing, layers, path);
     } else if (args.strength) {
-        lab::write_strengths(drawing.strengths, path);
+        draw::write_strengths(drawing.strengths, path);
     } else if (args.no_lines) {
-        lab::write_drawing(drawing.shading, path);
+        draw::write_drawing(drawing.shading, path);
     } else {
-        lab::write_drawing(drawing.picture, path);
+        draw::write_drawing(drawing.picture, path);
     }
     fmt::print("{}\n", args.file);
 }

@@ -8,7 +8,7 @@
 
 #include "cli/options.h"
 #include "core/error.h"
-#include "lab/entrants.h"
+#include "harness/entrants.h"
 
 namespace ink::cli {
 namespace {
@@ -34,7 +34,7 @@ std::optional<glm::u8vec3> parse_hex_color(std::string_view text) {
 }
 
 std::optional<glm::u8vec3> parse_listed_color(const std::string& text) {
-    const std::vector<std::string> parts = lab::split_list(text);
+    const std::vector<std::string> parts = harness::split_list(text);
     if (parts.size() != 3) return std::nullopt;
     glm::u8vec3 color{0};
     for (int c = 0; c < 3; ++c) {
@@ -138,8 +138,8 @@ void add_look_options(CLI::App& command, LookOptions& options) {
         ->capture_default_str();
 }
 
-lab::DrawOptions drawing_looks(const LookOptions& options) {
-    lab::DrawOptions looks;
+draw::DrawOptions drawing_looks(const LookOptions& options) {
+    draw::DrawOptions looks;
     looks.shading = parse_style(options);
     looks.ink = parse_color(options.ink, "--ink");
     looks.paper = parse_color(options.paper, "--paper");
@@ -147,16 +147,16 @@ lab::DrawOptions drawing_looks(const LookOptions& options) {
     looks.hand = parse_hand(options);
     if (!options.seed.empty()) looks.seed = parse_seed(options.seed);
     looks.dither = parse_dither(options.dither);
-    if (!(options.line_width_px >= 0 && options.line_width_px <= lab::kMostLineWidth_px)) {
+    if (!(options.line_width_px >= 0 && options.line_width_px <= draw::kMostLineWidth_px)) {
         throw core::Error("--line-width",
                           fmt::format("lines cannot be {:g} px wide", options.line_width_px),
-                          fmt::format("0..{:g}", lab::kMostLineWidth_px));
+                          fmt::format("0..{:g}", draw::kMostLineWidth_px));
     }
     looks.line_width_px = options.line_width_px;
-    if (options.antialias < 1 || options.antialias > lab::kMostAntialias) {
+    if (options.antialias < 1 || options.antialias > draw::kMostAntialias) {
         throw core::Error("--antialias",
                           fmt::format("{0} x {0} is not possible", options.antialias),
-                          fmt::format("1..{}", lab::kMostAntialias));
+                          fmt::format("1..{}", draw::kMostAntialias));
     }
     looks.antialias = options.antialias;
     return looks;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/drawing.h"
+#include "draw/drawing.h"
 
 namespace ink::cli {
 
@@ -34,6 +34,6 @@ void add_look_options(CLI::App& command, LookOptions& options);
 /// Throws core::Error (where = the option) for text that means nothing, and for an option that
 /// would do nothing: --set-shade or --surface without shading, --set-hand or --seed without
 /// --hand-drawn.
-[[nodiscard]] lab::DrawOptions drawing_looks(const LookOptions& options);
+[[nodiscard]] draw::DrawOptions drawing_looks(const LookOptions& options);
 
 }  // namespace ink::cli

@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
-#include "lab/explain.h"
+#include "draw/explain.h"
 
 namespace ink::cli {
 namespace {
@@ -24,9 +24,9 @@ struct ExplainArgs {
     bool json = false;
 };
 
-Json json_of(const std::vector<lab::Fact>& facts) {
+Json json_of(const std::vector<draw::Fact>& facts) {
     Json json = Json::object();
-    for (const lab::Fact& fact : facts) {
+    for (const draw::Fact& fact : facts) {
         if (fact.is_flag) {
             json[fact.name] = fact.value != 0;
         } else if (fact.value == std::floor(fact.value) && fact.value < 1e15) {
@@ -38,20 +38,20 @@ Json json_of(const std::vector<lab::Fact>& facts) {
     return json;
 }
 
-Json json_of(const std::vector<lab::Omission>& omissions) {
+Json json_of(const std::vector<draw::Omission>& omissions) {
     Json json = Json::object();
-    for (const lab::Omission& omission : omissions)
+    for (const draw::Omission& omission : omissions)
         json[omission.what] = {{"may", omission.may}, {"why", omission.why}};
     return json;
 }
 
-Json json_of(const lab::Explanation& explanation) {
+Json json_of(const draw::Explanation& explanation) {
     Json json = {{"scene", explanation.scene}, {"ledger", json_of(explanation.facts)}};
     json["views"] = Json::object();
-    for (const lab::ViewFacts& view : explanation.views)
+    for (const draw::ViewFacts& view : explanation.views)
         json["views"][view.view] = json_of(view.facts);
     json["methods"] = Json::object();
-    for (const lab::MethodExplanation& method : explanation.methods) {
+    for (const draw::MethodExplanation& method : explanation.methods) {
         Json plan = Json::array();
         for (const auto& line : method.plan)
             plan.push_back({{"what", line.what}, {"why", line.why}});
@@ -63,21 +63,21 @@ Json json_of(const lab::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
-    const auto entrants = lab::make_entrants(args.methods, args.settings);
+    const auto entrants = harness::make_entrants(args.methods, args.settings);
     if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
         throw core::Error("--crease",
                           fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
                           "0..180");
     }
-    const lab::ViewRequest request = view_request(args.views);
-    const lab::Subject subject = args.view.empty()
-                                     ? lab::make_subject(lab::load_scene(args.scene), request)
-                                     : lab::load_one_view(args.scene, args.view, request);
-    const lab::Explanation explanation = lab::explain(subject, entrants, args.crease_deg);
+    const harness::ViewRequest request = view_request(args.views);
+    const harness::Subject subject =
+        args.view.empty() ? harness::make_subject(harness::load_scene(args.scene), request)
+                          : harness::load_one_view(args.scene, args.view, request);
+    const draw::Explanation explanation = draw::explain(subject, entrants, args.crease_deg);
     if (args.json) {
         fmt::print("{}\n", json_of(explanation).dump(2));
     } else {
-        fmt::print("{}", lab::as_text(explanation));
+        fmt::print("{}", draw::as_text(explanation));
     }
 }
 

@@ -8,10 +8,10 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "lab/figure_run.h"
-#include "lab/figure_set.h"
-#include "lab/suite.h"
-#include "lab/summary.h"
+#include "experiment/summary.h"
+#include "harness/suite.h"
+#include "report/figure_run.h"
+#include "report/figure_set.h"
 
 namespace ink::cli {
 namespace {
@@ -39,11 +39,11 @@ struct FiguresArgs {
 constexpr std::size_t kScenesOfRun = 4;
 
 /// What is drawn; `run` are the rows that --from names, if it does.
-std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<lab::Row>& run) {
+std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<harness::Row>& run) {
     std::vector<std::string> names = scene_names(args.scenes, args.models);
     if (!names.empty()) return names;
-    if (run.empty()) return lab::split_list(kUsualScenes);
-    names = lab::drawable_scenes(run, kScenesOfRun);
+    if (run.empty()) return harness::split_list(kUsualScenes);
+    names = report::drawable_scenes(run, kScenesOfRun);
     if (!names.empty()) return names;
     throw core::Error("--from " + args.from,
                       "none of the run's scenes is built in, so that none can be drawn anew",
@@ -52,7 +52,7 @@ std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<lab
 
 std::optional<std::pair<std::string, std::string>> pair_of(const std::string& text) {
     if (text.empty()) return std::nullopt;
-    const std::vector<std::string> names = lab::split_list(text);
+    const std::vector<std::string> names = harness::split_list(text);
     if (names.size() != 2) {
         throw core::Error(
             "--pair", fmt::format("'{}' is not two methods", text), "two names, as mote4,decaudin");
@@ -61,32 +61,33 @@ std::optional<std::pair<std::string, std::string>> pair_of(const std::string& te
 }
 
 /// One view of each scene, unless a number of views, a camera or the file's cameras were asked for.
-std::vector<lab::Subject> subjects_of(const FiguresArgs& args, const std::vector<lab::Row>& run) {
-    lab::ViewRequest request = view_request(args.views);
+std::vector<harness::Subject> subjects_of(const FiguresArgs& args,
+                                          const std::vector<harness::Row>& run) {
+    harness::ViewRequest request = view_request(args.views);
     if (!run.empty() && !args.has_size) {
         request.width_px = run.front().width;
         request.height_px = run.front().height;
     }
-    std::vector<lab::Subject> subjects = lab::load_subjects(names_of(args, run), request);
-    for (lab::Subject& subject : subjects) {
+    std::vector<harness::Subject> subjects = harness::load_subjects(names_of(args, run), request);
+    for (harness::Subject& subject : subjects) {
         if (args.views.views.empty() && args.views.eyes.empty()) subject.views.resize(1);
     }
     return subjects;
 }
 
 /// The methods of the run with its settings, those alone that --methods names, if it does.
-std::vector<lab::Entrant> entrants_of_run(const FiguresArgs& args,
-                                          const std::vector<lab::Row>& run) {
+std::vector<harness::Entrant> entrants_of_run(const FiguresArgs& args,
+                                              const std::vector<harness::Row>& run) {
     if (!args.settings.empty()) {
         throw core::Error("--set", "methods have the settings of the run", "no --from beside it");
     }
-    const std::vector<lab::Entrant> all = lab::entrants_of(run);
+    const std::vector<harness::Entrant> all = report::entrants_of(run);
     if (args.methods.empty()) return all;
     std::vector<std::string> names;
-    for (const lab::Entrant& entrant : all)
+    for (const harness::Entrant& entrant : all)
         names.push_back(entrant.info->name);
-    std::vector<lab::Entrant> chosen;
-    for (const std::string& name : lab::split_list(args.methods)) {
+    std::vector<harness::Entrant> chosen;
+    for (const std::string& name : harness::split_list(args.methods)) {
         const auto at = std::find(names.begin(), names.end(), name);
         if (at == names.end()) {
             throw core::Error("--methods",
@@ -99,16 +100,16 @@ std::vector<lab::Entrant> entrants_of_run(const FiguresArgs& args,
 }
 
 /// The run's rows of those methods and of the brackets.
-lab::ChartSource chart_source(const FiguresArgs& args,
-                              const std::vector<lab::Row>& run,
-                              const std::vector<lab::Entrant>& entrants) {
-    lab::ChartSource source;
+report::ChartSource chart_source(const FiguresArgs& args,
+                                 const std::vector<harness::Row>& run,
+                                 const std::vector<harness::Entrant>& entrants) {
+    report::ChartSource source;
     std::set<std::string> scenes;
     std::set<std::string> names;
-    for (const lab::Entrant& entrant : entrants)
+    for (const harness::Entrant& entrant : entrants)
         names.insert(entrant.info->name);
-    for (const lab::Row& row : run) {
-        if (!lab::is_bracket(row.method) && names.count(row.method) == 0) continue;
+    for (const harness::Row& row : run) {
+        if (!harness::is_bracket(row.method) && names.count(row.method) == 0) continue;
         scenes.insert(row.scene);
         source.rows.push_back(row);
     }
@@ -121,15 +122,16 @@ lab::ChartSource chart_source(const FiguresArgs& args,
     return source;
 }
 
-lab::FigureOptions figure_options(const FiguresArgs& args, const std::vector<lab::Row>& run) {
-    lab::FigureOptions options;
+report::FigureOptions figure_options(const FiguresArgs& args,
+                                     const std::vector<harness::Row>& run) {
+    report::FigureOptions options;
     if (run.empty()) {
-        options.drawing.entrants = lab::make_entrants(args.methods, args.settings);
+        options.drawing.entrants = harness::make_entrants(args.methods, args.settings);
     } else {
         options.drawing.entrants = entrants_of_run(args, run);
         options.charts = chart_source(args, run, options.drawing.entrants);
     }
-    lab::MeasureOptions& measure = options.drawing.measure;
+    harness::MeasureOptions& measure = options.drawing.measure;
     measure.threads = checked_threads(args.threads);
     if (args.repetitions < 1 || args.repetitions > 10000) {
         throw core::Error(
@@ -147,11 +149,11 @@ lab::FigureOptions figure_options(const FiguresArgs& args, const std::vector<lab
 }
 
 void run_figures(const FiguresArgs& args, const std::string& command_line) {
-    const std::vector<lab::Row> run =
-        args.from.empty() ? std::vector<lab::Row>() : lab::read_run(args.from);
-    lab::FigureOptions options = figure_options(args, run);
+    const std::vector<harness::Row> run =
+        args.from.empty() ? std::vector<harness::Row>() : report::read_run(args.from);
+    report::FigureOptions options = figure_options(args, run);
     options.command = command_line;
-    const lab::FigureFiles files = lab::make_figures(subjects_of(args, run), options);
+    const report::FigureFiles files = report::make_figures(subjects_of(args, run), options);
     for (const std::string& name : files.names)
         fmt::print("{}\n", (std::filesystem::path(args.out) / name).string());
     if (files.is_interrupted) {

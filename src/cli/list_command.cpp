@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "lab/listing.h"
+#include "cli/listing.h"
 
 namespace ink::cli {
 
@@ -16,7 +16,7 @@ void add_list_command(CLI::App& app) {
             "what", *what, "all, methods, scenes, params, metrics, skips, shadings or axes")
         ->capture_default_str();
     command->footer("Example: inkbench list params");
-    command->callback([what] { fmt::print("{}", lab::listing(*what)); });
+    command->callback([what] { fmt::print("{}", cli::listing(*what)); });
 }
 
 }  // namespace ink::cli

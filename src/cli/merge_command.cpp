@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "lab/experiment_run.h"
+#include "experiment/experiment_run.h"
 
 namespace ink::cli {
 namespace {
@@ -14,8 +14,8 @@ struct MergeArgs {
 };
 
 void run_merge(const MergeArgs& args) {
-    const lab::RunOutcome outcome =
-        lab::merge_shards({args.folders.begin(), args.folders.end()}, args.out);
+    const experiment::RunOutcome outcome =
+        experiment::merge_shards({args.folders.begin(), args.folders.end()}, args.out);
     for (const std::filesystem::path& table : outcome.tables)
         fmt::print("{}\n", table.string());
     for (const std::string& fault : outcome.faults)

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "lab/entrants.h"
+#include "harness/entrants.h"
 
 namespace ink::cli {
 namespace {
@@ -24,7 +24,7 @@ bool parse_whole(std::string_view text, T& value) {
     return status == std::errc{} && end == text.data() + text.size();
 }
 
-void parse_size(const std::string& text, lab::ViewRequest& request) {
+void parse_size(const std::string& text, harness::ViewRequest& request) {
     const auto x = text.find('x');
     const bool is_pair = x != std::string::npos &&
                          parse_whole(std::string_view(text).substr(0, x), request.width_px) &&
@@ -34,11 +34,11 @@ void parse_size(const std::string& text, lab::ViewRequest& request) {
                           fmt::format("'{}' is no size", text),
                           "WIDTHxHEIGHT in pixels, such as 1280x720");
     }
-    lab::check_size(request.width_px, request.height_px);
+    harness::check_size(request.width_px, request.height_px);
 }
 
 glm::dvec3 parse_point(const std::string& text, const char* option) {
-    const std::vector<std::string> parts = lab::split_list(text);
+    const std::vector<std::string> parts = harness::split_list(text);
     glm::dvec3 point{0};
     bool is_point = parts.size() == 3;
     for (int i = 0; is_point && i < 3; ++i) {
@@ -51,13 +51,13 @@ glm::dvec3 parse_point(const std::string& text, const char* option) {
     return point;
 }
 
-void parse_cameras(const ViewOptions& options, lab::ViewRequest& request) {
+void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
     if (options.targets.size() > options.eyes.size()) {
         throw core::Error(
             "--target", "there are more targets than eyes", "one --eye for each --target");
     }
     for (std::size_t i = 0; i < options.eyes.size(); ++i) {
-        lab::CameraRequest camera;
+        harness::CameraRequest camera;
         camera.eye_world = parse_point(options.eyes[i], "--eye");
         if (i < options.targets.size()) {
             camera.target_world = parse_point(options.targets[i], "--target");
@@ -78,7 +78,7 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings, const
 
 std::vector<std::string> scene_names(const std::string& scenes,
                                      const std::vector<std::string>& models) {
-    std::vector<std::string> names = lab::split_list(scenes);
+    std::vector<std::string> names = harness::split_list(scenes);
     names.insert(names.end(), models.begin(), models.end());
     return names;
 }
@@ -117,8 +117,8 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
     command.add_option("--frame", options.frame, "A stored frame's number instead of --time");
 }
 
-lab::ViewRequest view_request(const ViewOptions& options) {
-    lab::ViewRequest request;
+harness::ViewRequest view_request(const ViewOptions& options) {
+    harness::ViewRequest request;
     parse_size(options.size, request);
     parse_cameras(options, request);
     if (options.views == "file") {

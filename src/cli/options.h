@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lab/suite.h"
-#include "lab/tracing.h"
+#include "harness/suite.h"
+#include "harness/tracing.h"
 
 namespace ink::cli {
 
@@ -32,7 +32,7 @@ struct ViewOptions {
 void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
-[[nodiscard]] lab::ViewRequest view_request(const ViewOptions& options);
+[[nodiscard]] harness::ViewRequest view_request(const ViewOptions& options);
 
 /// Adds --set, which may be given again; `doc` says what is set.
 void add_set_option(CLI::App& command,

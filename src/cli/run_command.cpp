@@ -6,9 +6,9 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
-#include "lab/experiment.h"
-#include "lab/experiment_plan.h"
-#include "lab/experiment_run.h"
+#include "experiment/experiment.h"
+#include "experiment/experiment_plan.h"
+#include "experiment/experiment_run.h"
 
 namespace ink::cli {
 namespace {
@@ -19,7 +19,7 @@ struct RunArgs {
     std::string file;
     std::string out;
     std::string shard = "1/1";
-    lab::ExperimentOverrides overrides;
+    experiment::ExperimentOverrides overrides;
     std::string views;
     bool is_fresh = false;
     bool is_dry = false;
@@ -32,8 +32,8 @@ void say(const std::string& line) {
     std::fflush(stdout);
 }
 
-lab::Experiment experiment_of(const RunArgs& args) {
-    lab::ExperimentOverrides overrides = args.overrides;
+experiment::Experiment experiment_of(const RunArgs& args) {
+    experiment::ExperimentOverrides overrides = args.overrides;
     if (!args.views.empty()) {
         ViewOptions views;
         views.views = args.views;
@@ -41,22 +41,22 @@ lab::Experiment experiment_of(const RunArgs& args) {
         if (!count) throw core::Error("--views", "no number", fmt::format("1..{}", kMostViews));
         overrides.views = count;
     }
-    return with_overrides(lab::read_experiment(args.file), overrides);
+    return with_overrides(experiment::read_experiment(args.file), overrides);
 }
 
-void list_blocks(const lab::Plan& plan, const lab::Shard& shard) {
-    for (const std::size_t i : lab::shard_blocks(plan, shard.i, shard.n))
+void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
+    for (const std::size_t i : experiment::shard_blocks(plan, shard.i, shard.n))
         say(fmt::format("{:6} cells  {}", plan.blocks[i].cells, plan.blocks[i].key));
     say(fmt::format("{}: {} cells in {} blocks", plan.name, plan.cells(), plan.blocks.size()));
 }
 
 void run_run(const RunArgs& args) {
-    const lab::Experiment experiment = experiment_of(args);
-    lab::TraceOptions trace;
+    const experiment::Experiment experiment = experiment_of(args);
+    harness::TraceOptions trace;
     trace.cache = cache_folder(args.cache);
-    const lab::Plan plan = make_plan(experiment, trace);
-    lab::RunOptions options;
-    options.shard = lab::parse_shard(args.shard);
+    const experiment::Plan plan = make_plan(experiment, trace);
+    experiment::RunOptions options;
+    options.shard = experiment::parse_shard(args.shard);
     options.out = args.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
                                    : std::filesystem::path(args.out);
     options.is_fresh = args.is_fresh;
@@ -65,7 +65,7 @@ void run_run(const RunArgs& args) {
         list_blocks(plan, options.shard);
         return;
     }
-    const lab::RunOutcome outcome = run_experiment(plan, options);
+    const experiment::RunOutcome outcome = run_experiment(plan, options);
     for (const std::filesystem::path& table : outcome.tables)
         say(table.string());
     for (const std::string& fault : outcome.faults)

@@ -6,14 +6,14 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "lab/score_files.h"
+#include "draw/score_files.h"
 
 namespace ink::cli {
 namespace {
 
 /// The command line of `score`.
 struct ScoreArguments {
-    lab::ScoreRequest request;
+    draw::ScoreRequest request;
     bool no_thin = false;
     bool as_json = false;
 };
@@ -52,7 +52,7 @@ std::string four_places(std::optional<double> value) {
     return value ? fmt::format("{:.4f}", *value) : "-";
 }
 
-std::string table_text(const lab::ScoreRequest& request, const score::Score& s) {
+std::string table_text(const draw::ScoreRequest& request, const score::Score& s) {
     std::string text = fmt::format("{} against {}\n",
                                    request.prediction.filename().string(),
                                    request.truth.filename().string());
@@ -80,7 +80,7 @@ std::string table_text(const lab::ScoreRequest& request, const score::Score& s) 
     text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
     for (const score::ClassCount& c : s.classes) {
         text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
-                            lab::label_text(c.label),
+                            draw::label_text(c.label),
                             static_cast<double>(c.k) / static_cast<double>(c.n_truth),
                             c.k,
                             c.n_truth);
@@ -90,7 +90,7 @@ std::string table_text(const lab::ScoreRequest& request, const score::Score& s) 
 
 void run_score(ScoreArguments a) {
     a.request.options.thin = !a.no_thin;
-    const score::Score result = lab::score_files(a.request);
+    const score::Score result = draw::score_files(a.request);
     fmt::print("{}", a.as_json ? json_text(result) : table_text(a.request, result));
 }
 

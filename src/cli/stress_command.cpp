@@ -8,7 +8,7 @@
 #include "cli/options.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "lab/stress.h"
+#include "experiment/stress.h"
 
 namespace ink::cli {
 namespace {
@@ -25,18 +25,18 @@ struct StressArgs {
     std::string out = "inkbench-out/stress";
 };
 
-std::vector<const lab::StressAxis*> chosen_axes(const std::string& list) {
-    std::vector<const lab::StressAxis*> axes;
-    for (const std::string& name : lab::split_list(list)) {
-        const lab::StressAxis* axis = &lab::find_stress_axis(name);
-        for (const lab::StressAxis* known : axes) {
+std::vector<const studies::StressAxis*> chosen_axes(const std::string& list) {
+    std::vector<const studies::StressAxis*> axes;
+    for (const std::string& name : harness::split_list(list)) {
+        const studies::StressAxis* axis = &studies::find_stress_axis(name);
+        for (const studies::StressAxis* known : axes) {
             if (known == axis)
                 throw core::Error("--axes", fmt::format("'{}' is named twice", name), "each once");
         }
         axes.push_back(axis);
     }
     if (axes.empty()) {
-        for (const lab::StressAxis& axis : lab::stress_axes())
+        for (const studies::StressAxis& axis : studies::stress_axes())
             axes.push_back(&axis);
     }
     return axes;
@@ -54,9 +54,9 @@ std::string command_line(const StressArgs& args) {
 }
 
 void run_stress_command(const StressArgs& args) {
-    lab::StressOptions options;
+    experiment::StressOptions options;
     options.axes = chosen_axes(args.axes);
-    options.entrants = lab::make_entrants(args.methods, args.settings);
+    options.entrants = harness::make_entrants(args.methods, args.settings);
     options.measure.threads = checked_threads(args.threads);
     options.seed = parse_seed(args.seed);
     if (args.points != 0) {
@@ -66,15 +66,15 @@ void run_stress_command(const StressArgs& args) {
         }
         options.points = args.points;
     }
-    const lab::ViewRequest request = view_request(args.views);
-    lab::check_size(request.width_px, request.height_px);
+    const harness::ViewRequest request = view_request(args.views);
+    harness::check_size(request.width_px, request.height_px);
     options.size = {request.width_px, request.height_px};
     options.trace.cache = cache_folder(args.cache);
     options.trace.truth.threads = core::hardware_threads();
     options.out = args.out;
     options.command = command_line(args);
-    const lab::StressResult result = lab::run_stress(options);
-    fmt::print("{}{}\n", lab::stress_table(result.points), result.page.string());
+    const experiment::StressResult result = experiment::run_stress(options);
+    fmt::print("{}{}\n", experiment::stress_table(result.points), result.page.string());
     if (result.is_interrupted) {
         fmt::print(stderr, "inkbench: interrupted; what was finished is written\n");
         throw CLI::RuntimeError(kInterrupted);

@@ -6,10 +6,10 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "core/error.h"
-#include "lab/interrupt.h"
-#include "lab/out_folder.h"
-#include "lab/skip_switches.h"
-#include "lab/timedemo.h"
+#include "harness/interrupt.h"
+#include "harness/out_folder.h"
+#include "harness/skip_switches.h"
+#include "studies/timedemo.h"
 
 namespace ink::cli {
 namespace {
@@ -28,33 +28,33 @@ struct TimedemoArgs {
 };
 
 void run_timedemo(const TimedemoArgs& args) {
-    lab::TimedemoOptions options;
-    options.entrants = lab::make_entrants(args.methods, args.settings);
+    studies::TimedemoOptions options;
+    options.entrants = harness::make_entrants(args.methods, args.settings);
     options.threads = checked_threads(args.threads);
-    options.skips = lab::without_skips({}, args.no_skip);
+    options.skips = harness::without_skips({}, args.no_skip);
     options.seed = parse_seed(args.seed);
     options.frames = args.frames;
     if (args.frames < 2 || args.frames > 10000) {
         throw core::Error("--frames", fmt::format("{} is not possible", args.frames), "2..10000");
     }
-    const lab::ViewRequest request = view_request(args.views);
+    const harness::ViewRequest request = view_request(args.views);
     if (request.time_s || request.frame) {
         throw core::Error(
             "--time", "a time demo shows all of an animation", "no --time or --frame");
     }
-    const lab::Subject subject = lab::load_one_view(args.scene, args.view, request);
-    if (!args.out.empty()) lab::make_out_folder(args.out);
-    const lab::InterruptGuard guard;
-    const auto frames = lab::run_timedemo(subject, options);
-    if (lab::is_interrupted()) {
+    const harness::Subject subject = harness::load_one_view(args.scene, args.view, request);
+    if (!args.out.empty()) harness::make_out_folder(args.out);
+    const harness::InterruptGuard guard;
+    const auto frames = studies::run_timedemo(subject, options);
+    if (harness::is_interrupted()) {
         fmt::print(stderr, "inkbench: interrupted; nothing is written\n");
         throw CLI::RuntimeError(kInterrupted);
     }
-    fmt::print("{}\n", lab::timedemo_heading(subject, options));
-    fmt::print("{}", lab::timedemo_table(frames));
+    fmt::print("{}\n", studies::timedemo_heading(subject, options));
+    fmt::print("{}", studies::timedemo_table(frames));
     if (args.out.empty()) return;
     const auto path = std::filesystem::path(args.out) / "timedemo.csv";
-    lab::write_timedemo(subject, frames, path);
+    studies::write_timedemo(subject, frames, path);
     fmt::print("{}\n", path.string());
 }
 

@@ -8,12 +8,12 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
-#include "lab/exr_layers.h"
-#include "lab/figures.h"
-#include "lab/outline_svg.h"
-#include "lab/picture.h"
-#include "lab/tracing.h"
-#include "lab/witness_report.h"
+#include "draw/exr_layers.h"
+#include "draw/outline_svg.h"
+#include "draw/picture.h"
+#include "draw/witness_report.h"
+#include "harness/tracing.h"
+#include "report/figures.h"
 
 namespace ink::cli {
 namespace {
@@ -34,17 +34,17 @@ struct TruthArgs {
 };
 
 /// In the format that the name asks for.
-void write_truth(const lab::Subject& subject,
+void write_truth(const harness::Subject& subject,
                  const truth::TruthOptions& options,
                  const truth::Truth& truth,
                  const std::filesystem::path& path) {
     if (path.extension() == ".exr") {
-        lab::write_truth_exr(subject, options, truth, path);
+        draw::write_truth_exr(subject, options, truth, path);
     } else if (path.extension() == ".svg") {
         core::write_whole_file(path,
-                               lab::outline_svg(truth, subject.scene.name, subject.views.front()));
+                               draw::outline_svg(truth, subject.scene.name, subject.views.front()));
     } else {
-        lab::write_truth_labels(truth, path);
+        draw::write_truth_labels(truth, path);
     }
 }
 
@@ -59,7 +59,7 @@ std::string default_disagreement(const scene::Scene& scene, const scene::View& v
                           "this folder cannot be made",
                           "a writable working folder, or --disagreement FILE");
     }
-    const std::string name = lab::file_stem(scene.name + "_" + view.camera.name) + ".png";
+    const std::string name = report::file_stem(scene.name + "_" + view.camera.name) + ".png";
     const auto path = folder / name;
     check_output_path(path, {".png"});
     return path.string();
@@ -70,13 +70,13 @@ bool check_truth(const TruthArgs& args,
                  truth::SceneModel& model,
                  const scene::View& view,
                  const truth::Truth& truth) {
-    const truth::WitnessCheck check =
-        truth::cached_witness(model, view, truth, cache_folder(args.cache));
-    const lab::IdAgreement ids = lab::compare_ids(model.scene(), view, raster::DepthFormat::q32);
-    lab::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
+    const harness::WitnessCheck check =
+        harness::cached_witness(model, view, truth, cache_folder(args.cache));
+    const draw::IdAgreement ids = draw::compare_ids(model.scene(), view, raster::DepthFormat::q32);
+    draw::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
     fmt::print("{}{}disagreements: {}\n",
-               lab::witness_summary(check, truth.curves),
-               lab::id_summary(ids),
+               draw::witness_summary(check, truth.curves),
+               draw::id_summary(ids),
                *args.disagreement);
     const bool is_agreed = check.agreement.is_agreed();
     if (!is_agreed) {
@@ -87,11 +87,11 @@ bool check_truth(const TruthArgs& args,
 }
 
 /// A view that is too large to trace is told in one line, exit code 1.
-lab::ViewTruth traced_or_refused(truth::SceneModel& model,
-                                 const scene::View& view,
-                                 const std::filesystem::path& cache) {
+harness::ViewTruth traced_or_refused(truth::SceneModel& model,
+                                     const scene::View& view,
+                                     const std::filesystem::path& cache) {
     try {
-        return lab::trace_view(model, view, cache);
+        return harness::trace_view(model, view, cache);
     } catch (const truth::TooLarge& reason) {
         fmt::print(stderr, "inkbench: {}: too_large: {}\n", model.scene().name, reason.what());
         throw CLI::RuntimeError(1);
@@ -102,7 +102,7 @@ void run_truth(TruthArgs args) {
     if (args.disagreement && !args.witness) {
         throw core::Error("--disagreement", "there is no witness to disagree", "--witness");
     }
-    lab::TraceOptions options;
+    harness::TraceOptions options;
     apply(args.truth, options.truth);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
@@ -111,22 +111,22 @@ void run_truth(TruthArgs args) {
     for (const auto& file : {args.picture, args.sampled, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
-    const lab::Subject subject =
-        lab::load_one_view(args.scene, args.view, view_request(args.views));
-    lab::report_progress(options.truth);
+    const harness::Subject subject =
+        harness::load_one_view(args.scene, args.view, view_request(args.views));
+    harness::report_progress(options.truth);
     truth::SceneModel model(subject.scene, options.truth);
-    const lab::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
+    const harness::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
     if (args.witness && !args.disagreement) {
         args.disagreement = default_disagreement(subject.scene, subject.views.front());
     }
     if (args.file) write_truth(subject, options.truth, truth.traced, *args.file);
     if (args.svg) write_truth(subject, options.truth, truth.traced, *args.svg);
-    if (args.picture) lab::write_truth_picture(truth.traced, *args.picture);
-    if (args.sampled) lab::write_strengths(truth.traced.sampled, *args.sampled);
+    if (args.picture) draw::write_truth_picture(truth.traced, *args.picture);
+    if (args.sampled) draw::write_strengths(truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
                subject.scene.name,
                subject.views.front().camera.name,
-               lab::truth_summary(truth.traced));
+               harness::truth_summary(truth.traced));
     if (args.witness && !check_truth(args, model, subject.views.front(), truth.traced)) {
         throw CLI::RuntimeError(1);
     }

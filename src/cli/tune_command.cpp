@@ -9,9 +9,9 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
-#include "lab/tune.h"
-#include "lab/tune_bound.h"
-#include "lab/tune_report.h"
+#include "tune/tune.h"
+#include "tune/tune_bound.h"
+#include "tune/tune_report.h"
 
 namespace ink::cli {
 namespace {
@@ -67,18 +67,18 @@ void check_choice(const char* option,
         option, fmt::format("there is no '{}'", given), core::known_names(names, given));
 }
 
-lab::TuneOptions tune_options(const TuneArgs& args) {
-    lab::TuneOptions options;
-    if (lab::split_list(args.method).size() != 1) {
+tune::TuneOptions tune_options(const TuneArgs& args) {
+    tune::TuneOptions options;
+    if (harness::split_list(args.method).size() != 1) {
         throw core::Error("METHOD",
                           fmt::format("'{}' is not one method", args.method),
                           "one name of inkbench list methods");
     }
-    options.entrant = lab::make_entrants(args.method, args.settings).front();
+    options.entrant = harness::make_entrants(args.method, args.settings).front();
     options.knobs = args.knobs;
     check_choice("--objective", args.objective, {"error", "scenes", "ap"});
-    if (args.objective == "scenes") options.objective = lab::TuneObjective::scenes;
-    if (args.objective == "ap") options.objective = lab::TuneObjective::ap;
+    if (args.objective == "scenes") options.objective = tune::TuneObjective::scenes;
+    if (args.objective == "ap") options.objective = tune::TuneObjective::ap;
     if (args.budget_ms && !(*args.budget_ms > 0)) {
         throw core::Error(
             "--budget-ms", fmt::format("it cannot be {}", *args.budget_ms), "above 0");
@@ -88,8 +88,8 @@ lab::TuneOptions tune_options(const TuneArgs& args) {
         throw core::Error(
             "--evaluations", fmt::format("{} is not possible", args.evaluations), "1..1000000");
     }
-    check_choice("--global", args.global, lab::global_searches());
-    check_choice("--local", args.local, lab::local_searches());
+    check_choice("--global", args.global, tune::global_searches());
+    check_choice("--local", args.local, tune::local_searches());
     options.plan = {.evaluations = args.evaluations,
                     .seed = parse_seed(args.seed),
                     .global = args.global,
@@ -111,17 +111,18 @@ lab::TuneOptions tune_options(const TuneArgs& args) {
 }
 
 void run_tune(const TuneArgs& args, const std::string& command) {
-    lab::TuneOptions options = tune_options(args);
+    tune::TuneOptions options = tune_options(args);
     options.command = command;
     if (args.more_views < 0 || args.more_views > 1000) {
         throw core::Error(
             "--more-views", fmt::format("{} is not possible", args.more_views), "0..1000");
     }
-    const lab::ViewRequest request = view_request(args.views);
-    std::vector<lab::Subject> subjects = lab::load_subjects(lab::split_list(args.scenes), request);
-    for (lab::Subject& subject : subjects)
-        lab::add_training_views(subject, request, args.more_views);
-    const lab::TuneResult result = lab::tune(subjects, options);
+    const harness::ViewRequest request = view_request(args.views);
+    std::vector<harness::Subject> subjects =
+        harness::load_subjects(harness::split_list(args.scenes), request);
+    for (harness::Subject& subject : subjects)
+        tune::add_training_views(subject, request, args.more_views);
+    const tune::TuneResult result = tune::tune(subjects, options);
     if (result.is_interrupted) {
         fmt::print(stderr,
                    "inkbench: interrupted; the finished evaluations are in {}, and the same "
@@ -129,10 +130,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
                    (options.out / "evaluations.csv.part").string());
         throw CLI::RuntimeError(kInterrupted);
     }
-    fmt::print("{}", lab::tune_summary(result, options));
+    fmt::print("{}", tune::tune_summary(result, options));
     std::fflush(stdout);
     if (!args.no_bound) {
-        fmt::print("{}", lab::tune_bound_lines(subjects, result, options));
+        fmt::print("{}", tune::tune_bound_lines(subjects, result, options));
     }
 }
 
@@ -168,12 +169,13 @@ void add_tune_command(CLI::App& app) {
         ->add_option("--global",
                      args->global,
                      fmt::format("Search for 60 % of the evaluations: {}",
-                                 fmt::join(lab::global_searches(), ", ")))
+                                 fmt::join(tune::global_searches(), ", ")))
         ->capture_default_str();
     command
-        ->add_option("--local",
-                     args->local,
-                     fmt::format("Search for the rest: {}", fmt::join(lab::local_searches(), ", ")))
+        ->add_option(
+            "--local",
+            args->local,
+            fmt::format("Search for the rest: {}", fmt::join(tune::local_searches(), ", ")))
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "No random search of as many evaluations beside it");

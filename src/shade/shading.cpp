@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "raster/pass.h"
+#include "raster/pass/pass.h"
 #include "scene/camera.h"
 #include "shade/flat_patches.h"
 #include "shade/lamps.h"

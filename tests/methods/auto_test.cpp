@@ -5,9 +5,9 @@
 
 #include <glm/trigonometric.hpp>
 
+#include "catalogue/shapes.h"
 #include "methods/auto/auto_plan.h"
-#include "scene/shapes.h"
-#include "small_scenes.h"
+#include "tests/methods/small_scenes.h"
 
 // What `auto` plans for each kind of scene, and that it draws what it plans.
 
@@ -43,7 +43,7 @@ scene::Mesh in_pieces(const scene::Mesh& mesh) {
 
 TEST(AutoPlan, ACurvedClosedSurfaceNeedsOneByteOfDepth) {
     for (const scene::Mesh& mesh :
-         {scene::make_icosphere(1, 3), scene::make_torus({2, 0.5}, {48, 24})}) {
+         {catalogue::make_icosphere(1, 3), catalogue::make_torus({2, 0.5}, {48, 24})}) {
         const CodePlan plan = plan_for(scene_of({mesh}));
         EXPECT_FALSE(reads_normals(plan));
         EXPECT_EQ(plan.store, raster::Store::u8);
@@ -59,10 +59,11 @@ TEST(AutoPlan, FlatSheetsNeedDepthAloneInSmallSteps) {
 TEST(AutoPlan, SmallStepsNeedAnEncodingThatIsFlatOnPlanes) {
     for (const scene::Mesh& mesh : {cube_mesh(), floor_mesh(1)})
         EXPECT_EQ(plan_for(scene_of({mesh})).encoding, raster::DepthEncoding::inverse);
-    for (const scene::Mesh& mesh : {scene::make_icosphere(1, 3), scene::make_cylinder(1, 2, 36)})
+    for (const scene::Mesh& mesh :
+         {catalogue::make_icosphere(1, 3), catalogue::make_cylinder(1, 2, 36)})
         EXPECT_EQ(plan_for(scene_of({mesh})).encoding, raster::DepthEncoding::log);
     // 0.72 degrees from facet to facet.
-    EXPECT_EQ(plan_for(scene_of({scene::make_cylinder(1, 2, 500)})).encoding,
+    EXPECT_EQ(plan_for(scene_of({catalogue::make_cylinder(1, 2, 500)})).encoding,
               raster::DepthEncoding::inverse);
 }
 
@@ -76,7 +77,8 @@ TEST(AutoPlan, CreasesNeedNormalsWithUnlikeWeights) {
 }
 
 TEST(AutoPlan, SmoothBallsThatMayCrossNeedNormalsWithoutAnyCrease) {
-    scene::Scene balls = scene_of({scene::make_icosphere(1, 3), scene::make_icosphere(1, 3)});
+    scene::Scene balls =
+        scene_of({catalogue::make_icosphere(1, 3), catalogue::make_icosphere(1, 3)});
     balls.instances[1].world_from_object = glm::translate(glm::dmat4(1), {0.5, 0, 0});
     EXPECT_TRUE(reads_normals(plan_for(balls)));
     balls.instances[1].world_from_object = glm::translate(glm::dmat4(1), {2.5, 0, 0});
@@ -84,15 +86,17 @@ TEST(AutoPlan, SmoothBallsThatMayCrossNeedNormalsWithoutAnyCrease) {
 }
 
 TEST(AutoPlan, ASoupsNormalsAreLeftOutWhateverItsCreases) {
-    const CodePlan plan = plan_for(scene_of({in_pieces(scene::make_icosphere(1, 2)), cube_mesh()}));
+    const CodePlan plan =
+        plan_for(scene_of({in_pieces(catalogue::make_icosphere(1, 2)), cube_mesh()}));
     EXPECT_FALSE(reads_normals(plan));
-    EXPECT_THAT(plan.lines, Contains(Field(&PlanLine::why, HasSubstr("no neighbour"))));
+    EXPECT_THAT(plan.lines,
+                Contains(buffers::Field(&method::PlanLine::why, HasSubstr("no neighbour"))));
 }
 
 TEST(AutoPlan, CoarserFacetsNeedALargerStep) {
     // The same range for a larger step is the same as more bits shifted away.
     const auto codes_a_step = [](int sides) {
-        const CodePlan plan = plan_for(scene_of({scene::make_cylinder(1, 2, sides)}));
+        const CodePlan plan = plan_for(scene_of({catalogue::make_cylinder(1, 2, sides)}));
         const glm::dvec3 n = plan.ranges.normal;
         const double sum = plan.ranges.depth + n.x + n.y + n.z;
         return std::ldexp(kPlannedStrength, -plan.scale_bits) / sum;
@@ -103,7 +107,7 @@ TEST(AutoPlan, CoarserFacetsNeedALargerStep) {
 }
 
 TEST(AutoPlan, LeavesTheSkyALinesStepBeyondTheFarthestCode) {
-    for (const scene::Mesh& mesh : {cube_mesh(), floor_mesh(1), scene::make_icosphere(1, 3)}) {
+    for (const scene::Mesh& mesh : {cube_mesh(), floor_mesh(1), catalogue::make_icosphere(1, 3)}) {
         const CodePlan plan = plan_for(scene_of({mesh}));
         const glm::dvec3 n = plan.ranges.normal;
         const double most = plan.ranges.depth + n.x + n.y + n.z;
@@ -113,19 +117,20 @@ TEST(AutoPlan, LeavesTheSkyALinesStepBeyondTheFarthestCode) {
 }
 
 TEST(AutoPlan, SaysThatSeamsAreSeenByNone) {
-    const scene::Mesh left = scene::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-    const scene::Mesh right = scene::make_sheet({1, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const scene::Mesh left = catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    const scene::Mesh right = catalogue::make_sheet({1, 0, 0}, {1, 0, 0}, {0, 1, 0});
     EXPECT_THAT(plan_for(scene_of({left, right})).lines,
-                Contains(Field(&PlanLine::what, HasSubstr("seams"))));
-    EXPECT_THAT(plan_for(scene_of({left})).lines,
-                testing::Not(Contains(Field(&PlanLine::what, HasSubstr("seams")))));
+                Contains(buffers::Field(&method::PlanLine::what, HasSubstr("seams"))));
+    EXPECT_THAT(
+        plan_for(scene_of({left})).lines,
+        testing::Not(Contains(buffers::Field(&method::PlanLine::what, HasSubstr("seams")))));
 }
 
 TEST(AutoPlan, EveryLineHasAReason) {
     for (const scene::Scene& scene : {scene_of({cube_mesh()}), cube_on_floor(), scene::Scene{}}) {
         const CodePlan plan = plan_for(scene);
         EXPECT_GE(plan.lines.size(), 4U);
-        for (const PlanLine& line : plan.lines) {
+        for (const method::PlanLine& line : plan.lines) {
             EXPECT_FALSE(line.what.empty());
             EXPECT_FALSE(line.why.empty());
         }
@@ -142,7 +147,7 @@ TEST(AutoPlan, WishesGoBeforeThePlan) {
 
 TEST(Auto, TellsThePlanOfTheSceneThatWasPrepared) {
     const auto method = find_method("auto").make({});
-    const scene::Scene ball = scene_of({scene::make_icosphere(1, 3)});
+    const scene::Scene ball = scene_of({catalogue::make_icosphere(1, 3)});
     method->prepare(ball);
     EXPECT_EQ(method->plan().front().what, "depth alone, no normals");
     EXPECT_EQ(method->bytes_per_px(), 4 + 1);
@@ -162,7 +167,7 @@ TEST(Auto, DeclaresACodeWhosePlanesAreSureToBeSilent) {
 }
 
 TEST(Auto, OtherMethodsPlanNothing) {
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         if (info.name == "auto") continue;
         EXPECT_TRUE(info.make({})->plan().empty()) << info.name;
     }

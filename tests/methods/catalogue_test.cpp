@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "catalogue/catalogue.h"
 #include "methods/registry.h"
-#include "names.h"
-#include "scene/catalogue.h"
-#include "small_scenes.h"
+#include "tests/methods/names.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -11,11 +11,11 @@ namespace {
 class CatalogueScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(CatalogueScene, IsDrawnAlikeOnEveryThreadCountByEveryMethod) {
-    const scene::Scene scene = scene::make_catalogue_scene(GetParam());
+    const scene::Scene scene = catalogue::make_catalogue_scene(GetParam());
     ASSERT_FALSE(scene.cameras.empty());
     for (const scene::Camera& camera : scene.cameras) {
         const scene::View view{camera, 160, 90};
-        for (const MethodInfo& info : registry()) {
+        for (const method::MethodInfo& info : registry()) {
             const auto one = drawn(info.name, {}, scene, {view, 1});
             EXPECT_EQ(one, drawn(info.name, {}, scene, {view, 2})) << info.name;
         }

@@ -7,16 +7,16 @@
 
 #include "core/error.h"
 #include "methods/registry.h"
-#include "names.h"
 #include "scene/animation.h"
-#include "small_scenes.h"
+#include "tests/methods/names.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
 
 class Contract : public testing::TestWithParam<std::string> {
   protected:
-    const MethodInfo& info() const { return find_method(GetParam()); }
+    const method::MethodInfo& info() const { return find_method(GetParam()); }
     edge::EdgeImage draw(const core::ParamValues& values, int threads = 1) const {
         return drawn(GetParam(), values, scene_, {view_, threads});
     }

@@ -7,9 +7,9 @@
 #include <random>
 #include <tuple>
 
-#include "methods/vertex_weld.h"
-#include "scene/catalogue.h"
-#include "scene/shapes.h"
+#include "buffers/vertex_weld.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/shapes.h"
 #include "scene/surface.h"
 #include "tests/scene/small_meshes.h"
 
@@ -20,7 +20,9 @@ constexpr std::array kBuilders{EdgeBuilder::all_pairs, EdgeBuilder::temp_list, E
 
 std::vector<scene::Triangle> welded(const std::vector<glm::dvec3>& points,
                                     const std::vector<scene::Triangle>& triangles) {
-    return weld_faces(weld_vertices(points, 0), points, triangles, DoubleFaces::keep).faces;
+    return buffers::weld_faces(
+               buffers::weld_vertices(points, 0), points, triangles, buffers::DoubleFaces::keep)
+        .faces;
 }
 
 std::vector<scene::Triangle> welded(const scene::Mesh& mesh) {
@@ -29,7 +31,7 @@ std::vector<scene::Triangle> welded(const scene::Mesh& mesh) {
 
 /// The catalogue's rocket as one list of 100 triangles.
 std::vector<scene::Triangle> rocket() {
-    const scene::Surface surface = scene::flatten(scene::make_catalogue_scene("rocket"));
+    const scene::Surface surface = scene::flatten(catalogue::make_catalogue_scene("rocket"));
     return welded(surface.p_world, surface.triangles);
 }
 
@@ -74,14 +76,14 @@ void expect_closed(const std::vector<scene::Triangle>& triangles, std::size_t ed
 TEST(EdgeBuilders, AllThreeGiveTheEdgesOfClosedForms) {
     expect_closed({{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}, 6);  // tetrahedron
     expect_closed(welded(scene::unit_cube()), 12 + 6);               // and a diagonal a side
-    expect_closed(welded(scene::make_icosphere(1, 0)), 30);
-    expect_closed(welded(scene::make_icosphere(1, 3)), 30 * 64);
-    expect_closed(welded(scene::make_torus({2, 0.5}, {12, 7})), 3 * 12 * 7);
+    expect_closed(welded(catalogue::make_icosphere(1, 0)), 30);
+    expect_closed(welded(catalogue::make_icosphere(1, 3)), 30 * 64);
+    expect_closed(welded(catalogue::make_torus({2, 0.5}, {12, 7})), 3 * 12 * 7);
     expect_closed(rocket(), 150);
 }
 
 TEST(EdgeBuilders, AllThreeAgreeOnWhatIsNotClosed) {
-    const auto sheet = scene::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 2});
+    const auto sheet = catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 2});
     const auto edges = edges_by_all(welded(sheet));
     EXPECT_EQ(edges.size(), 4 * 2 + 3 * 3 + 6U);  // across, along, diagonals
     EXPECT_EQ(count_lone(edges), 10U);
@@ -128,7 +130,7 @@ std::uint64_t comparisons_from_mates(const std::vector<scene::Triangle>& triangl
 }
 
 TEST(EdgeBuilders, TempListComparesWithThoseThatWaitOnly) {
-    for (const auto& triangles : {rocket(), welded(scene::make_icosphere(1, 2))}) {
+    for (const auto& triangles : {rocket(), welded(catalogue::make_icosphere(1, 2))}) {
         const BuildCounts counts = list_edges(triangles, EdgeBuilder::temp_list).counts;
         EXPECT_EQ(counts.comparisons, comparisons_from_mates(triangles));
     }

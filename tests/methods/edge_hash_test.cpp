@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "scene/shapes.h"
-#include "small_scenes.h"
+#include "catalogue/shapes.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -26,7 +26,7 @@ edge::EdgeImage picture(EdgeHash& method, const scene::View& view) {
 }
 
 TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
-    const scene::Scene scene = scene_of({scene::make_icosphere(1, 3)});
+    const scene::Scene scene = scene_of({catalogue::make_icosphere(1, 3)});
     const scene::View here = view_from(scene, {0, 1, 5}, {0, 0, 0}, kSize_px);
     const scene::View there = view_from(scene, {3, 1, 4}, {0, 0, 0}, kSize_px);
     EdgeHash exact = posed(scene);

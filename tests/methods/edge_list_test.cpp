@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "scene/catalogue.h"
-#include "small_scenes.h"
+#include "catalogue/catalogue.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Both,
 
 TEST(EdgeList, EveryBuilderGivesTheSamePicture) {
     for (const char* name : {"rocket", "cone", "soup"}) {
-        const scene::Scene scene = scene::make_catalogue_scene(name);
+        const scene::Scene scene = catalogue::make_catalogue_scene(name);
         const scene::View view{scene.cameras[0], kSize_px.first, kSize_px.second};
         const auto picture = drawn("edge_list", {{"builder", "hash"}}, scene, {view});
         EXPECT_EQ(drawn("edge_list", {{"builder", "temp_list"}}, scene, {view}), picture) << name;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-#include "small_scenes.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -50,7 +50,7 @@ bool has_line(const edge::EdgeImage& image, int threshold = 1, int margin_px = 1
 
 TEST(Floor, NoMethodDrawsOnIt) {
     const scene::Scene scene = scene_of({floor_mesh(4000)});
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         for (const double angle_deg : kAngles_deg) {
             scene::View view = view_over_floor(angle_deg);
             view.camera.near = 0.1;

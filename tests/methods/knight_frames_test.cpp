@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
+#include "import/import.h"
 #include "methods/edge_hash/edge_hash.h"
 #include "scene/animation.h"
-#include "scene/import.h"
 #include "tests/shared_files.h"
 
 namespace ink::methods {
@@ -24,7 +24,7 @@ class KnightFrames : public testing::Test {
     void SetUp() override {
         const auto path = shared_file("models/knight.mdl");
         INK_SKIP_WITHOUT(path);
-        knight_ = scene::import_scene(path);
+        knight_ = import::import_scene(path);
         ASSERT_EQ(knight_.animation->frame_count(), kFrames);
     }
     /// The knight as it is in a frame.
@@ -132,8 +132,8 @@ TEST_F(KnightFrames, SilhouettesFollowTheEyeFromFrameToFrame) {
             bounds.center_world +
             2.1 * bounds.radius * glm::dvec3(std::sin(turn_rad), 0.31, std::cos(turn_rad));
         std::set<Side> found;
-        for (const KnownEdge& edge : models.lines(eye)) {
-            if (edge.kind != EdgeKind::contour) continue;
+        for (const buffers::KnownEdge& edge : models.lines(eye)) {
+            if (edge.kind != buffers::EdgeKind::contour) continue;
             found.insert(side_between(place(edge.a_world), place(edge.b_world)));
         }
         EXPECT_EQ(found, silhouettes_of(knight, eye)) << f;
@@ -155,8 +155,8 @@ TEST_F(KnightFrames, SilhouettesFollowAnEyeThatMovesRoundOneFrame) {
             bounds.center_world +
             1.7 * bounds.radius * glm::dvec3(std::sin(turn_rad), 0.47, std::cos(turn_rad));
         std::set<Side> found;
-        for (const KnownEdge& edge : models.lines(eye)) {
-            if (edge.kind == EdgeKind::contour)
+        for (const buffers::KnownEdge& edge : models.lines(eye)) {
+            if (edge.kind == buffers::EdgeKind::contour)
                 found.insert(side_between(place(edge.a_world), place(edge.b_world)));
         }
         EXPECT_EQ(found, silhouettes_of(knight, eye)) << step;

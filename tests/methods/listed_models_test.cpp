@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "catalogue/shapes.h"
 #include "core/error.h"
-#include "scene/shapes.h"
-#include "small_scenes.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -26,12 +26,13 @@ std::ostream& operator<<(std::ostream& out, const KindCounts& counts) {
                << " lone";
 }
 
-KindCounts count(const std::vector<KnownEdge>& edges) {
-    const auto of = [&](EdgeKind kind) {
+KindCounts count(const std::vector<buffers::KnownEdge>& edges) {
+    const auto of = [&](buffers::EdgeKind kind) {
         return std::count_if(
             edges.begin(), edges.end(), [&](const auto& edge) { return edge.kind == kind; });
     };
-    return {of(EdgeKind::contour), of(EdgeKind::crease), of(EdgeKind::lone)};
+    return {
+        of(buffers::EdgeKind::contour), of(buffers::EdgeKind::crease), of(buffers::EdgeKind::lone)};
 }
 
 ListedModels posed(const scene::Scene& scene, EdgeScope scope = EdgeScope::object) {
@@ -71,13 +72,13 @@ TEST(ListedModels, TheGazeTurnsFacesThatTheEyesPositionDoesNot) {
     const scene::Camera away = camera(eye, eye + glm::dvec3(-0.25, 0, -1));
     EXPECT_EQ(seen_from(models, away), (KindCounts{6, 6, 0}));
     const auto edge_between = [&](FacingRule facing) {
-        for (const KnownEdge& edge : models.lines(away, facing, EdgeOnRule::include)) {
+        for (const buffers::KnownEdge& edge : models.lines(away, facing, EdgeOnRule::include)) {
             if (edge.a_world + edge.b_world == glm::dvec3(4, 0, 2)) return edge.kind;
         }
-        return EdgeKind::none;
+        return buffers::EdgeKind::none;
     };
-    EXPECT_EQ(edge_between(FacingRule::position), EdgeKind::crease);
-    EXPECT_EQ(edge_between(FacingRule::direction), EdgeKind::contour);
+    EXPECT_EQ(edge_between(FacingRule::position), buffers::EdgeKind::crease);
+    EXPECT_EQ(edge_between(FacingRule::direction), buffers::EdgeKind::contour);
 }
 
 TEST(ListedModels, AnEdgeOnFaceIsAContoursOtherSideByOption) {
@@ -119,7 +120,7 @@ TEST(ListedModels, AMeshUsedTwiceIsListedOnce) {
 TEST(ListedModels, AllPairsOfALargeMeshIsRefused) {
     ListedModels models(EdgeScope::object, EdgeBuilder::all_pairs, kCrease_rad);
     const scene::Scene scene =
-        scene_of({scene::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {200, 200})});
+        scene_of({catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {200, 200})});
     try {
         models.prepare(scene);
         FAIL() << "no error";

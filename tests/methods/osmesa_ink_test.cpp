@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "scene/catalogue.h"
+#include "catalogue/catalogue.h"
 #include "scene/surface.h"
-#include "small_scenes.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -23,7 +23,7 @@ struct Stage {
     scene::Surface surface;
     scene::View view;
 
-    explicit Stage(const std::string& name) : scene(scene::make_catalogue_scene(name)) {
+    explicit Stage(const std::string& name) : scene(catalogue::make_catalogue_scene(name)) {
         surface = scene::flatten(scene);
         view.camera = scene.cameras.front();
         view.width_px = kWidth_px;

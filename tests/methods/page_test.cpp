@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "methods/knob_table.h"
 #include "methods/registry.h"
+#include "tests/methods/knob_table.h"
 
 namespace ink::methods {
 namespace {
@@ -18,7 +18,7 @@ std::string page_of(const std::string& method) {
 }
 
 TEST(Page, EveryMethodHasItsPartsInOrder) {
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         const std::string page = page_of(info.name);
         std::size_t at = 0;
         for (const std::string& heading : {"# " + info.name,
@@ -37,7 +37,7 @@ TEST(Page, EveryMethodHasItsPartsInOrder) {
 
 TEST(Page, KnobsAreThoseOfTheTable) {
     const std::string begin = "<!-- knobs -->\n";
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         const std::string page = page_of(info.name);
         const std::size_t first = page.find(begin);
         const std::size_t last = page.find("<!-- /knobs -->");

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "names.h"
-#include "small_scenes.h"
+#include "tests/methods/names.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -99,7 +99,7 @@ TEST(Picture, TilesLeaveNoSeam) {
     constexpr int kShift_px = 11;
     const scene::Scene scene = cube_on_floor();
     const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, {200, 150});
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         const auto image = drawn(info.name, {}, scene, {view, 1});
         const auto moved = drawn(info.name, {}, scene, {widened(view, kShift_px), 1});
         int differing = 0;
@@ -120,7 +120,7 @@ TEST(Picture, ATriangleSeenFromItsBackUsesTheNegatedNormal) {
             std::swap(triangle[1], triangle[2]);
     }
     const scene::View view = view_from(front, {4, 3, 6}, {0, 0, 0}, {150, 101});
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         if (knows_sides(info.name)) continue;
         EXPECT_EQ(drawn(info.name, {}, front, {view, 1}), drawn(info.name, {}, back, {view, 1}))
             << info.name;
@@ -158,7 +158,7 @@ TEST(Picture, ACubesEdgesAreDrawnAndItsFacesAreNot) {
         const glm::dvec3 p = scene::Projection(view).to_clip(p_world);
         return glm::ivec2(glm::dvec2(p.x, p.y) / p.z);
     };
-    for (const MethodInfo& info : registry()) {
+    for (const method::MethodInfo& info : registry()) {
         const int threshold = std::stoi(info.complete({}).at("threshold"));
         const auto image = drawn(info.name, {}, scene, {view, 1});
         for (const glm::dvec3 crease : {glm::dvec3(1, 0, 1), {1, 1, 0}, {0, 1, 1}}) {

@@ -10,8 +10,8 @@
 #include "core/error.h"
 #include "methods/registry.h"
 #include "methods/tuned.h"
-#include "names.h"
-#include "small_scenes.h"
+#include "tests/methods/names.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -84,7 +84,8 @@ TEST(Presets, AnErrorNamesFileLineKeyAndWhatIsAccepted) {
 }
 
 TEST(Presets, AMethodOfAPresetDrawsAsItsMethodWithThoseSettings) {
-    const MethodInfo info = preset_method(parse_preset(kText, "mine.toml", registry()), registry());
+    const method::MethodInfo info =
+        preset_method(parse_preset(kText, "mine.toml", registry()), registry());
     EXPECT_EQ(info.name, "mine");
     const core::ParamValues all = info.complete({{"fatten", "false"}});
     EXPECT_EQ(all.at("range_depth"), "80.5");
@@ -105,7 +106,8 @@ TEST(Presets, AMethodOfAPresetDrawsAsItsMethodWithThoseSettings) {
 }
 
 TEST(Presets, DefaultsShownAreThoseOfTheFile) {
-    const MethodInfo info = preset_method(parse_preset(kText, "mine.toml", registry()), registry());
+    const method::MethodInfo info =
+        preset_method(parse_preset(kText, "mine.toml", registry()), registry());
     const auto default_of = [&](const std::string& name) {
         for (const core::Param& param : info.params) {
             if (param.name == name) return param.default_value;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "lab/skip_scenes.h"
-#include "lab/skip_study.h"
+#include "studies/skip_scenes.h"
+#include "studies/skip_study.h"
 
 namespace ink::methods {
 namespace {
@@ -23,17 +23,18 @@ class SkipCounts : public testing::TestWithParam<std::string> {
     }
     /// mote4 on the scene of the skip, with a quarter of its triangles on a quarter of the pixels:
     /// with every skip, without that one, without any.
-    std::vector<lab::SkipTime> times(int threads = 1) const {
-        const lab::SkipStudyOptions quick{.width_px = 640,
-                                          .height_px = 360,
-                                          .threads = threads,
-                                          .levels = lab::kSkipSceneLevels - 1,
-                                          .min_rounds = 1,
-                                          .max_rounds = 1};
-        const auto entrants = lab::make_entrants("mote4", {});
-        return lab::time_skips(entrants.front(), lab::skip_scene(skip(), quick.levels), quick);
+    std::vector<studies::SkipTime> times(int threads = 1) const {
+        const studies::SkipStudyOptions quick{.width_px = 640,
+                                              .height_px = 360,
+                                              .threads = threads,
+                                              .levels = studies::kSkipSceneLevels - 1,
+                                              .min_rounds = 1,
+                                              .max_rounds = 1};
+        const auto entrants = harness::make_entrants("mote4", {});
+        return studies::time_skips(
+            entrants.front(), studies::skip_scene(skip(), quick.levels), quick);
     }
-    raster::SkipCount count(const lab::SkipTime& time) const {
+    raster::SkipCount count(const studies::SkipTime& time) const {
         return time.counts[static_cast<std::size_t>(skip())];
     }
 };

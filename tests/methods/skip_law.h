@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "small_scenes.h"
+#include "tests/methods/small_scenes.h"
 
 // The law of skips: whatever a method is allowed to skip, its picture is the one it draws when it
 // may skip nothing. As functions that name the first breach, so that they can be tried on methods
@@ -10,7 +10,7 @@
 
 namespace ink::methods {
 
-using MakeMethod = std::function<std::unique_ptr<Method>()>;
+using MakeMethod = std::function<std::unique_ptr<method::Method>()>;
 
 /// What is allowed, and what to call it.
 struct NamedSkips {
@@ -30,7 +30,7 @@ inline std::vector<NamedSkips> skip_sets() {
 }
 
 /// What a method draws over garbage.
-inline edge::EdgeImage drawn_over_garbage(Method& method, const Frame& frame) {
+inline edge::EdgeImage drawn_over_garbage(method::Method& method, const method::Frame& frame) {
     edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
     method.draw(frame, out);
     return out;

@@ -1,27 +1,27 @@
 // A skip never changes a bit: over all methods of the registry, on catalogue scenes that stand
 // still and on sequences in which something moves.
 
-#include "skip_law.h"
+#include "tests/methods/skip_law.h"
 
 #include <gtest/gtest.h>
 
-#include "names.h"
-#include "scene/catalogue.h"
-#include "scene/shapes.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/shapes.h"
+#include "tests/methods/names.h"
 
 namespace ink::methods {
 namespace {
 
 using raster::Skip;
 
-MakeMethod maker(const MethodInfo& info, const core::ParamValues& settings = {}) {
+MakeMethod maker(const method::MethodInfo& info, const core::ParamValues& settings = {}) {
     return [&info, settings] { return info.make(settings); };
 }
 
 class SkipsOnAScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(SkipsOnAScene, LeaveThePicturesOfAllMethodsAlone) {
-    const scene::Scene scene = scene::make_catalogue_scene(GetParam());
+    const scene::Scene scene = catalogue::make_catalogue_scene(GetParam());
     std::vector<scene::View> views;
     // Four by three tiles, those at the frame cut.
     for (const scene::Camera& camera : {scene.cameras.front(), scene.cameras.back()})
@@ -29,7 +29,7 @@ TEST_P(SkipsOnAScene, LeaveThePicturesOfAllMethodsAlone) {
     if (scene.cameras.size() == 1) {
         views.back().camera = scene::orbit_cameras(bounding_sphere(scene), 1, 1.5).front();
     }
-    for (const MethodInfo& info : registry())
+    for (const method::MethodInfo& info : registry())
         EXPECT_EQ(breach_of_a_view(maker(info), scene, views), "") << info.name;
 }
 
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Every,
 /// A cube on a floor among four balls, each in tiles of its own.
 scene::Scene playground() {
     scene::Scene scene = cube_on_floor();
-    scene.meshes.push_back(scene::make_icosphere(0.5, 2));
+    scene.meshes.push_back(catalogue::make_icosphere(0.5, 2));
     for (const glm::dvec3 at : {glm::dvec3{3, 0, 2}, {-3, 0, 2}, {3, 2, -2}, {-3, 2, -2}}) {
         scene.instances.push_back({2, glm::translate(glm::dmat4(1), at), "ball"});
     }
@@ -157,7 +157,7 @@ std::vector<Step> eventful_sequence() {
 
 class SkipsInASequence : public testing::TestWithParam<std::string> {
   protected:
-    const MethodInfo& info() const { return find_method(GetParam()); }
+    const method::MethodInfo& info() const { return find_method(GetParam()); }
     const std::vector<Step> steps_ = eventful_sequence();
 };
 
@@ -202,12 +202,12 @@ INSTANTIATE_TEST_SUITE_P(Every,
 
 /// mote4, spoilt: one pixel is another where a skip is allowed, or a frame before the same camera
 /// is taken for still.
-class Cheat final : public Method {
+class Cheat final : public method::Method {
   public:
     Cheat(Skip skip, bool is_forgetful) : skip_(skip), is_forgetful_(is_forgetful) {}
     void prepare(const scene::Scene& scene) override { inner_->prepare(scene); }
     void pose(const scene::Scene& scene) override { inner_->pose(scene); }
-    void draw(const Frame& frame, edge::EdgeImage& out) override {
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         if (is_forgetful_) return draw_if_seen_from_elsewhere(frame, out);
         inner_->draw(frame, out);
         if (frame.skips.has(skip_) && frame.threads == 2) out.at(3, 3) ^= 1;
@@ -215,7 +215,7 @@ class Cheat final : public Method {
     int bytes_per_px() const override { return 1; }
 
   private:
-    void draw_if_seen_from_elsewhere(const Frame& frame, edge::EdgeImage& out) {
+    void draw_if_seen_from_elsewhere(const method::Frame& frame, edge::EdgeImage& out) {
         const glm::dvec3& eye = frame.view.camera.eye_world;
         if (!frame.skips.has(skip_) || eye != last_eye_ || last_.size() != out.size()) {
             inner_->draw(frame, out);
@@ -225,7 +225,7 @@ class Cheat final : public Method {
         out = last_;
     }
 
-    std::unique_ptr<Method> inner_ = find_method("mote4").make({});
+    std::unique_ptr<method::Method> inner_ = find_method("mote4").make({});
     Skip skip_;
     bool is_forgetful_;
     edge::EdgeImage last_;

@@ -56,7 +56,7 @@ inline scene::View view_from(const scene::Scene& scene,
 inline edge::EdgeImage drawn(const std::string& method,
                              const core::ParamValues& values,
                              const scene::Scene& scene,
-                             const Frame& frame) {
+                             const method::Frame& frame) {
     const auto made = find_method(method).make(values);
     edge::EdgeImage out(frame.view.width_px, frame.view.height_px, 0xab);
     made->prepare(scene);

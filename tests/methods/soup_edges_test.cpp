@@ -6,10 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "catalogue/catalogue.h"
+#include "catalogue/shapes.h"
+#include "import/import.h"
 #include "methods/edge_hash/soup_models.h"
-#include "scene/catalogue.h"
-#include "scene/import.h"
-#include "scene/shapes.h"
 #include "tests/scene/small_meshes.h"
 #include "tests/shared_files.h"
 
@@ -38,7 +38,7 @@ TEST(SoupEdges, ClosedFormsComeTogetherFromLooseTriangles) {
     EXPECT_EQ(cube.counts.places, 8U);
     EXPECT_EQ(cube.counts.edges, 18U);
     EXPECT_EQ(cube.counts.lone, 0U);
-    const SoupEdges ball = found(exploded(scene::make_icosphere(1, 2)));
+    const SoupEdges ball = found(exploded(catalogue::make_icosphere(1, 2)));
     EXPECT_EQ(ball.counts.places, 10U * 16 + 2);
     EXPECT_EQ(ball.counts.edges, 30U * 16);
     EXPECT_EQ(ball.counts.lone + ball.counts.crowded, 0U);
@@ -78,7 +78,7 @@ TEST(SoupEdges, CopesWithDoubleAndDegenerateFacesAndWithFins) {
 
 TEST(SoupEdges, TheToleranceClosesCracks) {
     // A torus of 64 x 32 quads, its triangles apart by millionths.
-    const scene::Scene scene = scene::make_catalogue_scene("soup");
+    const scene::Scene scene = catalogue::make_catalogue_scene("soup");
     const scene::Mesh& ring = scene.meshes[scene.instances[0].mesh];
     ASSERT_EQ(ring.triangles.size(), 2U * 64 * 32);
     EXPECT_GT(found(ring, 0).counts.lone, 12000U);  // of 12288 sides
@@ -123,7 +123,7 @@ TEST(SoupEdges, OfKnightComeToThis) {
     INK_SKIP_WITHOUT(path);
     // 511 triangles, split along the skin's seam. Its vertices lie on a grid of 255 steps: equal
     // ones are equal.
-    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{677, 89, 89, 89}));
 }
 
@@ -131,14 +131,14 @@ TEST(SoupEdges, OfKyonshiComeToThis) {
     const auto path = shared_file("models/kyonshi/lower.md3");
     INK_SKIP_WITHOUT(path);
     // 2530 triangles in ten surfaces of three parts, some of which touch.
-    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{952, 260, 260, 224}));
 }
 
 TEST(SoupEdges, OfAModelWithCracksComeToThis) {
     const auto path = shared_file("models/featuretype.stl");
     INK_SKIP_WITHOUT(path);
-    EXPECT_EQ(lone_edges(scene::import_scene(path), 1e-5),
+    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{3 * 3476, 576, 0, 0}));
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/shapes.h"
-#include "small_scenes.h"
+#include "catalogue/shapes.h"
+#include "tests/methods/small_scenes.h"
 
 namespace ink::methods {
 namespace {
@@ -20,17 +20,18 @@ SoupModels posed(const scene::Scene& scene) {
     return models;
 }
 
-std::ptrdiff_t count(const std::vector<KnownEdge>& edges, EdgeKind kind) {
-    return std::count_if(
-        edges.begin(), edges.end(), [&](const KnownEdge& edge) { return edge.kind == kind; });
+std::ptrdiff_t count(const std::vector<buffers::KnownEdge>& edges, buffers::EdgeKind kind) {
+    return std::count_if(edges.begin(), edges.end(), [&](const buffers::KnownEdge& edge) {
+        return edge.kind == kind;
+    });
 }
 
 /// What the edge on the z axis is; none where it is not listed.
-EdgeKind axis_kind(const SoupModels& models, const glm::dvec3& eye) {
-    for (const KnownEdge& edge : models.lines(eye)) {
+buffers::EdgeKind axis_kind(const SoupModels& models, const glm::dvec3& eye) {
+    for (const buffers::KnownEdge& edge : models.lines(eye)) {
         if (edge.a_world + edge.b_world == glm::dvec3(0)) return edge.kind;
     }
-    return EdgeKind::none;
+    return buffers::EdgeKind::none;
 }
 
 /// Faces that all have the z axis from -1 to 1 as a side.
@@ -49,28 +50,28 @@ TEST(SoupModels, WhichWayAFaceRunsDoesNotMatter) {
     for (const bool is_turned : {false, true}) {
         if (is_turned) std::swap(roof.meshes[0].triangles[0][0], roof.meshes[0].triangles[0][1]);
         const SoupModels models = posed(roof);
-        EXPECT_EQ(axis_kind(models, {0, 5, 0}), EdgeKind::crease);
-        EXPECT_EQ(axis_kind(models, {0.5, -5, 0.25}), EdgeKind::crease);  // from inside
-        EXPECT_EQ(axis_kind(models, {5, 0, 0}), EdgeKind::contour);
-        EXPECT_EQ(axis_kind(models, {-5, 1, 0}), EdgeKind::contour);
-        EXPECT_EQ(axis_kind(models, {5, -5, 0}), EdgeKind::contour);  // one is edge-on
+        EXPECT_EQ(axis_kind(models, {0, 5, 0}), buffers::EdgeKind::crease);
+        EXPECT_EQ(axis_kind(models, {0.5, -5, 0.25}), buffers::EdgeKind::crease);  // from inside
+        EXPECT_EQ(axis_kind(models, {5, 0, 0}), buffers::EdgeKind::contour);
+        EXPECT_EQ(axis_kind(models, {-5, 1, 0}), buffers::EdgeKind::contour);
+        EXPECT_EQ(axis_kind(models, {5, -5, 0}), buffers::EdgeKind::contour);  // one is edge-on
     }
 }
 
 TEST(SoupModels, OfThreeFacesTheTwoThatAreSeenDecide) {
     const SoupModels fin = posed(faces_on_the_axis({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-    EXPECT_EQ(axis_kind(fin, {2, 2, 0}), EdgeKind::crease);   // the fin hides the far half
-    EXPECT_EQ(axis_kind(fin, {-2, 1, 0}), EdgeKind::crease);  // and here the other
-    EXPECT_EQ(axis_kind(fin, {0.5, -2, 0}), EdgeKind::none);  // from below all is flat
+    EXPECT_EQ(axis_kind(fin, {2, 2, 0}), buffers::EdgeKind::crease);   // the fin hides the far half
+    EXPECT_EQ(axis_kind(fin, {-2, 1, 0}), buffers::EdgeKind::crease);  // and here the other
+    EXPECT_EQ(axis_kind(fin, {0.5, -2, 0}), buffers::EdgeKind::none);  // from below all is flat
     const SoupModels fan = posed(faces_on_the_axis({{-1, -1, 0}, {-1, 0, 0}, {-1, 1, 0}}));
-    EXPECT_EQ(axis_kind(fan, {0.5, 5, 0}), EdgeKind::contour);  // all on one side
-    EXPECT_EQ(axis_kind(fan, {-5, 0.5, 0}), EdgeKind::crease);  // between two of them
+    EXPECT_EQ(axis_kind(fan, {0.5, 5, 0}), buffers::EdgeKind::contour);  // all on one side
+    EXPECT_EQ(axis_kind(fan, {-5, 0.5, 0}), buffers::EdgeKind::crease);  // between two of them
 }
 
 TEST(SoupModels, LoneEdgesAreSoFromEverywhere) {
     const SoupModels models = posed(faces_on_the_axis({{1, 0, 0}}));
     for (const glm::dvec3 eye : {glm::dvec3{0, 5, 0}, {0, -5, 0}, {5, 0, 0}})
-        EXPECT_EQ(count(models.lines(eye), EdgeKind::lone), 3);
+        EXPECT_EQ(count(models.lines(eye), buffers::EdgeKind::lone), 3);
 }
 
 /// A cube's edge is a contour if the eye is in front of one of its two faces only.
@@ -95,7 +96,7 @@ TEST(SoupModels, SilhouettesFollowTheEyeFrameByFrame) {
         const glm::dvec3 eye(
             2 * std::cos(angle), 1.5 * std::sin(3 * angle + 0.5), 1.75 * std::sin(angle));
         const auto lines = models.lines(eye);
-        EXPECT_EQ(count(lines, EdgeKind::contour), cube_contours(eye)) << frame;
+        EXPECT_EQ(count(lines, buffers::EdgeKind::contour), cube_contours(eye)) << frame;
         EXPECT_EQ(lines.size(), 12U) << frame;
     }
 }

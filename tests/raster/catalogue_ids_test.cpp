@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "scene/catalogue.h"
+#include "catalogue/catalogue.h"
 #include "tests/raster/id_agreement.h"
 
 namespace ink::raster {
 namespace {
 
 TEST(IdsAgainstEmbree, EveryCatalogueSceneInEveryView) {
-    for (const scene::CatalogueEntry& entry : scene::catalogue()) {
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         const scene::Scene scene = entry.make();
         expect_same_ids(scene, scene.cameras);
     }

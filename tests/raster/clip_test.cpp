@@ -1,4 +1,4 @@
-#include "raster/clip.h"
+#include "raster/pass/clip.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "raster/screen_vertex.h"
+#include "raster/pass/screen_vertex.h"
 #include "scene/camera.h"
 #include "tests/raster/gather_sink.h"
 

@@ -1,4 +1,4 @@
-#include "raster/depth.h"
+#include "raster/depth/depth.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

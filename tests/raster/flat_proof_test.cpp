@@ -1,12 +1,12 @@
-#include "raster/flat_proof.h"
+#include "raster/pass/flat_proof.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <random>
 
-#include "raster/drawn_rows.h"
-#include "raster/tile_fill.h"
+#include "raster/pass/drawn_rows.h"
+#include "raster/pass/tile_fill.h"
 
 namespace ink::raster {
 namespace {

@@ -1,13 +1,13 @@
-#include "raster/front_depth.h"
+#include "raster/mesh/front_depth.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "catalogue/shapes.h"
 #include "core/simd.h"
 #include "gather_sink.h"
-#include "raster/mesh_pass.h"
-#include "scene/shapes.h"
+#include "raster/mesh/mesh_pass.h"
 
 namespace ink::raster {
 namespace {
@@ -22,8 +22,10 @@ struct TwoSheets {
 
     TwoSheets() {
         scene::Scene made;
-        made.meshes.push_back(scene::make_sheet({-1, -1, 0}, {2, 0, 0.25}, {0, 2, 0.5}, {70, 70}));
-        made.meshes.push_back(scene::make_sheet({-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0}, {60, 60}));
+        made.meshes.push_back(
+            catalogue::make_sheet({-1, -1, 0}, {2, 0, 0.25}, {0, 2, 0.5}, {70, 70}));
+        made.meshes.push_back(
+            catalogue::make_sheet({-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0}, {60, 60}));
         made.instances.resize(2);
         made.instances[1].mesh = 1;
         surface = scene::flatten(made, scene::NormalSource::patch, 0.7);

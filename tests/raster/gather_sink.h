@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/image.h"
-#include "raster/pass.h"
+#include "raster/pass/pass.h"
 
 namespace ink::raster {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "lab/id_agreement.h"
+#include "draw/id_agreement.h"
 
 namespace ink::raster {
 namespace {
@@ -17,8 +17,8 @@ void expect_same_ids(const scene::Scene& scene, const std::vector<scene::Camera>
     ASSERT_FALSE(cameras.empty()) << scene.name;
     for (const scene::Camera& camera : cameras) {
         for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24}) {
-            const lab::IdAgreement ids =
-                lab::compare_ids(scene, {camera, kWidth_px, kHeight_px}, depth);
+            const draw::IdAgreement ids =
+                draw::compare_ids(scene, {camera, kWidth_px, kHeight_px}, depth);
             fmt::print(
                 "{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} "
                 "else\n",

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/import.h"
+#include "import/import.h"
 #include "tests/raster/id_agreement.h"
 #include "tests/shared_files.h"
 
@@ -77,7 +77,7 @@ TEST(IdsAgainstEmbree, AnEyeInsideASoupCutByTheNearPlane) {
 TEST(IdsAgainstEmbree, Bunny) {
     const auto path = shared_file("models/bunny.obj");
     INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = scene::import_scene(path);
+    const scene::Scene scene = import::import_scene(path);
     expect_same_ids(scene, round_views(scene, 3));
 }
 
@@ -95,7 +95,7 @@ scene::Camera inside_view(const scene::Scene& scene,
 TEST(IdsAgainstEmbree, HydronexFromInside) {
     const auto path = shared_file("models/hydronex.obj");
     INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = scene::import_scene(path);
+    const scene::Scene scene = import::import_scene(path);
     expect_same_ids(scene,
                     {inside_view(scene, {584, 90, 1912}, {-0.31, 0.02, -0.95}),
                      inside_view(scene, {-160, 122, 0}, {-0.17, 0.02, 0.98}),
@@ -105,7 +105,7 @@ TEST(IdsAgainstEmbree, HydronexFromInside) {
 TEST(IdsAgainstEmbree, Temple) {
     const auto path = shared_file("models/temple.glb");
     INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = scene::import_scene(path);
+    const scene::Scene scene = import::import_scene(path);
     std::vector<scene::Camera> cameras = round_views(scene, 3);
     const glm::dvec3 center = scene::bounding_sphere(scene).center_world;
     cameras.push_back(inside_view(scene, center, {1, 0.1, 0.3}));

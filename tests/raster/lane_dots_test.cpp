@@ -1,4 +1,4 @@
-#include "raster/lane_dots.h"
+#include "raster/mesh/lane_dots.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/simd.h"
-#include "raster/tile_buffer.h"
+#include "raster/pass/tile_buffer.h"
 
 namespace ink::raster {
 namespace {

@@ -1,4 +1,4 @@
-#include "raster/line_pass.h"
+#include "raster/lines/line_pass.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "line_reference.h"
-#include "raster/view_transform.h"
+#include "raster/pass/view_transform.h"
 
 namespace ink::raster {
 namespace {

@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "raster/screen_vertex.h"
+#include "raster/pass/screen_vertex.h"
 
 namespace ink::raster {
 

@@ -1,4 +1,4 @@
-#include "raster/line_steps.h"
+#include "raster/lines/line_steps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "raster/line_vertices.h"
+#include "raster/lines/line_vertices.h"
 
 #include <gtest/gtest.h>
 

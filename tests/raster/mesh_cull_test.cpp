@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "catalogue/catalogue.h"
 #include "core/simd.h"
 #include "gather_sink.h"
-#include "raster/depth_image.h"
-#include "raster/mesh_pass.h"
-#include "raster/view_transform.h"
-#include "scene/catalogue.h"
+#include "raster/depth/depth_image.h"
+#include "raster/mesh/mesh_pass.h"
+#include "raster/pass/view_transform.h"
 
 namespace ink::raster {
 namespace {
@@ -25,7 +25,7 @@ struct Stage {
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
-        const scene::Scene made = scene::make_catalogue_scene(name);
+        const scene::Scene made = catalogue::make_catalogue_scene(name);
         surface = scene::flatten(made);
         mesh = LaneMesh(surface);
         const scene::Sphere bounds = scene::bounding_sphere(made);

@@ -1,14 +1,14 @@
-#include "raster/mesh_pass.h"
+#include "raster/mesh/mesh_pass.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
+#include "catalogue/catalogue.h"
 #include "core/simd.h"
 #include "gather_sink.h"
-#include "raster/view_transform.h"
-#include "scene/catalogue.h"
+#include "raster/pass/view_transform.h"
 #include "scene/predicates.h"
 
 namespace ink::raster {
@@ -151,7 +151,7 @@ struct Stage {
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
-        const scene::Scene made = scene::make_catalogue_scene(name);
+        const scene::Scene made = catalogue::make_catalogue_scene(name);
         surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
         mesh = LaneMesh(surface);
         ids.resize(surface.triangles.size());

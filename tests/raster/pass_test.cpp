@@ -1,4 +1,4 @@
-#include "raster/pass.h"
+#include "raster/pass/pass.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "raster/polygon_offset.h"
+#include "raster/depth/polygon_offset.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "raster/depth_image.h"
-#include "raster/mesh_pass.h"
+#include "raster/depth/depth_image.h"
+#include "raster/mesh/mesh_pass.h"
 
 namespace ink::raster {
 namespace {

@@ -1,4 +1,4 @@
-#include "raster/vertex_cut.h"
+#include "raster/pass/vertex_cut.h"
 
 #include <gtest/gtest.h>
 

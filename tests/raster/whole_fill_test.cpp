@@ -1,4 +1,4 @@
-#include "raster/whole_fill.h"
+#include "raster/pass/whole_fill.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/simd.h"
-#include "raster/triangle_stage.h"
+#include "raster/pass/triangle_stage.h"
 
 namespace ink::raster {
 namespace {

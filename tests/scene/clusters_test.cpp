@@ -10,8 +10,8 @@
 #include <random>
 #include <set>
 
+#include "catalogue/shapes.h"
 #include "scene/predicates.h"
-#include "scene/shapes.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
@@ -25,7 +25,7 @@ Surface patches(const Mesh& mesh) {
 
 /// A ball whose vertices are shaken by up to `by`, in [-1, 1] each way.
 Mesh shaken_ball(int levels, double by) {
-    Mesh mesh = make_icosphere(1, levels);
+    Mesh mesh = catalogue::make_icosphere(1, levels);
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (glm::vec3& p : mesh.positions)
@@ -93,7 +93,7 @@ TEST(Clusters, HoldEachTriangleWithAnAreaOnce) {
     cube.triangles.push_back(cube.triangles[0]);
     Scene two = scene_of(shaken_ball(4, 0.02));
     two.instances.push_back({0, glm::translate(glm::dmat4(1), glm::dvec3(1, 0, 0)), "other"});
-    for (const Scene& scene : {scene_of(cube), two, scene_of(make_cone(1, 1, 500))}) {
+    for (const Scene& scene : {scene_of(cube), two, scene_of(catalogue::make_cone(1, 1, 500))}) {
         for (const auto source : {NormalSource::file, NormalSource::patch, NormalSource::facet})
             expect_partition(flatten(scene, source, kCrease_rad));
         expect_partition(flatten(scene));
@@ -117,7 +117,7 @@ TEST(Clusters, AreTheSameEveryTime) {
 }
 
 TEST(Clusters, OfASmoothBallAreNearlyFull) {
-    const Clusters clusters = make_clusters(patches(make_icosphere(1, 5)));
+    const Clusters clusters = make_clusters(patches(catalogue::make_icosphere(1, 5)));
     const std::size_t count = clusters.clusters.size();
     EXPECT_GE(clusters.vertices.size(), 48 * count);
     EXPECT_GE(clusters.triangles.size(), 85 * count);
@@ -125,7 +125,7 @@ TEST(Clusters, OfASmoothBallAreNearlyFull) {
 
 TEST(Clusters, OfFacetsFillUpOverEdgesThatShareNoCorner) {
     const Surface surface =
-        flatten(scene_of(make_icosphere(1, 4)), NormalSource::facet, kCrease_rad);
+        flatten(scene_of(catalogue::make_icosphere(1, 4)), NormalSource::facet, kCrease_rad);
     const Clusters clusters = make_clusters(surface);
     EXPECT_EQ(clusters.solids.size(), 1U);
     EXPECT_GE(clusters.triangles.size(), 16 * clusters.clusters.size());
@@ -146,19 +146,19 @@ TEST(Clusters, LieInTheirBalls) {
 
 TEST(Seal, ClosesBoxesBallsAndRings) {
     EXPECT_TRUE(is_sealed(unit_cube()));
-    EXPECT_TRUE(is_sealed(make_icosphere(1, 3)));
-    EXPECT_TRUE(is_sealed(make_torus({2, 0.5}, {24, 12})));
+    EXPECT_TRUE(is_sealed(catalogue::make_icosphere(1, 3)));
+    EXPECT_TRUE(is_sealed(catalogue::make_torus({2, 0.5}, {24, 12})));
 }
 
 TEST(Seal, IsBrokenByAHole) {
-    Mesh open = make_icosphere(1, 3);
+    Mesh open = catalogue::make_icosphere(1, 3);
     open.triangles.pop_back();
     EXPECT_FALSE(is_sealed(open));
-    EXPECT_FALSE(is_sealed(make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
+    EXPECT_FALSE(is_sealed(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
 }
 
 TEST(Seal, IsBrokenByTurningInsideOut) {
-    Mesh ball = make_icosphere(1, 3);
+    Mesh ball = catalogue::make_icosphere(1, 3);
     turn_inside_out(ball);
     EXPECT_FALSE(is_sealed(ball));
 }
@@ -205,10 +205,10 @@ TEST(Seal, IsBrokenByDuplicatesAndByFacesWithoutArea) {
     twice.triangles.push_back(twice.triangles[0]);
     EXPECT_FALSE(is_sealed(twice));
 
-    Mesh two_sided = make_sheet({0.1, 0.2, 0.3}, {1, 0.1, 0}, {0, 1, 0.7}, {5, 7});
+    Mesh two_sided = catalogue::make_sheet({0.1, 0.2, 0.3}, {1, 0.1, 0}, {0, 1, 0.7}, {5, 7});
     Mesh back = two_sided;
     turn_inside_out(back);
-    append(two_sided, back);
+    catalogue::append(two_sided, back);
     EXPECT_FALSE(is_sealed(two_sided));
 
     // A triangle with its middle on an edge: (0, 8, 1) closes the gap and covers nothing.
@@ -225,10 +225,10 @@ TEST(Seal, IsBrokenByDuplicatesAndByFacesWithoutArea) {
 }
 
 TEST(Seal, IsEachSolidsOwn) {
-    Mesh hollow = make_icosphere(2, 3);
-    Mesh cavity = make_icosphere(1, 3);
+    Mesh hollow = catalogue::make_icosphere(2, 3);
+    Mesh cavity = catalogue::make_icosphere(1, 3);
     turn_inside_out(cavity);
-    append(hollow, cavity);
+    catalogue::append(hollow, cavity);
     const Clusters clusters = make_clusters(patches(hollow));
     ASSERT_EQ(clusters.solids.size(), 2U);
     EXPECT_TRUE(clusters.solids[0].is_sealed);
@@ -302,7 +302,7 @@ TEST(TurnedAway, ClustersShowTheirBacksOnly) {
 // One face is one cluster, whose test is then all but exact.
 TEST(TurnedAway, AFlatSheetFromJustBehindAndNotFromItsPlane) {
     const Clusters clusters =
-        make_clusters(flatten(scene_of(make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}))));
+        make_clusters(flatten(scene_of(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}))));
     ASSERT_EQ(clusters.clusters.size(), 1U);
     EXPECT_TRUE(is_turned_away(clusters.clusters[0], {0.5, 0.5, -0.01}));
     EXPECT_TRUE(is_turned_away(clusters.clusters[0], {0.9, 0.1, -100}));
@@ -370,7 +370,7 @@ TEST(Refresh, OpensASolidThatTurnsInsideOutOrComesApart) {
 }
 
 TEST(Refresh, TakesInATriangleThatGetsAnArea) {
-    Mesh mesh = make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    Mesh mesh = catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     mesh.positions.emplace_back(2, 0, 0);
     mesh.triangles.push_back({0, 1, 4});
     Surface surface = flatten(scene_of(mesh));

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "scene/shapes.h"
+#include "catalogue/shapes.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
@@ -62,7 +62,7 @@ TEST(Ledger, OfACubeInsideOutIsClosedButNotSealed) {
 }
 
 TEST(Ledger, OfASphereIsCurvedConvexAndWithoutCreases) {
-    const Ledger ledger = ledger_of(scene_of(make_icosphere(1, 3)));
+    const Ledger ledger = ledger_of(scene_of(catalogue::make_icosphere(1, 3)));
     EXPECT_EQ(ledger.triangles, 20U * 64);
     EXPECT_EQ(ledger.smooth.count, 30U * 64);
     EXPECT_FALSE(ledger.has_creases());
@@ -73,7 +73,7 @@ TEST(Ledger, OfASphereIsCurvedConvexAndWithoutCreases) {
 }
 
 TEST(Ledger, OfATorusIsSealedButHidesItself) {
-    const Ledger ledger = ledger_of(scene_of(make_torus({2, 0.5}, {48, 24})));
+    const Ledger ledger = ledger_of(scene_of(catalogue::make_torus({2, 0.5}, {48, 24})));
     EXPECT_EQ(ledger.sealed_pieces, 1U);
     EXPECT_EQ(ledger.convex_pieces, 0U);
     EXPECT_TRUE(ledger.may_hide());
@@ -83,7 +83,8 @@ TEST(Ledger, OfATorusIsSealedButHidesItself) {
 }
 
 TEST(Ledger, OfAQuadIsOpenAndFlat) {
-    const Ledger ledger = ledger_of(scene_of(make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
+    const Ledger ledger =
+        ledger_of(scene_of(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
     EXPECT_EQ(ledger.boundary.count, 4U);
     EXPECT_DOUBLE_EQ(ledger.boundary.length_world, 4);
     EXPECT_EQ(ledger.flat.count, 1U);
@@ -95,8 +96,9 @@ TEST(Ledger, OfAQuadIsOpenAndFlat) {
 }
 
 TEST(Ledger, OfTwoCoplanarTilesHasOneSeam) {
-    const Ledger ledger = ledger_of(scene_of({make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
-                                              make_sheet({1, 0, 0}, {2, 0, 0}, {0, 1, 0})}));
+    const Ledger ledger =
+        ledger_of(scene_of({catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                            catalogue::make_sheet({1, 0, 0}, {2, 0, 0}, {0, 1, 0})}));
     EXPECT_EQ(ledger.seams.count, 1U);
     EXPECT_DOUBLE_EQ(ledger.seams.length_world, 1);
     EXPECT_EQ(ledger.boundary.count, 6U);
@@ -108,7 +110,7 @@ TEST(Ledger, OfTwoCoplanarTilesHasOneSeam) {
 TEST(Ledger, OfAStaircaseBendsBothWays) {
     const std::vector<glm::dvec2> profile = {
         {0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 3}, {0, 3}};
-    const Ledger ledger = ledger_of(scene_of(extrude(profile, {0, 1})));
+    const Ledger ledger = ledger_of(scene_of(catalogue::extrude(profile, {0, 1})));
     EXPECT_EQ(ledger.creases.count, 3U * 8);
     EXPECT_EQ(ledger.sealed_pieces, 1U);
     EXPECT_EQ(ledger.convex_pieces, 0U);
@@ -117,31 +119,32 @@ TEST(Ledger, OfAStaircaseBendsBothWays) {
 }
 
 TEST(Ledger, OfBoxesThroughEachOtherMayCross) {
-    const Ledger through =
-        ledger_of(scene_of({make_box({-1, -1, -1}, {1, 1, 1}), make_box({0, 0, 0}, {2, 2, 2})}));
+    const Ledger through = ledger_of(scene_of(
+        {catalogue::make_box({-1, -1, -1}, {1, 1, 1}), catalogue::make_box({0, 0, 0}, {2, 2, 2})}));
     EXPECT_EQ(through.pieces, 2U);
     EXPECT_EQ(through.overlapping_pieces, 1U);
-    const Ledger apart =
-        ledger_of(scene_of({make_box({-1, -1, -1}, {1, 1, 1}), make_box({1, 2, 3}, {2, 3, 4})}));
+    const Ledger apart = ledger_of(scene_of(
+        {catalogue::make_box({-1, -1, -1}, {1, 1, 1}), catalogue::make_box({1, 2, 3}, {2, 3, 4})}));
     EXPECT_EQ(apart.overlapping_pieces, 0U);
     EXPECT_TRUE(apart.may_hide());
 }
 
 TEST(Ledger, OfBoxesThatTouchDoesNotCross) {
     // Not in a common corner, which would weld them into one piece.
-    const Ledger ledger = ledger_of(
-        scene_of({make_box({-1, -1, -1}, {1, 1, 1}), make_box({1, -0.5, -0.5}, {2, 0.5, 0.5})}));
+    const Ledger ledger =
+        ledger_of(scene_of({catalogue::make_box({-1, -1, -1}, {1, 1, 1}),
+                            catalogue::make_box({1, -0.5, -0.5}, {2, 0.5, 0.5})}));
     EXPECT_EQ(ledger.overlapping_pieces, 0U);
 }
 
 TEST(Ledger, AFlatSheetThroughABoxMayCrossIt) {
-    const Ledger ledger =
-        ledger_of(scene_of({unit_cube(), make_sheet({-2, 0, -2}, {0, 0, 4}, {4, 0, 0})}));
+    const Ledger ledger = ledger_of(
+        scene_of({unit_cube(), catalogue::make_sheet({-2, 0, -2}, {0, 0, 4}, {4, 0, 0})}));
     EXPECT_EQ(ledger.overlapping_pieces, 1U);
 }
 
 TEST(Ledger, BallsWhoseBoxesOverlapAtACornerOnlyDoNotCross) {
-    Scene scene = scene_of({make_icosphere(1, 2), make_icosphere(1, 2)});
+    Scene scene = scene_of({catalogue::make_icosphere(1, 2), catalogue::make_icosphere(1, 2)});
     scene.instances[1].world_from_object = glm::translate(glm::dmat4(1), {1.5, 1.5, 1.5});
     EXPECT_EQ(ledger_of(scene).overlapping_pieces, 0U);
 }
@@ -177,8 +180,8 @@ TEST(Ledger, CountsSmoothEdgesThatRunTheSameWay) {
 }
 
 TEST(Ledger, MeasuresTheGapOfParallelSheets) {
-    const Mesh low = make_sheet({-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
-    const Mesh high = make_sheet({-1, 0.0078125, -1}, {0, 0, 2}, {2, 0, 0});
+    const Mesh low = catalogue::make_sheet({-1, 0, -1}, {0, 0, 2}, {2, 0, 0});
+    const Mesh high = catalogue::make_sheet({-1, 0.0078125, -1}, {0, 0, 2}, {2, 0, 0});
     const Ledger ledger = ledger_of(scene_of({low, high}));
     EXPECT_GT(ledger.near_sheets.pairs, 0U);
     EXPECT_NEAR(ledger.near_sheets.least_gap_share, 0.0078125 / std::sqrt(2.0), 1e-5);
@@ -195,7 +198,8 @@ TEST(Ledger, OfAnEmptySceneIsZeros) {
 }
 
 TEST(Ledger, TheOrderOfObjectsDoesNotMatter) {
-    const std::vector<Mesh> meshes = {make_box({0, 0, 0}, {1, 2, 3}), make_icosphere(1, 2)};
+    const std::vector<Mesh> meshes = {catalogue::make_box({0, 0, 0}, {1, 2, 3}),
+                                      catalogue::make_icosphere(1, 2)};
     const Ledger one = ledger_of(scene_of(meshes));
     const Ledger other = ledger_of(scene_of({meshes[1], meshes[0]}));
     EXPECT_EQ(one.creases.count, other.creases.count);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "scene/shapes.h"
+#include "catalogue/shapes.h"
 
 namespace ink::shade {
 namespace {
@@ -25,7 +25,8 @@ std::size_t without_patch(const UniformSpots& spots) {
 }
 
 TEST(PatchSpots, ABoxHasSixSidesEachWithItsMiddleAndNormal) {
-    const auto spots = patch_spots(scene_of(scene::make_box({-1, -2, -3}, {1, 2, 3})), kCrease_rad);
+    const auto spots =
+        patch_spots(scene_of(catalogue::make_box({-1, -2, -3}, {1, 2, 3})), kCrease_rad);
     ASSERT_EQ(spots.spots.size(), 6U);
     EXPECT_EQ(without_patch(spots), 0U);
     for (const UniformSpots::Spot& spot : spots.spots) {
@@ -36,20 +37,21 @@ TEST(PatchSpots, ABoxHasSixSidesEachWithItsMiddleAndNormal) {
 }
 
 TEST(PatchSpots, ACylindersCapsAreFlatAndItsSideIsNot) {
-    const scene::Scene scene = scene_of(scene::make_cylinder(1, 2, 24));
+    const scene::Scene scene = scene_of(catalogue::make_cylinder(1, 2, 24));
     const auto spots = patch_spots(scene, kCrease_rad);
     EXPECT_EQ(spots.spots.size(), 2U);
     EXPECT_EQ(without_patch(spots), 48U);  // 24 quads, which bend by 15 degrees
 }
 
 TEST(PatchSpots, BelowItsBendASideIsMadeOfFlatQuads) {
-    const auto spots = patch_spots(scene_of(scene::make_cylinder(1, 2, 24)), 0.2);
+    const auto spots = patch_spots(scene_of(catalogue::make_cylinder(1, 2, 24)), 0.2);
     EXPECT_EQ(spots.spots.size(), 26U);
     EXPECT_EQ(without_patch(spots), 0U);
 }
 
 TEST(PatchSpots, ASphereHasNoneAndAnEmptySceneToo) {
-    EXPECT_TRUE(patch_spots(scene_of(scene::make_sphere(1, 32, 16)), kCrease_rad).spots.empty());
+    EXPECT_TRUE(
+        patch_spots(scene_of(catalogue::make_sphere(1, 32, 16)), kCrease_rad).spots.empty());
     EXPECT_TRUE(patch_spots({}, kCrease_rad).spots.empty());
 }
 

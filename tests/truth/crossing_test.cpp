@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "scene/shapes.h"
+#include "catalogue/shapes.h"
 #include "tests/truth/shapes.h"
 #include "truth/crossings.h"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "scene/catalogue.h"
+#include "catalogue/catalogue.h"
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
 #include "truth/model.h"
@@ -16,7 +16,7 @@ TEST(Layers, PacketsSeeWhatSingleRaysSee) {
     // A frame whose sides four does not divide would leave rays out.
     constexpr int kWide_px = 161, kHigh_px = 91;
     std::size_t hits = 0;
-    for (const scene::CatalogueEntry& entry : scene::catalogue()) {
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         SCOPED_TRACE(entry.name);
         const scene::Scene scene = entry.make();
         const scene::View view{scene.cameras.front(), kWide_px, kHigh_px};

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "edge/thin.h"
-#include "scene/import.h"
+#include "import/import.h"
 #include "score/score.h"
 #include "tests/shared_files.h"
 #include "truth/model.h"
@@ -43,7 +43,7 @@ void expect_thin(const core::Image<std::uint8_t>& labels) {
 TEST_P(RealModel, SampledAgreesWithTheLabels) {
     const auto path = shared_file(std::string("models/") + GetParam());
     INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = scene::import_scene(path);
+    const scene::Scene scene = import::import_scene(path);
     const Model model = build_model(scene, {.threads = 2});
     const auto cameras = scene::orbit_cameras(scene::bounding_sphere(scene), 3, 1280.0 / 720.0);
     for (const scene::Camera& camera : cameras) {

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "buffers/pack_kernel.h"
+#include "buffers/surface_inputs.h"
+#include "method/depth_code.h"
+#include "raster/pass/pass.h"
+
+namespace ink::buffers {
+
+/// When a packed code is rounded.
+enum class Quantise {
+    sum,   ///< once, the whole sum
+    each,  ///< every channel by itself, then summed
+};
+
+/// The code range of each channel: a channel at 1 adds this much, at 0 nothing.
+struct Ranges {
+    double depth = 0;
+    glm::dvec3 normal{0};  ///< of each view-space component's (n+1)/2
+};
+
+/// One number inside a packed code: bits `shift` .. `shift + bits - 1` of plane `plane`.
+struct Field {
+    Ranges ranges;
+    int shift = 0;
+    int bits = 8;
+    int plane = 0;
+};
+
+/// How depth and normal are packed into integer planes of one pass.
+struct CodeLayout {
+    raster::Store store = raster::Store::u8;  ///< u8 or u16
+    int planes = 1;                           ///< 1 or 2
+    std::vector<Field> fields;                ///< grouped by plane
+
+    [[nodiscard]] int bits() const { return store == raster::Store::u8 ? 8 : 16; }
+    /// Whether a plane holds several fields, each in bits of its own.
+    [[nodiscard]] bool has_bit_fields() const { return static_cast<int>(fields.size()) > planes; }
+};
+
+/// Turns depth and normal into codes.
+class Packer {
+  public:
+    Packer(CodeLayout layout, DepthSign sign, Quantise quantise, raster::Overflow overflow);
+
+    [[nodiscard]] const CodeLayout& layout() const { return layout_; }
+
+    /// The code of plane `plane` at a vertex plus one half, so that a floor later rounds it.
+    ///
+    /// A real number with a single field and `Quantise::sum`; not limited to the store's range,
+    /// that is the pass's business. Several fields are each rounded and limited to their bits.
+    [[nodiscard]] double at_vertex(int plane, double depth, const glm::dvec3& n_view) const;
+
+    /// The codes of a row of pixels in plane `plane`; T is the layout's store.
+    template <class T>
+    void pack_row(int plane, const PixelRow& row, T* codes) const;
+
+  private:
+    [[nodiscard]] double value(const Ranges& ranges, double depth, const glm::dvec3& n) const;
+    [[nodiscard]] int limited(long value, int bits) const;
+
+    CodeLayout layout_;
+    DepthSign sign_;
+    Quantise quantise_;
+    raster::Overflow overflow_;
+    std::vector<PackField> kernel_fields_;  ///< those of the layout, in its order
+};
+
+}  // namespace ink::buffers

@@ -1,0 +1,122 @@
+#include "buffers/surface_inputs.h"
+
+#include <algorithm>
+#include <cstring>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace ink::buffers {
+namespace {
+
+bool is_same_view(const scene::View& a, const scene::View& b) {
+    return a.width_px == b.width_px && a.height_px == b.height_px &&
+           a.camera.eye_world == b.camera.eye_world &&
+           a.camera.view_from_world == b.camera.view_from_world &&
+           a.camera.fov_y_rad == b.camera.fov_y_rad && a.camera.near == b.camera.near &&
+           a.camera.far == b.camera.far;
+}
+
+/// Objects, modulo 64, of which some corner is not where or how it was. The same triangles.
+std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
+    std::uint64_t moved = 0;
+    for (std::size_t t = 0; t < a.triangles.size(); ++t) {
+        for (const std::uint32_t corner : a.triangles[t]) {
+            const bool is_same =
+                a.p_world[corner] == b.p_world[corner] && a.n_world[corner] == b.n_world[corner];
+            if (!is_same) moved |= std::uint64_t{1} << (a.object[t] % 64);
+        }
+    }
+    return moved;
+}
+
+}  // namespace
+
+SurfaceInputs::SurfaceInputs(const InputParams& params) : params_(params) {}
+
+void SurfaceInputs::prepare(const scene::Scene& scene) {
+    surface_ = std::make_unique<scene::Surface>(
+        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    mesh_ = raster::LaneMesh(*surface_);
+    bounds_ = scene::bounding_sphere(scene);
+    posed_hash_ = scene::scene_hash(scene);
+    moved_objects_ = ~std::uint64_t{0};
+    last_ = {};
+}
+
+void SurfaceInputs::pose(const scene::Scene& scene) {
+    const std::uint64_t hash = scene::scene_hash(scene);
+    if (hash == posed_hash_) return;
+    // Which corners share a normal may change with the bend between faces, so a moved scene is
+    // flattened anew; its clusters stay if that has not happened.
+    auto moved = std::make_unique<scene::Surface>(
+        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    if (moved->triangles != surface_->triangles ||
+        moved->p_world.size() != surface_->p_world.size()) {
+        return prepare(scene);
+    }
+    moved_objects_ |= moved_objects(*surface_, *moved);
+    mesh_.update(*moved);
+    surface_ = std::move(moved);
+    bounds_ = scene::bounding_sphere(scene);
+    posed_hash_ = hash;
+    has_moved_ = true;
+}
+
+void SurfaceInputs::see(const method::Frame& frame) {
+    const scene::Camera& camera = frame.view.camera;
+    const raster::DepthRange range = method::depth_range(params_.depth_range, camera, bounds_);
+    // What a sealed solid hides hangs on the scene's ball, too.
+    const bool is_range_same = range.near == range_.near && range.far == range_.far &&
+                               bounds_.center_world == seen_bounds_.center_world &&
+                               bounds_.radius == seen_bounds_.radius;
+    seen_bounds_ = bounds_;
+    keeps_still_ = frame.skips.has(raster::Skip::still_tiles) && has_moved_;
+    is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(frame.view, view_);
+    view_ = frame.view;
+    range_ = range;
+}
+
+raster::MeshInput SurfaceInputs::mesh_input(const method::Frame& frame) const {
+    raster::MeshInput input;
+    input.mesh = &mesh_;
+    input.view = frame.view;
+    input.bounds = bounds_;
+    input.threads = frame.threads;
+    input.skips = frame.skips;
+    input.may_keep_still = keeps_still_;
+    input.moved_objects = is_still_ ? moved_objects_ : ~std::uint64_t{0};
+    return input;
+}
+
+LinearChannels SurfaceInputs::linear_channels() const {
+    const double span = range_.far - range_.near;
+    LinearChannels channels;
+    channels.depth.base = -range_.near / span;
+    channels.depth.per_q = range_.near * (range_.far / span);
+    const glm::mat3 view_from_world(view_.camera.view_from_world);
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis)
+            channels.normal[i].per_normal[axis] = view_from_world[axis][i];
+    }
+    return channels;
+}
+
+glm::mat3 SurfaceInputs::view_from_world() const {
+    return glm::mat3(view_.camera.view_from_world);
+}
+
+void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& out) {
+    const raster::TileGrid grid{out.width_px(), out.height_px(), 0};
+    for (std::size_t tile = 0; tile < result.still.size(); ++tile) {
+        if (result.still[tile] == 0) continue;
+        const raster::PixelRect rect = grid.own(static_cast<int>(tile));
+        for (int y = rect.y0; y < rect.y1; ++y) {
+            std::copy_n(last_.picture.row(y) + rect.x0, rect.x1 - rect.x0, out.row(y) + rect.x0);
+        }
+    }
+    last_.is_kept = keeps_still_;
+    if (keeps_still_) last_.picture = out;
+    moved_objects_ = 0;
+}
+
+}  // namespace ink::buffers

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "method/method.h"
+#include "raster/lines/line_pass.h"
+#include "raster/mesh/lane_mesh.h"
+#include "raster/mesh/mesh_pass.h"
+#include "scene/surface.h"
+
+namespace ink::buffers {
+
+/// Which edges of triangles a wireframe has.
+enum class WireEdges {
+    all,       ///< of every triangle
+    polygons,  ///< without those that only cut a flat polygon in triangles
+};
+
+/// A scene as wireframe methods draw it: triangles to fill, and their edges as lines.
+///
+/// OpenGL's glPolygonMode draws an edge with each of its triangles, once in either direction; here
+/// it is one line there and back. A polygon's inner edges are those between two triangles of one
+/// object and material that bend by less than scene::kFlat_rad as the scene is posed. Triangles
+/// that are degenerate when it is prepared have no edges.
+class TriangleEdges {
+  public:
+    explicit TriangleEdges(WireEdges edges) : edges_(edges) {}
+
+    /// Once per topology.
+    void prepare(const scene::Scene& scene);
+    /// World positions again, if anything moved since; with WireEdges::polygons also the edges, by
+    /// a new weld, for what was flat may have bent.
+    void pose(const scene::Scene& scene);
+
+    [[nodiscard]] bool is_empty() const { return surface_.triangles.empty(); }
+    [[nodiscard]] const scene::Surface& surface() const { return surface_; }
+    /// A pass over its triangles that still lacks culling and offset.
+    [[nodiscard]] raster::MeshInput mesh_input(const method::Frame& frame) const;
+
+    /// All of them; they join corners of surface().
+    [[nodiscard]] std::span<const raster::Line> lines() const { return lines_; }
+    /// Those of at least one triangle that the eye sees from its back (`side` < 0) or from its
+    /// front or its rim (`side` >= 0). Valid until the next call.
+    [[nodiscard]] std::span<const raster::Line> lines_of_side(int side, const method::Frame& frame);
+
+  private:
+    /// The triangles of a line: the first runs along it, the second against it. The second is the
+    /// first again where there is only one; an edge of more than two is several lines.
+    struct Faces {
+        std::uint32_t first = 0;
+        std::uint32_t second = 0;
+    };
+
+    void find_lines(const scene::Scene& scene);
+    void find_sides(const method::Frame& frame);
+
+    WireEdges edges_;
+    scene::Surface surface_;
+    raster::LaneMesh mesh_;  ///< borrows the surface
+    scene::Sphere bounds_;
+    std::uint64_t posed_hash_ = 0;
+    std::vector<raster::Line> lines_;
+    std::vector<Faces> faces_;        ///< one per line
+    std::vector<std::int8_t> sides_;  ///< one per triangle, of the last frame
+    std::vector<raster::Line> shown_;
+};
+
+}  // namespace ink::buffers

@@ -1,0 +1,152 @@
+#include "buffers/vertex_weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/hash.h"
+#include "scene/predicates.h"
+
+namespace ink::buffers {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffU;
+
+/// The places found so far, listed by the cube they lie in. Two cubes of one
+/// hash share a list, which costs a comparison and changes nothing.
+class Places {
+  public:
+    Places(std::span<const glm::dvec3> points, double distance)
+        : points_(points), distance_(distance) {
+        lists_.reserve(points.size());
+    }
+
+    /// The first place within reach of a point, or kNone.
+    [[nodiscard]] std::uint32_t find(const glm::dvec3& p) const {
+        const glm::dvec3 low = cell_of(p - distance_), high = cell_of(p + distance_);
+        std::uint32_t first = kNone;
+        for (int corner = 0; corner < 8; ++corner) {
+            glm::dvec3 cell = low;
+            bool is_new = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                if ((corner >> axis & 1) == 0) continue;
+                is_new = is_new && high[axis] != low[axis];
+                cell[axis] = high[axis];
+            }
+            if (is_new) first = std::min(first, first_in(cell, p));
+        }
+        return first;
+    }
+
+    void add(std::uint32_t vertex) {
+        auto [head, is_new] = lists_.try_emplace(key_of(cell_of(points_[vertex])), kNone);
+        next_.push_back(head->second);
+        head->second = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back(vertex);
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> take() { return std::move(vertices_); }
+
+  private:
+    /// The cube's corner in units of its side; the point itself where nothing is tolerated. A
+    /// double, so that no coordinate is too large for it. -0 becomes 0.
+    [[nodiscard]] glm::dvec3 cell_of(const glm::dvec3& p) const {
+        return distance_ == 0 ? p + 0.0 : glm::floor(p / (kSide * distance_)) + 0.0;
+    }
+    [[nodiscard]] static std::uint64_t key_of(const glm::dvec3& cell) {
+        return core::Hasher().value(cell).result();
+    }
+    [[nodiscard]] std::uint32_t first_in(const glm::dvec3& cell, const glm::dvec3& p) const {
+        std::uint32_t first = kNone;
+        const auto head = lists_.find(key_of(cell));
+        if (head == lists_.end()) return first;
+        for (std::uint32_t i = head->second; i != kNone; i = next_[i]) {
+            const glm::dvec3 d = points_[vertices_[i]] - p;
+            if (glm::dot(d, d) <= distance_ * distance_) first = std::min(first, i);
+        }
+        return first;
+    }
+
+    /// A cube's side over the distance: more crowds the cubes, less looks at more than one of them.
+    static constexpr double kSide = 4;
+
+    std::span<const glm::dvec3> points_;
+    double distance_;
+    std::unordered_map<std::uint64_t, std::uint32_t> lists_;  ///< the last place of each list
+    std::vector<std::uint32_t> next_;      ///< per place the one before in its list
+    std::vector<std::uint32_t> vertices_;  ///< per place its first vertex
+};
+
+struct FaceHash {
+    std::size_t operator()(const scene::Triangle& f) const {
+        return core::Hasher().value(f).result();
+    }
+};
+
+}  // namespace
+
+VertexWeld weld_vertices(std::span<const glm::dvec3> points, double distance) {
+    assert(distance >= 0);
+    VertexWeld weld;
+    weld.place_of.resize(points.size());
+    Places places(points, distance);
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+        std::uint32_t place = places.find(points[v]);
+        if (place == kNone) {
+            place = count++;
+            places.add(v);
+        }
+        weld.place_of[v] = place;
+    }
+    weld.first_of = places.take();
+    return weld;
+}
+
+double diagonal_of(std::span<const glm::dvec3> points) {
+    if (points.empty()) return 0;
+    glm::dvec3 low = points[0], high = low;
+    for (const glm::dvec3& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return glm::length(high - low);
+}
+
+WeldedFaces weld_faces(const VertexWeld& weld,
+                       std::span<const glm::dvec3> points,
+                       std::span<const scene::Triangle> triangles,
+                       DoubleFaces double_faces) {
+    WeldedFaces welded;
+    std::unordered_set<scene::Triangle, FaceHash> seen;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        scene::Triangle face{};
+        std::array<glm::dvec3, 3> p{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            face[i] = weld.place_of[triangles[t][i]];
+            p[i] = points[weld.first_of[face[i]]];
+        }
+        if (scene::is_collinear(p[0], p[1], p[2])) {  // as are two corners of one place
+            ++welded.degenerate;
+            continue;
+        }
+        if (double_faces == DoubleFaces::drop) {
+            scene::Triangle key = face;
+            std::sort(key.begin(), key.end());
+            if (!seen.insert(key).second) {
+                ++welded.duplicate;
+                continue;
+            }
+        }
+        welded.faces.push_back(face);
+        welded.triangle_of.push_back(t);
+    }
+    return welded;
+}
+
+}  // namespace ink::buffers

@@ -1,0 +1,130 @@
+#include <cmath>
+
+#include "catalogue/catalogue_scenes.h"
+#include "catalogue/catalogue_stage.h"
+#include "catalogue/shapes.h"
+
+namespace ink::catalogue {
+namespace {
+
+scene::Mesh limb(std::span<const TubeNode> nodes, int cuts, int segments) {
+    return make_tube(smoothed(nodes, cuts), segments);
+}
+
+/// A branch along +x that starts 1 behind the origin, so that it comes out of the trunk's far side.
+scene::Mesh branch(double length, double rise) {
+    const auto at = [&](double share, double sway) {
+        const double out = (length + 1) * share;
+        return glm::dvec3(out - 1, rise * share * share - 0.15, sway);
+    };
+    const std::vector<TubeNode> bough{{at(0, 0.1), 0.015},
+                                      {at(0.15, 0.04), 0.07},
+                                      {at(0.35, 0), 0.115},
+                                      {at(0.65, -0.06), 0.075},
+                                      {at(1, 0.05), 0.02}};
+    scene::Mesh whole = make_tube(smoothed(bough, 5), 12);
+    for (const double side : {-1.0, 1.0}) {
+        const glm::dvec3 from = at(0.68 + 0.1 * side, -0.04);
+        const std::vector<TubeNode> twig{{from - glm::dvec3(0.08, 0.05, 0.1 * side), 0.04},
+                                         {from + glm::dvec3(0.3, 0.25, 0.25 * side), 0.03},
+                                         {from + glm::dvec3(0.55, 0.6, 0.45 * side), 0.012}};
+        append(whole, make_tube(smoothed(twig, 5), 8));
+    }
+    return whole;
+}
+
+/// One person, looking along +z, feet on y = 0, 1.9 tall with the hat.
+class Person {
+  public:
+    explicit Person(Stage& stage)
+        : stage_(stage),
+          ball_(stage.mesh("ball", make_sphere(1, 24, 14))),
+          neck_(stage.mesh("neck", limb(kNeck, 2, 16))),
+          nose_(stage.mesh("nose", make_cone(0.035, 0.1, 10))),
+          hat_(stage.mesh("hat", revolve(kHat, 32))),
+          arm_(stage.mesh("arm", limb(kArm, 6, 16))),
+          leg_(stage.mesh("leg", limb(kLeg, 6, 18))) {}
+
+    void stand(const glm::dmat4& world_from_person) {
+        const auto place = [&](std::uint32_t mesh, const char* name, const Pose& pose = {}) {
+            stage_.place(mesh, name, world_from_person * placed(pose));
+        };
+        place(ball_, "chest", {{0, 1.24, 0}, {}, {0.24, 0.26, 0.15}});
+        place(ball_, "hips", {{0, 0.92, 0}, {}, {0.2, 0.19, 0.14}});
+        place(ball_, "head", {{0, 1.72, 0.02}, {}, {0.125, 0.16, 0.14}});
+        place(neck_, "neck");
+        place(nose_, "nose", {{0, 1.7, 0.145}, {80, 0, 0}});
+        place(hat_, "hat", {{0, 1.8, 0.01}, {-8, 0, 0}});
+        for (const double side : {1.0, -1.0}) {
+            place(arm_, "arm", {{}, {}, {side, 1, 1}});
+            place(leg_, "leg", {{}, {}, {side, 1, 1}});
+            // The hand rests half inside the hip.
+            place(ball_, "hand", {{0.17 * side, 0.97, 0.1}, {}, {side * 0.07, 0.045, 0.05}});
+            place(ball_, "foot", {{0.15 * side, 0.045, 0.06}, {}, {side * 0.06, 0.045, 0.14}});
+        }
+    }
+
+  private:
+    static constexpr glm::dvec2 kHat[] = {
+        {0, 0}, {.26, -.02}, {.27, 0}, {.14, .035}, {.12, .2}, {.1, .22}, {0, .23}};
+    static constexpr TubeNode kNeck[] = {{{0, 1.4, 0}, 0.07}, {{0, 1.62, 0}, 0.065}};
+    static constexpr TubeNode kArm[] = {{{0.16, 1.38, 0}, 0.07},
+                                        {{0.27, 1.34, -0.01}, 0.075},
+                                        {{0.5, 1.1, -0.06}, 0.055},
+                                        {{0.3, 0.98, 0.07}, 0.04},
+                                        {{0.2, 0.97, 0.09}, 0.035}};
+    static constexpr TubeNode kLeg[] = {
+        {{0.09, 0.9, 0}, 0.11}, {{0.12, 0.5, 0.03}, 0.075}, {{0.14, 0.06, 0}, 0.05}};
+
+    Stage& stage_;
+    std::uint32_t ball_;
+    std::uint32_t neck_;
+    std::uint32_t nose_;
+    std::uint32_t hat_;
+    std::uint32_t arm_;
+    std::uint32_t leg_;
+};
+
+}  // namespace
+
+scene::Scene make_figure_scene() {
+    Stage stage;
+    Person person(stage);
+    person.stand(placed({{-1.1875, 0, -0.125}, {0, 34, 0}}));
+    person.stand(placed({{0, 0, 0.125}, {0, -8, 0}}));
+    person.stand(placed({{1.1875, 0, -0.125}, {0, -62, 0}}));
+    stage.view(Shot{"front", 0, 2});
+    stage.view(Shot{"three_quarter", 24, 14});
+    stage.view(EyeShot{"close", {0.5625, 1.4375, 1.875}, {0, 1.25, 0}, 44});
+    return stage.finish();
+}
+
+scene::Scene make_tree_scene() {
+    Stage stage;
+    const TubeNode trunk[] = {{{0, 0, 0}, 0.5},
+                              {{0.02, 0.5, 0}, 0.3},
+                              {{0.1, 1.25, 0.05}, 0.25},
+                              {{-0.05, 2.2, -0.05}, 0.19},
+                              {{0.1, 3.2, 0}, 0.11},
+                              {{0.05, 4, 0.08}, 0.03}};
+    stage.add("trunk", limb(trunk, 8, 24));
+    const std::uint32_t meshes[] = {stage.mesh("long", branch(3, 0.8)),
+                                    stage.mesh("middle", branch(2.3, 1)),
+                                    stage.mesh("short", branch(1.4, 0.8))};
+    for (int i = 0; i < 15; ++i) {
+        const Pose pose{{0.02, 1.2 + 0.16 * i, 0}, {0, 137.508 * i + 8, 8.0 - 1.5 * (i % 4)}};
+        stage.place(meshes[i / 5], "branch", pose);
+    }
+    const TubeNode root[] = {
+        {{0, 0.35, 0}, 0.16}, {{0.45, 0.12, 0.03}, 0.11}, {{0.95, -0.02, -0.04}, 0.03}};
+    const auto root_mesh = stage.mesh("root", limb(root, 5, 10));
+    for (int i = 0; i < 6; ++i) {
+        stage.place(root_mesh, "root", Pose{{}, {0, 60.0 * i + 11, 0}});
+    }
+    stage.view(Shot{"front", 0, 2});
+    stage.view(Shot{"three_quarter", 40, 20});
+    stage.view(EyeShot{"trunk", {1.75, 1.125, 3.25}, {0, 1.75, 0}, 50});
+    return stage.finish();
+}
+
+}  // namespace ink::catalogue

@@ -1,0 +1,167 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "catalogue/catalogue_scenes.h"
+#include "catalogue/catalogue_stage.h"
+#include "catalogue/shapes.h"
+
+namespace ink::catalogue {
+namespace {
+
+/// A level square about the origin that faces up.
+scene::Mesh square(double half) {
+    return make_sheet({-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
+}
+
+/// A sheet of `count` quads over a unit square, each of its points put in place by `surface(u, v)`;
+/// fronts face d/du x d/dv.
+template <class Surface>
+scene::Mesh sheet_of(glm::ivec2 count, Surface surface) {
+    std::vector<Ring> rows(count.y + 1);
+    for (int j = 0; j <= count.y; ++j) {
+        for (int i = 0; i <= count.x; ++i) {
+            rows[j].push_back(surface(double(i) / count.x, double(j) / count.y));
+        }
+    }
+    return loft(rows, {.around = false});
+}
+
+/// -1, 0 or 1, different for each corner and axis: MurmurHash3's finaliser, so no generator to
+/// seed.
+double jitter(std::uint32_t n) {
+    n = (n ^ (n >> 16)) * 0x85ebca6bU;
+    n = (n ^ (n >> 13)) * 0xc2b2ae35U;
+    return static_cast<double>((n ^ (n >> 16)) % 3) - 1;
+}
+
+/// `mesh` with three vertices of its own for each triangle, each off by at most one grid step an
+/// axis.
+scene::Mesh shattered(const scene::Mesh& mesh) {
+    constexpr double kStep = 1.0 / (1 << 20);
+    scene::Mesh result;
+    std::uint32_t n = 0;
+    for (const scene::Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t v : triangle) {
+            const glm::dvec3 off{jitter(n), jitter(n + 1), jitter(n + 2)};
+            result.positions.emplace_back(snapped(glm::dvec3(mesh.positions[v]) + off * kStep));
+            n += 3;
+        }
+        const auto end = static_cast<std::uint32_t>(result.positions.size());
+        result.triangles.push_back({end - 3, end - 2, end - 1});
+    }
+    return result;
+}
+
+/// One of the twenty faces of a finely cut icosahedron, moved out by `gap`.
+scene::Mesh ball_piece(const scene::Mesh& ball, std::size_t piece, double gap) {
+    const std::size_t size = ball.triangles.size() / 20;
+    scene::Mesh result;
+    glm::dvec3 middle{0};
+    std::vector<std::uint32_t> place(ball.positions.size(), ~0U);
+    for (std::size_t t = piece * size; t < (piece + 1) * size; ++t) {
+        scene::Triangle triangle{};
+        for (int i = 0; i < 3; ++i) {
+            auto& at = place[ball.triangles[t][i]];
+            if (at == ~0U) {
+                at = static_cast<std::uint32_t>(result.positions.size());
+                result.positions.push_back(ball.positions[ball.triangles[t][i]]);
+                middle += glm::dvec3(result.positions.back());
+            }
+            triangle[i] = at;
+        }
+        result.triangles.push_back(triangle);
+    }
+    const Pose out{middle * (gap / double(result.positions.size()))};
+    return moved(result, placed(out));
+}
+
+}  // namespace
+
+scene::Scene make_tiles_scene() {
+    // Rows from the back to the front; '.' lies level, 'o' is missing, '^' is raised.
+    constexpr std::array<const char*, 5> kPlan = {
+        ".......", ".^^..o.", "..^....", ".o...^.", "...o..."};
+    Stage stage;
+    const auto tile = stage.mesh("tile", square(0.5));
+    for (int row = 0; row < 5; ++row) {
+        for (int column = 0; column < 7; ++column) {
+            const char kind = kPlan[row][column];
+            if (kind == 'o') continue;
+            const double height = kind == '^' ? 0.25 : 0.0;
+            stage.place(tile, "tile", Pose{{column - 3.0, height, row - 2.0}});
+        }
+    }
+    stage.view(Shot{"three_quarter", 28, 38});
+    stage.view(Shot{"above", 0, 84});
+    stage.view(EyeShot{"grazing", {-2.75, 0.75, 4}, {0.125, -0.25, 0}, 40});
+    return stage.finish();
+}
+
+scene::Scene make_layers_scene() {
+    Stage stage;
+    const auto low = stage.mesh("low", square(0.5));
+    const auto high = stage.mesh("high", square(0.375));
+    for (int i = 0; i < 8; ++i) {
+        // From an eighth of a unit apart down to 8e-6.
+        const double gap = std::ldexp(1.0, -3 - 2 * i);
+        const glm::dvec3 at{1.25 * (i % 4) - 1.875, 0, 1.25 * (i / 4) - 0.625};
+        stage.place(low, "low", Pose{at});
+        stage.place(high, "high", Pose{at + glm::dvec3(0, gap, 0), {0, 9.0 + 10 * i, 0}});
+    }
+    stage.view(Shot{"three_quarter", 24, 40});
+    stage.view(Shot{"above", 0, 76});
+    stage.view(EyeShot{"grazing", {-1.75, 0.5, 2.5}, {-0.125, -0.125, 0}, 42});
+    return stage.finish();
+}
+
+scene::Scene make_hills_scene() {
+    Stage stage;
+    const auto height = [](double x, double z) {
+        const double bump = (x - 1.2) * (x - 1.2) + (z + 1.5) * (z + 1.5);
+        return 0.8 * std::sin(0.9 * x + 0.4) * std::cos(0.8 * z) +
+               0.45 * std::sin(1.7 * z - 0.6 * x) + 1.25 * std::exp(-0.5 * bump);
+    };
+    stage.add("hills", sheet_of({96, 128}, [&](double u, double v) {
+                  const double x = 10 * v - 5;
+                  const double z = 7 * u - 3.5;
+                  return glm::dvec3(x, height(x, z), z);
+              }));
+    stage.view(Shot{"three_quarter", 22, 26});
+    stage.view(Shot{"grazing", -24, 12});
+    stage.view(EyeShot{"valley", {-1.5, 1.625, 2.875}, {0.75, 0.25, -1.5}, 60});
+    return stage.finish();
+}
+
+scene::Scene make_soup_scene() {
+    Stage stage;
+    stage.add(
+        "cracked", shattered(make_torus({1.25, 0.5}, {64, 32})), {{-1.75, 0, 0}, {58, 20, 0}});
+    const scene::Mesh ball = make_icosphere(1.375, 4);
+    for (std::size_t piece = 0; piece < 20; ++piece) {
+        stage.add("piece", ball_piece(ball, piece, 0.125), {{1.75, 0, 0}, {14, 9, 0}});
+    }
+    stage.view(Shot{"front", 0, 5});
+    stage.view(Shot{"three_quarter", 26, 28});
+    stage.view(Shot{"behind", 160, -18});
+    return stage.finish();
+}
+
+scene::Scene make_flag_scene() {
+    Stage stage;
+    stage.add("pole", make_cylinder(0.0625, 3, 24), {{0, -0.75, 0}});
+    stage.add("knob", make_icosphere(0.14, 2), {{0, 2.3, 0}});
+    const auto cloth = [](double u, double v) {
+        const double phase = 8 * u - 1.3 * v;
+        const double wave = u * (0.4 * std::sin(phase) + 0.1 * std::sin(13 * u + 2 * v));
+        const double back = 0.25 * u * std::sin(2 * phase + 0.7);  // folds lean over
+        return glm::dvec3(0.1 + 3.25 * u + back, 2 * v - 0.35 * u * u, wave);
+    };
+    stage.add("cloth", sheet_of({160, 40}, cloth));
+    stage.view(Shot{"front", 0, 3});
+    stage.view(Shot{"three_quarter", 36, 18});
+    stage.view(Shot{"below", -48, -20});
+    return stage.finish();
+}
+
+}  // namespace ink::catalogue

@@ -1,0 +1,141 @@
+#include "catalogue/catalogue_stage.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+#include "catalogue/shapes.h"
+
+namespace ink::catalogue {
+namespace {
+
+constexpr double kWidthOverHeight = 16.0 / 9.0;
+constexpr double kFill = 0.92;  ///< of the frame, by the scene
+
+glm::dmat4 snapped_columns(const glm::dmat4& m) {
+    glm::dmat4 result(1);
+    for (int column = 0; column < 4; ++column) {
+        result[column] = glm::dvec4(snapped(glm::dvec3(m[column])), m[column].w);
+    }
+    return result;
+}
+
+std::vector<glm::dvec3> placed_points(const scene::Scene& scene) {
+    std::vector<glm::dvec3> points;
+    for (const scene::Instance& instance : scene.instances) {
+        for (const auto& p : scene.meshes[instance.mesh].positions) {
+            points.push_back(scene::to_world(instance, p));
+        }
+    }
+    assert(!points.empty());
+    return points;
+}
+
+/// The least and greatest place along one axis of the picture at which the sides of the frame,
+/// sloping by `slope` per unit of depth, still hold all points.
+struct Extent {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void take(double across, double back, double slope) {
+        low = std::min(low, across - slope * back);
+        high = std::max(high, across + slope * back);
+    }
+    /// How far back the eye must be for this axis.
+    [[nodiscard]] double back(double slope) const { return (high - low) / (2 * slope); }
+    [[nodiscard]] double middle() const { return (low + high) / 2; }
+};
+
+/// The eye that looks along -`back` and is as near as the frame allows, exactly: each side of the
+/// frame is a plane through the eye, and some point touches it.
+glm::dvec3 fitted_eye(const std::vector<glm::dvec3>& points,
+                      const glm::dmat3& view_from_world,
+                      double fov_rad) {
+    const double slope_y = std::tan(fov_rad / 2) * kFill;
+    const double slope_x = slope_y * kWidthOverHeight;
+    Extent x;
+    Extent y;
+    for (const auto& p_world : points) {
+        const glm::dvec3 p = view_from_world * p_world;
+        x.take(p.x, p.z, slope_x);
+        y.take(p.y, p.z, slope_y);
+    }
+    const double back = std::max(x.back(slope_x), y.back(slope_y));
+    return glm::transpose(view_from_world) * glm::dvec3(x.middle(), y.middle(), back);
+}
+
+void add_default_lights(scene::Scene& scene, const scene::Sphere& bounds) {
+    const auto around = [&](const glm::dvec3& direction) {
+        return snapped(bounds.center_world + direction * bounds.radius);
+    };
+    scene.lights.push_back({around({-1.25, 2, 2}), glm::vec3(0.875F), 0});
+    scene.lights.push_back({around({2, 0.5, 1}), {0.75F, 0.5F, 0.25F}, 2.5 * bounds.radius});
+}
+
+}  // namespace
+
+glm::dmat4 placed(const Pose& pose) {
+    const glm::dvec3 turn_rad = glm::radians(pose.turn_deg);
+    glm::dmat4 m = glm::translate(glm::dmat4(1), pose.at);
+    m = glm::rotate(m, turn_rad.y, glm::dvec3(0, 1, 0));
+    m = glm::rotate(m, turn_rad.x, glm::dvec3(1, 0, 0));
+    m = glm::rotate(m, turn_rad.z, glm::dvec3(0, 0, 1));
+    return snapped_columns(glm::scale(m, pose.scale));
+}
+
+std::uint32_t Stage::mesh(std::string name, scene::Mesh mesh) {
+    mesh.name = std::move(name);
+    scene_.meshes.push_back(std::move(mesh));
+    return static_cast<std::uint32_t>(scene_.meshes.size() - 1);
+}
+
+void Stage::place(std::uint32_t mesh, std::string name, const glm::dmat4& world_from_object) {
+    scene_.instances.push_back({mesh, snapped_columns(world_from_object), std::move(name)});
+}
+
+void Stage::place(std::uint32_t mesh, std::string name, const Pose& pose) {
+    place(mesh, std::move(name), placed(pose));
+}
+
+void Stage::add(std::string name, scene::Mesh mesh, const Pose& pose) {
+    const auto number = this->mesh(name, std::move(mesh));
+    place(number, std::move(name), pose);
+}
+
+void Stage::view(const Shot& shot) {
+    const double turn_rad = glm::radians(shot.turn_deg);
+    const double height_rad = glm::radians(shot.height_deg);
+    const glm::dvec3 back = snapped({std::sin(turn_rad) * std::cos(height_rad),
+                                     std::sin(height_rad),
+                                     std::cos(turn_rad) * std::cos(height_rad)});
+    const double fov_rad = glm::radians(shot.fov_deg);
+    scene::Camera camera = scene::look_at(back, glm::dvec3(0), {0, 1, 0}, fov_rad);
+    camera.name = shot.name;
+    camera.eye_world = snapped(fitted_eye(placed_points(scene_), camera.view_from_world, fov_rad));
+    scene_.cameras.push_back(camera);
+    nears_.push_back(0);
+}
+
+void Stage::view(const EyeShot& shot) {
+    scene::Camera camera = scene::look_at(
+        shot.eye_world, shot.target_world, glm::dvec3(0, 1, 0), glm::radians(shot.fov_deg));
+    camera.name = shot.name;
+    scene_.cameras.push_back(camera);
+    nears_.push_back(shot.near);
+}
+
+scene::Scene Stage::finish() {
+    const scene::Sphere bounds = scene::bounding_sphere(scene_);
+    for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
+        scene::fit_clip_range(scene_.cameras[i], bounds);
+        if (nears_[i] > 0) scene_.cameras[i].near = nears_[i];
+    }
+    if (scene_.lights.empty()) add_default_lights(scene_, bounds);
+    return std::move(scene_);
+}
+
+}  // namespace ink::catalogue

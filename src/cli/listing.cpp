@@ -1,0 +1,132 @@
+#include "cli/listing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "core/param.h"
+#include "experiment/stress_summary.h"
+#include "harness/row.h"
+#include "methods/registry.h"
+#include "raster/skips.h"
+#include "shade/hand_lines.h"
+#include "shade/shading.h"
+#include "studies/stress/stress_axes.h"
+
+namespace ink::cli {
+namespace {
+
+std::string list_methods() {
+    std::string text;
+    text += fmt::format("methods (inkbench compare --methods a,b)\n");
+    for (const method::MethodInfo& info : methods::registry()) {
+        text += fmt::format(
+            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text +=
+            fmt::format("  {:<10} cost: {}\n", "", method::cost_sentence(info.make({})->cost()));
+    }
+    return text;
+}
+
+std::string list_scenes() {
+    std::string text;
+    text += fmt::format("scenes (inkbench compare --scenes a,b)\n");
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
+        const scene::Scene made = entry.make();
+        text += fmt::format("  {:<16} {:<8} {:>6} triangles, {} views  {}\n",
+                            entry.name,
+                            entry.split == scene::Split::train ? "train" : "heldout",
+                            scene::triangle_count(made),
+                            made.cameras.size(),
+                            entry.summary);
+    }
+    return text;
+}
+
+std::string list_knobs(const std::string& owner, const std::vector<core::Param>& params) {
+    std::string text = fmt::format("  {}\n", owner);
+    for (const core::Param& param : params) {
+        text += fmt::format("    {:<16} {:<10} {}{}{}  {}\n",
+                            param.name,
+                            core::format_param(param, param.default_value),
+                            core::accepted_values(param),
+                            param.unit.empty() ? "" : ", ",
+                            param.unit,
+                            param.doc);
+    }
+    return text;
+}
+
+std::string list_params() {
+    std::string text;
+    text += fmt::format("parameters (--set key=value, or --set method.key=value)\n");
+    for (const method::MethodInfo& info : methods::registry())
+        text += list_knobs(info.name, info.params);
+    return text;
+}
+
+std::string list_shadings() {
+    std::string text = "shadings (inkbench draw --shading NAME --set-shade key=value)\n";
+    for (const shade::ShadingInfo& info : shade::shadings()) {
+        text += fmt::format(
+            "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
+        text += list_knobs("knobs of " + info.name, info.params);
+    }
+    text += "lines by hand (inkbench draw --hand-drawn --set-hand key=value)\n";
+    text += list_knobs("knobs of the hand", shade::hand_table().params());
+    return text;
+}
+
+std::string list_metrics() {
+    std::string text;
+    text += fmt::format("columns of rows.csv\n");
+    for (const auto& [name, doc] : harness::described_columns())
+        text += fmt::format("  {:<22} {}\n", name, doc);
+    return text;
+}
+
+std::string list_skips() {
+    std::string text = "skips (--no-skip a,b or all; the picture is the same)\n";
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        text += fmt::format("  {:<14} {:<10} {}\n", info.name, info.unit, info.summary);
+    return text;
+}
+
+std::string list_axes() {
+    std::string text = "axes of difficulty (inkbench stress --axes a,b)\n";
+    for (const studies::StressAxis& axis : studies::stress_axes()) {
+        text += fmt::format("  {:<14} {}: {} .. {}, {} points\n  {:<14} {}\n",
+                            axis.name,
+                            axis.title,
+                            experiment::format_stress_value(axis, axis.values.front()),
+                            experiment::format_stress_value(axis, axis.values.back()),
+                            axis.values.size(),
+                            "",
+                            axis.sentence);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string listing(const std::string& what) {
+    const std::vector<std::string> known = {
+        "all", "methods", "scenes", "params", "metrics", "skips", "shadings", "axes"};
+    if (std::find(known.begin(), known.end(), what) == known.end()) {
+        throw core::Error(
+            "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
+    }
+    std::string text;
+    if (what == "all" || what == "methods") text += list_methods();
+    if (what == "all" || what == "scenes") text += list_scenes();
+    if (what == "all" || what == "params") text += list_params();
+    if (what == "all" || what == "metrics") text += list_metrics();
+    if (what == "all" || what == "skips") text += list_skips();
+    if (what == "all" || what == "shadings") text += list_shadings();
+    if (what == "all" || what == "axes") text += list_axes();
+    return text;
+}
+
+}  // namespace ink::cli

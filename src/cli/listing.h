@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace ink::cli {
+
+/// What the program knows, as text for a terminal: "methods", "scenes", "params", "metrics",
+/// "skips", "shadings", "axes" or "all", with units, ranges and defaults. Throws core::Error that
+/// lists these for another word.
+[[nodiscard]] std::string listing(const std::string& what);
+
+}  // namespace ink::cli

@@ -1,0 +1,189 @@
+#include "draw/explain.h"
+
+#include <fmt/format.h>
+
+#include <glm/trigonometric.hpp>
+
+#include "core/error.h"
+#include "draw/omissions.h"
+#include "harness/cell.h"
+#include "scene/clusters.h"
+#include "scene/surface.h"
+
+namespace ink::draw {
+namespace {
+
+Fact count(std::string name, std::size_t value, std::string unit, std::string doc) {
+    return {std::move(name), static_cast<double>(value), std::move(unit), std::move(doc)};
+}
+
+Fact flag(std::string name, bool value, std::string doc) {
+    return {std::move(name), value ? 1.0 : 0.0, "", std::move(doc), true};
+}
+
+void add_edges(std::vector<Fact>& facts,
+               const std::string& name,
+               const scene::EdgeTally& tally,
+               const std::string& doc) {
+    facts.push_back(count(name, tally.count, "edges", doc));
+    facts.push_back({name + "_length", tally.length_world, "world", "their length together"});
+}
+
+void add_bends(std::vector<Fact>& facts, const scene::Ledger& ledger) {
+    const int bin_deg = 180 / scene::kBendBins;
+    for (int bin = 0; bin < scene::kBendBins; ++bin) {
+        const std::size_t edges = ledger.bends[static_cast<std::size_t>(bin)];
+        if (edges == 0) continue;
+        facts.push_back(count(
+            fmt::format("bends_{}_deg", bin * bin_deg),
+            edges,
+            "edges",
+            fmt::format("that bend by {} to {} degrees", bin * bin_deg, (bin + 1) * bin_deg)));
+    }
+}
+
+std::vector<Fact> facts_of(const scene::Ledger& l) {
+    std::vector<Fact> facts = {
+        count("triangles", l.triangles, "triangles", "degenerate and repeated ones left out"),
+        count("vertices", l.vertices, "places", "after welding what lies at the same place"),
+        count("objects", l.objects, "objects", "placed meshes"),
+        count("materials", l.materials, "materials", "used by a triangle"),
+        {"crease_angle",
+         glm::degrees(l.crease_rad),
+         "deg",
+         "bend from which on an edge is a crease"},
+    };
+    add_edges(facts, "creases", l.creases, "bent by that or more");
+    add_edges(facts, "smooth", l.smooth, "bent by less: a curved surface in facets");
+    add_edges(facts, "flat", l.flat, "within a plane");
+    add_edges(facts, "seams", l.seams, "between two objects, flatter than a crease");
+    add_edges(facts, "boundary", l.boundary, "with one face");
+    add_edges(facts, "nonmanifold", l.nonmanifold, "with three faces or more");
+    add_edges(facts, "inside_out", l.inside_out, "smooth, but one face shows its back");
+    add_bends(facts, l);
+    const std::vector<Fact> rest = {
+        {"largest_smooth", glm::degrees(l.largest_smooth_rad), "deg", "bend short of a crease"},
+        {"least_crease", glm::degrees(l.least_crease_rad), "deg", "bend of a crease"},
+        count("pieces", l.pieces, "pieces", "parts that no edge joins"),
+        count("sealed_pieces", l.sealed_pieces, "pieces", "closed and turned outwards"),
+        count(
+            "convex_pieces", l.convex_pieces, "pieces", "sealed, and cannot hide their own front"),
+        count("loose_triangles", l.loose_triangles, "triangles", "without a neighbour"),
+        count(
+            "cracked_corners", l.cracked_corners, "corners", "of boundaries, a hair from another"),
+        count("overlapping_pieces", l.overlapping_pieces, "pairs", "that might cross each other"),
+        {"extent_ratio", l.extent_ratio, "times", "the largest object over the smallest"},
+        count("near_sheets", l.near_sheets.pairs, "pairs", "parallel faces of two pieces, close"),
+        {"near_sheets_gap", l.near_sheets.least_gap_share, "radii", "the least gap among them"},
+        flag("may_hide", l.may_hide(), "a part may stand before another, or before itself"),
+        flag("may_cross", l.may_cross(), "pieces may pierce each other"),
+        flag("sealed", l.is_sealed(), "every piece is closed and turned outwards"),
+    };
+    facts.insert(facts.end(), rest.begin(), rest.end());
+    return facts;
+}
+
+std::vector<Fact> facts_of(const scene::ViewLedger& v) {
+    return {
+        {"near", v.near, "world", "the nearest that the scene's ball can be seen"},
+        {"far", v.far, "world", "and the farthest"},
+        {"depth_ratio", v.depth_ratio(), "times", "far over near"},
+        flag("inside", v.is_inside, "the eye is within the ball"),
+        {"frame_share", 100 * v.frame_share, "%", "of the picture that the ball covers"},
+        {"px_per_triangle", v.px_per_triangle, "px", "of that, shared out evenly"},
+    };
+}
+
+std::string value_of(const Fact& fact) {
+    if (fact.is_flag) return fact.value != 0 ? "yes" : "no";
+    return fmt::format("{:.7g}", fact.value);
+}
+
+std::string text_of(const std::vector<Fact>& facts) {
+    std::string text;
+    for (const Fact& fact : facts) {
+        // A length of no edges would be a line for nothing; JSON has it.
+        if (fact.name.ends_with("_length") && fact.value == 0) continue;
+        text += fmt::format(
+            "  {:<20} {:>12} {:<10} {}\n", fact.name, value_of(fact), fact.unit, fact.doc);
+    }
+    return text;
+}
+
+std::string text_of(const std::vector<Omission>& omissions) {
+    std::string text;
+    for (const Omission& omission : omissions) {
+        text += fmt::format(
+            "  {:<20} {:<4} {}\n", omission.what, omission.may ? "yes" : "no", omission.why);
+    }
+    return text;
+}
+
+void count_solids(const scene::Scene& scene, SceneFacts& facts) {
+    const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
+    facts.solids = solids.size();
+    for (const scene::Solid& solid : solids)
+        facts.sealed_solids += solid.is_sealed;
+}
+
+MethodExplanation explain_method(const harness::Entrant& entrant,
+                                 const harness::Subject& subject,
+                                 const SceneFacts& facts) {
+    harness::PreparedMethod prepared(entrant, subject.scene);
+    MethodExplanation explained;
+    explained.method = entrant.info->name;
+    if (!prepared.failure().empty()) {
+        throw core::Error(entrant.info->name, prepared.failure(), "a scene that it can prepare");
+    }
+    const auto code = prepared.method().code();
+    explained.channels = channel_omissions(code, facts.ledger);
+    explained.skips = skip_omissions(code, facts);
+    explained.plan = prepared.method().plan();
+    return explained;
+}
+
+}  // namespace
+
+Explanation explain(const harness::Subject& subject,
+                    const std::vector<harness::Entrant>& entrants,
+                    double crease_deg) {
+    SceneFacts facts;
+    facts.ledger = scene::make_ledger(subject.scene, glm::radians(crease_deg));
+    count_solids(subject.scene, facts);
+    Explanation explanation;
+    explanation.scene = subject.scene.name;
+    explanation.facts = facts_of(facts.ledger);
+    for (const scene::View& view : subject.views) {
+        facts.views.push_back(scene::make_view_ledger(facts.ledger, view));
+        explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
+    }
+    for (const harness::Entrant& entrant : entrants)
+        explanation.methods.push_back(explain_method(entrant, subject, facts));
+    return explanation;
+}
+
+std::string as_text(const Explanation& explanation) {
+    std::string text = fmt::format("{}: its ledger\n", explanation.scene);
+    text += text_of(explanation.facts);
+    for (const ViewFacts& view : explanation.views)
+        text += fmt::format(
+            "\n{}, seen from {}\n{}", explanation.scene, view.view, text_of(view.facts));
+    for (const MethodExplanation& method : explanation.methods) {
+        text += fmt::format("\n{}: what it may leave out without changing a bit\n{}",
+                            method.method,
+                            text_of(method.skips));
+        if (!method.channels.empty()) {
+            text += fmt::format(
+                "{}: channels that tell nothing here (leaving one out changes bits)\n{}",
+                method.method,
+                text_of(method.channels));
+        }
+        if (method.plan.empty()) continue;
+        text += fmt::format("{}: what it chose, and why\n", method.method);
+        for (const method::PlanLine& line : method.plan)
+            text += fmt::format("  {}: {}\n", line.what, line.why);
+    }
+    return text;
+}
+
+}  // namespace ink::draw

@@ -1,0 +1,137 @@
+#include "draw/exr_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/provenance.h"
+#include "draw/error_picture.h"
+#include "harness/cell.h"
+#include "image_io/exr_file.h"
+#include "truth/cracks.h"
+
+namespace ink::draw {
+namespace {
+
+using image_io::ExrAttribute;
+using image_io::ExrChannel;
+using image_io::ExrFile;
+using image_io::HalfImage;
+
+constexpr double kDegPerRad = 180 / std::numbers::pi;
+
+/// What a screen shows for an 8-bit value, 0..1 (IEC 61966-2-1): OpenEXR holds linear light.
+float linear_light(std::uint8_t value) {
+    const double v = value / 255.0;
+    return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+}
+
+template <class From, class To, class Map>
+core::Image<To> mapped(const core::Image<From>& image, Map map) {
+    core::Image<To> result(image.width_px(), image.height_px());
+    std::transform(image.data(), image.data() + image.size(), result.data(), map);
+    return result;
+}
+
+/// `layer` is "" for the picture itself, else a name with its dot.
+void add_colours(const RgbImage& picture, const std::string& layer, ExrFile& file) {
+    std::array<float, 256> light{};
+    for (std::size_t v = 0; v < light.size(); ++v)
+        light[v] = linear_light(static_cast<std::uint8_t>(v));
+    constexpr std::array<const char*, 3> kNames = {"R", "G", "B"};
+    for (int c = 0; c < 3; ++c) {
+        const auto channel = [&](const glm::u8vec3& rgb) { return light[rgb[c]]; };
+        file.channels.push_back({layer + kNames[static_cast<std::size_t>(c)],
+                                 HalfImage{mapped<glm::u8vec3, float>(picture, channel)}});
+    }
+}
+
+core::Image<std::uint32_t> whole_numbers(const core::Image<std::uint8_t>& image) {
+    return mapped<std::uint8_t, std::uint32_t>(image, [](std::uint8_t v) { return v; });
+}
+
+HalfImage shares(const edge::EdgeImage& image) {
+    return {mapped<std::uint8_t, float>(
+        image, [](std::uint8_t v) { return static_cast<float>(v) / 255; })};
+}
+
+/// Rows of the matrix for row vectors: p * matrix is p in view space, which looks along -z.
+std::array<float, 16> world_to_camera(const scene::Camera& camera) {
+    std::array<float, 16> matrix{};
+    const glm::dvec3 moved = camera.view_from_world * -camera.eye_world;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            matrix[static_cast<std::size_t>(4 * i + j)] =
+                static_cast<float>(camera.view_from_world[i][j]);
+        matrix[static_cast<std::size_t>(12 + i)] = static_cast<float>(moved[i]);
+    }
+    matrix[15] = 1;
+    return matrix;
+}
+
+std::vector<ExrAttribute> origin(const harness::Subject& subject) {
+    const scene::Camera& camera = subject.views.front().camera;
+    const glm::dvec3& eye = camera.eye_world;
+    const core::Provenance& p = core::provenance();
+    return {{"Software", fmt::format("inkbench {}", p.version)},
+            {"worldtocamera", world_to_camera(camera)},
+            {"ink:commit", fmt::format("{}{}", p.commit, p.dirty ? "+" : "")},
+            {"ink:scene", subject.scene.name},
+            {"ink:view", camera.name},
+            {"ink:eye_world", fmt::format("{} {} {}", eye.x, eye.y, eye.z)},
+            {"ink:fov_y_deg", camera.fov_y_rad * kDegPerRad},
+            {"ink:near", camera.near}};
+}
+
+}  // namespace
+
+void write_truth_exr(const harness::Subject& subject,
+                     const truth::TruthOptions& options,
+                     const truth::Truth& truth,
+                     const std::filesystem::path& path) {
+    ExrFile file;
+    add_colours(truth_picture(truth.labels), "", file);
+    if (!truth.layers.w.is_empty()) {
+        file.channels.push_back({"Z", truth.layers.w});
+        file.channels.push_back({"id.triangle", truth.layers.triangle});
+        file.channels.push_back({"id.patch", truth.layers.patch});
+        file.channels.push_back({"facing.Y", truth.layers.n_dot_v});
+        file.channels.push_back({"sampled.Y", shares(truth.sampled)});
+    }
+    file.channels.push_back({"class.label", whole_numbers(truth.labels)});
+    const truth::Cracks cracks =
+        truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
+    file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
+    file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
+    file.attributes = origin(subject);
+    file.attributes.push_back({"ink:crease_deg", options.crease_rad * kDegPerRad});
+    file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
+    file.attributes.push_back(
+        {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"});
+    image_io::write_exr(file, path);
+}
+
+void write_drawing_exr(const harness::Subject& subject,
+                       const harness::Entrant& entrant,
+                       const Drawing& drawing,
+                       const std::vector<method::Layer>& layers,
+                       const std::filesystem::path& path) {
+    ExrFile file;
+    add_colours(drawing.picture, "", file);
+    if (!drawing.shading.is_empty()) add_colours(drawing.shading, "shading.", file);
+    file.channels.push_back({"strength.Y", shares(drawing.strengths)});
+    file.attributes = origin(subject);
+    for (const method::Layer& layer : layers) {
+        add_colours(layer.rgb, layer.name + ".", file);
+        if (!layer.note.empty()) file.attributes.push_back({"ink:" + layer.name, layer.note});
+    }
+    file.attributes.push_back({"ink:method", entrant.info->name});
+    file.attributes.push_back(
+        {"ink:params", harness::join_params(entrant.info->complete(entrant.settings))});
+    image_io::write_exr(file, path);
+}
+
+}  // namespace ink::draw

@@ -1,0 +1,191 @@
+#include "draw/id_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/image.h"
+#include "raster/pass/pass.h"
+#include "scene/surface.h"
+#include "scene/topology.h"
+#include "truth/eye_scene.h"
+
+namespace ink::draw {
+namespace {
+
+constexpr std::uint32_t kNobody = 0xffffffffU;
+constexpr double kNear_px = 1.0 / 256;
+constexpr double kSteps = 4;
+
+double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+    const glm::dvec2 ab = b - a;
+    const double length2 = glm::dot(ab, ab);
+    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
+    return glm::length(p - (a + t * ab));
+}
+
+/// Puts the tiles' ids together to a whole picture.
+class IdSink : public raster::TileSink {
+  public:
+    IdSink(int width_px, int height_px) : ids(width_px, height_px) {}
+
+    void finish(const raster::Tile& tile) override {
+        for (int y = 0; y < tile.height_px; ++y) {
+            const std::uint32_t* row = tile.row<std::uint32_t>(0, y);
+            std::copy(row, row + tile.width_px, ids.row(tile.y0_px + y) + tile.x0_px);
+        }
+    }
+
+    core::Image<std::uint32_t> ids;
+};
+
+/// One view of a scene and its surface, and what can be asked of a triangle at a pixel centre.
+class SeenSurface {
+  public:
+    SeenSurface(const scene::Scene& scene, const scene::View& view)
+        : view_(view), projection_(view), surface_(scene::flatten(scene)) {
+        for (const glm::dvec3& p : surface_.p_world)
+            p_clip_.push_back(projection_.to_clip(p));
+    }
+
+    [[nodiscard]] const scene::Projection& projection() const { return projection_; }
+    [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const;
+    [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const;
+    [[nodiscard]] double q(std::uint32_t triangle, const glm::dvec2& p_px) const;
+
+  private:
+    [[nodiscard]] std::vector<glm::dvec2> visible_outline(std::uint32_t triangle) const;
+
+    const scene::View& view_;
+    scene::Projection projection_;
+    scene::Surface surface_;
+    std::vector<glm::dvec3> p_clip_;
+};
+
+core::Image<std::uint32_t> SeenSurface::draw(raster::DepthFormat depth) const {
+    raster::PassFormat format;
+    format.constant = true;
+    format.store = raster::Store::u32;
+    format.depth = depth;
+    std::vector<std::uint32_t> ids(surface_.triangles.size());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        ids[i] = static_cast<std::uint32_t>(i);
+    raster::PassInput input;
+    input.p_clip = p_clip_;
+    input.triangles = surface_.triangles;
+    input.constants = ids;
+    input.near = view_.camera.near;
+    input.far = view_.camera.far;
+    input.sky_code = {kNobody};
+    IdSink sink(view_.width_px, view_.height_px);
+    raster::draw_pass(format, input, view_.width_px, view_.height_px, 1, sink);
+    return std::move(sink.ids);
+}
+
+/// The corners of what lies beyond the near plane, projected.
+std::vector<glm::dvec2> SeenSurface::visible_outline(std::uint32_t triangle) const {
+    std::vector<glm::dvec2> outline;
+    const double near = view_.camera.near;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& a = p_clip_[surface_.triangles[triangle][i]];
+        const glm::dvec3& b = p_clip_[surface_.triangles[triangle][(i + 1) % 3]];
+        if (a.z >= near) outline.emplace_back(a.x / a.z, a.y / a.z);
+        if ((a.z >= near) != (b.z >= near)) {
+            const glm::dvec3 cut = a + (b - a) * ((near - a.z) / (b.z - a.z));
+            outline.emplace_back(cut.x / near, cut.y / near);
+        }
+    }
+    return outline;
+}
+
+bool SeenSurface::is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
+    if (triangle == kNobody) return false;
+    const auto outline = visible_outline(triangle);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (distance_to_segment(p_px, outline[i], outline[(i + 1) % outline.size()]) <= kNear_px)
+            return true;
+    }
+    return false;
+}
+
+/// 1/w of the triangle's plane along the pixel's ray.
+double SeenSurface::q(std::uint32_t triangle, const glm::dvec2& p_px) const {
+    const auto& [a, b, c] = surface_.triangles[triangle];
+    const auto& p = surface_.p_world;
+    const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
+    const glm::dvec3 ray = projection_.ray_world(p_px.x, p_px.y);
+    return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
+}
+
+/// The size of one step of the depth format at 1/w = q, in 1/w.
+double step_at(raster::DepthFormat depth, double q, const scene::Camera& camera) {
+    if (depth == raster::DepthFormat::q32) {
+        const auto rounded = static_cast<float>(q);
+        return std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded;
+    }
+    const double steps = depth == raster::DepthFormat::z24 ? 16777215 : 65535;
+    return (1 / camera.near - 1 / camera.far) / steps;
+}
+
+/// The global index of the triangle that Embree meets first.
+class EmbreeIds {
+  public:
+    EmbreeIds(const scene::Scene& scene, const scene::View& view)
+        : topology_(scene::weld(scene)),
+          rays_(topology_, view.camera.eye_world, 1),
+          near_(view.camera.near) {}
+
+    [[nodiscard]] std::uint32_t at(const scene::Projection& projection,
+                                   const glm::dvec2& p_px) const {
+        truth::EyeRay ray;
+        ray.direction_world = projection.ray_world(p_px.x, p_px.y);
+        ray.t_near = near_;
+        ray.t_far = std::numeric_limits<double>::infinity();
+        const auto hit = rays_.first(ray, [](std::uint32_t) { return true; });
+        return hit ? topology_.faces[hit->face].triangle : kNobody;
+    }
+
+  private:
+    scene::Topology topology_;
+    truth::EyeScene rays_;
+    double near_;
+};
+
+}  // namespace
+
+IdAgreement compare_ids(const scene::Scene& scene,
+                        const scene::View& view,
+                        raster::DepthFormat depth) {
+    const SeenSurface surface(scene, view);
+    const EmbreeIds embree(scene, view);
+    const auto ours = surface.draw(depth);
+    IdAgreement result;
+    for (int y = 0; y < view.height_px; ++y) {
+        for (int x = 0; x < view.width_px; ++x) {
+            const glm::dvec2 p_px(x + 0.5, y + 0.5);
+            const std::uint32_t a = ours.at(x, y);
+            const std::uint32_t b = embree.at(surface.projection(), p_px);
+            ++result.pixels;
+            if (a != kNobody || b != kNobody) ++result.covered;
+            if (a == b) continue;
+            if (surface.is_near_edge(a, p_px) || surface.is_near_edge(b, p_px)) {
+                ++result.near_edge;
+                continue;
+            }
+            const bool both = a != kNobody && b != kNobody;
+            const double q_a = both ? surface.q(a, p_px) : 0;
+            const double q_b = both ? surface.q(b, p_px) : 0;
+            if (both && std::abs(q_a - q_b) < kSteps * step_at(depth, q_a, view.camera)) {
+                ++result.near_depth;
+            } else {
+                ++result.other;
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace ink::draw

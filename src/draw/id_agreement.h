@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+#include "raster/depth/depth.h"
+#include "scene/scene.h"
+
+namespace ink::draw {
+
+/// How the rasterizer's triangle ids at pixel centres compare with Embree's (section 4 of the
+/// design: the third check of the truth).
+struct IdAgreement {
+    std::size_t pixels = 0;
+    std::size_t covered = 0;  ///< by either
+    std::size_t near_edge =
+        0;  ///< differ, within 1/256 px of an edge of one of the two as projected
+    std::size_t near_depth = 0;  ///< else: the two lie less than 4 steps of the depth format apart
+    std::size_t other = 0;       ///< else: a fault
+};
+
+/// Draws `scene` with `depth` and asks Embree along the ray of every pixel centre.
+///
+/// Distances to edges and between depths are computed here, in double, from the world-space
+/// corners.
+[[nodiscard]] IdAgreement compare_ids(const scene::Scene& scene,
+                                      const scene::View& view,
+                                      raster::DepthFormat depth);
+
+}  // namespace ink::draw

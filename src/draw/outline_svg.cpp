@@ -1,0 +1,133 @@
+#include "draw/outline_svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "draw/palette.h"
+#include "report/html.h"
+#include "truth/join_curves.h"
+
+namespace ink::draw {
+namespace {
+
+constexpr double kDegPerRad = 180 / std::numbers::pi;
+
+/// In the order of drawing: where lines meet, the class that wins lies on top.
+constexpr truth::LineClass kDrawn[] = {truth::LineClass::seam,
+                                       truth::LineClass::intersection,
+                                       truth::LineClass::crease,
+                                       truth::LineClass::boundary,
+                                       truth::LineClass::contour};
+constexpr truth::ContourKind kKinds[] = {truth::ContourKind::none,
+                                         truth::ContourKind::sky,
+                                         truth::ContourKind::other_object,
+                                         truth::ContourKind::self};
+
+std::string_view name(truth::ContourKind kind) {
+    switch (kind) {
+        case truth::ContourKind::none:
+            return "none";
+        case truth::ContourKind::sky:
+            return "sky";
+        case truth::ContourKind::other_object:
+            return "other_object";
+        case truth::ContourKind::self:
+            return "self";
+    }
+    return "none";
+}
+
+/// Up to three decimals without idle zeros.
+std::string coordinate(double px) {
+    std::string text = fmt::format("{:.3f}", px);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+template <class Text>
+std::string joined(const truth::Polyline& line, const truth::Truth& truth, Text text) {
+    std::string all;
+    for (const std::uint32_t i : line.curves)
+        all += fmt::format("{}{}", all.empty() ? "" : " ", text(truth.curves[i]));
+    return all;
+}
+
+std::string polyline(const truth::Polyline& line, const truth::Truth& truth) {
+    std::string points;
+    for (const truth::CurvePoint& p : line.points) {
+        if (!points.empty()) points += ' ';
+        points += fmt::format("{},{}", coordinate(p.x_px), coordinate(p.y_px));
+    }
+    const auto edge = [](const truth::Curve& c) {
+        return c.edge == truth::kNoEdge ? std::string("-") : fmt::format("{}", c.edge);
+    };
+    const auto bend = [](const truth::Curve& c) {
+        return fmt::format("{:.4g}", c.bend_rad * kDegPerRad);
+    };
+    const auto gap = [](const truth::Curve& c) { return fmt::format("{:.4g}", c.gap); };
+    std::string text = fmt::format(R"(<polyline points="{}" data-edge="{}" data-dihedral-deg="{}")",
+                                   points,
+                                   joined(line, truth, edge),
+                                   joined(line, truth, bend));
+    if (line.empty_side != 0) {
+        text += fmt::format(R"( data-gap="{}" data-empty="{}")",
+                            joined(line, truth, gap),
+                            line.empty_side > 0 ? "right" : "left");
+    }
+    text += "/>\n";
+    return text;
+}
+
+std::string group(const std::vector<truth::Polyline>& lines,
+                  const truth::Truth& truth,
+                  truth::LineClass line_class,
+                  truth::ContourKind kind) {
+    std::string body;
+    for (const truth::Polyline& line : lines) {
+        if (line.line_class == line_class && line.kind == kind) body += polyline(line, truth);
+    }
+    if (body.empty()) return "";
+    const std::string kind_text = kind == truth::ContourKind::none
+                                      ? std::string()
+                                      : fmt::format(R"( data-kind="{}")", name(kind));
+    return fmt::format(R"(<g data-class="{}"{} stroke="{}">
+{}</g>
+)",
+                       truth::name(line_class),
+                       kind_text,
+                       colour_of(line_class).hex,
+                       body);
+}
+
+}  // namespace
+
+std::string outline_svg(const truth::Truth& truth,
+                        const std::string& scene_name,
+                        const scene::View& view) {
+    const std::vector<truth::Polyline> lines = truth::join_curves(truth.curves);
+    std::string body;
+    for (const truth::LineClass line_class : kDrawn) {
+        for (const truth::ContourKind kind : kKinds)
+            body += group(lines, truth, line_class, kind);
+    }
+    return fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}" width="{0}" height="{1}">
+<title>{2}</title>
+<rect width="{0}" height="{1}" fill="{3}"/>
+<g fill="none" stroke-width="1" stroke-linecap="round" stroke-linejoin="round">
+{4}</g>
+</svg>
+)",
+        view.width_px,
+        view.height_px,
+        core::escape(fmt::format("{} {}: the visible lines", scene_name, view.camera.name)),
+        kPaper.hex,
+        body);
+}
+
+}  // namespace ink::draw

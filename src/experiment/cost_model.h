@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "harness/frame_counts.h"
+#include "harness/row.h"
+
+namespace ink::experiment {
+
+/// A kind of work that the model gives one price, the same for every method of a run.
+struct CostUnit {
+    std::string_view name;
+    std::string_view doc;  ///< what one of it is
+};
+
+/// vertex, vertex_value, triangle, interpolant, fill_operation, filter_operation, byte.
+inline constexpr std::size_t kCostUnits = 7;
+[[nodiscard]] const std::array<CostUnit, kCostUnits>& cost_units();
+
+/// A number per unit: how many of it, or what one costs in ns.
+using PerUnit = std::array<double, kCostUnits>;
+
+/// How much of each unit a frame takes: passes x (per vertex + per triangle + per covered pixel +
+/// per pixel of the frame).
+[[nodiscard]] PerUnit unit_counts(const harness::CostFacts& facts);
+
+/// The sum over units of `counts` times `ns_per_unit`.
+[[nodiscard]] double predict_ns(const PerUnit& ns_per_unit, const PerUnit& counts);
+
+/// A frame whose time is known.
+struct CostSample {
+    PerUnit counts{};
+    double measured_ns = 0;  ///< > 0
+};
+
+/// The prices, none negative, that minimise the sum of (predicted / measured - 1)^2: relative, so
+/// that a frame of a millisecond counts as much as one of a second. 0 for a unit that no sample has
+/// or none needs. No samples give zeros.
+///
+/// Sequential coordinate-wise descent (Franc, Hlavac and Navara 2005), the same bits for the same
+/// samples in the same order.
+[[nodiscard]] PerUnit fit_unit_costs(std::span<const CostSample> samples);
+
+/// What a fit was made from, for the report.
+struct CostFit {
+    PerUnit ns_per_unit{};  ///< over all cells
+    std::size_t cells = 0;
+    std::string_view left_out;  ///< "scene" or "view": what each prediction was made without
+};
+
+/// Writes predicted_ns and cost_residual into every row that declares its cost and was timed, each
+/// predicted from prices fitted without its own scene; without its own view if there is one scene
+/// only. What is predicted is the least time: the model knows work, not what disturbed it. Nothing
+/// where what is left has fewer cells than there are units: such a fit says nothing.
+///
+/// The cells are the timed ones of `rows` and `sweep` together. `cells` is 0 if nothing was
+/// predicted.
+CostFit predict_costs(std::vector<harness::Row>& rows, std::vector<harness::Row>& sweep);
+
+}  // namespace ink::experiment

@@ -1,0 +1,131 @@
+#include "experiment/experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "harness/suite.h"
+
+namespace ink::experiment {
+namespace {
+
+bool parse_whole(std::string_view text, int& value) {
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return status == std::errc{} && end == text.data() + text.size();
+}
+
+/// Applies a setting to the entrants that it is for and that know it.
+void apply(const std::string& setting, std::vector<harness::Entrant>& entrants) {
+    const auto equals = setting.find('=');
+    std::string key = setting.substr(0, equals);
+    std::string method;
+    if (const auto dot = key.find('.'); dot != std::string::npos) {
+        method = key.substr(0, dot);
+        key = key.substr(dot + 1);
+    }
+    for (harness::Entrant& entrant : entrants) {
+        if (!method.empty() && method != entrant.info->name) continue;
+        const auto& params = entrant.info->params;
+        const bool is_known = std::any_of(
+            params.begin(), params.end(), [&](const core::Param& p) { return p.name == key; });
+        if (is_known) entrant.settings[key] = setting.substr(equals + 1);
+    }
+}
+
+void refuse_scenes(const Experiment& experiment) {
+    throw core::Error("--scenes",
+                      fmt::format("{} makes its own scenes", experiment.file.string()),
+                      "an experiment of kind compare or animation");
+}
+
+}  // namespace
+
+PictureSize parse_picture_size(const std::string& text, const std::string& where) {
+    const auto x = text.find('x');
+    PictureSize size;
+    const bool is_pair = x != std::string::npos &&
+                         parse_whole(std::string_view(text).substr(0, x), size.width_px) &&
+                         parse_whole(std::string_view(text).substr(x + 1), size.height_px);
+    if (!is_pair) {
+        throw core::Error(where,
+                          fmt::format("'{}' is no size", text),
+                          "WIDTHxHEIGHT in pixels, such as 1280x720");
+    }
+    try {
+        harness::check_size(size.width_px, size.height_px);
+    } catch (const core::Error& error) {
+        throw core::Error(where, error.what_happened(), error.accepted());
+    }
+    return size;
+}
+
+std::vector<std::string> scenes_called(const std::string& name) {
+    const bool is_all = name == "catalogue";
+    if (!is_all && name != "train" && name != "heldout") return {name};
+    std::vector<std::string> names;
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
+        const bool is_training = entry.split == scene::Split::train;
+        if (is_all || is_training == (name == "train")) names.push_back(entry.name);
+    }
+    return names;
+}
+
+Experiment with_overrides(Experiment experiment, const ExperimentOverrides& overrides) {
+    if (!overrides.size.empty()) {
+        experiment.sizes = {parse_picture_size(overrides.size, "--size")};
+    }
+    if (!overrides.scenes.empty()) {
+        if (experiment.kind == ExperimentKind::stress) refuse_scenes(experiment);
+        experiment.scenes.clear();
+        for (const std::string& name : harness::split_list(overrides.scenes)) {
+            for (std::string& scene : scenes_called(name))
+                experiment.scenes.push_back(std::move(scene));
+        }
+    }
+    if (!overrides.methods.empty()) {
+        experiment.methods.clear();
+        for (const harness::Entrant& entrant : harness::make_entrants(overrides.methods, {}))
+            experiment.methods.push_back(entrant.info->name);
+        std::erase_if(experiment.grids, [&](const SettingGrid& grid) {
+            const auto& names = experiment.methods;
+            return std::find(names.begin(), names.end(), grid.method) == names.end();
+        });
+    }
+    if (overrides.views) experiment.views = *overrides.views;
+    if (overrides.no_times) experiment.times = false;
+    return experiment;
+}
+
+std::vector<harness::Entrant> entrants_of(const Experiment& experiment) {
+    std::vector<harness::Entrant> entrants =
+        harness::make_entrants(fmt::format("{}", fmt::join(experiment.methods, ",")), {});
+    for (const std::string& setting : experiment.settings)
+        apply(setting, entrants);
+    return entrants;
+}
+
+std::vector<harness::Entrant> grid_entrants(const harness::Entrant& entrant,
+                                            const SettingGrid& grid) {
+    std::vector<harness::Entrant> entrants = {entrant};
+    for (const auto& [key, values] : grid.axes) {
+        std::vector<harness::Entrant> longer;
+        for (const harness::Entrant& shorter : entrants) {
+            for (const std::string& value : values) {
+                longer.push_back(shorter);
+                longer.back().settings[key] = value;
+            }
+        }
+        entrants = std::move(longer);
+    }
+    std::set<core::ParamValues> known;
+    std::erase_if(entrants, [&](const harness::Entrant& made) {
+        return !known.insert(made.info->complete(made.settings)).second;
+    });
+    return entrants;
+}
+
+}  // namespace ink::experiment

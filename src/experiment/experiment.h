@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/param.h"
+#include "harness/entrants.h"
+
+namespace ink::experiment {
+
+/// What is computed: `compare` draws methods on views (rows.csv, curves.csv, sweep.csv ...),
+/// `stress` along axes of difficulty (stress.csv), `animation` on sequences (motion.csv, roll.csv).
+enum class ExperimentKind { compare, stress, animation };
+
+/// Every combination of some settings of one method.
+struct SettingGrid {
+    std::string method;
+    std::vector<std::pair<std::string, std::vector<std::string>>> axes;  ///< key, its values
+};
+
+struct PictureSize {
+    int width_px = 0;
+    int height_px = 0;
+};
+
+/// An experiment as its file has it, all names checked.
+struct Experiment {
+    std::filesystem::path file;
+    std::string name;
+    ExperimentKind kind = ExperimentKind::compare;
+    std::uint64_t seed = 0;
+    std::vector<std::string> methods;   ///< registered names, each once
+    std::vector<PictureSize> sizes;     ///< one at least
+    std::vector<int> threads = {1};     ///< of the methods
+    std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation
+    int views = 0;                      ///< the first of each scene; 0: all
+    std::vector<std::string> axes;      ///< of stress; none: all
+    int points = 0;                     ///< values of an axis, at most; 0: all
+    int frames = 48;                    ///< of a sequence
+    bool roll = true;                   ///< animation: the cube roll too
+    std::vector<std::string> settings;  ///< key=value or method.key=value
+    std::vector<SettingGrid> grids;     ///< sweep.csv
+    int own_sweep_views = 0;            ///< sweep.csv: each method's own, on the first views
+    int repetitions = 15;               ///< timed drawings, at most
+    double budget_s = 0.06;             ///< of drawing, after which repetitions end
+    bool full_scores = true;            ///< curves, ladder, bins, causes; else F at 2 px alone
+    bool witness = true;                ///< hold truths against the witness
+    bool times = true;                  ///< false: columns of times stay empty
+};
+
+/// What the command line puts in place of what the file says.
+struct ExperimentOverrides {
+    std::string size;     ///< WIDTHxHEIGHT
+    std::string scenes;   ///< a,b
+    std::string methods;  ///< a,b
+    std::optional<int> views;
+    bool no_times = false;
+};
+
+/// Reads an experiment. Throws core::Error (where = file and line) that names key, value and what
+/// is accepted: for TOML that cannot be read, unknown keys, wrong types, unknown names, values out
+/// of range, and a grid without cells.
+[[nodiscard]] Experiment read_experiment(const std::filesystem::path& file);
+
+/// The same from text; `file` is for messages and for models beside it.
+[[nodiscard]] Experiment parse_experiment(const std::string& text,
+                                          const std::filesystem::path& file);
+
+/// The experiment with other sizes, scenes, methods or views. Settings and grids of methods that do
+/// not take part are left out. Throws core::Error (where = the option).
+[[nodiscard]] Experiment with_overrides(Experiment experiment,
+                                        const ExperimentOverrides& overrides);
+
+/// The methods that take part with the settings that each knows.
+[[nodiscard]] std::vector<harness::Entrant> entrants_of(const Experiment& experiment);
+
+/// Every combination of a grid as an entrant, on top of what `entrant` has; the last key turns
+/// fastest. Combinations that come out equal appear once.
+[[nodiscard]] std::vector<harness::Entrant> grid_entrants(const harness::Entrant& entrant,
+                                                          const SettingGrid& grid);
+
+/// The scenes that "catalogue", "train" and "heldout" stand for; any other name is its own.
+[[nodiscard]] std::vector<std::string> scenes_called(const std::string& name);
+
+/// "640x360"; throws core::Error (where = `where`) for text that is no size, or one that cannot be
+/// drawn.
+[[nodiscard]] PictureSize parse_picture_size(const std::string& text, const std::string& where);
+
+}  // namespace ink::experiment

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "experiment/experiment_plan.h"
+#include "studies/stress/stress_axes.h"
+#include "studies/stress/stress_rows.h"
+
+namespace ink::experiment {
+namespace {
+
+constexpr int kBrackets = 3;
+
+/// What the blocks share.
+struct Stage {
+    std::vector<harness::Entrant> entrants;
+    harness::MeasureOptions measure;
+    harness::TraceOptions trace;
+    studies::StressSize size;
+    std::uint64_t seed = 0;
+};
+
+std::vector<const studies::StressAxis*> axes_of(const Experiment& experiment) {
+    std::vector<const studies::StressAxis*> axes;
+    for (const std::string& name : experiment.axes)
+        axes.push_back(&studies::find_stress_axis(name));
+    if (!axes.empty()) return axes;
+    for (const studies::StressAxis& axis : studies::stress_axes())
+        axes.push_back(&axis);
+    return axes;
+}
+
+/// Counts that must be 0, in words; "" if they are.
+std::string fault_of(const studies::StressRow& row) {
+    if (row.counts.is_clean()) return "";
+    return fmt::format(
+        "{} on {} {}: {} numbers not finite, {} overflows, {} cells lost, {} pictures differ",
+        row.row.method,
+        row.axis,
+        row.value,
+        row.counts.non_finite,
+        row.counts.overflow,
+        row.counts.lost,
+        row.counts.differing);
+}
+
+/// Every case of some values of an axis.
+BlockResult run_values(const Stage& stage,
+                       const studies::StressAxis& axis,
+                       const std::vector<double>& values) {
+    std::vector<studies::StressRow> rows;
+    for (const double value : values) {
+        for (const studies::StressCase& stress : axis.cases(value, stage.size)) {
+            auto more = studies::stress_rows(stress, stage.entrants, stage.measure, stage.trace);
+            std::move(more.begin(), more.end(), std::back_inserter(rows));
+        }
+    }
+    studies::note_differences(rows);
+    BlockResult result;
+    for (studies::StressRow& row : rows) {
+        row.row.seed = stage.seed;
+        result.lines["stress.csv"] += studies::to_csv(row) + "\n";
+        if (std::string fault = fault_of(row); !fault.empty())
+            result.faults.push_back(std::move(fault));
+    }
+    return result;
+}
+
+/// Values whose pictures are compared with each other belong together; others stand alone.
+std::vector<std::vector<double>> value_groups(const studies::StressAxis& axis, int points) {
+    const std::vector<double> values =
+        points > 0 ? studies::stress_values(axis, points) : axis.values;
+    if (axis.same_pictures) return {values};
+    std::vector<std::vector<double>> groups;
+    for (const double value : values)
+        groups.push_back({value});
+    return groups;
+}
+
+}  // namespace
+
+void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
+    const auto stage = std::make_shared<Stage>();
+    stage->entrants = entrants_of(experiment);
+    stage->trace = trace;
+    stage->seed = experiment.seed;
+    stage->trace.truth.threads = core::hardware_threads();
+    stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
+    plan.tables.push_back(
+        {"stress.csv", fmt::format("{}", fmt::join(studies::stress_columns(), ","))});
+    const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
+    const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
+    for (const studies::StressAxis* axis : axes_of(experiment)) {
+        // The cases of the first value stand for all: those of the last may be large.
+        const auto cases = static_cast<int>(axis->cases(axis->values.front(), stage->size).size());
+        for (const std::vector<double>& values : value_groups(*axis, experiment.points)) {
+            const int cells = rows * cases * static_cast<int>(values.size());
+            plan.blocks.push_back(
+                {fmt::format("{} {}", axis->name, fmt::join(values, " ")),
+                 cells,
+                 cells * (0.01 + 0.05 * mpx),
+                 true,
+                 [stage, axis, values] { return run_values(*stage, *axis, values); }});
+        }
+    }
+}
+
+}  // namespace ink::experiment

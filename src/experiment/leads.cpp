@@ -1,0 +1,84 @@
+#include "experiment/leads.h"
+
+#include <algorithm>
+#include <map>
+
+#include "experiment/summary.h"
+#include "statistics/bootstrap.h"
+
+namespace ink::experiment {
+namespace {
+
+using Counts = score::CurveCount;
+std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<harness::Row>& rows,
+                                                            const std::string& method) {
+    std::map<harness::Place, const harness::Row*> found;
+    for (const harness::Row& row : rows) {
+        if (row.method == method && row.is_ok() && row.f_2px)
+            found.emplace(harness::place_of(row), &row);
+    }
+    return found;
+}
+
+/// Counts of two methods, summed over the views of each scene that both have.
+struct PairedClusters {
+    std::vector<Counts> a;
+    std::vector<Counts> b;
+};
+
+PairedClusters pair_up(const std::vector<harness::Row>& rows,
+                       const std::string& a,
+                       const std::string& b) {
+    const auto of_b = rows_by_place(rows, b);
+    std::map<std::string, std::pair<Counts, Counts>> by_scene;
+    for (const auto& [where, row] : rows_by_place(rows, a)) {
+        const auto other = of_b.find(where);
+        if (other == of_b.end()) continue;
+        auto& [sum_a, sum_b] = by_scene[row->scene];
+        sum_a += counts_2px(*row);
+        sum_b += counts_2px(*other->second);
+    }
+    PairedClusters clusters;
+    for (const auto& [scene, sums] : by_scene) {
+        clusters.a.push_back(sums.first);
+        clusters.b.push_back(sums.second);
+    }
+    return clusters;
+}
+
+}  // namespace
+
+std::optional<Lead> lead_of(const std::vector<harness::Row>& rows,
+                            const std::string& a,
+                            const std::string& b) {
+    const PairedClusters clusters = pair_up(rows, a, b);
+    if (clusters.a.empty()) return std::nullopt;
+    Counts sum_a;
+    Counts sum_b;
+    for (std::size_t i = 0; i < clusters.a.size(); ++i) {
+        sum_a += clusters.a[i];
+        sum_b += clusters.b[i];
+    }
+    return Lead{a,
+                b,
+                sum_a.f() - sum_b.f(),
+                statistics::lead_interval(clusters.a, clusters.b, {.seed = rows.front().seed})};
+}
+
+std::vector<Lead> all_leads(const std::vector<harness::Row>& rows) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_bracket || !s.f_2px; });
+    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
+        return *a.f_2px > *b.f_2px;
+    });
+    std::vector<Lead> leads;
+    for (const MethodSummary& a : summaries) {
+        for (const MethodSummary& b : summaries) {
+            if (a.method == b.method) continue;
+            if (auto lead = lead_of(rows, a.method, b.method)) leads.push_back(std::move(*lead));
+        }
+    }
+    return leads;
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,161 @@
+#include "experiment/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+#include "core/param.h"
+
+namespace ink::experiment {
+namespace {
+
+/// A value as the file spells it, for messages and settings; numbers in their shortest form.
+std::string spelled(const toml::node& node) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
+    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+    if (node.is_table()) return "a table";
+    if (node.is_array()) return "an array";
+    return "a date or time";
+}
+
+bool is_scalar(const toml::node& node) {
+    return node.is_string() || node.is_boolean() || node.is_integer() || node.is_floating_point();
+}
+
+int line_of(const toml::node& node) {
+    return static_cast<int>(node.source().begin.line);
+}
+
+}  // namespace
+
+TomlReader::TomlReader(const toml::table& table, std::filesystem::path file, std::string name)
+    : table_(table), file_(std::move(file)), name_(std::move(name)) {}
+
+const toml::node* TomlReader::find(const std::string& key) const {
+    return table_.get(key);
+}
+
+std::string TomlReader::full_name(const std::string& key) const {
+    return name_.empty() ? key : name_ + "." + key;
+}
+
+std::string TomlReader::where_line(int line) const {
+    return line > 0 ? fmt::format("{}:{}", file_.string(), line) : file_.string();
+}
+
+std::string TomlReader::where(const std::string& key) const {
+    const toml::node* node = key.empty() ? &table_ : find(key);
+    return where_line(node != nullptr ? line_of(*node) : 0);
+}
+
+void TomlReader::refuse(const std::string& key, const std::string& accepted) const {
+    throw core::Error(
+        where(key), fmt::format("{} cannot be {}", full_name(key), spelled(*find(key))), accepted);
+}
+
+std::optional<std::string> TomlReader::text(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    if (!node->is_string() || node->as_string()->get().empty()) refuse(key, "a text in quotes");
+    return node->as_string()->get();
+}
+
+std::optional<bool> TomlReader::flag(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    if (!node->is_boolean()) refuse(key, "true | false");
+    return node->as_boolean()->get();
+}
+
+std::optional<std::int64_t> TomlReader::whole(const std::string& key,
+                                              std::int64_t least,
+                                              std::int64_t most) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    const bool is_good = node->is_integer() && node->as_integer()->get() >= least &&
+                         node->as_integer()->get() <= most;
+    if (!is_good) refuse(key, fmt::format("a whole number {}..{}", least, most));
+    return node->as_integer()->get();
+}
+
+std::optional<double> TomlReader::number(const std::string& key, double least, double most) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    const std::optional<double> value =
+        node->is_number() ? node->value<double>() : std::optional<double>{};
+    if (!value || !(*value >= least && *value <= most)) {
+        refuse(key, fmt::format("a number {}..{}", least, most));
+    }
+    return value;
+}
+
+std::optional<std::vector<TomlText>> TomlReader::texts(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    if (is_scalar(*node)) return std::vector<TomlText>{{spelled(*node), line_of(*node)}};
+    const toml::array* array = node->as_array();
+    if (array == nullptr) refuse(key, "a value, or an array of values");
+    if (array->empty()) {
+        throw core::Error(where(key),
+                          fmt::format("{} is an empty array", full_name(key)),
+                          "one value at least, or the key left out");
+    }
+    std::vector<TomlText> texts;
+    for (const toml::node& value : *array) {
+        if (!is_scalar(value)) {
+            throw core::Error(where_line(line_of(value)),
+                              fmt::format("{} holds {}", full_name(key), spelled(value)),
+                              "texts, numbers, true or false");
+        }
+        texts.push_back({spelled(value), line_of(value)});
+    }
+    return texts;
+}
+
+std::optional<TomlReader> TomlReader::table(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return std::nullopt;
+    if (!node->is_table()) refuse(key, fmt::format("a table, [{}]", full_name(key)));
+    return TomlReader(*node->as_table(), file_, full_name(key));
+}
+
+std::vector<std::string> TomlReader::keys() const {
+    std::vector<std::pair<toml::source_position, std::string>> found;
+    for (const auto& [key, node] : table_)
+        found.emplace_back(key.source().begin, std::string(key.str()));
+    std::stable_sort(
+        found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> names;
+    for (auto& [position, name] : found)
+        names.push_back(std::move(name));
+    return names;
+}
+
+bool TomlReader::is_table(const std::string& key) const {
+    const toml::node* node = find(key);
+    return node != nullptr && node->is_table();
+}
+
+void TomlReader::refuse_unknown(const std::vector<std::string>& known) const {
+    for (const std::string& key : keys()) {
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+        throw core::Error(where(key),
+                          fmt::format("there is no key {}", full_name(key)),
+                          core::known_names(known, key));
+    }
+}
+
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        throw core::Error(fmt::format("{}:{}", file.string(), error.source().begin.line),
+                          fmt::format("this is no TOML: {}", error.description()),
+                          "key = value, [table], # comment");
+    }
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "edge/edge_image.h"
+#include "harness/entrants.h"
+#include "harness/row.h"
+#include "harness/skip_switches.h"
+#include "harness/tracing.h"
+#include "score/attribution.h"
+#include "score/drawing.h"
+#include "score/score.h"
+
+namespace ink::harness {
+
+/// How often and with what a method is timed.
+struct MeasureOptions {
+    int threads = 1;  ///< of the method
+    int min_repetitions = 3;
+    int max_repetitions = 15;
+    double budget_s = 0.03;  ///< a method on a view stops repeating after this much drawing
+    raster::SkipSet skips = skips_of_repeated_drawings();
+};
+
+/// Times of one method on one view, as they were taken.
+struct DrawTimes {
+    std::vector<std::int64_t> draw_ns;
+    std::string failure;            ///< why there are none, or ""
+    raster::SkipCounts skips = {};  ///< of the last timed drawing
+};
+
+/// The tolerances at which every cell is scored, for the ladder: how near the lines lie.
+inline constexpr std::array<double, 5> kLadder_px = {kStrictTolerance_px, 1.5, kTolerance_px, 3, 4};
+
+/// What is scored: a picture, at a threshold, against a prepared truth.
+struct Scored {
+    score::Strokes strokes;  ///< what of it was scored at its threshold
+    score::Score at_2px;
+    std::vector<score::CurveCount> ladder;  ///< at each of kLadder_px, 1 px first
+    std::array<score::CurveCount, 99> curve{};
+    score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
+    score::Attribution attribution;  ///< why: empty until MissPredictor fills it
+};
+
+/// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
+[[nodiscard]] score::ScoreOptions score_options(int threshold);
+
+/// Scores `picture` at `threshold` with all tolerances and the whole curve at 2 px.
+[[nodiscard]] Scored score_picture(const edge::EdgeImage& picture,
+                                   const score::ScoringTruth& truth,
+                                   int threshold);
+
+/// Writes the metrics of `scored` into `row`.
+void fill_scores(const Scored& scored, Row& row);
+
+/// Writes only those of a score at 2 px.
+void fill_score_2px(const score::Score& at_2px, Row& row);
+
+/// Writes median, quartiles, minimum and number of `draw_ns` into `row`; none leaves it empty.
+void fill_times(std::vector<std::int64_t> draw_ns, Row& row);
+
+/// Writes into `row` what a method that did not fail left undone, and what it was not allowed to.
+void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row);
+
+/// One method made ready for one scene: prepared, posed, both timed.
+class PreparedMethod {
+  public:
+    /// Makes and prepares. A method that throws is not prepared: see `failure`.
+    PreparedMethod(const Entrant& entrant, const scene::Scene& scene);
+
+    [[nodiscard]] const Entrant& entrant() const { return entrant_; }
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+    [[nodiscard]] method::Method& method() { return *method_; }
+    [[nodiscard]] int threshold() const { return threshold_; }
+    /// A row with everything that is known before a view is drawn.
+    [[nodiscard]] Row row() const;
+
+  private:
+    Entrant entrant_;
+    std::unique_ptr<method::Method> method_;
+    std::string failure_;
+    core::ParamValues settings_;
+    int threshold_ = 128;
+    std::int64_t prepare_ns_ = 0;
+    std::int64_t pose_ns_ = 0;
+};
+
+/// Draws `view` with every method in turns (A B C, A B C, ...), so that a machine that slows down
+/// slows all alike; the first round warms up, gives the pictures and is not counted.
+///
+/// `pictures[i]` and the result's [i] are method i's. A method that throws, or whose pictures
+/// differ between rounds, gets a failure and is left out of later rounds; the others go on.
+[[nodiscard]] std::vector<DrawTimes> draw_in_turns(
+    std::vector<std::unique_ptr<PreparedMethod>>& methods,
+    const scene::View& view,
+    const MeasureOptions& options,
+    std::vector<edge::EdgeImage>& pictures);
+
+/// "key=value;key=value" in the order of names.
+[[nodiscard]] std::string join_params(const core::ParamValues& values);
+
+}  // namespace ink::harness

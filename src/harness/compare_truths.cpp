@@ -1,0 +1,222 @@
+#include "harness/compare_truths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace ink::harness {
+namespace {
+
+constexpr double kSpacing_px = 1.0 / 8;
+
+std::size_t class_index(truth::LineClass c) {
+    return std::find(truth::kLineClasses.begin(), truth::kLineClasses.end(), c) -
+           truth::kLineClasses.begin();
+}
+
+glm::dvec2 begin_of(const truth::Curve& curve) {
+    return {curve.begin.x_px, curve.begin.y_px};
+}
+
+glm::dvec2 end_of(const truth::Curve& curve) {
+    return {curve.end.x_px, curve.end.y_px};
+}
+
+/// Things by the pixels that they may concern: built whole, then asked.
+class PixelLists {
+  public:
+    explicit PixelLists(const scene::View& view)
+        : width_(view.width_px + 2), height_(view.height_px + 2) {}
+
+    void add(const glm::dvec2& low, const glm::dvec2& high, std::uint32_t item) {
+        for (int y = row(low.y); y <= row(high.y); ++y) {
+            for (int x = column(low.x); x <= column(high.x); ++x)
+                entries_.emplace_back(static_cast<std::uint32_t>(y * width_ + x), item);
+        }
+    }
+    void finish() {
+        std::sort(entries_.begin(), entries_.end());
+        first_.assign(static_cast<std::size_t>(width_) * height_ + 1, 0);
+        for (const auto& [pixel, item] : entries_)
+            ++first_[pixel + 1];
+        for (std::size_t i = 1; i < first_.size(); ++i)
+            first_[i] += first_[i - 1];
+    }
+    /// Whether `accepts(item)` for one of those in the pixel of `p`.
+    template <class Accepts>
+    [[nodiscard]] bool any(const glm::dvec2& p, Accepts accepts) const {
+        const std::size_t pixel = static_cast<std::size_t>(row(p.y)) * width_ + column(p.x);
+        for (std::size_t i = first_[pixel]; i < first_[pixel + 1]; ++i) {
+            if (accepts(entries_[i].second)) return true;
+        }
+        return false;
+    }
+
+  private:
+    [[nodiscard]] int column(double x) const {
+        return static_cast<int>(std::clamp(std::floor(x) + 1, 0.0, width_ - 1.0));
+    }
+    [[nodiscard]] int row(double y) const {
+        return static_cast<int>(std::clamp(std::floor(y) + 1, 0.0, height_ - 1.0));
+    }
+
+    int width_;
+    int height_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;
+    std::vector<std::size_t> first_;
+};
+
+double distance_to(const truth::Curve& curve, const glm::dvec2& p) {
+    const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a;
+    const double length2 = glm::dot(ab, ab);
+    const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
+    return glm::length(p - (a + t * ab));
+}
+
+/// Whether the curve passes the point within `reach_px`, and not just ends or begins there.
+bool passes(const truth::Curve& curve, const glm::dvec2& p, double reach_px) {
+    const glm::dvec2 a = begin_of(curve), ab = end_of(curve) - a;
+    const double along = glm::dot(p - a, ab), length2 = glm::dot(ab, ab);
+    if (along <= 0 || along >= length2) return false;
+    return std::abs(ab.x * (p - a).y - ab.y * (p - a).x) <= reach_px * std::sqrt(length2);
+}
+
+/// A curve's pixels: those of its samples, which lie closer than the reach, and what is in reach.
+void add_curve(const truth::Curve& curve, std::uint32_t item, PixelLists& lists) {
+    const glm::dvec2 a = begin_of(curve), b = end_of(curve);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(glm::length(b - a))));
+    for (int i = 0; i < pieces; ++i) {
+        const glm::dvec2 from = glm::mix(a, b, static_cast<double>(i) / pieces);
+        const glm::dvec2 to = glm::mix(a, b, static_cast<double>(i + 1) / pieces);
+        lists.add(glm::min(from, to) - kAgreement_px, glm::max(from, to) + kAgreement_px, item);
+    }
+}
+
+void hold_curves(std::span<const truth::Curve> curves,
+                 const crosscheck::Witness& witness,
+                 const scene::View& view,
+                 Agreement& result) {
+    PixelLists lists(view);
+    for (std::uint32_t i = 0; i < witness.points.size(); ++i) {
+        const glm::dvec2 p(witness.points[i].x_px, witness.points[i].y_px);
+        lists.add(p - kAgreement_px, p + kAgreement_px, i);
+    }
+    lists.finish();
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+        const truth::Curve& curve = curves[c];
+        const std::size_t index = class_index(curve.line_class);
+        if (index == truth::kLineClasses.size()) continue;
+        const glm::dvec2 a = begin_of(curve), b = end_of(curve);
+        const double length = glm::length(b - a);
+        const int count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
+        for (int i = 0; i < count; ++i) {
+            const glm::dvec2 p = glm::mix(a, b, (i + 0.5) / count);
+            const bool is_covered = lists.any(p, [&](std::uint32_t item) {
+                const crosscheck::WitnessPoint& q = witness.points[item];
+                return q.line_class == curve.line_class &&
+                       glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
+            });
+            result.by_class[index].truth_px += length / count;
+            if (is_covered) {
+                result.by_class[index].truth_covered_px += length / count;
+            } else {
+                result.disagreements.push_back(
+                    {p.x, p.y, length / count, curve.line_class, true, c});
+            }
+        }
+    }
+}
+
+void hold_points(std::span<const truth::Curve> curves,
+                 const crosscheck::Witness& witness,
+                 const scene::View& view,
+                 Agreement& result) {
+    PixelLists lists(view);
+    for (std::uint32_t i = 0; i < curves.size(); ++i)
+        add_curve(curves[i], i, lists);
+    lists.finish();
+    for (const crosscheck::WitnessPoint& point : witness.points) {
+        const std::size_t index = class_index(point.line_class);
+        const glm::dvec2 p(point.x_px, point.y_px);
+        const bool is_covered = lists.any(p, [&](std::uint32_t item) {
+            return curves[item].line_class == point.line_class &&
+                   distance_to(curves[item], p) <= kAgreement_px;
+        });
+        result.by_class[index].witness_px += point.length_px;
+        if (is_covered) {
+            result.by_class[index].witness_covered_px += point.length_px;
+        } else {
+            result.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
+        }
+    }
+}
+
+}  // namespace
+
+double ClassAgreement::truth_share() const {
+    return truth_px > 0 ? truth_covered_px / truth_px : 1;
+}
+
+double ClassAgreement::witness_share() const {
+    return witness_px > 0 ? witness_covered_px / witness_px : 1;
+}
+
+bool ClassAgreement::is_agreed() const {
+    const auto is_covered = [](double length, double covered) {
+        return length - covered <= std::max(kAllowedShare * length, kAgreement_px);
+    };
+    return is_covered(truth_px, truth_covered_px) && is_covered(witness_px, witness_covered_px);
+}
+
+bool Agreement::is_agreed() const {
+    return total().is_agreed() &&
+           std::all_of(by_class.begin(), by_class.end(), [](const ClassAgreement& c) {
+               return c.is_agreed();
+           });
+}
+
+ClassAgreement Agreement::total() const {
+    ClassAgreement sum;
+    for (const ClassAgreement& c : by_class) {
+        sum.truth_px += c.truth_px;
+        sum.truth_covered_px += c.truth_covered_px;
+        sum.witness_px += c.witness_px;
+        sum.witness_covered_px += c.witness_covered_px;
+    }
+    return sum;
+}
+
+double Agreement::disagreement_rate() const {
+    const ClassAgreement sum = total();
+    const double length = sum.truth_px + sum.witness_px;
+    const double uncovered =
+        (sum.truth_px - sum.truth_covered_px) + (sum.witness_px - sum.witness_covered_px);
+    return length > 0 ? std::max(0.0, uncovered) / length : 0;
+}
+
+Agreement compare_truths(std::span<const truth::Curve> curves,
+                         const crosscheck::Witness& witness,
+                         const scene::View& view) {
+    Agreement result;
+    hold_curves(curves, witness, view, result);
+    hold_points(curves, witness, view, result);
+    return result;
+}
+
+double strip_length_px(std::span<const truth::Curve> curves, const Agreement& agreement) {
+    double sum = 0;
+    for (const Disagreement& d : agreement.disagreements) {
+        if (!d.is_truth) continue;
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+            if (c == d.curve || !passes(curves[c], {d.x_px, d.y_px}, kThinnest_px)) continue;
+            sum += d.length_px;
+            break;
+        }
+    }
+    return sum;
+}
+
+}  // namespace ink::harness

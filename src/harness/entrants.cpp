@@ -1,0 +1,147 @@
+#include "harness/entrants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "core/error.h"
+#include "methods/presets.h"
+#include "methods/tuned.h"
+
+namespace ink::harness {
+namespace {
+
+struct Setting {
+    std::string method;  ///< "" means all that know the key
+    std::string key;
+    std::string value;
+    std::string text;
+};
+
+Setting parse_setting(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw core::Error(
+            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value");
+    }
+    Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
+    const auto dot = setting.key.find('.');
+    if (dot != std::string::npos) {
+        setting.method = setting.key.substr(0, dot);
+        setting.key = setting.key.substr(dot + 1);
+    }
+    return setting;
+}
+
+bool knows(const method::MethodInfo& info, const std::string& key) {
+    return std::any_of(info.params.begin(), info.params.end(), [&](const core::Param& param) {
+        return param.name == key;
+    });
+}
+
+void apply_setting(const Setting& setting, std::vector<Entrant>& entrants) {
+    std::set<std::string> known;
+    bool is_used = false;
+    for (Entrant& entrant : entrants) {
+        if (!setting.method.empty() && setting.method != entrant.info->name) continue;
+        for (const core::Param& param : entrant.info->params)
+            known.insert(param.name);
+        if (!knows(*entrant.info, setting.key)) continue;
+        entrant.settings[setting.key] = setting.value;
+        is_used = true;
+    }
+    if (is_used) return;
+    if (!setting.method.empty() && known.empty()) {
+        std::vector<std::string> names;
+        for (const Entrant& entrant : entrants)
+            names.push_back(entrant.info->name);
+        throw core::Error("--set " + setting.text,
+                          fmt::format("method '{}' does not take part", setting.method),
+                          core::known_names(names, setting.method));
+    }
+    throw core::Error("--set " + setting.text,
+                      fmt::format("there is no parameter '{}'", setting.key),
+                      core::known_names({known.begin(), known.end()}, setting.key));
+}
+
+/// Whether a registered method is itself a preset: `inkbench tune` gives that name, too.
+bool is_shipped(const std::string& name) {
+    const auto shipped = methods::shipped_presets();
+    return std::any_of(
+        shipped.begin(), shipped.end(), [&](const auto& preset) { return preset.name == name; });
+}
+
+}  // namespace
+
+std::vector<std::string> split_list(const std::string& text) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+        const auto end = std::min(text.find(',', begin), text.size());
+        if (end > begin) parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+void apply_settings(const std::vector<std::string>& settings, std::vector<Entrant>& entrants) {
+    for (const std::string& text : settings)
+        apply_setting(parse_setting(text), entrants);
+    // Read once here, so that a bad value ends the program before a scene is loaded.
+    for (const Entrant& entrant : entrants)
+        (void)entrant.info->complete(entrant.settings);
+}
+
+Entrant preset_entrant(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
+    const std::vector<method::MethodInfo>& bases = methods::registry();
+    const methods::Preset preset = methods::parse_preset(text, file.string(), bases);
+    const bool is_taken = std::any_of(
+        bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
+    if (is_taken && !is_shipped(preset.name)) {
+        throw core::Error(file.string(),
+                          fmt::format("there is a method '{}' already", preset.name),
+                          "a name of its own");
+    }
+    auto info = std::make_shared<const method::MethodInfo>(methods::preset_method(preset, bases));
+    return {info.get(), {}, info};
+}
+
+std::vector<Entrant> make_entrants(const std::string& methods,
+                                   const std::vector<std::string>& settings,
+                                   const std::vector<std::string>& presets) {
+    std::vector<Entrant> entrants;
+    std::set<std::string> names;
+    for (const std::string& name : split_list(methods)) {
+        if (!names.insert(name).second) {
+            throw core::Error("--methods", fmt::format("'{}' is named twice", name), "each once");
+        }
+        entrants.push_back({&methods::find_method(name), {}});
+    }
+    if (entrants.empty()) {
+        for (const method::MethodInfo& info : methods::registry())
+            entrants.push_back({&info, {}});
+    }
+    for (const std::string& file : presets) {
+        Entrant entrant = preset_entrant(file);
+        const auto is_namesake = [&](const Entrant& other) {
+            return !other.owned && other.info->name == entrant.info->name;
+        };
+        if (methods.empty()) std::erase_if(entrants, is_namesake);
+        if (!names.insert(entrant.info->name).second) {
+            throw core::Error(file,
+                              fmt::format("'{}' is there twice", entrant.info->name),
+                              "presets with names of their own");
+        }
+        entrants.push_back(std::move(entrant));
+    }
+    apply_settings(settings, entrants);
+    return entrants;
+}
+
+}  // namespace ink::harness

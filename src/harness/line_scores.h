@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "harness/bins.h"
+#include "harness/tracing.h"
+#include "score/cracks.h"
+#include "score/drawing.h"
+#include "score/false_ink.h"
+#include "score/line_width.h"
+#include "score/offset.h"
+
+namespace ink::harness {
+
+/// What the headline F does not say of a picture, because it thins and forgives two pixels.
+struct LineScores {
+    score::CrackScore cracks;
+    score::Offsets offsets;
+    score::Widths widths;
+    score::InkCount ink;         ///< at 2 px
+    std::vector<BinCount> bins;  ///< at 2 px
+};
+
+/// A view's truth made ready for that, from its sub-pixel curves; once a view.
+struct LineTruth {
+    score::TruthLists lists;
+    score::CrackTruth cracks;
+    score::NearestCurves nearest;
+    std::vector<score::WidthProbe> probes;
+    score::InkTruth ink;
+    std::vector<TruthBin> bins;
+};
+
+[[nodiscard]] LineTruth prepare_lines(const ViewTruth& truth);
+
+/// Scores a thresholded picture with the harness's band and tolerance. Only reads `truth`, so
+/// several threads may score against one.
+[[nodiscard]] LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth);
+
+}  // namespace ink::harness

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "harness/frame_counts.h"
+#include "harness/line_scores.h"
+#include "raster/skips.h"
+#include "score/attribution.h"
+#include "score/score.h"
+
+namespace ink::harness {
+
+/// One cell of an experiment: one method, with its settings, on one view; one row of rows.csv.
+///
+/// Empty optionals are written as empty fields, never as 0 or NaN.
+struct Row {
+    std::string method;
+    std::string scene;
+    std::string view;
+    std::string split;  ///< train | heldout
+    int width = 0;
+    int height = 0;
+    int threads = 1;
+    std::uint64_t seed = 0;
+    std::string params;         ///< "key=value;key=value", every knob
+    std::string status = "ok";  ///< or what went wrong; the metrics below are then empty
+    std::optional<double> f_2px;
+    std::optional<double> f_1px;
+    std::optional<double> precision_2px;
+    std::optional<double> recall_2px;
+    std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
+    std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
+    std::optional<double> mean_width_px;
+    std::optional<double> ap;
+    std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled
+    std::int64_t n_pred = 0;
+    std::int64_t n_truth = 0;
+    std::int64_t surplus = 0;
+    std::int64_t off_line = 0;
+    std::int64_t lost = 0;
+    std::int64_t missing = 0;
+    /// What off_line and missing are made of; nothing where nobody asked why.
+    std::optional<score::CauseCounts> causes = {};
+    std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
+    std::optional<std::int64_t> n_pred_1px;
+    /// Counts at each of kLadder_px (harness/cell.h): lines of ladder.csv, not columns here. Empty
+    /// where they were not asked for.
+    std::vector<score::CurveCount> ladder = {};
+    /// Counts at 2 px of a random picture of n_pred pixels (score/chance.h); nothing where it was
+    /// not asked for.
+    std::optional<score::CurveCount> chance = {};
+    std::optional<std::int64_t> prepare_ns;
+    std::optional<std::int64_t> pose_ns;
+    std::optional<std::int64_t> draw_ns;      ///< median over repetitions
+    std::optional<std::int64_t> draw_ns_q25;  ///< lower quartile
+    std::optional<std::int64_t> draw_ns_q75;  ///< upper quartile
+    std::optional<std::int64_t> draw_ns_min;
+    int draw_n = 0;  ///< repetitions
+    std::optional<int> bytes_per_px;
+    std::optional<CostFacts> cost = {};             ///< what predicted_ns is made from
+    std::optional<std::int64_t> predicted_ns = {};  ///< of draw_ns_min; see experiment/cost_model.h
+    std::optional<double> cost_residual = {};       ///< draw_ns_min / predicted_ns - 1
+    /// What the last timed drawing left undone; nothing for brackets and cells that failed.
+    std::optional<raster::SkipCounts> skips = {};
+    std::string skips_off = {};  ///< skips that were not allowed, "a;b"
+    std::string image_hash;
+    std::int64_t truth_px = 0;
+    std::int64_t truth_merged_px = 0;
+    double crowded_share = 0;
+    std::int64_t triangles = 0;
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
+    double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
+    std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
+    std::optional<double> contour_other_px;  ///< before another object,
+    std::optional<double> contour_self_px;   ///< and before their own
+    /// Truth and witness: share of their lines that only one of them has.
+    std::optional<double> witness_disagreement = std::nullopt;
+    double witness_px = 0;  ///< the length of line, both ways, of which that is a share
+
+    [[nodiscard]] bool is_ok() const { return status == "ok"; }
+};
+
+/// Where a row's picture was taken: scene, view, width and height in pixels.
+using Place = std::tuple<std::string, std::string, int, int>;
+[[nodiscard]] Place place_of(const Row& row);
+
+/// The columns of rows.csv and sweep.csv, in order, provenance last.
+[[nodiscard]] const std::vector<std::string>& row_columns();
+
+/// The columns with what each means and its unit, for people.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> described_columns();
+
+/// One CSV line (RFC 4180 quoting, no newline) with a field per column.
+///
+/// Numbers are in the shortest form that reads back to the same value, whatever the locale. Counts
+/// of a row that failed are empty, as its metrics are.
+[[nodiscard]] std::string to_csv(const Row& row);
+
+}  // namespace ink::harness

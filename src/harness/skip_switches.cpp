@@ -1,0 +1,51 @@
+#include "harness/skip_switches.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/error.h"
+#include "core/param.h"
+#include "harness/entrants.h"
+
+namespace ink::harness {
+
+raster::SkipSet skips_of_repeated_drawings() {
+    return raster::SkipSet().set(raster::Skip::still_tiles, false);
+}
+
+raster::SkipSet without_skips(raster::SkipSet allowed, const std::string& names) {
+    const auto& infos = raster::skip_infos();
+    for (const std::string& name : split_list(names)) {
+        if (name == "all") {
+            allowed = raster::SkipSet::none();
+            continue;
+        }
+        const auto found = std::find_if(
+            infos.begin(), infos.end(), [&](const auto& info) { return info.name == name; });
+        if (found == infos.end()) {
+            std::vector<std::string> known;
+            for (const raster::SkipInfo& info : infos)
+                known.emplace_back(info.name);
+            known.emplace_back("all");
+            throw core::Error("--no-skip",
+                              fmt::format("there is no skip '{}'", name),
+                              core::known_names(known, name));
+        }
+        allowed.set(found->skip, false);
+    }
+    return allowed;
+}
+
+std::string forbidden_skips(const raster::SkipSet& allowed) {
+    std::string text;
+    for (const raster::SkipInfo& info : raster::skip_infos()) {
+        if (allowed.has(info.skip)) continue;
+        if (!text.empty()) text += ';';
+        text += info.name;
+    }
+    return text;
+}
+
+}  // namespace ink::harness

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "raster/skips.h"
+
+namespace ink::harness {
+
+/// What is allowed where one view is drawn again and again to be timed: all skips but
+/// `still_tiles`. With it, every drawing but the first would cost next to nothing, which is no
+/// method's time for that view; what it saves is measured on a sequence (studies/skip_study.h).
+[[nodiscard]] raster::SkipSet skips_of_repeated_drawings();
+
+/// `allowed` without the skips of a comma list; "all" is every one, an empty list none. Throws
+/// core::Error (where = "--no-skip") that lists the names if one is unknown.
+[[nodiscard]] raster::SkipSet without_skips(raster::SkipSet allowed, const std::string& names);
+
+/// The skips that `allowed` forbids: names joined by ';' in the order of the table, "" if none.
+[[nodiscard]] std::string forbidden_skips(const raster::SkipSet& allowed);
+
+}  // namespace ink::harness

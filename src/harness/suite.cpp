@@ -1,0 +1,189 @@
+#include "harness/suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "core/param.h"
+#include "scene/animation.h"
+
+namespace ink::harness {
+namespace {
+
+constexpr int kMaxSide_px = 16384;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
+constexpr int kModelViews = 3;
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+
+bool is_catalogue_name(const std::string& what) {
+    const auto& entries = catalogue::catalogue();
+    return std::any_of(entries.begin(), entries.end(), [&](auto& e) { return e.name == what; });
+}
+
+scene::Camera make_camera(const CameraRequest& request, const scene::Sphere& bounds) {
+    const double fov_y_rad = request.fov_y_rad.value_or(scene::Camera{}.fov_y_rad);
+    if (!(fov_y_rad >= 1 * kRadPerDeg && fov_y_rad <= 170 * kRadPerDeg)) {
+        throw core::Error(
+            "--fov",
+            fmt::format("the field of view cannot be {:g} degrees", fov_y_rad / kRadPerDeg),
+            "1..170");
+    }
+    scene::Camera camera = scene::look_at(request.eye_world,
+                                          request.target_world.value_or(bounds.center_world),
+                                          request.up_world,
+                                          fov_y_rad);
+    scene::fit_clip_range(camera, bounds);
+    return camera;
+}
+
+std::vector<scene::Camera> asked_cameras(const ViewRequest& request, const scene::Sphere& bounds) {
+    std::vector<scene::Camera> cameras;
+    for (std::size_t i = 0; i < request.cameras.size(); ++i) {
+        cameras.push_back(make_camera(request.cameras[i], bounds));
+        cameras.back().name = fmt::format("eye{}", i);
+    }
+    return cameras;
+}
+
+std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
+                                          const ViewRequest& request,
+                                          bool is_catalogue_scene) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    const double aspect = static_cast<double>(request.width_px) / request.height_px;
+    if (!request.cameras.empty()) return asked_cameras(request, bounds);
+    if (request.file_cameras && scene.cameras.empty()) {
+        throw core::Error(scene.name,
+                          "the file has no camera of its own",
+                          "--views N, or --eye X,Y,Z --target X,Y,Z");
+    }
+    if (request.orbit_count) return scene::orbit_cameras(bounds, *request.orbit_count, aspect);
+    if (request.file_cameras || is_catalogue_scene) {
+        std::vector<scene::Camera> cameras = scene.cameras;
+        const bool is_posed = request.time_s || request.frame;
+        for (std::size_t c = 0; c < cameras.size() && is_posed && !is_catalogue_scene; ++c)
+            scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
+        return cameras;
+    }
+    return scene::orbit_cameras(bounds, kModelViews, aspect);
+}
+
+void check_moves(const scene::Scene& scene, const char* option) {
+    if (scene.animation) return;
+    throw core::Error(option,
+                      fmt::format("{} does not move", scene.name),
+                      "an animated scene: gear, or a model with keyframes, frames or bones");
+}
+
+/// Poses the scene at the moment asked for and says so in its name; else it stays at rest.
+void pose_as_asked(scene::Scene& scene, const ViewRequest& request) {
+    if (request.frame) {
+        check_moves(scene, "--frame");
+        const std::size_t frames = scene.animation->frame_count();
+        if (frames == 0) {
+            throw core::Error(
+                "--frame", fmt::format("{} stores no frames", scene.name), "--time SECONDS");
+        }
+        if (*request.frame < 0 || static_cast<std::size_t>(*request.frame) >= frames) {
+            throw core::Error("--frame",
+                              fmt::format("{} has no frame {}", scene.name, *request.frame),
+                              fmt::format("0..{}", frames - 1));
+        }
+        scene::pose_scene(scene,
+                          scene.animation->frame_time_s(static_cast<std::size_t>(*request.frame)));
+        scene.name += fmt::format(".frame{}", *request.frame);
+    } else if (request.time_s) {
+        check_moves(scene, "--time");
+        const double duration_s = scene.animation->duration_s;
+        if (!(*request.time_s >= 0 && *request.time_s <= duration_s)) {
+            throw core::Error(
+                "--time",
+                fmt::format("{} does not move at {:g} s", scene.name, *request.time_s),
+                fmt::format("0..{:g}", duration_s));
+        }
+        scene::pose_scene(scene, *request.time_s);
+        scene.name += fmt::format(".{:g}s", *request.time_s);
+    }
+}
+
+}  // namespace
+
+void check_size(int width_px, int height_px) {
+    const bool is_good = width_px >= 1 && height_px >= 1 && width_px <= kMaxSide_px &&
+                         height_px <= kMaxSide_px &&
+                         std::int64_t{width_px} * height_px <= kMaxPixels;
+    if (!is_good) {
+        throw core::Error(
+            "--size",
+            fmt::format("no picture can be {}x{} px", width_px, height_px),
+            fmt::format("1..{} px a side, {} Mpx at most", kMaxSide_px, kMaxPixels >> 20));
+    }
+}
+
+scene::Scene load_scene(const std::string& what, const import::ImportLimits& limits) {
+    if (is_catalogue_name(what)) return catalogue::make_catalogue_scene(what);
+    // A bare word that is no file was meant as a scene's name: list those, not file formats.
+    const bool looks_like_a_path = what.find_first_of("./") != std::string::npos;
+    if (!looks_like_a_path && !std::filesystem::exists(what)) {
+        return catalogue::make_catalogue_scene(what);
+    }
+    scene::Scene scene = import::import_scene(what, limits);
+    // A file called as a built-in scene is must not be taken for it in the rows.
+    if (is_catalogue_name(scene.name)) scene.name = std::filesystem::path(what).filename();
+    return scene;
+}
+
+Subject make_subject(scene::Scene scene, const ViewRequest& request) {
+    check_size(request.width_px, request.height_px);
+    Subject subject{std::move(scene), {}};
+    const bool is_own = is_catalogue_name(subject.scene.name);
+    pose_as_asked(subject.scene, request);
+    for (scene::Camera& camera : choose_cameras(subject.scene, request, is_own)) {
+        subject.views.push_back({std::move(camera), request.width_px, request.height_px});
+    }
+    return subject;
+}
+
+std::vector<Subject> load_subjects(const std::vector<std::string>& names,
+                                   const ViewRequest& request) {
+    std::vector<std::string> all = names;
+    if (all.empty()) {
+        for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
+            all.push_back(entry.name);
+    }
+    std::vector<Subject> subjects;
+    std::set<std::string> taken;
+    for (const std::string& name : all) {
+        Subject subject = make_subject(load_scene(name), request);
+        const std::string base = subject.scene.name;
+        for (int n = 2; !taken.insert(subject.scene.name).second; ++n) {
+            subject.scene.name = fmt::format("{}.{}", base, n);
+        }
+        subjects.push_back(std::move(subject));
+    }
+    return subjects;
+}
+
+Subject load_one_view(const std::string& what,
+                      const std::string& view_name,
+                      const ViewRequest& request) {
+    Subject subject = make_subject(load_scene(what), request);
+    std::vector<std::string> names;
+    for (const scene::View& view : subject.views)
+        names.push_back(view.camera.name);
+    const auto found =
+        view_name.empty() ? names.begin() : std::find(names.begin(), names.end(), view_name);
+    if (found == names.end()) {
+        throw core::Error("--view",
+                          fmt::format("{} has no view '{}'", subject.scene.name, view_name),
+                          core::known_names(names, view_name));
+    }
+    subject.views = {subject.views[static_cast<std::size_t>(found - names.begin())]};
+    return subject;
+}
+
+}  // namespace ink::harness

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/import.h"
+#include "scene/scene.h"
+
+namespace ink::harness {
+
+/// A camera as the user asks for it; near and far are fitted to the scene.
+struct CameraRequest {
+    glm::dvec3 eye_world{0};
+    std::optional<glm::dvec3> target_world;  ///< the scene's centre unless said
+    glm::dvec3 up_world{0, 1, 0};
+    std::optional<double> fov_y_rad;  ///< 40 degrees unless said
+};
+
+/// From where scenes are seen.
+struct ViewRequest {
+    int width_px = 1280;
+    int height_px = 720;
+    std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
+    /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
+    bool file_cameras = false;
+    std::vector<CameraRequest> cameras;  ///< these instead of all others
+    std::optional<double> time_s;  ///< when an animated scene is seen; as it rests unless said
+    std::optional<int> frame;      ///< by a stored frame's number instead
+};
+
+/// A scene with the views it is to be drawn from.
+struct Subject {
+    scene::Scene scene;
+    std::vector<scene::View> views;
+};
+
+/// Loads what `what` names: a catalogue scene, or a model file.
+///
+/// A name that is both is the catalogue's; `./name` says the file. A model is called by its stem,
+/// or by its file name where a built-in scene has that stem. Throws core::Error (where = `what`)
+/// that lists the catalogue if it is neither.
+[[nodiscard]] scene::Scene load_scene(const std::string& what,
+                                      const import::ImportLimits& limits = {});
+
+/// The views of `scene` that `request` asks for.
+///
+/// Without a request: a catalogue scene's own, a model's three from all around. Two scenes of one
+/// name in a suite are the caller's to rename; one that is posed is called with its frame or time
+/// (`knight.frame12`, `gear.1.5s`). Throws core::Error for a size outside 1..16384 a side or over
+/// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, or a
+/// moment that the scene's animation does not have.
+[[nodiscard]] Subject make_subject(scene::Scene scene, const ViewRequest& request);
+
+/// The subjects that `names` name (see load_scene); no names: the whole catalogue.
+///
+/// All are loaded before anything is drawn, so that a bad file among twenty costs no work. A second
+/// scene of one name is called `name.2`.
+[[nodiscard]] std::vector<Subject> load_subjects(const std::vector<std::string>& names,
+                                                 const ViewRequest& request);
+
+/// The scene that `what` names with one of its views: the one called `view_name`, "" for the first.
+/// Throws core::Error that lists the views' names if none is called so.
+[[nodiscard]] Subject load_one_view(const std::string& what,
+                                    const std::string& view_name,
+                                    const ViewRequest& request);
+
+/// Throws core::Error (where = "--size") unless a picture of this size can be drawn.
+void check_size(int width_px, int height_px);
+
+}  // namespace ink::harness

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "harness/cell.h"
+#include "harness/entrants.h"
+#include "harness/row.h"
+#include "harness/tracing.h"
+
+namespace ink::harness {
+
+/// How the settings of a method's sweep are drawn and timed beside the methods themselves.
+struct SweepOptions {
+    int views = 1;  ///< of every scene, its first ones; 0 leaves the sweep out
+    /// A front needs times to a few percent, and takes medians over views: few repetitions do, and
+    /// one where a frame is long.
+    MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 3, .budget_s = 0.02};
+};
+
+/// The settings over which `entrant` is swept, each as an entrant: what the user set, with a line
+/// of MethodInfo::sweep on top. Settings that come out equal appear once; none if the method has no
+/// sweep.
+[[nodiscard]] std::vector<Entrant> sweep_entrants(const Entrant& entrant);
+
+/// Draws `view` with every setting of the sweep of `entrant` in turns, and scores each at 2 px and
+/// its own threshold: a row per setting that still lacks its place (scene, view ...).
+///
+/// Settings take turns with each other and not with other methods: all settings of all methods
+/// prepared at once would not fit into memory on large models. The default setting is drawn again
+/// here, so that times of one sweep compare. Curve, ladder and 1 px are left out.
+[[nodiscard]] std::vector<Row> sweep_rows(const Entrant& entrant,
+                                          const scene::Scene& scene,
+                                          const scene::View& view,
+                                          const ViewTruth& truth,
+                                          const MeasureOptions& measure);
+
+}  // namespace ink::harness

@@ -1,0 +1,94 @@
+#include "harness/tracing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "core/progress.h"
+#include "truth/cracks.h"
+#include "truth/curve_facts.h"
+#include "truth/truth_cache.h"
+
+namespace ink::harness {
+
+void report_progress(truth::TruthOptions& options) {
+    // Made when the first lines are done, gone with the last copy of the options.
+    auto progress = std::make_shared<std::optional<core::Progress>>();
+    options.progress = [progress](std::size_t done, std::size_t total) {
+        if (!*progress) progress->emplace("truth", static_cast<int>(total));
+        (*progress)->report(static_cast<int>(done), "lines");
+        if (done == total) progress->reset();
+    };
+}
+
+ViewTruth trace_view(truth::SceneModel& scene,
+                     const scene::View& view,
+                     const std::filesystem::path& cache) {
+    score::ScoreOptions score_options;
+    score_options.band_px = kBand_px;
+    score_options.ignore_label = static_cast<int>(truth::LineClass::ignore);
+    ViewTruth result;
+    result.traced = truth::cached_truth(scene, view, cache);
+    result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
+    // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
+    result.scoring.is_binary = false;
+    return result;
+}
+
+std::string truth_summary(const truth::Truth& truth) {
+    std::string text =
+        fmt::format("{:<14} {:>9} {:>9} {:>12}\n", "class", "pixels", "curves", "length px");
+    for (const truth::LineClass c : truth::kLineClasses) {
+        const auto label = static_cast<std::uint8_t>(c);
+        const auto pixels =
+            std::count(truth.labels.data(), truth.labels.data() + truth.labels.size(), label);
+        std::size_t curves = 0;
+        double length_px = 0;
+        for (const truth::Curve& curve : truth.curves) {
+            if (curve.line_class != c) continue;
+            ++curves;
+            length_px +=
+                std::hypot(curve.end.x_px - curve.begin.x_px, curve.end.y_px - curve.begin.y_px);
+        }
+        text += fmt::format(
+            "{:<14} {:>9} {:>9} {:>12.1f}\n", truth::name(c), pixels, curves, length_px);
+    }
+    const truth::ContourLengths behind = truth::contour_lengths(truth.curves);
+    text +=
+        fmt::format("behind contours: sky {:.1f} px, another object {:.1f} px, itself {:.1f} px\n",
+                    behind.sky_px,
+                    behind.other_object_px,
+                    behind.self_px);
+    const truth::TruthCounts& n = truth.counts;
+    text += fmt::format(
+        "triangles {} (degenerate {}, duplicate {}), defect edges {}, feature edges in the frustum "
+        "{}\n"
+        "pairs of triangles tested {}, crossings {}, contacts {}\n"
+        "samples {}, rays {}, merged by thinning {} px, crowded {:.2f} % of truth pixels\n"
+        "traced in {:.3f} s\n",
+        n.triangles,
+        n.degenerate,
+        n.duplicate,
+        n.defect_edges,
+        n.candidate_edges,
+        n.pairs_tested,
+        n.crossings,
+        n.contacts,
+        n.samples,
+        n.rays,
+        n.merged_px,
+        100 * n.crowded_share,
+        truth.trace_s);
+    if (n.joined_vertices > 0) {
+        text += fmt::format("the weld's epsilon joined {} vertices and collapsed {} triangles\n",
+                            n.joined_vertices,
+                            n.collapsed);
+    }
+    return text;
+}
+
+}  // namespace ink::harness

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ink::import {
+
+/// What a child process may use up before it is stopped.
+struct ChildLimits {
+    double wall_s = 60;
+    std::uint64_t memory_bytes = 8ULL
+                                 << 30;  ///< of address space (not held under AddressSanitizer)
+    std::uint64_t output_bytes = 2ULL << 30;
+};
+
+/// How a child process came to its end.
+enum class ChildEnd {
+    exited,       ///< by itself; `code` is its exit status
+    signalled,    ///< `code` is the signal, which was not ours
+    timed_out,    ///< killed here after `wall_s`
+    flooded,      ///< killed here after `output_bytes`
+    not_started,  ///< `code` is errno
+};
+
+/// The end of a child process and all that it wrote.
+struct ChildOutcome {
+    ChildEnd end = ChildEnd::not_started;
+    int code = 0;
+    std::vector<std::byte> output;
+};
+
+/// Runs `program argument` to its end and returns what it wrote to its standard output.
+///
+/// The child has no input, its error output is discarded, it cannot write files or dump core, it
+/// dies when this process dies, and it is always reaped, also when an exception leaves this
+/// function. No shell is involved. Safe to call from several threads.
+[[nodiscard]] ChildOutcome run_child(const std::filesystem::path& program,
+                                     const std::string& argument,
+                                     const ChildLimits& limits);
+
+}  // namespace ink::import

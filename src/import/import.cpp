@@ -1,0 +1,243 @@
+#include "import/import.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "core/error.h"
+#include "import/child_process.h"
+#include "import/file_claims.h"
+#include "import/imported_scene.h"
+#include "import/scene_stream.h"
+
+namespace ink::import {
+namespace {
+
+constexpr const char* kChildName = "inkbench_import";
+constexpr const char* kSomeFormats =
+    ".obj, .ply, .stl, .off, .3ds, .glb, .gltf, .fbx, .dae, .md2, .md3, .mdl and others that "
+    "Assimp reads";
+constexpr const char* kWholeFile = "a whole, valid model file";
+constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
+constexpr std::size_t kHeadBytes = 64 << 10;
+constexpr std::size_t kTailBytes = 4 << 10;
+constexpr std::size_t kMostReasonChars = 160;
+
+/// Throws about one file.
+class Complaint {
+  public:
+    explicit Complaint(std::filesystem::path path) : where_(path.string()) {}
+    [[noreturn]] void operator()(const std::string& what, const std::string& accepted = {}) const {
+        throw core::Error(where_, what, accepted);
+    }
+
+  private:
+    std::string where_;
+};
+
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string with_unit(std::uint64_t bytes) {
+    constexpr std::array kUnits{"bytes", "KiB", "MiB", "GiB"};
+    std::size_t unit = 0;
+    auto amount = static_cast<double>(bytes);
+    for (; amount >= 1024 && unit + 1 < kUnits.size(); ++unit)
+        amount /= 1024;
+    return fmt::format("{:.4g} {}", amount, kUnits[unit]);
+}
+
+/// The file's size, if it is one that can be read at all.
+std::uint64_t readable_size(const std::filesystem::path& path, const Complaint& complain) {
+    // Without O_NONBLOCK the opening of a pipe would wait for its writer.
+    const int fd = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (fd < 0) {
+        if (errno == ENOENT) complain("no such file", "the path of a model");
+        complain(fmt::format("cannot be opened: {}", std::generic_category().message(errno)));
+    }
+    struct stat status {};
+    const bool is_known = fstat(fd, &status) == 0;
+    close(fd);
+    if (is_known && S_ISDIR(status.st_mode)) complain("is a folder", "the path of a model file");
+    if (!is_known || !S_ISREG(status.st_mode)) complain("is not a regular file");
+    if (status.st_size == 0) complain("the file is empty", kSomeFormats);
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+/// The number of lines, the last one counted even without its end.
+std::uint64_t count_lines(std::ifstream& file) {
+    file.clear();
+    file.seekg(0);
+    std::uint64_t lines = 0;
+    std::vector<char> block(kHeadBytes);
+    char last = '\n';
+    while (file.read(block.data(), static_cast<std::streamsize>(block.size())) ||
+           file.gcount() > 0) {
+        const auto end = block.begin() + file.gcount();
+        lines += static_cast<std::uint64_t>(std::count(block.begin(), end, '\n'));
+        last = *(end - 1);
+    }
+    return lines + (last == '\n' ? 0 : 1);
+}
+
+std::vector<std::byte> read_at(std::ifstream& file, std::uint64_t offset, std::size_t most) {
+    std::vector<std::byte> bytes(most);
+    file.clear();
+    file.seekg(static_cast<std::streamoff>(offset));
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(most));
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    return bytes;
+}
+
+/// What the header promises; throws at once if the file is too short for it.
+FileClaims claims_of(const std::filesystem::path& path, const Complaint& complain) {
+    const std::uint64_t size = readable_size(path, complain);
+    std::ifstream file(path, std::ios::binary);
+    const auto head = read_at(file, 0, kHeadBytes);
+    const auto tail = read_at(file, size > kTailBytes ? size - kTailBytes : 0, kTailBytes);
+    const FileClaims claims = read_claims(head, tail, size, lower_case(path.extension().string()));
+    if (claims.bytes && size < *claims.bytes) {
+        complain(fmt::format("the file is cut short: its header promises {} bytes, it has {}",
+                             *claims.bytes,
+                             size),
+                 kWholeFile);
+    }
+    if (claims.lines && count_lines(file) < *claims.lines) {
+        complain(fmt::format("the file is cut short: its header promises {} lines", *claims.lines),
+                 kWholeFile);
+    }
+    if (claims.ends_early) complain("the file is cut short: its end mark is missing", kWholeFile);
+    return claims;
+}
+
+std::filesystem::path find_child(const ImportLimits& limits) {
+    std::filesystem::path child = limits.child;
+    if (child.empty()) {
+        std::error_code error;
+        child = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / kChildName;
+    }
+    if (access(child.c_str(), X_OK) != 0) {
+        throw core::Error(
+            child.string(),
+            "the program that reads models is missing",
+            fmt::format("{} in the folder of inkbench, as the build puts it", kChildName));
+    }
+    return child;
+}
+
+[[noreturn]] void complain_of_time(const Complaint& complain, const ImportLimits& limits) {
+    complain(fmt::format("reading it took longer than {:g} s and was stopped", limits.wall_s));
+}
+
+[[noreturn]] void complain_of_signal(const Complaint& complain,
+                                     int number,
+                                     const ImportLimits& limits) {
+    const char* abbreviation = sigabbrev_np(number);
+    const std::string name = abbreviation == nullptr ? fmt::format("signal {}", number)
+                                                     : fmt::format("SIG{}", abbreviation);
+    if (number == SIGXCPU) complain_of_time(complain, limits);
+    if (number == SIGINT || number == SIGTERM || number == SIGHUP || number == SIGQUIT) {
+        complain(fmt::format("reading it was interrupted ({})", name));
+    }
+    if (number == SIGKILL) {
+        complain(
+            "its reader was killed from outside (SIGKILL); the machine may be short of memory");
+    }
+    complain(fmt::format(
+                 "it crashed its reader ({}); the file is damaged or its format unsupported", name),
+             kSomeFormats);
+}
+
+/// The whole reply of a child that came to a good end.
+ImportReply reply_of(const ChildOutcome& outcome,
+                     const Complaint& complain,
+                     const ImportLimits& limits) {
+    switch (outcome.end) {
+        case ChildEnd::not_started:
+            complain(fmt::format("its reader could not be started: {}",
+                                 std::generic_category().message(outcome.code)));
+        case ChildEnd::timed_out:
+            complain_of_time(complain, limits);
+        case ChildEnd::flooded:
+            complain(
+                fmt::format("it holds more scene data than {}", with_unit(limits.output_bytes)));
+        case ChildEnd::signalled:
+            complain_of_signal(complain, outcome.code, limits);
+        case ChildEnd::exited:
+            break;
+    }
+    if (outcome.code == kCannotStart) {
+        complain(fmt::format("its reader cannot start within {}", with_unit(limits.memory_bytes)));
+    }
+    if (outcome.code != 0) {
+        complain(fmt::format("its reader failed without an answer (exit code {})", outcome.code));
+    }
+    auto reply = read_reply(outcome.output);
+    if (!reply) complain("its reader gave a damaged answer");
+    return std::move(*reply);
+}
+
+/// Throws unless the reply holds a scene with all that the file's header promised.
+void check_reply(const ImportReply& reply, const FileClaims& claims, const Complaint& complain) {
+    switch (reply.status) {
+        case ImportStatus::unknown_format:
+            complain("is not a kind of model file that can be read", kSomeFormats);
+        case ImportStatus::wrong_content:
+            complain("its content is not what its extension says, nor any other model", kWholeFile);
+        case ImportStatus::not_readable:
+            complain(fmt::format("cannot be read as a model; Assimp says \"{}\"",
+                                 printable(reply.reason, kMostReasonChars)),
+                     kWholeFile);
+        case ImportStatus::damaged:
+            complain("is damaged; " + printable(reply.reason, kMostReasonChars));
+        case ImportStatus::out_of_memory:
+        case ImportStatus::scene:
+            break;
+    }
+    if (claims.vertices && reply.vertices_read < *claims.vertices) {
+        complain(fmt::format("only {} of the {} vertices in its header could be read",
+                             reply.vertices_read,
+                             *claims.vertices),
+                 kWholeFile);
+    }
+    if (claims.faces && reply.faces_read < *claims.faces) {
+        complain(fmt::format("only {} of the {} faces in its header could be read",
+                             reply.faces_read,
+                             *claims.faces),
+                 kWholeFile);
+    }
+}
+
+}  // namespace
+
+scene::Scene import_scene(const std::filesystem::path& path, const ImportLimits& limits) {
+    const Complaint complain(path);
+    const FileClaims claims = claims_of(path, complain);
+    const std::filesystem::path child = find_child(limits);
+    ChildOutcome outcome =
+        run_child(child, path.string(), {limits.wall_s, limits.memory_bytes, limits.output_bytes});
+    ImportReply reply = reply_of(outcome, complain, limits);
+    outcome.output = {};
+    if (reply.status == ImportStatus::out_of_memory) {
+        complain(
+            fmt::format("reading it takes more memory than {}", with_unit(limits.memory_bytes)));
+    }
+    check_reply(reply, claims, complain);
+
+    return scene_from_reply(std::move(reply), path, limits.triangles);
+}
+
+}  // namespace ink::import

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace ink::import {
+
+/// How far a foreign file is trusted: it is parsed in a child process that cannot do more than
+/// this.
+struct ImportLimits {
+    /// The import executable; empty: `inkbench_import` in this program's own folder.
+    std::filesystem::path child;
+    double wall_s = 60;                       ///< it is killed after this long
+    std::uint64_t memory_bytes = 8ULL << 30;  ///< of address space
+    std::uint64_t output_bytes = 2ULL << 30;  ///< of scene data it may hand back
+    /// Over all instances: a small file may place one mesh a million times.
+    std::uint64_t triangles = 100'000'000;
+};
+
+/// The scene in any file that Assimp reads, or in a Quake model (MDL, MD2, MD3: by readers of our
+/// own, all frames), checked (`check_scene`, `check_animation`), named by the file's stem, with
+/// the file's own cameras (near and far fitted) and its node tree flattened to instances: one for
+/// each use of a mesh by a node, and no mesh without triangles. Points and lines are left out.
+///
+/// Vertices stay as the file has them; z-up formats are turned by the instances' transforms, as
+/// Assimp turns them. A mesh keeps its normals (made unit) only if every triangle with an area has
+/// good ones. Material numbers are unique within the file. Names are printable; those of cameras
+/// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
+/// is held-out. It stands as the file has it at rest, or in its first frame; `animation` holds what
+/// moves: stored frames, or the first animation's keys on nodes, bones and the cameras on those
+/// nodes. A .3ds camera's eye and target move by their own keys, blended straight; its roll and
+/// lens stay, and so does a camera that hangs on an object there.
+///
+/// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
+/// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,
+/// a number that is not finite, more than the limits allow, or a reader that crashed, hung or asked
+/// for too much memory; with where = the import executable if that is missing. Safe to call from
+/// several threads; leaves no process behind.
+[[nodiscard]] scene::Scene import_scene(const std::filesystem::path& path,
+                                        const ImportLimits& limits = {});
+
+}  // namespace ink::import

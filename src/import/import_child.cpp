@@ -1,0 +1,104 @@
+// inkbench_import FILE: reads one model and writes it to standard output as a scene stream.
+//
+// A program of its own because Assimp may crash, hang or eat memory on a damaged file; the parent
+// (import.cpp) sets the limits before it starts this one.
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "core/error.h"
+#include "import/assimp_reader.h"
+#include "import/quake_models.h"
+#include "import/scene_stream.h"
+#ifdef INK_IMPORT_FAULTS
+#include "import/import_faults.h"
+#endif
+
+namespace ink::import {
+namespace {
+
+enum ExitCode { kSuccess = 0, kWriteFailed = 1, kUsage = 2 };
+
+/// Where the stream goes, and an answer kept ready for the moment in which nothing can be
+/// allocated.
+struct Output {
+    int fd = -1;
+    std::array<char, 256> out_of_memory{};
+    std::size_t out_of_memory_bytes = 0;
+};
+Output output;  // NOLINT: a new-handler takes no arguments
+
+void write_all(const void* data, std::size_t size) {
+    const char* next = static_cast<const char*>(data);
+    while (size > 0) {
+        const ssize_t n = write(output.fd, next, size);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) _exit(kWriteFailed);  // the parent has gone
+        next += n;
+        size -= static_cast<std::size_t>(n);
+    }
+}
+
+/// Assimp swallows bad_alloc and goes on with half a scene; so it must not be thrown.
+[[noreturn]] void answer_out_of_memory() {
+    write_all(output.out_of_memory.data(), output.out_of_memory_bytes);
+    _exit(kSuccess);
+}
+
+/// Keeps the stream for us alone: whatever a library prints to standard output is dropped.
+void prepare_output() {
+    output.fd = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    const int null = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(null, STDOUT_FILENO);
+    dup2(null, STDERR_FILENO);
+    ImportReply reply;
+    reply.status = ImportStatus::out_of_memory;
+    write_reply(reply, [](const void* data, std::size_t size) {
+        std::memcpy(output.out_of_memory.data() + output.out_of_memory_bytes, data, size);
+        output.out_of_memory_bytes += size;
+    });
+    std::set_new_handler(answer_out_of_memory);
+}
+
+/// Quake's models by our own readers, all else by Assimp.
+ImportReply read_model(const char* path) {
+#ifdef INK_IMPORT_FAULTS
+    // Our readers are tested against Assimp's, frame by frame.
+    if (const char* frame = std::getenv("INKBENCH_TEST_ASSIMP_FRAME"); frame != nullptr)
+        return read_with_assimp(path, std::atoi(frame));
+#endif
+    try {
+        if (auto reply = read_quake_model(path)) return std::move(*reply);
+    } catch (const core::Error& error) {
+        ImportReply reply;
+        reply.status = ImportStatus::damaged;
+        reply.reason = error.what_happened() + " (accepted: " + error.accepted() + ")";
+        return reply;
+    }
+    return read_with_assimp(path, 0);
+}
+
+}  // namespace
+}  // namespace ink::import
+
+int main(int argc, char** argv) {
+    using namespace ink::import;
+    if (argc != 2) {
+        std::fputs("usage: inkbench_import FILE > STREAM\ninkbench starts it; see --help there.\n",
+                   stderr);
+        return kUsage;
+    }
+    prepare_output();
+#ifdef INK_IMPORT_FAULTS
+    provoke_fault(argv[1], output.fd);
+#endif
+    write_reply(read_model(argv[1]), write_all);
+    return kSuccess;
+}

@@ -1,0 +1,229 @@
+#include "import/imported_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/error.h"
+
+namespace ink::import {
+namespace {
+
+constexpr std::size_t kMostNameChars = 80;
+constexpr std::size_t kMostCameras = 256;
+// Products of three coordinates, as the predicates form them, stay far from overflow.
+constexpr double kMostExtent = 1e60;
+
+bool is_usable_normal(const glm::vec3& n) {
+    const double length = glm::length(glm::dvec3(n));
+    return std::isfinite(length) && length > 0;
+}
+
+bool has_area(const scene::Mesh& mesh, const scene::Triangle& triangle) {
+    const glm::dvec3 a = mesh.positions[triangle[0]];
+    const glm::dvec3 b = mesh.positions[triangle[1]];
+    const glm::dvec3 c = mesh.positions[triangle[2]];
+    return glm::length(glm::cross(b - a, c - a)) > 0;
+}
+
+/// Makes the normals unit, or drops them all if a triangle that can be seen uses one that is none
+/// (many STL writers leave zeros): a mesh has normals or it has not.
+void tidy_normals(scene::Mesh& mesh) {
+    const auto is_bad = [&](std::uint32_t v) { return !is_usable_normal(mesh.normals[v]); };
+    const bool has_bad = std::any_of(
+        mesh.triangles.begin(), mesh.triangles.end(), [&](const scene::Triangle& triangle) {
+            return !mesh.normals.empty() && std::any_of(triangle.begin(), triangle.end(), is_bad) &&
+                   has_area(mesh, triangle);
+        });
+    if (has_bad) mesh.normals.clear();
+    for (glm::vec3& n : mesh.normals) {
+        n = is_usable_normal(n) ? glm::vec3(glm::normalize(glm::dvec3(n))) : glm::vec3(0, 0, 1);
+    }
+}
+
+/// What must hold before anything walks the meshes.
+void check_counts(const scene::Scene& scene,
+                  std::uint64_t most_triangles,
+                  const std::string& where) {
+    for (const scene::Instance& instance : scene.instances) {
+        if (instance.mesh < scene.meshes.size()) continue;
+        throw core::Error(where, "its reader placed a mesh that it did not hand over");
+    }
+    const std::size_t triangles = scene::triangle_count(scene);
+    if (triangles == 0) {
+        throw core::Error(where, "it holds no triangle", "a model with at least one");
+    }
+    if (triangles > most_triangles) {
+        throw core::Error(where,
+                          fmt::format("it holds {} triangles", triangles),
+                          fmt::format("up to {}", most_triangles));
+    }
+}
+
+/// Calls `check`, with the path in front of what it says of the scene.
+template <class Check>
+void check_at(const std::string& where, const scene::Scene& scene, Check check) {
+    try {
+        check();
+    } catch (const core::Error& error) {
+        // "name, mesh 3" without the name, for the path stands there already.
+        const std::size_t name_end = std::min(error.where().size(), scene.name.size() + 2);
+        const std::string place = error.where().substr(name_end);
+        throw core::Error(where,
+                          (place.empty() ? place : place + ": ") + error.what_happened(),
+                          error.accepted());
+    }
+}
+
+/// check_scene, and a look at the whole extent.
+void check_numbers(const scene::Scene& scene, const std::string& where) {
+    check_at(where, scene, [&] { scene::check_scene(scene); });
+    const double radius = scene::bounding_sphere(scene).radius;
+    if (!(radius < kMostExtent)) {
+        throw core::Error(where,
+                          fmt::format("its extent is {:g}", radius),
+                          fmt::format("less than {:g}", kMostExtent));
+    }
+}
+
+/// Gives the scene its motion, if that is sound; what has bones is put where they are at rest.
+/// Returns it for what else moves; null if nothing does.
+std::shared_ptr<scene::Animation> take_animation(std::optional<scene::Animation>&& animation,
+                                                 scene::Scene& scene,
+                                                 const std::string& where) {
+    if (!animation) return nullptr;
+    // A mesh that lost its normals must not get them back with a frame.
+    for (std::size_t m = 0; m < std::min(scene.meshes.size(), animation->vertex_frames.size());
+         ++m) {
+        if (scene.meshes[m].normals.empty()) animation->vertex_frames[m].normals.clear();
+    }
+    check_at(where, scene, [&] { scene::check_animation(scene, *animation); });
+    const bool is_moving = animation->duration_s > 0;
+    auto taken = std::make_shared<scene::Animation>(std::move(*animation));
+    scene.animation = taken;
+    if (!taken->skins.empty()) scene::rest_scene(scene);
+    if (is_moving) return taken;
+    scene.animation.reset();
+    return nullptr;
+}
+
+/// A camera's name as a word fit for tables and file names, not yet in `taken`.
+std::string camera_name(const std::string& wanted, std::set<std::string>& taken) {
+    std::string base = wanted.substr(0, kMostNameChars);
+    for (char& c : base) {
+        const bool is_plain =
+            (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+        if (!is_plain && c != '-') c = '_';
+    }
+    if (base.empty()) base = "camera";
+    std::string name = base;
+    for (int i = 2; !taken.insert(name).second; ++i)
+        name = fmt::format("{}_{}", base, i);
+    return name;
+}
+
+/// Cameras that look somewhere, and how they move, one for one.
+struct UsableCameras {
+    std::vector<scene::Camera> cameras;
+    std::vector<scene::CameraMotion> motions;
+};
+
+UsableCameras usable_cameras(const std::vector<ImportedCamera>& imported,
+                             const scene::Sphere& bounds) {
+    UsableCameras usable;
+    std::set<std::string> taken;
+    for (const ImportedCamera& from : imported) {
+        if (usable.cameras.size() == kMostCameras) break;
+        constexpr double kLeastFov_rad = 1e-3;
+        constexpr double kMostFov_rad = std::numbers::pi - 1e-3;
+        if (!(from.fov_y_rad >= kLeastFov_rad && from.fov_y_rad <= kMostFov_rad)) continue;
+        try {
+            scene::Camera camera =
+                scene::look_at(from.eye_world, from.target_world, from.up_world, from.fov_y_rad);
+            camera.name = camera_name(from.name, taken);
+            scene::fit_clip_range(camera, bounds);
+            usable.cameras.push_back(std::move(camera));
+            usable.motions.push_back(from.motion);
+        } catch (const core::Error&) {
+            continue;  // it looks nowhere, which does not make the model worse
+        }
+    }
+    return usable;
+}
+
+/// Lets the cameras go with their nodes where those move at all.
+void take_camera_motions(const std::vector<scene::CameraMotion>& motions,
+                         const std::shared_ptr<scene::Animation>& animation,
+                         const scene::Scene& scene,
+                         const std::string& where) {
+    if (!animation) return;
+    animation->cameras = motions;
+    check_at(where, scene, [&] { scene::check_animation(scene, *animation); });
+    bool is_any = false;
+    for (scene::CameraMotion& camera : animation->cameras) {
+        const bool is_moving =
+            camera.eye_node != scene::kNoNode &&
+            (animation->is_moving(camera.eye_node) || animation->is_moving(camera.target_node));
+        if (!is_moving) camera = {};
+        is_any = is_any || is_moving;
+    }
+    if (!is_any) animation->cameras.clear();
+}
+
+}  // namespace
+
+std::string printable(const std::string& text, std::size_t most) {
+    std::string line;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isspace(byte) != 0 || byte == 0) {
+            if (!line.empty() && line.back() != ' ') line.push_back(' ');
+        } else {
+            line.push_back(byte > 0x20 && byte < 0x7f ? c : '?');
+        }
+    }
+    while (!line.empty() && line.back() == ' ')
+        line.pop_back();
+    if (line.size() > most) line = line.substr(0, most - 3) + "...";
+    return line;
+}
+
+scene::Scene scene_from_reply(ImportReply&& reply,
+                              const std::filesystem::path& path,
+                              std::uint64_t most_triangles) {
+    scene::Scene scene;
+    scene.name = path.stem().string();
+    scene.meshes = std::move(reply.meshes);
+    scene.instances = std::move(reply.instances);
+    check_counts(scene, most_triangles, path.string());
+    // Normals wait aside: bad ones are no reason to refuse a file, but the indices must be known to
+    // be good before they are looked at.
+    std::vector<std::vector<glm::vec3>> normals;
+    for (scene::Mesh& mesh : scene.meshes) {
+        mesh.name = printable(mesh.name, kMostNameChars);
+        normals.push_back(std::exchange(mesh.normals, {}));
+    }
+    for (scene::Instance& instance : scene.instances) {
+        instance.name = printable(instance.name, kMostNameChars);
+    }
+    check_numbers(scene, path.string());
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        if (normals[m].size() != scene.meshes[m].positions.size()) continue;
+        scene.meshes[m].normals = std::move(normals[m]);
+        tidy_normals(scene.meshes[m]);
+    }
+    const auto animation = take_animation(std::move(reply.animation), scene, path.string());
+    UsableCameras usable = usable_cameras(reply.cameras, scene::bounding_sphere(scene));
+    scene.cameras = std::move(usable.cameras);
+    take_camera_motions(usable.motions, animation, scene, path.string());
+    return scene;
+}
+
+}  // namespace ink::import

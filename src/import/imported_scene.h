@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "import/scene_stream.h"
+
+namespace ink::import {
+
+/// The checked scene in a reply of status `scene` that came from the model file at `path`: what
+/// `import_scene` promises of names, normals, cameras and numbers holds afterwards.
+///
+/// Throws Error with where = the path if the reply is inconsistent, holds no triangle or more than
+/// `most_triangles` (each use of a mesh counted), or a number that is not finite or absurdly large.
+[[nodiscard]] scene::Scene scene_from_reply(ImportReply&& reply,
+                                            const std::filesystem::path& path,
+                                            std::uint64_t most_triangles);
+
+/// Foreign text as one line of plain printable characters, shortened to `most`.
+[[nodiscard]] std::string printable(const std::string& text, std::size_t most);
+
+}  // namespace ink::import

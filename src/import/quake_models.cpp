@@ -1,0 +1,132 @@
+#include "import/quake_models.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include "import/quake_normals.h"
+
+namespace ink::import {
+namespace {
+
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    const std::streamoff size = file.tellg();
+    std::vector<std::byte> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
+    file.seekg(0);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    return bytes;
+}
+
+/// The magic word and the version.
+struct Kind {
+    std::array<char, 4> magic{};
+    std::int32_t version = 0;
+    bool operator==(const Kind&) const = default;
+};
+constexpr Kind kMdl{{'I', 'D', 'P', 'O'}, 6};
+constexpr Kind kMd2{{'I', 'D', 'P', '2'}, 8};
+constexpr Kind kMd3{{'I', 'D', 'P', '3'}, 15};
+
+Kind kind_of(const std::filesystem::path& path) {
+    Kind kind;
+    std::ifstream file(path, std::ios::binary);
+    file.read(kind.magic.data(), kind.magic.size());
+    file.read(reinterpret_cast<char*>(&kind.version), sizeof kind.version);
+    return file ? kind : Kind{};
+}
+
+/// The files that make up the player of which `path` is a part, or `path` alone.
+std::vector<Md3File> md3_files(const std::filesystem::path& path) {
+    constexpr std::array kParts{"lower", "upper", "head"};
+    const std::string stem = path.stem().string();
+    const std::size_t end = std::min(stem.find_last_of('_'), stem.size());
+    const bool is_part =
+        std::find(kParts.begin(), kParts.end(), lower_case(stem.substr(0, end))) != kParts.end();
+    std::vector<Md3File> files;
+    for (const char* part : kParts) {
+        if (!is_part) break;
+        const auto file =
+            path.parent_path() / (part + stem.substr(end) + path.extension().string());
+        std::error_code error;
+        // A pipe in place of a part would keep us waiting.
+        if (!std::filesystem::is_regular_file(file, error)) break;
+        const std::string called = file.filename().string();
+        files.push_back({part, ModelBytes(file == path ? "" : called, bytes_of(file))});
+    }
+    if (files.size() < kParts.size()) {
+        files.clear();
+        files.push_back({stem, ModelBytes("", bytes_of(path))});
+    }
+    return files;
+}
+
+}  // namespace
+
+glm::dmat4 y_up_from_quake() {
+    return {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+}
+
+void append_packed_frame(const ModelBytes& file,
+                         std::uint64_t offset,
+                         std::size_t vertices,
+                         const glm::vec3& scale,
+                         const glm::vec3& origin,
+                         scene::VertexFrames& frames) {
+    file.need(offset, vertices, sizeof(PackedVertex), "vertices");
+    for (std::size_t v = 0; v < vertices; ++v) {
+        const std::uint64_t at = offset + v * sizeof(PackedVertex);
+        const auto packed = file.at<PackedVertex>(at);
+        const glm::vec3 steps{packed.p[0], packed.p[1], packed.p[2]};
+        frames.positions.push_back(steps * scale + origin);
+        frames.normals.push_back(
+            quake_normal(file.index_at<std::uint8_t>(at + 3, "normal", kQuakeNormals)));
+    }
+    ++frames.frame_count;
+}
+
+ImportReply reply_of_frames(const std::string& name,
+                            std::vector<scene::Triangle> triangles,
+                            scene::VertexFrames frames,
+                            double frames_per_s) {
+    ImportReply reply;
+    const auto vertices = static_cast<std::ptrdiff_t>(frames.positions.size() / frames.frame_count);
+    scene::Mesh mesh;
+    mesh.name = name;
+    mesh.positions.assign(frames.positions.begin(), frames.positions.begin() + vertices);
+    mesh.normals.assign(frames.normals.begin(), frames.normals.begin() + vertices);
+    mesh.triangles = std::move(triangles);
+    reply.faces_read = mesh.triangles.size();
+    reply.vertices_read = mesh.positions.size();
+    reply.meshes.push_back(std::move(mesh));
+    reply.instances.push_back({0, y_up_from_quake(), name});
+    if (frames.frame_count < 2) return reply;
+    scene::Animation animation;
+    animation.frames_per_s = frames_per_s;
+    animation.duration_s = static_cast<double>(frames.frame_count - 1) / frames_per_s;
+    animation.node_of_instance = {scene::kNoNode};
+    animation.vertex_frames.push_back(std::move(frames));
+    reply.animation = std::move(animation);
+    return reply;
+}
+
+std::optional<ImportReply> read_quake_model(const std::filesystem::path& path) {
+    const Kind kind = kind_of(path);
+    const std::string name = path.stem().string();
+    if (kind == kMdl) return read_mdl({"", bytes_of(path)}, name);
+    if (kind == kMd2) return read_md2({"", bytes_of(path)}, name);
+    if (kind == kMd3) return read_md3(md3_files(path));
+    return std::nullopt;
+}
+
+}  // namespace ink::import

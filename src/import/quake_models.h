@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "import/model_bytes.h"
+#include "import/scene_stream.h"
+
+namespace ink::import {
+
+/// The scene with all its frames in a Quake model, read by our own readers because Assimp keeps the
+/// first frame only: MDL (IDPO, version 6), MD2 (IDP2, 8), MD3 (IDP3, 15). Nothing for other files.
+///
+/// As Assimp has them: vertices as stored (z up), a root node that turns z up to y up, triangles
+/// turned to counter-clockwise; vertices stay shared. Where `lower`, `upper` and `head` of a
+/// Quake III player lie side by side (with one suffix), opening any of them gives all three, hung
+/// on each other's tags. Throws core::Error for a damaged file.
+[[nodiscard]] std::optional<ImportReply> read_quake_model(const std::filesystem::path& path);
+
+// One format each; what `read_quake_model` calls.
+[[nodiscard]] ImportReply read_mdl(const ModelBytes& file, const std::string& name);
+[[nodiscard]] ImportReply read_md2(const ModelBytes& file, const std::string& name);
+
+/// A file of a Quake III model by its part's name.
+struct Md3File {
+    std::string part;
+    ModelBytes bytes;
+};
+/// One file, or lower, upper and head in this order.
+[[nodiscard]] ImportReply read_md3(const std::vector<Md3File>& files);
+
+/// Turns Quake's axes (z up) into ours: x, z, -y.
+[[nodiscard]] glm::dmat4 y_up_from_quake();
+
+/// A vertex of MDL and MD2: a place in a box of 256 steps each way, and a normal's number.
+struct PackedVertex {
+    std::uint8_t p[3];
+    std::uint8_t normal;
+};
+/// A frame of packed vertices, appended to `frames`. Throws for a normal that is none.
+void append_packed_frame(const ModelBytes& file,
+                         std::uint64_t offset,
+                         std::size_t vertices,
+                         const glm::vec3& scale,
+                         const glm::vec3& origin,
+                         scene::VertexFrames& frames);
+
+/// The reply for one mesh on one node; its shape is the first frame.
+[[nodiscard]] ImportReply reply_of_frames(const std::string& name,
+                                          std::vector<scene::Triangle> triangles,
+                                          scene::VertexFrames frames,
+                                          double frames_per_s);
+
+}  // namespace ink::import

@@ -1,0 +1,177 @@
+#include "linear_code/cancellation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "harness/csv.h"
+#include "score/matching.h"
+#include "truth/curve_map.h"
+
+namespace ink::linear_code {
+namespace {
+
+/// Right angles of turned boxes come out a little under 90 as often as over it.
+constexpr double kRounding_deg = 0.01;
+
+int bin_low_deg(double bend_rad) {
+    constexpr int kLast_deg = 180 - kDihedralBin_deg;
+    const double bend_deg = bend_rad * 180 / std::numbers::pi;
+    const int low =
+        static_cast<int>((bend_deg + kRounding_deg) / kDihedralBin_deg) * kDihedralBin_deg;
+    return std::clamp(low, 0, kLast_deg);
+}
+
+LineKind kind_of(const truth::Curve& curve) {
+    if (curve.line_class == truth::LineClass::boundary) return {curve.line_class, std::nullopt};
+    return {curve.line_class, bin_low_deg(curve.bend_rad)};
+}
+
+double share(std::int64_t part, std::int64_t whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string bin_fields(const LineKind& kind) {
+    if (!kind.dihedral_low_deg) return ",";
+    return fmt::format("{},{}", *kind.dihedral_low_deg, *kind.dihedral_low_deg + kDihedralBin_deg);
+}
+
+std::vector<CancellationTotal> add_up(const std::vector<CancellationRow>& rows, bool by_bin) {
+    std::vector<std::string> methods;
+    std::vector<std::map<LineKind, CancellationCount>> counts;
+    for (const CancellationRow& row : rows) {
+        const auto known = std::find(methods.begin(), methods.end(), row.method);
+        const auto index = static_cast<std::size_t>(known - methods.begin());
+        if (known == methods.end()) {
+            methods.push_back(row.method);
+            counts.emplace_back();
+        }
+        LineKind kind = row.kind;
+        if (!by_bin) kind.dihedral_low_deg.reset();
+        counts[index][kind] += row.count;
+    }
+    std::vector<CancellationTotal> totals;
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        for (const auto& [kind, count] : counts[i])
+            totals.push_back({methods[i], kind, count});
+    }
+    return totals;
+}
+
+}  // namespace
+
+std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
+                                     const score::ScoringTruth& scoring) {
+    const int width = scoring.labels.width_px(), height = scoring.labels.height_px();
+    const auto curve_at = truth::draw_curve_map(traced.curves, width, height);
+    std::map<LineKind, std::vector<score::Pixel>> kinds;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (scoring.labels.at(x, y) == 0 || curve_at.at(x, y) == truth::kNoCurve) continue;
+            kinds[kind_of(traced.curves[curve_at.at(x, y)])].push_back({x, y});
+        }
+    }
+    std::vector<KindPixels> sorted;
+    core::Image<std::uint8_t> mask(width, height);
+    for (const auto& [kind, pixels] : kinds) {
+        for (const auto& [x, y] : pixels)
+            mask.at(x, y) = 1;
+        sorted.push_back({kind, score::PixelList(mask)});
+        for (const auto& [x, y] : pixels)
+            mask.at(x, y) = 0;
+    }
+    return sorted;
+}
+
+CancellationCount& CancellationCount::operator+=(const CancellationCount& other) {
+    n_truth += other.n_truth;
+    predicted_missed += other.predicted_missed;
+    measured_missed += other.measured_missed;
+    predicted_missing += other.predicted_missing;
+    measured_missing += other.measured_missing;
+    both_missing += other.both_missing;
+    return *this;
+}
+
+double CancellationCount::predicted_rate() const {
+    return share(predicted_missed, n_truth);
+}
+
+double CancellationCount::measured_rate() const {
+    return share(measured_missed, n_truth);
+}
+
+double CancellationCount::agreement() const {
+    return 1 - share(predicted_missing + measured_missing - 2 * both_missing, n_truth);
+}
+
+CancellationCount count_cancellation(const score::PixelList& kind,
+                                     const score::PixelList& predicted,
+                                     const score::PixelList& measured,
+                                     const score::Disk& disk) {
+    CancellationCount count;
+    count.n_truth = static_cast<std::int64_t>(kind.size());
+    count.predicted_missed = count.n_truth - score::match_pixels(predicted, kind, disk).k;
+    count.measured_missed = count.n_truth - score::match_pixels(measured, kind, disk).k;
+    const auto is_predicted = score::within_reach(kind, predicted, disk);
+    const auto is_measured = score::within_reach(kind, measured, disk);
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+        count.predicted_missing += is_predicted[i] == 0 ? 1 : 0;
+        count.measured_missing += is_measured[i] == 0 ? 1 : 0;
+        count.both_missing += is_predicted[i] == 0 && is_measured[i] == 0 ? 1 : 0;
+    }
+    return count;
+}
+
+const std::vector<std::string>& cancellation_columns() {
+    static const std::vector<std::string> kColumns = {"method",
+                                                      "scene",
+                                                      "view",
+                                                      "split",
+                                                      "width",
+                                                      "height",
+                                                      "silent_deg",
+                                                      "class",
+                                                      "dihedral_low_deg",
+                                                      "dihedral_high_deg",
+                                                      "n_truth",
+                                                      "predicted_missed",
+                                                      "measured_missed",
+                                                      "predicted_missing",
+                                                      "measured_missing",
+                                                      "both_missing"};
+    return kColumns;
+}
+
+std::string cancellation_csv(const CancellationRow& row) {
+    const CancellationCount& n = row.count;
+    return fmt::format("{},{},{},{},{},{},{:.3f},{},{},{},{},{},{},{},{}",
+                       row.method,
+                       harness::csv_field(row.scene),
+                       harness::csv_field(row.view),
+                       row.split,
+                       row.width_px,
+                       row.height_px,
+                       row.silent_deg,
+                       truth::name(row.kind.line_class),
+                       bin_fields(row.kind),
+                       n.n_truth,
+                       n.predicted_missed,
+                       n.measured_missed,
+                       n.predicted_missing,
+                       n.measured_missing,
+                       n.both_missing);
+}
+
+std::vector<CancellationTotal> cancellation_by_kind(const std::vector<CancellationRow>& rows) {
+    return add_up(rows, true);
+}
+
+std::vector<CancellationTotal> cancellation_by_class(const std::vector<CancellationRow>& rows) {
+    return add_up(rows, false);
+}
+
+}  // namespace ink::linear_code

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "score/pixel_list.h"
+#include "score/score.h"
+#include "truth/line_class.h"
+#include "truth/truth.h"
+
+namespace ink::linear_code {
+
+/// Bins of the dihedral are this wide: 0 to 10, ... 170 to 180 degrees.
+inline constexpr int kDihedralBin_deg = 10;
+
+/// A class of line and how far its two faces deviate from flat.
+struct LineKind {
+    truth::LineClass line_class = truth::LineClass::none;
+    /// Lower end of the bin, a multiple of kDihedralBin_deg; nothing for boundaries.
+    std::optional<int> dihedral_low_deg;
+
+    friend auto operator<=>(const LineKind&, const LineKind&) = default;
+};
+
+/// The true pixels of one kind.
+struct KindPixels {
+    LineKind kind;
+    score::PixelList pixels;
+};
+
+/// Sorts the true pixels that count by their kind, ascending: class by label, dihedral by the curve
+/// that drew the pixel (the lowest label, then the first); what lies a hundredth of a degree below
+/// a bin is in it. Kinds without pixels are left out.
+[[nodiscard]] std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
+                                                   const score::ScoringTruth& scoring);
+
+/// What was foretold of the true pixels of one kind, and what was seen.
+///
+/// `missed` is what recall leaves: n_truth less the pairs of a one-to-one matching within 2 px, of
+/// the kind's own (as in bins.csv). `missing` are pixels with no ink at all within 2 px; these are
+/// certain pixels, so that it can be said how many are both.
+struct CancellationCount {
+    std::int64_t n_truth = 0;
+    std::int64_t predicted_missed = 0;
+    std::int64_t measured_missed = 0;
+    std::int64_t predicted_missing = 0;
+    std::int64_t measured_missing = 0;
+    std::int64_t both_missing = 0;
+
+    CancellationCount& operator+=(const CancellationCount& other);
+    [[nodiscard]] double predicted_rate() const;  ///< of missed pixels; 0 without any
+    [[nodiscard]] double measured_rate() const;
+    /// The share of pixels of which it was foretold rightly whether they are missing; 1 without
+    /// any.
+    [[nodiscard]] double agreement() const;
+    [[nodiscard]] bool operator==(const CancellationCount&) const = default;
+};
+
+/// Counts of one kind: `predicted` and `measured` are thinned ink that counts
+/// (score::counted_pixels).
+[[nodiscard]] CancellationCount count_cancellation(const score::PixelList& kind,
+                                                   const score::PixelList& predicted,
+                                                   const score::PixelList& measured,
+                                                   const score::Disk& disk);
+
+/// The counts of a method with a declared code, of one kind of line on one view.
+struct CancellationRow {
+    std::string method;
+    std::string scene;
+    std::string view;
+    std::string split;
+    int width_px = 0;
+    int height_px = 0;
+    double silent_deg = 0;  ///< bend up to which the code is silent (silent_bend_rad())
+    LineKind kind = {};
+    CancellationCount count = {};
+};
+
+/// The columns of cancellation.csv.
+[[nodiscard]] const std::vector<std::string>& cancellation_columns();
+
+/// A row as a line without its break; a boundary's bin is two empty fields.
+[[nodiscard]] std::string cancellation_csv(const CancellationRow& row);
+
+/// The counts of a method and a kind over all views.
+struct CancellationTotal {
+    std::string method;
+    LineKind kind = {};
+    CancellationCount count = {};
+};
+
+/// Rows added up by method (in order of first appearance) and kind (ascending).
+[[nodiscard]] std::vector<CancellationTotal> cancellation_by_kind(
+    const std::vector<CancellationRow>& rows);
+
+/// The same with the bins of a class added up: dihedral_low_deg is nothing.
+[[nodiscard]] std::vector<CancellationTotal> cancellation_by_class(
+    const std::vector<CancellationRow>& rows);
+
+}  // namespace ink::linear_code

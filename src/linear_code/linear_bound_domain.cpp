@@ -1,0 +1,55 @@
+#include "linear_code/linear_bound_domain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+
+namespace ink::linear_code {
+
+bool WeightDomain::contains(const LinearWeights& weights) const {
+    double sum = 0;
+    for (const double weight : weights) {
+        if (weight < 0 && !is_signed) return false;
+        sum += std::abs(weight);
+    }
+    return sum <= most_sum;
+}
+
+std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response, int strength) {
+    for (int laplacian = 0; laplacian <= 4 * 65535; ++laplacian) {
+        if (edge::respond(laplacian, response) >= strength) return laplacian;
+    }
+    return std::nullopt;
+}
+
+LinearWeights weights_of(const method::LinearCode& code, int strength) {
+    const double threshold = threshold_in_codes(code.response, strength).value_or(4 * 65535);
+    return {code.depth_weight / threshold,
+            code.normal_weight[0] / threshold,
+            code.normal_weight[1] / threshold,
+            code.normal_weight[2] / threshold};
+}
+
+WeightDomain weight_domain(const std::string& name,
+                           const method::LinearCode& code,
+                           bool is_signed,
+                           int least_threshold) {
+    if (code.wraps || code.response.response == edge::Response::wrap) {
+        throw core::Error(name,
+                          "a code or a response that wraps is not linear in its weights",
+                          "overflow saturate, response absolute or positive");
+    }
+    if (code.offset != 0 || code.sky_code != 0) {
+        throw core::Error(name,
+                          "weights are bounded for codes that are 0 where nothing is seen",
+                          "sky 0, depth_sign near_high");
+    }
+    const int least = threshold_in_codes(code.response, 1).value_or(1);
+    const double range = (1 << code.bits) - 1;
+    return {.is_signed = is_signed,
+            .most_sum = range / std::max(least, least_threshold),
+            .response = code.response.response};
+}
+
+}  // namespace ink::linear_code

@@ -1,0 +1,197 @@
+#include "linear_code/linear_bound_study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.h"
+#include "core/progress.h"
+#include "harness/cell.h"
+#include "harness/csv.h"
+#include "harness/interrupt.h"
+#include "linear_code/channel_planes.h"
+#include "report/text_table.h"
+#include "truth/limits.h"
+
+namespace ink::linear_code {
+namespace {
+
+/// A scene, or several: what weights are judged by, and what the method got.
+struct Pool {
+    std::string name;
+    std::string split;
+    int views = 0;
+    int scenes = 0;
+    score::CurveCount measured;
+    LinearStencils stencils;
+
+    void add(const Pool& other) {
+        views += other.views;
+        scenes += other.scenes;
+        measured += other.measured;
+        stencils.add(other.stencils);
+    }
+};
+
+/// The code of a method, and which others it is held against.
+struct Asked {
+    method::LinearCode code;
+    WeightDomain domain;
+    LinearWeights weights{};
+};
+
+Asked what_is_asked(const BoundStudyOptions& options) {
+    const method::MethodInfo& info = *options.entrant.info;
+    const auto code = info.make(options.entrant.settings)->code();
+    if (!code) {
+        throw core::Error(info.name,
+                          "with these settings it has no code that is one linear sum",
+                          "mote4, or mote16, mote2 with one sum");
+    }
+    const int threshold = std::stoi(info.complete(options.entrant.settings).at("threshold"));
+    return {*code,
+            weight_domain(info.name, *code, options.is_signed, options.least_threshold),
+            weights_of(*code, threshold)};
+}
+
+class Study {
+  public:
+    explicit Study(const BoundStudyOptions& options)
+        : options_(options), asked_(what_is_asked(options)) {
+        options_.search.starts.push_back(asked_.weights);
+    }
+
+    [[nodiscard]] Pool empty_pool(const std::string& name, const std::string& split) const {
+        return {.name = name,
+                .split = split,
+                .measured = {},
+                .stencils = LinearStencils(asked_.domain)};
+    }
+
+    [[nodiscard]] Pool pool_of(const harness::Subject& subject) const {
+        const bool is_train = subject.scene.split == scene::Split::train;
+        Pool pool = empty_pool(subject.scene.name, is_train ? "train" : "heldout");
+        pool.scenes = 1;
+        harness::PreparedMethod method(options_.entrant, subject.scene);
+        if (!method.failure().empty()) {
+            throw core::Error(subject.scene.name, method.failure(), "a scene that it can prepare");
+        }
+        const ChannelSource source(subject.scene, asked_.code);
+        truth::SceneModel model(subject.scene, options_.trace.truth);
+        for (const scene::View& view : subject.views)
+            add_view(view, source, model, method, pool);
+        return pool;
+    }
+
+    [[nodiscard]] BoundRow row_of(const Pool& pool) {
+        BoundRow row{.scene = pool.name,
+                     .split = pool.split,
+                     .views = pool.views,
+                     .measured = pool.measured,
+                     .modelled = {},
+                     .bound = linear_bound(pool.stencils, options_.search)};
+        if (asked_.domain.contains(asked_.weights))
+            row.modelled = linear_count(pool.stencils, asked_.weights);
+        return row;
+    }
+
+    /// Weights that did well are tried on the pools.
+    void remember(const LinearWeights& weights) { options_.search.starts.push_back(weights); }
+
+  private:
+    void add_view(const scene::View& view,
+                  const ChannelSource& source,
+                  truth::SceneModel& model,
+                  harness::PreparedMethod& method,
+                  Pool& pool) const {
+        harness::ViewTruth truth;
+        try {
+            truth = harness::trace_view(model, view, options_.trace.cache);
+        } catch (const truth::TooLarge& reason) {
+            throw core::Error(pool.name, reason.what(), "a smaller scene or --size");
+        }
+        const int threads = options_.search.threads;
+        pool.stencils.add(source.planes(view, truth.traced.layers.triangle, threads),
+                          truth.scoring);
+        edge::EdgeImage picture(view.width_px, view.height_px);
+        method.method().draw({view, threads}, picture);
+        const score::Score scored =
+            score::score(picture, truth.scoring, harness::score_options(method.threshold()));
+        pool.measured += {scored.k, scored.n_pred, scored.n_truth};
+        ++pool.views;
+    }
+
+    BoundStudyOptions options_;
+    Asked asked_;
+};
+
+std::string share(double f) {
+    return fmt::format("{:.4f}", f);
+}
+
+}  // namespace
+
+std::vector<BoundRow> study_bounds(const std::vector<harness::Subject>& subjects,
+                                   const BoundStudyOptions& options) {
+    Study study(options);
+    Study of_pools(options);
+    core::Progress progress("bound", static_cast<int>(subjects.size()) + 3);
+    std::vector<BoundRow> rows;
+    Pool train = study.empty_pool("(training)", "train");
+    Pool heldout = study.empty_pool("(held-out)", "heldout");
+    int done = 0;
+    for (const harness::Subject& subject : subjects) {
+        if (harness::is_interrupted()) return rows;
+        progress.report(done++, subject.scene.name);
+        const Pool pool = study.pool_of(subject);
+        (pool.split == "train" ? train : heldout).add(pool);
+        rows.push_back(study.row_of(pool));
+        of_pools.remember(rows.back().bound.weights);
+    }
+    Pool all = study.empty_pool("(all)", "");
+    all.add(train);
+    all.add(heldout);
+    const bool are_both = train.scenes > 0 && heldout.scenes > 0;
+    for (const Pool* pool : {&train, &heldout, &all}) {
+        if (harness::is_interrupted()) return rows;
+        progress.report(done++, pool->name);
+        if (pool->scenes > 1 && (pool != &all || are_both)) rows.push_back(of_pools.row_of(*pool));
+    }
+    return rows;
+}
+
+std::string bound_table(const std::vector<BoundRow>& rows) {
+    core::Cells cells = {{"scene", "views", "F", "F model", "F found", "F upper", "gap", "boxes"}};
+    for (const BoundRow& row : rows) {
+        cells.push_back({row.scene,
+                         fmt::format("{}", row.views),
+                         share(row.measured.f()),
+                         row.modelled ? share(row.modelled->f()) : "-",
+                         share(row.bound.f_found),
+                         share(row.bound.f_upper),
+                         share(row.bound.gap()),
+                         fmt::format("{}", row.bound.boxes)});
+    }
+    return core::aligned(cells);
+}
+
+std::string bound_csv(const std::vector<BoundRow>& rows) {
+    std::string text =
+        "scene,split,views,n_truth,f_2px,f_model,f_found,f_upper,gap,boxes,depth,nx,ny,nz\n";
+    for (const BoundRow& row : rows) {
+        text += fmt::format("{},{},{},{},{:.6f},{},{:.6f},{:.6f},{:.6f},{},{:.6f}\n",
+                            harness::csv_field(row.scene),
+                            row.split,
+                            row.views,
+                            row.measured.n_truth,
+                            row.measured.f(),
+                            row.modelled ? fmt::format("{:.6f}", row.modelled->f()) : "",
+                            row.bound.f_found,
+                            row.bound.f_upper,
+                            row.bound.gap(),
+                            row.bound.boxes,
+                            fmt::join(row.bound.weights, ","));
+    }
+    return text;
+}
+
+}  // namespace ink::linear_code

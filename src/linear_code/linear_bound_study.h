@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/entrants.h"
+#include "harness/suite.h"
+#include "harness/tracing.h"
+#include "linear_code/linear_bound.h"
+
+namespace ink::linear_code {
+
+/// Which code is asked about, and how its bound is looked for.
+struct BoundStudyOptions {
+    harness::Entrant entrant;  ///< a method that declares its code
+    bool is_signed = false;    ///< weights below 0 too
+    int least_threshold = 0;   ///< codes; 0: the least that the filter draws
+    harness::TraceOptions trace;
+    LinearBoundOptions search;  ///< its threads draw and trace, too; `starts` are added to
+};
+
+/// What one scene, or several taken together, allow four weights.
+struct BoundRow {
+    std::string scene;  ///< or "(training)", "(held-out)", "(all)": counts of their scenes added up
+    std::string split;  ///< "train", "heldout" or ""
+    int views = 0;
+    score::CurveCount measured;           ///< the method's own, as it is scored, at 2 px
+    std::optional<LinearCount> modelled;  ///< its weights by the bound's reckoning, if it has them
+    LinearBound bound;
+};
+
+/// A row for every subject, in their order, then one for the training scenes, the held-out ones and
+/// all of them, where that is more than one scene and not the same as a row before.
+///
+/// What a scene's search found is tried first on the pools. After Ctrl-C (see InterruptGuard) the
+/// rows that are done. Throws core::Error (where = the method) if it declares no code or one that
+/// weight_domain() refuses, (where = the scene) if its truth is too large to trace.
+[[nodiscard]] std::vector<BoundRow> study_bounds(const std::vector<harness::Subject>& subjects,
+                                                 const BoundStudyOptions& options);
+
+/// For a terminal: a line per row.
+[[nodiscard]] std::string bound_table(const std::vector<BoundRow>& rows);
+
+/// bound.csv: scene, split, views, n_truth, f_2px, f_model, f_found, f_upper, gap, boxes, then the
+/// weights that were found over their threshold.
+[[nodiscard]] std::string bound_csv(const std::vector<BoundRow>& rows);
+
+}  // namespace ink::linear_code

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "core/param.h"
+#include "edge/edge_image.h"
+#include "edge/laplacian.h"
+#include "method/cost.h"
+#include "method/depth_code.h"
+#include "raster/depth/depth.h"
+#include "raster/pass/pass.h"
+#include "raster/skips.h"
+#include "scene/scene.h"
+#include "scene/surface.h"
+
+namespace ink::method {
+
+/// What a method is told of one frame.
+struct Frame {
+    scene::View view;
+    int threads = 1;             ///< 1 is plain serial; the picture must not depend on it
+    raster::SkipSet skips = {};  ///< what may be left undone; the picture must not depend on it
+};
+
+/// What a linear code reads of the surface, and how it comes to the pixels.
+struct CodeInputs {
+    scene::NormalSource normals = scene::NormalSource::patch;
+    double crease_rad = 0;  ///< bend from which on an edge parts two patches
+    RangeSource depth_range = RangeSource::fit;
+    raster::Interpolation interpolation = raster::Interpolation::affine;
+    bool at_vertices = true;  ///< summed at vertices and interpolated; else summed at pixels
+    bool renormalise = false;
+};
+
+/// A method whose code is a linear sum may declare it: the cost model, the planner and the
+/// cancellation study read this, nothing else.
+///
+/// A pixel's code is offset + depth_weight * depth + the normal's share, rounded to nearest;
+/// `sky_code` where nothing is seen.
+struct LinearCode {
+    raster::DepthEncoding encoding = raster::DepthEncoding::inverse;
+    double offset = 0;
+    double depth_weight = 0;       ///< code units for depth 0..1 (near = high)
+    double normal_weight[3] = {};  ///< code units for each view-space component's 0..1, (n+1)/2
+    int sky_code = 0;
+    int bits = 8;
+    bool wraps = false;  ///< else it saturates
+    CodeInputs inputs;
+    edge::LaplacianResponse response;
+};
+
+/// One decision of a method that plans by the scene: what it chose, and the reason in a sentence.
+struct PlanLine {
+    std::string what;
+    std::string why;
+};
+
+/// A picture of something that a method has inside, for who wants to see why it errs.
+struct Layer {
+    std::string name;  ///< what `inkbench draw --layer` calls it: small letters and underscores
+    core::Image<glm::u8vec3> rgb;  ///< of the view's size
+    std::string note = {};         ///< what it counted, in a line of plain text; empty: nothing
+};
+
+/// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth,
+/// the score, another method or the clock. The harness owns the clock and calls the stages in this
+/// order.
+///
+/// A method is used by one thread at a time. Drawing the same view twice gives the same picture,
+/// and an empty or invisible scene gives zeros.
+class Method {
+  public:
+    virtual ~Method() = default;
+
+    /// Once per topology: adjacency, patches, labels, normals. The scene outlives the method's use
+    /// of it.
+    virtual void prepare(const scene::Scene& scene) = 0;
+
+    /// Whenever a vertex or an instance moved, and once after prepare: world positions and what
+    /// hangs on them. `scene` has the topology that was prepared.
+    virtual void pose(const scene::Scene& scene) = 0;
+
+    /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
+    /// the view's size and any content, and leaves with a strength in every pixel.
+    virtual void draw(const Frame& frame, edge::EdgeImage& out) = 0;
+
+    /// Pictures of what it has inside for this frame, the names the same for every frame: drawn
+    /// anew, not timed, the same for every thread count. Empty for a method that shows nothing.
+    [[nodiscard]] virtual std::vector<Layer> layers(const Frame& /*frame*/) { return {}; }
+
+    /// Bytes a pixel of its buffers takes, depth included.
+    [[nodiscard]] virtual int bytes_per_px() const = 0;
+
+    /// What the last draw left undone; all 0 before the first, and where a method skips nothing.
+    [[nodiscard]] virtual raster::SkipCounts skip_counts() const { return {}; }
+
+    /// What a frame of it does: a function of its settings alone. One that declares nothing
+    /// (passes = 0) gets no predicted time.
+    [[nodiscard]] virtual Cost cost() const { return {}; }
+
+    /// Its code, if that is one linear sum.
+    [[nodiscard]] virtual std::optional<LinearCode> code() const { return std::nullopt; }
+
+    /// What it chose for the scene that was prepared, and why; empty for methods that plan nothing.
+    [[nodiscard]] virtual std::vector<PlanLine> plan() const { return {}; }
+};
+
+/// A row of the registry: all that is known of a method before it is made.
+struct MethodInfo {
+    std::string name;                 ///< = folder = TOML key = value in rows = legend
+    std::string source;               ///< who described it, and where
+    std::string summary;              ///< one line for `inkbench list`
+    std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
+    /// Settings that span what the method can do, from its fastest to its most exact: over these
+    /// its Pareto front is drawn. Eight at least; each is complete()d with the defaults.
+    std::vector<core::ParamValues> sweep = {};
+
+    /// A method with these settings, the rest at their defaults. Throws core::Error, where = name.
+    std::function<std::unique_ptr<Method>(const core::ParamValues&)> make;
+    /// The given settings and all defaults as text: what a row records.
+    std::function<core::ParamValues(const core::ParamValues&)> complete;
+};
+
+/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its knobs and a
+/// constructor from `Params`.
+template <class M>
+[[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
+    MethodInfo info{
+        std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}, {}};
+    info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
+        return std::make_unique<M>(M::table().read(values, name));
+    };
+    info.complete = [name = info.name](const core::ParamValues& values) {
+        const auto table = M::table();
+        return table.write(table.read(values, name));
+    };
+    return info;
+}
+
+}  // namespace ink::method

@@ -1,0 +1,116 @@
+#include "raster/lines/line_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "raster/lines/line_clip.h"
+#include "raster/lines/line_vertices.h"
+#include "raster/pass/view_transform.h"
+
+namespace ink::raster {
+
+void LineVertices::project(const LineInput& input) {
+    constexpr std::size_t kRun = 8192;
+    const std::size_t count = input.p_world.size();
+    p_clip.resize(count);
+    screen.resize(count);
+    outcodes.resize(count);
+    const ViewTransform transform(input.view);
+    core::parallel_for((count + kRun - 1) / kRun, input.threads, [&](std::size_t run) {
+        const std::size_t first = run * kRun;
+        project_vertices(transform,
+                         input.view.camera.near,
+                         input.p_world.data() + first,
+                         std::min(count - first, kRun),
+                         {p_clip.data() + first, screen.data() + first, outcodes.data() + first});
+    });
+}
+
+LineStage::LineStage(const LineInput& input,
+                     const LineVertices& vertices,
+                     const DepthImage& depth,
+                     const DepthBlocks* blocks)
+    : input_(input),
+      vertices_(vertices),
+      has_steps_(depth.format() != DepthFormat::q32),
+      steps_(depth),
+      floats_(depth),
+      blocks_(blocks),
+      rule_(input.offset, depth.format(), depth.near(), depth.far()),
+      // A pixel more than half the width on every side is enough for any rule.
+      margin_px_(line_width_px(input.width_px) / 2 + 2) {}
+
+void LineStage::run(std::span<const Line> lines,
+                    std::vector<ScreenLine>& out,
+                    LineCounts& counts) const {
+    counts.lines += lines.size();
+    for (const Line& line : lines)
+        add(line, out, counts);
+}
+
+void LineStage::add(const Line& line, std::vector<ScreenLine>& out, LineCounts& counts) const {
+    const std::uint8_t a = vertices_.outcodes[line.from];
+    const std::uint8_t b = vertices_.outcodes[line.to];
+    if ((a & b) != 0 || ((a | b) & kNotANumber) != 0) {
+        ++counts.outside;
+        return;
+    }
+    ScreenLine placed;
+    placed.is_both_ways = line.is_both_ways;
+    if ((a | b) == kInside) {
+        placed.a = vertices_.screen[line.from];
+        placed.b = vertices_.screen[line.to];
+        return place(placed, out, counts);
+    }
+    glm::dvec3 from = vertices_.p_clip[line.from];
+    glm::dvec3 to = vertices_.p_clip[line.to];
+    if (!clip_line(from, to, input_.view.camera.near)) {
+        ++counts.outside;
+        return;
+    }
+    ++counts.cut;
+    placed.a = to_screen(from);
+    placed.b = to_screen(to);
+    place(placed, out, counts);
+}
+
+void LineStage::place(const ScreenLine& line,
+                      std::vector<ScreenLine>& out,
+                      LineCounts& counts) const {
+    const auto first = [&](std::int32_t p, std::int32_t q) {
+        return std::max((std::min(p, q) >> kSubpixelBits) - margin_px_, 0);
+    };
+    const auto last = [&](std::int32_t p, std::int32_t q, int size_px) {
+        return std::min((std::max(p, q) >> kSubpixelBits) + margin_px_ + 1, size_px);
+    };
+    const PixelRect touched{first(line.a.x, line.b.x),
+                            first(line.a.y, line.b.y),
+                            last(line.a.x, line.b.x, input_.view.width_px),
+                            last(line.a.y, line.b.y, input_.view.height_px)};
+    if (touched.is_empty()) {
+        ++counts.outside;
+    } else if (blocks_ != nullptr && is_hidden(line, touched)) {
+        ++counts.hidden;
+    } else {
+        out.push_back(line);
+        out.back().y0 = touched.y0;
+        out.back().y1 = touched.y1;
+    }
+}
+
+bool LineStage::is_hidden(const ScreenLine& line, const PixelRect& touched) const {
+    const double along =
+        std::max(std::abs(line.b.x_px - line.a.x_px), std::abs(line.b.y_px - line.a.y_px));
+    // The longer axis of the snapped line may be the shorter one of the line itself by a rounding.
+    const double slope = std::abs(line.b.q - line.a.q) / (along - 1.0 / kSubpixels);
+    if (!(slope >= 0 && std::isfinite(slope))) return false;
+    const double q_most = std::max(line.a.q, line.b.q);
+    // Steps reach beyond the ends by half a pixel and what snapping moved.
+    double q = q_most + 0.52 * slope;
+    if (input_.offset.is_any()) q += std::max(rule_.pull(0, q_most), rule_.pull(slope, q_most));
+    q *= 1 + 1e-12;
+    return blocks_->hides(touched, has_steps_ ? steps_.of(q) : floats_.of(q));
+}
+
+}  // namespace ink::raster

@@ -1,0 +1,34 @@
+#include "raster/mesh/lane_triangles.h"
+
+namespace ink::raster {
+
+bool lanes_can_draw(const PassFormat& format) {
+    if (format.interpolation != Interpolation::affine) return false;
+    if (format.constant) return format.store == Store::u32 && format.interpolants == 0;
+    switch (format.store) {
+        case Store::none:
+            return format.interpolants == 0;
+        case Store::u8:
+            return format.interpolants == 1 || format.interpolants == 2;
+        case Store::u16:
+            return format.interpolants == 1;
+        case Store::f32:
+            return format.interpolants == 4;
+        case Store::u32:
+            break;
+    }
+    return false;
+}
+
+bool lanes_can_hold(const PassFormat& format, float least, float greatest) {
+    switch (format.store) {
+        case Store::u8:
+            return least >= -4000 && greatest <= 8000;
+        case Store::u16:
+            return least >= -1 && greatest <= 66000;
+        default:
+            return least >= -0x1p20F && greatest <= 0x1p20F;
+    }
+}
+
+}  // namespace ink::raster

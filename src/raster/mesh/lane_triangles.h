@@ -1,0 +1,149 @@
+#pragma once
+
+#include <hwy/cache_control.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "raster/mesh/lane_mesh.h"
+#include "raster/mesh/lane_pull.h"
+#include "raster/pass/pass.h"
+#include "raster/pass/setup.h"
+
+namespace ink::raster {
+
+class TileBuffer;
+
+/// A cluster's vertices as they are kept for a frame, one array of `stride` numbers after the
+/// other: x, y (1/65536 px), q, the values; and for triangles seen from their back, where those
+/// read something else, q or the values once more. Borrowed.
+struct LaneRecords {
+    std::byte* data = nullptr;
+    std::size_t stride = 0;
+
+    /// The most arrays that a format asks for.
+    static constexpr std::size_t kMostArrays = 3 + 2 * kMaxPlanes;
+
+    [[nodiscard]] std::int32_t* x() const { return reinterpret_cast<std::int32_t*>(data); }
+    [[nodiscard]] std::int32_t* y() const { return x() + stride; }
+    [[nodiscard]] float* array(std::size_t k) const {
+        return reinterpret_cast<float*>(data) + k * stride;
+    }
+    [[nodiscard]] float* q() const { return array(2); }
+};
+
+/// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it,
+/// and those triangles' constants if the format has any.
+struct LaneSlot {
+    std::size_t first_byte = 0;  ///< of its records and its triangles' corners
+    std::uint32_t byte_count = 0;
+    std::uint32_t stride = 0;
+    /// Arrays of its records that triangles seen from their front and from their back have q in,
+    /// and their first value.
+    std::uint8_t q[2] = {2, 2};
+    std::uint8_t values[2] = {3, 3};
+    std::uint8_t corners = 3;     ///< the array that its triangles' corners begin in
+    std::uint32_t constants = 0;  ///< where they begin, in numbers from its records
+    float q_most = 0;             ///< of its vertices, pulled
+    PixelRect bounds;             ///< of the centres its triangles may cover
+};
+
+/// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
+/// kWholeTriangle set, the index of one that was set up by itself.
+inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
+/// The corners of a slot's triangle are what LaneMesh::corners has, with this set where it is seen
+/// from its back.
+inline constexpr std::uint32_t kBackSide = 1U << 31;
+
+/// Where lanes find a list's triangles; borrowed.
+struct LaneSource {
+    const LaneSlot* slots = nullptr;
+    const std::byte* records = nullptr;
+
+    /// Asks for what a slot holds ahead of its use.
+    void prefetch(const LaneSlot& slot) const {
+        constexpr std::size_t kLineBytes = 64;
+        for (std::size_t byte = 0; byte < slot.byte_count; byte += kLineBytes)
+            hwy::Prefetch(records + slot.first_byte + byte);
+    }
+};
+
+/// Whether lanes can draw a format: affine, and of a store that is used; a constant by itself, not
+/// one added to a code.
+[[nodiscard]] bool lanes_can_draw(const PassFormat& format);
+
+/// Bits after the point of a code in 32-bit lanes: as many as leave room for what a corner may
+/// reach beyond the store's range.
+[[nodiscard]] constexpr int lane_fraction_bits(Store store) {
+    return store == Store::u16 ? 14 : 16;
+}
+
+/// Values of a cluster's vertices that lanes can take: beyond these, 32 bits might overflow.
+[[nodiscard]] bool lanes_can_hold(const PassFormat& format, float least, float greatest);
+
+/// Some triangles set up for one tile, one array per number.
+///
+/// Everything is relative to a pixel beside the triangle, its reference: at(x, y) = at_ref + dx (x
+/// - ref_x) + dy (y - ref_y). Edges are in 1/256 px squared over 256, exact: a centre is inside
+/// where none is negative.
+struct LaneTriangles {
+    static constexpr std::size_t kCount = 64;
+    using Ints = std::int32_t[kCount];
+    using Floats = float[kCount];
+
+    struct Codes {
+        alignas(64) Ints at_ref, dx, dy, low, high;
+    };
+    struct Numbers {
+        alignas(64) Floats at_ref, dx, dy, low, high;
+    };
+
+    std::size_t count = 0;
+    alignas(64) Ints x0, y0, x1, y1;  ///< what of its box is drawn in this tile
+    alignas(64) Ints ref_x, ref_y;
+    alignas(64) Ints edge_at_ref[3], edge_dx[3], edge_dy[3];
+    /// -1 where planes must be kept within `low` and `high` at every pixel: thin triangles, whose
+    /// gradients are noise, and codes that come near the ends of their store.
+    alignas(64) Ints needs_limits;
+    Numbers q;
+    alignas(64) std::int32_t constants[kCount + kLanePad];  ///< u32, if the format has them
+    Codes codes[2];                                         ///< integer stores
+    Numbers numbers[kMaxPlanes];                            ///< f32
+    /// The corners as they come, a vector's worth more than there is room for.
+    static constexpr std::size_t kPadded = kCount + kLanePad;
+    struct Corners {
+        alignas(64) std::int32_t x[kPadded];
+        alignas(64) std::int32_t y[kPadded];
+        alignas(64) float q[kPadded];
+        alignas(64) float values[kMaxPlanes][kPadded];
+    };
+    Corners corners[3];
+
+    /// Pixels of triangles that touch at most 2 x 2, in the order of the triangles: found a vector
+    /// of triangles at a time.
+    struct Dots {
+        /// Four a triangle, and a vector's worth more.
+        static constexpr std::size_t kCapacity = 4 * kCount + kLanePad;
+        /// Per triangle, how many of the dots are its; -1: it is drawn otherwise.
+        alignas(64) Ints counts;
+        alignas(64) std::int32_t offset[kCapacity];  ///< y * kTileStride + x
+        alignas(64) float q[kCapacity];
+        alignas(64) std::uint32_t values[kMaxPlanes][kCapacity];  ///< codes, or floats' bits
+    };
+    Dots dots;
+};
+
+/// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels
+/// `drawn`; their depth is moved by `pull`.
+void set_up_lanes(const PassFormat& format,
+                  const LaneSource& source,
+                  std::span<const std::uint32_t> entries,
+                  const PixelRect& drawn,
+                  const LanePull& pull,
+                  LaneTriangles& out);
+
+/// Draws them in order into a tile.
+void fill_lanes(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to);
+
+}  // namespace ink::raster

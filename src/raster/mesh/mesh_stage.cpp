@@ -1,0 +1,250 @@
+#include "raster/mesh/mesh_stage.h"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "raster/mesh/lane_steps.h"
+#include "scene/predicates.h"
+
+namespace ink::raster {
+namespace {
+
+constexpr std::size_t kNumber = sizeof(float);
+
+}  // namespace
+
+void MeshRun::start(const MeshJob& job) {
+    const auto tiles = static_cast<std::size_t>(job.grid.count());
+    lists_.resize(tiles);
+    for (EntryList& list : lists_)
+        list.clear();
+    objects_.assign(job.input.may_keep_still ? tiles : 0, 0);
+    sides_ = PictureSides(job.transform, job.input.view);
+    slots_.clear();
+    records_.resize(0);
+    whole().triangles.clear();
+    whole().code_planes.clear();
+    whole().float_planes.clear();
+    whole().stats = {};
+    skips_ = {};
+}
+
+void MeshRun::process(const MeshJob& job,
+                      std::size_t first,
+                      std::size_t last,
+                      const FrontDepth* front) {
+    start(job);
+    const LaneMesh& mesh = *job.input.mesh;
+    for (std::size_t i = first; i < last; ++i) {
+        if (i + 3 < last) hwy::Prefetch(&mesh.clusters().clusters[job.order[i + 3]]);
+        if (i + 1 < last && job.uses_lanes) mesh.prefetch(job.order[i + 1]);
+        add_cluster(job, job.order[i], front);
+    }
+}
+
+void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDepth* front) {
+    const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
+    const SkipSet& skips = job.input.skips;
+    SkipCount& frustum = count_of(skips_, Skip::frustum);
+    SkipCount& backs = count_of(skips_, Skip::backs);
+    ++frustum.of;
+    ++backs.of;
+    if (skips.has(Skip::frustum) && sides_.has_outside(cluster.bounds)) {
+        ++frustum.skipped;
+        return;
+    }
+    const bool hides_backs = job.solids[cluster.solid].hides_backs;
+    if (job.drops_backs(hides_backs) && skips.has(Skip::backs) &&
+        scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
+        ++backs.skipped;
+        return;
+    }
+    if (front != nullptr && front->hides(cluster.bounds)) {
+        SkipCount& hidden = count_of(skips_, Skip::hidden);
+        hidden.of += cluster.triangle_count;
+        hidden.skipped += cluster.triangle_count;
+        return;
+    }
+    if (job.uses_lanes && add_in_lanes(job, index, hides_backs)) return;
+    add_whole(job, index, hides_backs);
+}
+
+/// Decides exactly which side the triangles show that triage left open; drops those whose side is
+/// of no use.
+void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const TriageJob& triage) {
+    const scene::Surface& surface = job.input.mesh->surface();
+    const scene::Clusters& clusters = job.input.mesh->clusters();
+    const scene::Cluster& cluster = clusters.clusters[index];
+    // From the last, so that those before keep their places.
+    for (std::size_t i = triage_.unsure_count; i-- > 0;) {
+        const std::size_t at = triage_.unsure[i];
+        const std::uint32_t corners = triage_.corners[at];
+        const auto p = [&](int k) {
+            const std::uint32_t vertex = corners >> 8 * k & 0xff;
+            return surface.p_world[clusters.vertices[cluster.first_vertex + vertex]];
+        };
+        const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) < 0;
+        if (!(is_back ? triage.drops_backs : triage.drops_fronts)) {
+            if (is_back) triage_.corners[at] |= kBackSide;
+            triage_.has_back = triage_.has_back || is_back;
+            continue;
+        }
+        const auto take_out = [&](auto* list) {
+            std::copy(list + at + 1, list + triage_.count, list + at);
+        };
+        take_out(triage_.corners);
+        take_out(triage_.x_span);
+        take_out(triage_.y_span);
+        --triage_.count;
+    }
+}
+
+bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_backs) {
+    const LaneMesh& mesh = *job.input.mesh;
+    const scene::Cluster& cluster = mesh.clusters().clusters[index];
+    const SkipSet& skips = job.input.skips;
+    // Room for whatever is asked of it, and for the vectors that lookups read beyond.
+    const std::size_t first_byte = records_.size();
+    const std::size_t stride = lane_padded(cluster.vertex_count);
+    constexpr std::size_t kMost =
+        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + 2 * TriageResult::kCapacity) *
+        kNumber;
+    records_.reserve(first_byte + kMost);
+    LaneRecords& records = lanes_.records;
+    records = {records_.data() + first_byte, stride};
+    if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
+        return false;
+    if (job.format.depth != DepthFormat::q32) {
+        const scene::Camera& camera = job.input.view.camera;
+        const QuantisedDepth depth(job.format.depth, camera.near, camera.far);
+        const StepRange steps =
+            make_steps(depth, lanes_.inv_w, cluster.vertex_count, lanes_.records.q());
+        if (!lanes_can_step(depth, steps)) return false;
+        lanes_.q_least = static_cast<float>(std::max(steps.least, 1.0));
+        lanes_.q_most = static_cast<float>(std::max(steps.greatest, 1.0));
+    }
+    const TriageJob triage{.picture = job.picture(),
+                           .drops_backs = job.drops_backs(hides_backs),
+                           .drops_fronts = job.input.cull == Cull::front,
+                           .drops_no_sample = skips.has(Skip::no_sample)};
+    triage_cluster(mesh, index, lanes_, triage, triage_);
+    if (triage_.has_large) return false;
+    SkipCount& no_sample = count_of(skips_, Skip::no_sample);
+    no_sample.of += cluster.triangle_count;
+    if (skips.has(Skip::no_sample)) no_sample.skipped += triage_.no_sample;
+    settle_sides(job, index, triage);
+    if (triage_.count == 0) return true;
+
+    LaneSlot slot;
+    const auto values = static_cast<std::size_t>(job.format.interpolants);
+    std::size_t arrays = 3 + values;
+    if (triage_.has_back && hides_backs) {  // drawn, because nothing may be skipped, and unseen
+        std::fill_n(records.array(arrays), stride, 0.0F);
+        slot.q[1] = static_cast<std::uint8_t>(arrays++);
+    }
+    const bool wants_back = values > 0 && triage_.has_back && !hides_backs;
+    if (wants_back) {
+        slot.values[1] = static_cast<std::uint8_t>(arrays);
+        arrays += values;
+    }
+    if (!compute_values(job, index, slot)) return false;
+    slot.stride = static_cast<std::uint32_t>(stride);
+    slot.first_byte = first_byte;
+    // A centre of a snapped triangle may lie 1/256 px outside the true one, which is at least 1.25
+    // px high where q is not limited to its corners: q goes beyond them by less than this.
+    slot.q_most =
+        lanes_.q_most + (lanes_.q_most - lanes_.q_least) * 0x1p-6F + lanes_.q_most * 0x1p-20F;
+    slot.bounds = {lanes_.x0 >> kSubpixelBits,
+                   lanes_.y0 >> kSubpixelBits,
+                   (lanes_.x1 >> kSubpixelBits) + 1,
+                   (lanes_.y1 >> kSubpixelBits) + 1};
+    slot.q_most = pulled(job, slot.q_most);
+    const std::size_t corners = arrays * stride;
+    slot.corners = static_cast<std::uint8_t>(arrays);
+    slot.constants = static_cast<std::uint32_t>(corners + lane_padded(triage_.count));
+    records_.resize(keep_corners(job, index, first_byte + corners * kNumber));
+    slot.byte_count = static_cast<std::uint32_t>(records_.size() - first_byte);
+    slots_.push_back(slot);
+    bin_lanes(job, slots_.size() - 1, job.object_bit(cluster));
+    return true;
+}
+
+/// `q_most` of a cluster's triangles once they are moved.
+float MeshRun::pulled(const MeshJob& job, float q_most) const {
+    if (!job.pull.can_pull_nearer()) return q_most;
+    const float pull = most_pull(job.pull, lanes_.records, triage_.corners, triage_.count);
+    return q_most + (pull + pull * 0x1p-20F);
+}
+
+/// Writes the corners of what triage left, and their constants, from a byte of the records on,
+/// where there is room; returns the byte behind them.
+std::size_t MeshRun::keep_corners(const MeshJob& job, std::size_t index, std::size_t byte) {
+    const std::size_t list_bytes = lane_padded(triage_.count) * kNumber;
+    std::memcpy(records_.data() + byte, triage_.corners, triage_.count * kNumber);
+    byte += list_bytes;
+    if (!job.format.constant) return byte;
+    const scene::Clusters& clusters = job.input.mesh->clusters();
+    const std::uint32_t* ids =
+        clusters.triangle_ids.data() + clusters.clusters[index].first_triangle;
+    auto* const constants = reinterpret_cast<std::uint32_t*>(records_.data() + byte);
+    for (std::size_t i = 0; i < triage_.count; ++i)
+        constants[i] = job.input.constants[ids[LaneMesh::index_of(triage_.corners[i])]];
+    return byte + list_bytes;
+}
+
+/// The values of a cluster's vertices, one side or both. False if lanes cannot hold them.
+bool MeshRun::compute_values(const MeshJob& job, std::size_t index, const LaneSlot& slot) {
+    const auto values = static_cast<std::size_t>(job.format.interpolants);
+    if (values == 0) return true;
+    const LaneMesh& mesh = *job.input.mesh;
+    const std::size_t vertices = mesh.clusters().clusters[index].vertex_count;
+    const bool has_both = slot.values[1] != slot.values[0];
+    CornerPlanes planes;
+    for (std::size_t k = 0; k < values; ++k) {
+        planes.front[k] = lanes_.records.array(slot.values[0] + k);
+        if (has_both) planes.back[k] = lanes_.records.array(slot.values[1] + k);
+    }
+    job.input.values->compute(lanes_.batch(mesh, index), planes);
+    for (std::size_t k = 0; k < values; ++k) {
+        for (const float* plane : {planes.front[k], planes.back[k]}) {
+            if (plane == nullptr) continue;
+            const ValueRange range = range_of(plane, vertices);
+            if (!lanes_can_hold(job.format, range.least, range.greatest)) return false;
+        }
+    }
+    return true;
+}
+
+void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object) {
+    const TileGrid& grid = job.grid;
+    const int halo = grid.halo_px;
+    const auto base = static_cast<std::uint32_t>(slot << 8);
+    const PixelRect& bounds = slots_[slot].bounds;
+    const int column0 = std::max(bounds.x0 - halo, 0) / kTileSize_px;
+    const int row0 = std::max(bounds.y0 - halo, 0) / kTileSize_px;
+    const int column1 = std::min((bounds.x1 - 1 + halo) / kTileSize_px, grid.columns() - 1);
+    const int row1 = std::min((bounds.y1 - 1 + halo) / kTileSize_px, grid.rows() - 1);
+    const auto mark = [&](std::size_t tile) {
+        if (!objects_.empty()) objects_[tile] |= object;
+    };
+    if (column0 == column1 && row0 == row1) {  // as of most in a fine mesh
+        const auto tile = static_cast<std::size_t>(row0 * grid.columns() + column0);
+        list_all_triangles(triage_, base, lists_[tile]);
+        mark(tile);
+        return;
+    }
+    for (int row = row0; row <= row1; ++row) {
+        for (int column = column0; column <= column1; ++column) {
+            const auto tile = static_cast<std::size_t>(row * grid.columns() + column);
+            const int x0 = column * kTileSize_px;
+            const int y0 = row * kTileSize_px;
+            const PixelRect drawn{
+                x0 - halo, y0 - halo, x0 + kTileSize_px + halo, y0 + kTileSize_px + halo};
+            if (list_triangles(triage_, drawn, base, lists_[tile]) > 0) mark(tile);
+        }
+    }
+}
+
+}  // namespace ink::raster

@@ -1,0 +1,262 @@
+#include "raster/mesh/mesh_tiles.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "raster/pass/whole_fill.h"
+
+namespace ink::raster {
+namespace {
+
+/// The depth of 1/w as the format has it.
+float depth_of(const MeshJob& job, double q) {
+    if (job.format.depth == DepthFormat::q32) return static_cast<float>(q);
+    const scene::Camera& camera = job.input.view.camera;
+    return static_cast<float>(QuantisedDepth(job.format.depth, camera.near, camera.far).of(q));
+}
+
+/// Whole triangles are large: one is worth this many small ones.
+constexpr std::size_t kWholeWeight = 24;
+
+/// What the buffers and the plain fill want to know of a frame.
+PassInput make_input(const MeshJob& job) {
+    PassInput input;
+    input.near = job.input.view.camera.near;
+    input.far = job.input.view.camera.far;
+    input.sky_f32 = job.input.sky_f32;
+    input.sky_code = job.input.sky_code;
+    input.constants = job.input.constants;
+    return input;
+}
+
+}  // namespace
+
+MeshTileWorker::MeshTileWorker(const MeshJob& job,
+                               const std::vector<MeshRun>& runs,
+                               std::size_t fronts,
+                               FrontDepth& front)
+    : job_(job),
+      runs_(runs),
+      fronts_(fronts),
+      front_(front),
+      fill_(fill_function(job.format)),
+      near_far_(make_input(job)),
+      buffer_(job.format, near_far_, job.grid),
+      proof_(job.format),
+      tests_hidden_(job.input.skips.has(Skip::hidden)),
+      coarse_(job.format.depth) {}
+
+void MeshTileWorker::draw_front(int tile) {
+    const auto has_lanes = [tile](const MeshRun& run) {
+        const auto list = run.of(tile);
+        return std::any_of(list.begin(), list.end(), [](std::uint32_t entry) {
+            return (entry & kWholeTriangle) == 0;
+        });
+    };
+    const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
+    if (std::none_of(runs_.begin(), end, has_lanes)) return;
+    buffer_.start(tile);
+    rows_ = DrawnRows::all(buffer_);
+    buffer_.touch();
+    coarse_.start(buffer_);
+    for (auto run = runs_.begin(); run != end; ++run)
+        draw_list(*run, run->of(tile));
+    coarse_.refresh();
+    FrontDepth::Tile& kept = front_.tile(tile);
+    kept.least = coarse_.least();
+    buffer_.put_aside(kept.pixels);
+    kept.is_drawn = true;
+}
+
+void MeshTileWorker::draw(int tile, TileSink& sink) {
+    if (fronts_ > 0 && front_.tile(tile).is_drawn) {
+        buffer_.resume(tile, front_.tile(tile).pixels);
+        ++count_of(skips_, Skip::empty_tiles).of;
+        if (job_.input.flat_gives_zero) count_own_pixels();  // none flat: there are lanes
+        rows_ = DrawnRows::all(buffer_);
+        coarse_.start(buffer_);
+        coarse_.refresh();
+        for (std::size_t i = fronts_; i < runs_.size(); ++i)
+            draw_list(runs_[i], runs_[i].of(tile));
+        finish(nullptr, sink);
+        return;
+    }
+    const bool is_empty = std::all_of(
+        runs_.begin(), runs_.end(), [&](const MeshRun& run) { return run.of(tile).empty(); });
+    SkipCount& empty = count_of(skips_, Skip::empty_tiles);
+    ++empty.of;
+    const bool skips_empty = job_.input.skips.has(Skip::empty_tiles);
+    if (!skips_empty) buffer_.touch();
+    buffer_.start(tile);
+    if (is_empty && skips_empty) {
+        ++empty.skipped;
+        buffer_.finish();
+        sink.finish(buffer_.view(true));
+        return;
+    }
+    if (job_.input.flat_gives_zero) count_own_pixels();
+    const bool is_whole = job_.input.flat_gives_zero && list_whole(tile);
+    if (is_whole && is_flat()) {
+        sink.finish(buffer_.view(true));
+        return;
+    }
+    const bool spares = is_whole && find_needed();
+    if (spares && needed_.hull().is_empty()) {
+        sink.finish(buffer_.view(true));
+        return;
+    }
+    rows_ =
+        spares ? DrawnRows::under(needed_, buffer_, job_.grid.halo_px) : DrawnRows::all(buffer_);
+    const PixelRect written = rows_.hull(buffer_);
+    if (spares && buffer_.is_inner()) {
+        buffer_.touch(written.y0, written.y1);
+    } else {
+        buffer_.touch();
+    }
+    coarse_.start(buffer_);
+    for (const MeshRun& run : runs_)
+        draw_list(run, run.of(tile));
+    finish(spares ? &needed_ : nullptr, sink);
+}
+
+void MeshTileWorker::finish(const NeededRows* needed, TileSink& sink) {
+    buffer_.finish();
+    buffer_.extend_frame();
+    Tile finished = buffer_.view(false);
+    finished.needed = needed;
+    sink.finish(finished);
+}
+
+/// What flat tiles and stencils are a part of.
+void MeshTileWorker::count_own_pixels() {
+    const PixelRect& own = buffer_.own();
+    ++count_of(skips_, Skip::flat_tiles).of;
+    count_of(skips_, Skip::flat_stencils).of +=
+        static_cast<std::uint64_t>(own.x1 - own.x0) * static_cast<std::uint64_t>(own.y1 - own.y0);
+}
+
+/// Gives the proof a tile's triangles, if they are few and all of them whole ones.
+bool MeshTileWorker::list_whole(int tile) {
+    const SkipSet& skips = job_.input.skips;
+    if (!skips.has(Skip::flat_tiles) && !skips.has(Skip::flat_stencils)) return false;
+    std::size_t count = 0;
+    for (const MeshRun& run : runs_)
+        count += run.of(tile).size();
+    if (count == 0 || count > FlatProof::kMostTriangles) return false;
+    proof_.start();
+    for (const MeshRun& run : runs_) {
+        for (const std::uint32_t entry : run.of(tile)) {
+            if ((entry & kWholeTriangle) == 0) return false;
+            proof_.add(run.whole_batches()->front(), entry & ~kWholeTriangle);
+        }
+    }
+    return true;
+}
+
+bool MeshTileWorker::is_one_triangle() const {
+    return buffer_.is_inner() && proof_.is_flat(buffer_.drawn());
+}
+
+/// Whether the whole tile lies inside one plane.
+bool MeshTileWorker::is_flat() {
+    if (!job_.input.skips.has(Skip::flat_tiles)) return false;
+    if (!is_one_triangle()) return false;
+    ++count_of(skips_, Skip::flat_tiles).skipped;
+    return true;
+}
+
+/// Whether enough of the tile's stencils lie inside one plane to leave them out. A tile that one
+/// triangle fills is for flat_tiles, and drawn where that is not allowed.
+bool MeshTileWorker::find_needed() {
+    if (!job_.input.skips.has(Skip::flat_stencils)) return false;
+    if (!proof_.find_needed(buffer_, job_.grid.halo_px, needed_)) return false;
+    if (needed_.hull().is_empty() && is_one_triangle()) return false;
+    const PixelRect& own = buffer_.own();
+    SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
+    for (std::size_t i = 0; i < kStencilColumns; ++i) {
+        const int x0 = own.x0 + static_cast<int>(i) * kStencilColumn_px;
+        const int width = std::clamp(own.x1 - x0, 0, kStencilColumn_px);
+        pixels.skipped +=
+            static_cast<std::uint64_t>(width * (own.y1 - own.y0 - needed_.of[i].count()));
+    }
+    return true;
+}
+
+/// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
+void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
+    const LaneSource source = run.source();
+    SkipCount& hidden = count_of(skips_, Skip::hidden);
+    hidden.of += list.size();
+    while (!list.empty()) {
+        const std::uint32_t slot = list[0] >> 8;
+        std::size_t count = 1;
+        if ((list[0] & kWholeTriangle) != 0) {
+            draw_lanes(source);
+            look_again(source);
+            draw_whole(*run.whole_batches(), list[0] & ~kWholeTriangle);
+        } else {
+            while (count < list.size() && list[count] >> 8 == slot)
+                ++count;
+            if (count < list.size()) prefetch(source, list[count]);
+            look_again(source);
+            if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
+                hidden.skipped += count;
+            } else {
+                coarse_.announce(count);
+                add_lanes(source, list.first(count));
+            }
+        }
+        list = list.subspan(count);
+    }
+    draw_lanes(source);
+}
+
+/// Has what the next stretch reads on its way, unless it is hidden already.
+void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) const {
+    if ((entry & kWholeTriangle) != 0) return;
+    const LaneSlot& slot = source.slots[entry >> 8];
+    if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
+}
+
+/// Reads the coarse depth again if it is time: between clusters only, and with all before them
+/// drawn, so that what is found hidden does not hang on how clusters were shared out.
+void MeshTileWorker::look_again(const LaneSource& source) {
+    if (!tests_hidden_ || !coarse_.wants_refresh()) return;
+    draw_lanes(source);
+    coarse_.refresh();
+}
+
+/// Gathers triangles until there is a load for the lanes.
+void MeshTileWorker::add_lanes(const LaneSource& source, std::span<const std::uint32_t> entries) {
+    while (!entries.empty()) {
+        const std::size_t count = std::min(entries.size(), LaneTriangles::kCount - lane_count_);
+        std::copy_n(entries.begin(), count, lane_entries_.begin() + lane_count_);
+        lane_count_ += count;
+        entries = entries.subspan(count);
+        if (lane_count_ == LaneTriangles::kCount) draw_lanes(source);
+    }
+}
+
+void MeshTileWorker::draw_lanes(const LaneSource& source) {
+    if (lane_count_ == 0) return;
+    const std::span<const std::uint32_t> entries(lane_entries_.data(), lane_count_);
+    set_up_lanes(job_.format, source, entries, buffer_.drawn(), job_.pull, triangles_);
+    fill_lanes(job_.format, triangles_, buffer_);
+    lane_count_ = 0;
+}
+
+void MeshTileWorker::draw_whole(const std::vector<Batch>& batches, std::uint32_t index) {
+    const SetupTriangle& t = batches.front().triangles[index];
+    if (is_hidden(t.bounds, depth_of(job_, t.q_max))) {
+        ++count_of(skips_, Skip::hidden).skipped;
+        return;
+    }
+    coarse_.announce(kWholeWeight);
+    const BinEntry entry{0, index};
+    const FillJob fill{job_.format, near_far_, batches};
+    if (fill_whole(fill, entry, rows_, buffer_)) return;
+    buffer_.touch();
+    fill_(fill, {&entry, 1}, buffer_);
+}
+
+}  // namespace ink::raster

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "raster/mesh/mesh_pass.h"
+#include "raster/pass/view_transform.h"
+
+namespace ink::raster {
+
+/// What a frame decides about each solid before any of its clusters is looked at.
+struct SolidView {
+    bool hides_backs = false;  ///< sealed, and seen from outside: a face turned away is never seen
+};
+
+/// Looks at every solid once.
+[[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
+
+/// The order in which clusters are drawn: by the distance of their centres in coarse steps, as they
+/// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
+[[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
+
+/// The near plane and the sides of a picture, a pixel outside it: what is snapped may move by a
+/// part of one.
+class PictureSides {
+  public:
+    PictureSides() = default;
+    PictureSides(const ViewTransform& transform, const scene::View& view);
+
+    /// Whether a ball lies beyond one of them, with room for rounding.
+    [[nodiscard]] bool has_outside(const scene::Sphere& ball) const;
+
+  private:
+    ViewTransform transform_;
+    double near_ = 0;
+    double right_px_ = 0;
+    double below_px_ = 0;
+    double lengths_[4] = {};  ///< of the sides' normals: left, right, top, bottom
+};
+
+}  // namespace ink::raster

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "raster/pass/triangle_stage.h"
+
+namespace ink::raster {
+
+/// Where a set-up triangle lies: batches[batch].triangles[index].
+struct BinEntry {
+    std::uint32_t batch = 0;
+    std::uint32_t index = 0;
+};
+
+/// How a picture is cut into tiles of kTileSize_px, row by row; the last ones may be smaller.
+struct TileGrid {
+    int width_px = 0;
+    int height_px = 0;
+    int halo_px = 0;
+
+    [[nodiscard]] int columns() const { return (width_px + kTileSize_px - 1) / kTileSize_px; }
+    [[nodiscard]] int rows() const { return (height_px + kTileSize_px - 1) / kTileSize_px; }
+    [[nodiscard]] int count() const { return columns() * rows(); }
+    /// The tile's own pixels.
+    [[nodiscard]] PixelRect own(int tile) const;
+    /// Own pixels and halo, as far as the picture goes: what is rasterized for it.
+    [[nodiscard]] PixelRect drawn(int tile) const;
+};
+
+/// Whether some edge has the whole rectangle on its outer side.
+[[nodiscard]] inline bool misses(const SetupTriangle& t, const PixelRect& rect) {
+    for (const EdgeFunction& e : t.edges) {
+        const int x = e.dx > 0 ? rect.x1 - 1 : rect.x0;
+        const int y = e.dy > 0 ? rect.y1 - 1 : rect.y0;
+        if (e.at(x, y) < 0) return true;
+    }
+    return false;
+}
+
+/// Calls visit(tile) for the tiles whose drawn pixels the triangle may touch.
+template <class Visit>
+void for_each_tile(const TileGrid& grid, const SetupTriangle& t, Visit visit) {
+    const int column0 = std::max(t.bounds.x0 - grid.halo_px, 0) / kTileSize_px;
+    const int row0 = std::max(t.bounds.y0 - grid.halo_px, 0) / kTileSize_px;
+    const int column1 =
+        std::min((t.bounds.x1 - 1 + grid.halo_px) / kTileSize_px, grid.columns() - 1);
+    const int row1 = std::min((t.bounds.y1 - 1 + grid.halo_px) / kTileSize_px, grid.rows() - 1);
+    // A box of one row or column of tiles has no corner tiles that a triangle could miss by much.
+    const bool is_wide = column1 > column0 && row1 > row0;
+    for (int row = row0; row <= row1; ++row) {
+        for (int column = column0; column <= column1; ++column) {
+            const int tile = row * grid.columns() + column;
+            if (!is_wide || !misses(t, grid.drawn(tile))) visit(static_cast<std::size_t>(tile));
+        }
+    }
+}
+
+/// For every tile the triangles that may touch its drawn pixels, in submission order.
+class Bins {
+  public:
+    /// A triangle is in a tile's list if its bounds meet the tile's drawn pixels and none of its
+    /// edges has all of them on the outer side.
+    Bins(const TileGrid& grid, const std::vector<Batch>& batches, int threads);
+
+    [[nodiscard]] std::span<const BinEntry> of(int tile) const {
+        const auto at = static_cast<std::size_t>(tile);
+        return {entries_.data() + first_[at], first_[at + 1] - first_[at]};
+    }
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
+
+  private:
+    std::vector<BinEntry> entries_;
+    std::vector<std::size_t> first_;  ///< per tile, and the end
+};
+
+}  // namespace ink::raster

@@ -1,0 +1,122 @@
+#include "raster/pass/pass.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "core/parallel.h"
+#include "raster/pass/bin.h"
+#include "raster/pass/tile_buffer.h"
+#include "raster/pass/tile_fill.h"
+#include "raster/pass/triangle_stage.h"
+
+namespace ink::raster {
+namespace {
+
+/// What the types cannot say; every breach is a caller's bug.
+void check(const PassFormat& format, const PassInput& input) {
+    [[maybe_unused]] const std::size_t values =
+        input.p_clip.size() * static_cast<std::size_t>(format.interpolants);
+    assert(format.halo_px >= 0 && format.halo_px <= kMaxHalo_px);
+    assert(input.near > 0 && std::isfinite(input.near));
+    assert(format.depth == DepthFormat::q32 || input.far > input.near);
+    assert(input.values.size() >= values);
+    assert(input.values_back.empty() || input.values_back.size() >= values);
+    assert(input.facing.empty() || input.facing.size() == input.triangles.size());
+    assert(!format.constant || input.constants.size() == input.triangles.size());
+    assert(format.interpolants > 0 || format.store == Store::none || format.constant);
+    assert(!format.constant || format.store != Store::f32);
+}
+
+void add(PassStats& to, const PassStats& from) {
+    to.triangles += from.triangles;
+    to.triangles_clipped += from.triangles_clipped;
+    to.triangles_outside += from.triangles_outside;
+    to.triangles_no_sample += from.triangles_no_sample;
+    to.triangles_binned += from.triangles_binned;
+    to.samples_covered += from.samples_covered;
+    to.samples_kept += from.samples_kept;
+    to.tiles += from.tiles;
+    to.tiles_empty += from.tiles_empty;
+}
+
+/// One thread's share of the tiles: it takes the next one until none is left.
+class TileWorker {
+  public:
+    TileWorker(const FillJob& job, const TileGrid& grid, const Bins& bins)
+        : job_(job), grid_(grid), bins_(bins), fill_(fill_function(job.format)) {}
+
+    void run(std::atomic<int>& next_tile, TileSink& sink, PassStats& stats) const {
+        TileBuffer buffer(job_.format, job_.input, grid_);
+        for (int tile = next_tile++; tile < grid_.count(); tile = next_tile++) {
+            buffer.start(tile);
+            if (!bins_.of(tile).empty()) buffer.touch();
+            const FillCounts counts = fill_(job_, bins_.of(tile), buffer);
+            const bool is_empty = counts.kept == 0;
+            buffer.finish();
+            if (!is_empty) buffer.extend_frame();
+            sink.finish(buffer.view(is_empty));
+            ++stats.tiles;
+            stats.tiles_empty += is_empty ? 1 : 0;
+            stats.samples_covered += counts.covered;
+            stats.samples_kept += counts.kept;
+        }
+    }
+
+  private:
+    const FillJob& job_;
+    const TileGrid& grid_;
+    const Bins& bins_;
+    FillTile fill_;
+};
+
+}  // namespace
+
+int PassFormat::bytes_per_px() const {
+    const int depth_bytes = depth == DepthFormat::q32 ? 4 : depth == DepthFormat::z24 ? 3 : 2;
+    switch (store) {
+        case Store::none:
+            return depth_bytes;
+        case Store::u8:
+            return depth_bytes + planes();
+        case Store::u16:
+            return depth_bytes + 2 * planes();
+        case Store::u32:
+        case Store::f32:
+            break;
+    }
+    return depth_bytes + 4 * planes();
+}
+
+PassStats draw_pass(const PassFormat& format,
+                    const PassInput& input,
+                    int width_px,
+                    int height_px,
+                    int threads,
+                    TileSink& sink) {
+    assert(width_px >= 0 && height_px >= 0);
+    check(format, input);
+    PassStats stats;
+    if (width_px == 0 || height_px == 0) return stats;
+
+    const TileGrid grid{width_px, height_px, format.halo_px};
+    const std::vector<Batch> batches =
+        set_up_batches(format, input, {0, 0, width_px, height_px}, threads);
+    const Bins bins(grid, batches, threads);
+    for (const Batch& batch : batches)
+        add(stats, batch.stats);
+    stats.triangles_binned = bins.size();
+
+    const FillJob job{format, input, batches};
+    const TileWorker worker(job, grid, bins);
+    std::atomic<int> next_tile = 0;
+    std::vector<PassStats> shares(static_cast<std::size_t>(std::clamp(threads, 1, grid.count())));
+    core::parallel_for(
+        shares.size(), threads, [&](std::size_t i) { worker.run(next_tile, sink, shares[i]); });
+    for (const PassStats& share : shares)
+        add(stats, share);
+    return stats;
+}
+
+}  // namespace ink::raster

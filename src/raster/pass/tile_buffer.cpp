@@ -1,0 +1,167 @@
+#include "raster/pass/tile_buffer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+#include "raster/mesh/lane_narrow.h"
+
+namespace ink::raster {
+namespace {
+
+/// Rows, and a vector more: one that starts at a row's last pixel ends in the next row's margin.
+constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows + 16;
+
+/// The bits of one sky element while it is drawn.
+std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
+    switch (format.store) {
+        case Store::u8:
+            return input.sky_code[plane] & 0xffU;
+        case Store::u16:
+            return input.sky_code[plane] & 0xffffU;
+        case Store::u32:
+            return input.sky_code[plane];
+        case Store::f32:
+            return std::bit_cast<std::uint32_t>(input.sky_f32[plane]);
+        case Store::none:
+            break;
+    }
+    return 0;
+}
+
+/// Elements [begin, end) of a plane of 32 bits.
+void fill_words(AlignedArray<std::byte>& memory,
+                std::size_t begin,
+                std::size_t end,
+                std::uint32_t word) {
+    const auto byte = static_cast<int>(word & 0xffU);
+    auto* const words = reinterpret_cast<std::uint32_t*>(memory.data());
+    if (word == 0x01010101U * (word & 0xffU)) {  // nearly always: the library has wider stores
+        std::memset(words + begin, byte, (end - begin) * sizeof(std::uint32_t));
+    } else {
+        std::fill(words + begin, words + end, word);
+    }
+}
+
+}  // namespace
+
+TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid)
+    : format_(format), grid_(grid) {
+    depth_.resize(kElements * sizeof(std::uint32_t));
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format.planes()); ++plane) {
+        sky_[plane] = sky_bits(format, input, plane);
+        planes_[plane].resize(kElements * element_bytes());
+        if (is_narrowed()) wide_[plane].resize(kElements * sizeof(std::uint32_t));
+    }
+}
+
+std::size_t TileBuffer::element_bytes() const {
+    switch (format_.store) {
+        case Store::u8:
+            return 1;
+        case Store::u16:
+            return 2;
+        default:
+            return 4;
+    }
+}
+
+void TileBuffer::start(int tile) {
+    own_ = grid_.own(tile);
+    drawn_ = grid_.drawn(tile);
+    if (is_clean()) return;
+    // 0 is infinity in every depth format, float included.
+    fill_words(depth_, dirty_begin(), dirty_end(), 0);
+    for (int plane = 0; plane < format_.planes(); ++plane) {
+        const std::uint32_t sky = sky_[static_cast<std::size_t>(plane)];
+        fill_words(drawn_plane(plane), dirty_begin(), dirty_end(), sky);
+    }
+    dirty_begin_ = kTileRows;
+    dirty_end_ = 0;
+}
+
+std::size_t TileBuffer::dirty_end() const {
+    const std::size_t end = static_cast<std::size_t>(dirty_end_) * kTileStride;
+    return dirty_end_ == kTileRows ? kElements : end;
+}
+
+void TileBuffer::exchange(TilePixels& other) {
+    other.depth.resize(depth_.size());
+    std::swap(depth_, other.depth);
+    for (int plane = 0; plane < format_.planes(); ++plane) {
+        Memory& pixels = other.planes[static_cast<std::size_t>(plane)];
+        pixels.resize(drawn_plane(plane).size());
+        std::swap(drawn_plane(plane), pixels);
+    }
+    touch();
+}
+
+void TileBuffer::resume(int tile, TilePixels& from) {
+    own_ = grid_.own(tile);
+    drawn_ = grid_.drawn(tile);
+    exchange(from);
+}
+
+void TileBuffer::finish() {
+    if (!is_narrowed() || (is_clean() && shows_sky_)) return;
+    shows_sky_ = is_clean();
+    // All of a tile that holds sky alone: what was drawn before is still there.
+    const std::size_t begin = is_clean() ? 0 : dirty_begin();
+    const std::size_t count = (is_clean() ? kElements : dirty_end()) - begin;
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
+        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data()) + begin;
+        if (format_.store == Store::u8) {
+            narrow(from, count, reinterpret_cast<std::uint8_t*>(planes_[plane].data()) + begin);
+        } else {
+            narrow(from, count, reinterpret_cast<std::uint16_t*>(planes_[plane].data()) + begin);
+        }
+    }
+}
+
+void TileBuffer::extend_frame_of(Memory& memory, std::size_t bytes_per_element) const {
+    std::byte* const bytes = memory.data();
+    const auto pixel = [&](int x, int y) {
+        return bytes + (offset(y) + x) * static_cast<std::ptrdiff_t>(bytes_per_element);
+    };
+    const int left = own_.x0 - grid_.halo_px;
+    const int right = own_.x1 + grid_.halo_px;
+    for (int y = drawn_.y0; y < drawn_.y1; ++y) {
+        for (int x = left; x < drawn_.x0; ++x)
+            std::memcpy(pixel(x, y), pixel(drawn_.x0, y), bytes_per_element);
+        for (int x = drawn_.x1; x < right; ++x)
+            std::memcpy(pixel(x, y), pixel(drawn_.x1 - 1, y), bytes_per_element);
+    }
+    const std::size_t row_bytes = static_cast<std::size_t>(right - left) * bytes_per_element;
+    for (int y = own_.y0 - grid_.halo_px; y < drawn_.y0; ++y)
+        std::memcpy(pixel(left, y), pixel(left, drawn_.y0), row_bytes);
+    for (int y = drawn_.y1; y < own_.y1 + grid_.halo_px; ++y)
+        std::memcpy(pixel(left, y), pixel(left, drawn_.y1 - 1), row_bytes);
+}
+
+void TileBuffer::extend_frame() {
+    if (is_inner()) return;
+    extend_frame_of(depth_, sizeof(std::uint32_t));
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane)
+        extend_frame_of(planes_[plane], element_bytes());
+}
+
+Tile TileBuffer::view(bool is_empty) const {
+    Tile tile;
+    tile.x0_px = own_.x0;
+    tile.y0_px = own_.y0;
+    tile.width_px = own_.x1 - own_.x0;
+    tile.height_px = own_.y1 - own_.y0;
+    tile.halo_px = grid_.halo_px;
+    tile.is_empty = is_empty;
+    tile.stride = kTileStride;
+    constexpr std::size_t kOrigin =
+        static_cast<std::size_t>(kMaxHalo_px) * kTileStride + kTileMargin_px;
+    for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
+        tile.planes[plane] = planes_[plane].data() + kOrigin * element_bytes();
+    }
+    tile.depth = depth_.data() + kOrigin * sizeof(std::uint32_t);
+    return tile;
+}
+
+}  // namespace ink::raster

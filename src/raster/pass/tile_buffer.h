@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+
+#include "raster/pass/aligned_array.h"
+#include "raster/pass/bin.h"
+#include "raster/pass/pass.h"
+
+namespace ink::raster {
+
+/// Columns on either side of a tile's own: its halo, rounded up to a vector of pixels, so that
+/// vectors that start at multiples of 8 px start at aligned addresses and never leave the row.
+inline constexpr int kTileMargin_px = 8;
+
+/// Elements from one row of a tile buffer to the next, the same in every plane.
+inline constexpr int kTileStride = kTileSize_px + 2 * kTileMargin_px;
+inline constexpr int kTileRows = kTileSize_px + 2 * kMaxHalo_px;
+
+/// The pixels of a tile that is put aside half drawn, as bytes aligned for any vector.
+struct TilePixels {
+    AlignedArray<std::byte> depth;
+    std::array<AlignedArray<std::byte>, kMaxPlanes> planes;
+};
+
+/// The pixels of one tile and its halo while it is drawn. One per thread, used for tile after tile.
+class TileBuffer {
+  public:
+    TileBuffer(const PassFormat& format, const PassInput& input, const TileGrid& grid);
+
+    /// Makes it the buffer of `tile`, holding nothing but sky. What nobody wrote to since it was
+    /// last cleared is not cleared again.
+    void start(int tile);
+    /// Says that something is about to be written: anywhere, or (in an inner tile) in rows [y0, y1)
+    /// of the picture only. Those rows alone are then cleared by start() and made narrow by
+    /// finish().
+    void touch() { touch_rows(0, kTileRows); }
+    void touch(int y0, int y1) {
+        touch_rows(y0 - own_.y0 + kMaxHalo_px, y1 - own_.y0 + kMaxHalo_px);
+    }
+    /// Puts the tile aside as it is, for resume().
+    void put_aside(TilePixels& to) { exchange(to); }
+    /// Goes on with a tile that was put aside; what it was in is scratch then.
+    void resume(int tile, TilePixels& from);
+    /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
+    void extend_frame();
+    /// How a sink sees it.
+    [[nodiscard]] Tile view(bool is_empty) const;
+
+    /// The tile's own pixels, and those to rasterize, in the picture's coordinates.
+    [[nodiscard]] const PixelRect& own() const { return own_; }
+    [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
+
+    /// Whether the picture goes on beyond the tile on every side, halo included.
+    [[nodiscard]] bool is_inner() const {
+        const int halo = grid_.halo_px;
+        return drawn_.x0 == own_.x0 - halo && drawn_.x1 == own_.x1 + halo &&
+               drawn_.y0 == own_.y0 - halo && drawn_.y1 == own_.y1 + halo;
+    }
+
+    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is
+    /// float or uint32 for depth.
+    template <class T>
+    [[nodiscard]] T* depth_row(int y) {
+        return reinterpret_cast<T*>(depth_.data()) + offset(y);
+    }
+    /// The same of an f32 plane, or of one of u32.
+    template <class T>
+    [[nodiscard]] T* plane_row(int plane, int y) {
+        static_assert(sizeof(T) == sizeof(std::uint32_t));
+        return reinterpret_cast<T*>(drawn_plane(plane).data()) + offset(y);
+    }
+    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32
+    /// bits, so that depth and code have the same lanes; finish() makes them as narrow as the
+    /// store.
+    [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
+        return plane_row<std::uint32_t>(plane, y);
+    }
+    /// Makes the planes what a sink is shown: codes in the store's type. Needed before view(), for
+    /// an empty tile too.
+    void finish();
+
+  private:
+    /// Plain bytes, aligned for any vector; whoever writes elements gives them a type.
+    using Memory = AlignedArray<std::byte>;
+
+    [[nodiscard]] std::ptrdiff_t offset(int y) const {
+        return static_cast<std::ptrdiff_t>(y - own_.y0 + kMaxHalo_px) * kTileStride +
+               kTileMargin_px - own_.x0;
+    }
+    [[nodiscard]] std::size_t element_bytes() const;
+    [[nodiscard]] bool is_narrowed() const { return element_bytes() < sizeof(std::uint32_t); }
+    [[nodiscard]] Memory& drawn_plane(int plane) {
+        const auto at = static_cast<std::size_t>(plane);
+        return is_narrowed() ? wide_[at] : planes_[at];
+    }
+    void touch_rows(int first, int end) {
+        assert(0 <= first && first <= end && end <= kTileRows);
+        dirty_begin_ = std::min(dirty_begin_, first);
+        dirty_end_ = std::max(dirty_end_, end);
+    }
+    [[nodiscard]] bool is_clean() const { return dirty_begin_ >= dirty_end_; }
+    /// The dirty rows as elements of a plane.
+    [[nodiscard]] std::size_t dirty_begin() const {
+        return static_cast<std::size_t>(dirty_begin_) * kTileStride;
+    }
+    [[nodiscard]] std::size_t dirty_end() const;
+    void exchange(TilePixels& other);
+    void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
+
+    const PassFormat& format_;
+    TileGrid grid_;
+    PixelRect own_;
+    PixelRect drawn_;
+    std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
+    /// Rows outside these hold nothing but sky.
+    int dirty_begin_ = 0;
+    int dirty_end_ = kTileRows;
+    bool shows_sky_ = false;  ///< the narrowed planes hold nothing but sky
+    Memory depth_;
+    std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them
+    std::array<Memory, kMaxPlanes> wide_;    ///< codes of u8 and u16 while they are drawn
+};
+
+}  // namespace ink::raster

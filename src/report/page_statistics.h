@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiment/summary.h"
+#include "experiment/sweep_summary.h"
+#include "harness/row.h"
+
+namespace ink::report {
+
+/// Chance, thresholds (ODS, OIS, AP) and the ladder of tolerances as an HTML table with what the
+/// words mean below; "" if there is nothing of it.
+[[nodiscard]] std::string statistics_html(const std::vector<experiment::MethodSummary>& summaries);
+
+/// The matrix of leads as an HTML table, those beyond chance in bold; "" with fewer than two
+/// methods.
+[[nodiscard]] std::string leads_html(const std::vector<harness::Row>& rows);
+
+/// The settings on each method's front, from the fastest to the best, as an HTML table; "" without
+/// a sweep.
+[[nodiscard]] std::string fronts_html(const experiment::Fronts& fronts);
+
+}  // namespace ink::report

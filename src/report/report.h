@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+#include "experiment/cost_model.h"
+#include "harness/row.h"
+#include "linear_code/cancellation.h"
+#include "score/attribution.h"
+#include "statistics/ods.h"
+#include "studies/motion_rows.h"
+#include "studies/roll_study.h"
+#include "studies/scaling.h"
+#include "studies/skip_study.h"
+
+namespace ink::report {
+
+/// A method's picture on one view, kept for the report.
+struct MethodPicture {
+    std::string method;
+    edge::EdgeImage strength;
+    int threshold = 128;                        ///< the strength at which it was scored
+    std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
+};
+
+/// One view that the report shows whole: truth and methods side by side.
+struct ShownView {
+    std::string scene;
+    std::string view;
+    core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
+    std::vector<harness::MethodPicture> pictures;
+};
+
+/// Everything a report says.
+struct ReportData {
+    std::string command;  ///< how it was made, as the user typed it
+    std::vector<harness::Row> rows;
+    std::vector<harness::ShownView> views;  ///< one per scene, to keep the page under 20 MB
+    double elapsed_s = 0;
+    std::vector<statistics::CellCurve> curves =
+        {};  ///< of the methods' cells: what ODS, OIS and AP come from
+    std::vector<harness::Row> sweep = {};  ///< a row per setting, method and swept view
+    experiment::CostFit cost_fit = {};     ///< what the rows' predicted times were made from
+    std::vector<studies::ScalingPoint> scaling = {};  ///< how times grow, if that was asked for
+    std::vector<studies::SkipTime> skip_study = {};   ///< what skips are worth, if that was asked
+    std::vector<studies::MotionRow> motion = {};      ///< of sequences, if that was asked
+    std::vector<studies::RollCurve> rolls = {};       ///< of the cube roll, with them
+    std::vector<linear_code::CancellationRow> cancellation =
+        {};  ///< of methods that declare a code
+};
+
+/// Writes a self-contained page: verdict table, error against time, per-class bars, truth and
+/// method side by side with the errors in colour, every row, provenance. No file beside it, no
+/// network.
+///
+/// Written beside `path` and renamed, so a reader never sees half a page. Throws core::Error if it
+/// cannot be written.
+void write_report(const ReportData& data, const std::filesystem::path& path);
+
+}  // namespace ink::report

@@ -1,0 +1,136 @@
+#include "report/statistics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/cell.h"
+#include "report/verdict.h"
+
+namespace ink::report {
+namespace {
+
+std::string format_signed(double value) {
+    return fmt::format("{}{}", value < 0 ? '-' : '+', format_share(std::abs(value)));
+}
+
+bool any(const std::vector<experiment::MethodSummary>& summaries,
+         bool (*has)(const experiment::MethodSummary&)) {
+    return std::any_of(summaries.begin(), summaries.end(), has);
+}
+
+TextColumn curve_column(std::string heading, double (*value)(const statistics::CurveSummary&)) {
+    return {std::move(heading), [value](const experiment::MethodSummary& s) {
+                return s.curve ? format_share(value(*s.curve)) : "-";
+            }};
+}
+
+void add_threshold_columns(std::vector<TextColumn>& columns) {
+    columns.push_back({"threshold", [](const experiment::MethodSummary& s) {
+                           return s.threshold ? fmt::format("{}", *s.threshold) : "-";
+                       }});
+    columns.push_back({"best", [](const experiment::MethodSummary& s) {
+                           return s.curve ? fmt::format("{}", s.curve->ods.threshold) : "-";
+                       }});
+    columns.push_back(
+        curve_column("ODS", [](const statistics::CurveSummary& c) { return c.ods.f; }));
+    columns.push_back(curve_column("OIS", [](const statistics::CurveSummary& c) { return c.ois; }));
+    columns.push_back(curve_column("AP", [](const statistics::CurveSummary& c) { return c.ap; }));
+}
+
+const experiment::MethodSummary* find(const std::vector<experiment::MethodSummary>& summaries,
+                                      const std::string& method) {
+    const auto found = std::find_if(
+        summaries.begin(), summaries.end(), [&](const auto& s) { return s.method == method; });
+    return found == summaries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<TextColumn> statistics_columns(
+    const std::vector<experiment::MethodSummary>& summaries) {
+    std::vector<TextColumn> columns;
+    if (any(summaries, [](const experiment::MethodSummary& s) { return s.f_chance.has_value(); })) {
+        columns.push_back(share_column("chance", &experiment::MethodSummary::f_chance));
+    }
+    if (any(summaries, [](const experiment::MethodSummary& s) { return s.curve.has_value(); })) {
+        add_threshold_columns(columns);
+    }
+    if (any(summaries, [](const experiment::MethodSummary& s) { return !s.f_ladder.empty(); })) {
+        for (std::size_t i = 0; i < harness::kLadder_px.size(); ++i) {
+            columns.push_back({fmt::format("{} px", harness::kLadder_px[i]),
+                               [i](const experiment::MethodSummary& s) {
+                                   return i < s.f_ladder.size() ? format_share(s.f_ladder[i]) : "-";
+                               }});
+        }
+    }
+    return columns;
+}
+
+std::string format_lead(const experiment::Lead& lead) {
+    if (!lead.range) return format_signed(lead.difference);
+    return fmt::format("{} [{}, {}]",
+                       format_signed(lead.difference),
+                       format_signed(lead.range->low),
+                       format_signed(lead.range->high));
+}
+
+core::Cells lead_cells(const std::vector<experiment::Lead>& leads) {
+    std::vector<std::string> methods;
+    for (const experiment::Lead& lead : leads) {
+        if (std::find(methods.begin(), methods.end(), lead.a) == methods.end()) {
+            methods.push_back(lead.a);
+        }
+    }
+    if (methods.empty()) return {};
+    core::Cells cells(1, {"leads by"});
+    cells[0].insert(cells[0].end(), methods.begin(), methods.end());
+    for (const std::string& a : methods) {
+        std::vector<std::string>& line = cells.emplace_back(1, a);
+        for (const std::string& b : methods) {
+            const auto lead =
+                std::find_if(leads.begin(), leads.end(), [&](const experiment::Lead& l) {
+                    return l.a == a && l.b == b;
+                });
+            line.push_back(lead == leads.end() ? "" : experiment::format_lead(*lead));
+        }
+    }
+    return cells;
+}
+
+const std::vector<std::pair<std::string, std::string>>& definitions() {
+    static const std::vector<std::pair<std::string, std::string>> kDefinitions = {
+        {"F", "matched pixels, counted twice, over drawn plus true ones, of all views together"},
+        {"95 %", "where F would lie for other scenes like these: scenes drawn again 2000 times"},
+        {"macro", "mean over scenes, each counting alike; F counts every pixel alike"},
+        {"chance", "F of a random picture of as many pixels"},
+        {"threshold", "of strength, at which the method is scored"},
+        {"best", "the threshold with the highest F over these views, which is ODS"},
+        {"OIS", "F if every view had its own best threshold"},
+        {"AP", "area under precision against recall over all thresholds"},
+        {"1 px .. 4 px", "F with matches at most so far apart"},
+    };
+    return kDefinitions;
+}
+
+std::string threshold_lines(const std::vector<harness::Row>& rows,
+                            const std::vector<statistics::CellCurve>& curves) {
+    const std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    std::string lines;
+    for (const statistics::OdsPoint& point : statistics::ods_on_training(curves)) {
+        const experiment::MethodSummary* s = find(summaries, point.method);
+        lines += fmt::format("{}: best threshold over these training scenes {} (F {} pooled)",
+                             point.method,
+                             point.threshold,
+                             format_share(point.f));
+        if (s != nullptr && s->threshold && s->f_train) {
+            lines +=
+                fmt::format("; its own, {}, has F {}", *s->threshold, format_share(s->f_train));
+        }
+        lines += '\n';
+    }
+    return lines;
+}
+
+}  // namespace ink::report

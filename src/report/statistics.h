@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiment/leads.h"
+#include "experiment/summary.h"
+#include "harness/row.h"
+#include "report/text_table.h"
+#include "statistics/ods.h"
+
+namespace ink::report {
+
+/// What goes beyond the pooled F: chance, thresholds (ODS, OIS, AP) and the ladder of tolerances.
+/// Columns that no summary has anything for are left out; none is left if nothing is.
+[[nodiscard]] std::vector<TextColumn> statistics_columns(
+    const std::vector<experiment::MethodSummary>& summaries);
+
+/// "+.012 [+.002, +.021]"; the difference alone where there is no interval.
+[[nodiscard]] std::string format_lead(const experiment::Lead& lead);
+
+/// The matrix of leads: a line per method, best first, by how much it leads each other. Empty with
+/// fewer than two methods.
+[[nodiscard]] core::Cells lead_cells(const std::vector<experiment::Lead>& leads);
+
+/// What the words in the tables mean, a sentence each, in the order in which they appear.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& definitions();
+
+/// A line per method: the best threshold over the training scenes, F at it and at the method's own.
+/// "" if no training scene took part.
+[[nodiscard]] std::string threshold_lines(const std::vector<harness::Row>& rows,
+                                          const std::vector<statistics::CellCurve>& curves);
+
+}  // namespace ink::report

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "score/motion.h"
+
+namespace ink::studies {
+
+/// How one method's lines behave on one sequence: a line of motion.csv.
+struct MotionRow {
+    std::string scene;
+    std::string path;  ///< scene::name of its kind
+    std::string method = {};
+    std::string params = {};
+    std::string status = "ok";
+    int width_px = 0;
+    int height_px = 0;
+    int threads = 1;
+    int frames = 0;
+    double frames_per_s = 60;
+    double step_px = 0;  ///< by which the picture moves a frame
+    score::Flicker flicker = {};
+    score::PopCount pops = {};
+    std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
+    std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
+    std::string images_hash = {};          ///< of all its pictures
+
+    [[nodiscard]] bool is_ok() const { return status == "ok"; }
+};
+
+/// A method's counts over all its sequences that did not fail.
+struct MotionTotal {
+    std::string method = {};
+    int sequences = 0;
+    int failed = 0;
+    int frames = 0;
+    double frames_per_s = 60;
+    score::Flicker flicker = {};
+    score::PopCount pops = {};
+    std::vector<std::int64_t> lives = {};
+
+    [[nodiscard]] std::int64_t false_lines() const;
+};
+
+/// One total per method, in order of first appearance.
+[[nodiscard]] std::vector<MotionTotal> motion_totals(const std::vector<MotionRow>& rows);
+
+/// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
+/// with one is void.
+[[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);
+
+/// motion.csv, heading and line breaks included.
+[[nodiscard]] std::string motion_csv(const std::vector<MotionRow>& rows);
+
+}  // namespace ink::studies

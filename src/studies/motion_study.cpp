@@ -1,0 +1,274 @@
+#include "studies/motion_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <memory>
+#include <new>
+
+#include "catalogue/catalogue.h"
+#include "core/hash.h"
+#include "core/parallel.h"
+#include "core/progress.h"
+#include "harness/interrupt.h"
+#include "scene/animation.h"
+#include "score/drawing.h"
+#include "truth/truth_cache.h"
+
+namespace ink::studies {
+namespace {
+
+constexpr double kStep_px = 0.25;
+constexpr int kFrames = 24;
+constexpr int kWidth_px = 640;
+constexpr int kHeight_px = 360;
+
+/// One method's pictures of a sequence as they are scored.
+struct Record {
+    std::vector<score::MotionFrame> frames;
+    std::vector<std::vector<score::FeatureSight>> sights;
+    core::Hasher pictures;
+    std::string failure;
+};
+
+/// One picture of one frame, to be thinned and listed.
+struct Picture {
+    const edge::EdgeImage& strength;
+    int threshold;
+    Record& record;
+};
+
+void take(const Picture& picture, const truth::Truth& traced, const score::ScoringTruth& scoring) {
+    const score::ScoreOptions options = harness::score_options(picture.threshold);
+    const score::Strokes strokes =
+        score::make_strokes(picture.strength, picture.threshold, options);
+    Record& record = picture.record;
+    record.frames.push_back(score::motion_frame(strokes.thinned, scoring, options));
+    record.sights.push_back(score::see_features(traced.curves, strokes.thinned, scoring, options));
+    record.pictures.bytes(picture.strength.data(), picture.strength.size());
+}
+
+/// A sequence under way: methods made ready, records that grow frame by frame.
+class Run {
+  public:
+    Run(const std::vector<harness::Entrant>& entrants,
+        Sequence& sequence,
+        const MotionOptions& options)
+        : sequence_(sequence), options_(options), records_(entrants.size() + 2) {
+        options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
+        for (const harness::Entrant& entrant : entrants)
+            methods_.push_back(std::make_unique<harness::PreparedMethod>(entrant, sequence.scene));
+    }
+
+    void draw_all() {
+        for (int frame = 0; frame < sequence_.path.frame_count; ++frame) {
+            if (harness::is_interrupted() || !records_.back().failure.empty()) return;
+            const scene::PathFrame at = scene::frame_at(sequence_.path, frame);
+            if (frame == 0 || sequence_.pose) model_.reset();
+            if (sequence_.pose) pose(at.time_s);
+            if (!model_) model_.emplace(sequence_.scene, options_.trace.truth);
+            draw(at.view);
+        }
+    }
+
+    [[nodiscard]] std::vector<MotionRow> rows() const {
+        std::vector<MotionRow> rows;
+        for (std::size_t i = 0; i < records_.size(); ++i) {
+            MotionRow row = place();
+            if (i < methods_.size()) {
+                const harness::Row of_cell = methods_[i]->row();
+                row.method = of_cell.method;
+                row.params = of_cell.params;
+            } else {
+                row.method = i == methods_.size() ? "sampled" : "oracle";
+            }
+            fill(records_[i], row);
+            rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+  private:
+    void pose(double time_s) {
+        sequence_.pose(sequence_.scene, time_s);
+        for (std::size_t i = 0; i < methods_.size(); ++i) {
+            if (!methods_[i]->failure().empty() || !records_[i].failure.empty()) continue;
+            try {
+                methods_[i]->method().pose(sequence_.scene);
+            } catch (const std::exception& error) {
+                records_[i].failure = error.what();
+            }
+        }
+    }
+
+    void draw(const scene::View& view) {
+        truth::Truth traced;
+        try {
+            traced = truth::cached_truth(*model_, view, options_.trace.cache);
+        } catch (const truth::TooLarge& reason) {
+            fail(fmt::format("too_large: {}", reason.what()));
+            return;
+        } catch (const std::bad_alloc&) {
+            fail("too_large: no memory to trace the truth");
+            return;
+        }
+        const score::ScoringTruth scoring = unbanded_truth(traced);
+        std::vector<edge::EdgeImage> drawn;
+        const std::vector<harness::DrawTimes> times =
+            harness::draw_in_turns(methods_, view, options_.measure, drawn);
+        std::vector<Picture> pictures;
+        for (std::size_t i = 0; i < methods_.size(); ++i) {
+            if (!times[i].failure.empty()) records_[i].failure = times[i].failure;
+            pictures.push_back({drawn[i], methods_[i]->threshold(), records_[i]});
+        }
+        pictures.push_back({traced.sampled, 128, records_[methods_.size()]});
+        pictures.push_back({scoring.labels, 1, records_.back()});
+        core::parallel_for(pictures.size(), core::hardware_threads(), [&](std::size_t i) {
+            if (pictures[i].record.failure.empty()) take(pictures[i], traced, scoring);
+        });
+    }
+
+    void fail(const std::string& reason) {
+        for (Record& record : records_) {
+            if (record.failure.empty()) record.failure = reason;
+        }
+    }
+
+    [[nodiscard]] MotionRow place() const {
+        const scene::CameraPath& path = sequence_.path;
+        return {.scene = sequence_.scene.name,
+                .path = std::string(scene::name(path.kind)),
+                .width_px = path.start.width_px,
+                .height_px = path.start.height_px,
+                .threads = options_.measure.threads,
+                .frames = path.frame_count,
+                .frames_per_s = path.frames_per_s,
+                .step_px = sequence_.step_px};
+    }
+
+    static void fill(const Record& record, MotionRow& row) {
+        if (!record.failure.empty()) {
+            row.status = record.failure;
+            return;
+        }
+        const auto lines = score::false_lines(record.frames, harness::kTolerance_px);
+        row.flicker = score::flicker(record.frames, harness::kTolerance_px);
+        row.pops = score::count_pops(record.sights);
+        row.lives = score::life_counts(lines);
+        row.lives_cut =
+            std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line.is_cut; });
+        row.images_hash = record.pictures.hex();
+    }
+
+    Sequence& sequence_;
+    MotionOptions options_;
+    std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
+    std::vector<Record> records_;  ///< the methods', then `sampled` and `oracle`
+    std::optional<truth::SceneModel> model_;
+};
+
+/// A scene of the catalogue from its second view, and how the camera goes on from there.
+Sequence sequence_of(const std::string& name, scene::PathKind kind, scene::View size) {
+    Sequence sequence{.scene = catalogue::make_catalogue_scene(name), .step_px = kStep_px};
+    size.camera = sequence.scene.cameras.at(1);
+    sequence.path = scene::make_path(kind, size, scene::bounding_sphere(sequence.scene), kStep_px);
+    return sequence;
+}
+
+/// How fast the picture moves where it moves fastest at the start: over the first 60th of a second.
+double speed_px_per_s(scene::Scene scene, const scene::View& view) {
+    constexpr double kMoment_s = 1.0 / 60;
+    const scene::Projection projection(view);
+    std::vector<glm::dvec2> before;
+    double most_px = 0;
+    for (const double time_s : {0.0, kMoment_s}) {
+        scene::pose_scene(scene, time_s);
+        std::size_t n = 0;
+        for (const scene::Instance& instance : scene.instances) {
+            for (const glm::vec3& p_object : scene.meshes[instance.mesh].positions) {
+                const glm::dvec3 p = projection.to_clip(scene::to_world(instance, p_object));
+                const glm::dvec2 p_px(p.x / p.z, p.y / p.z);
+                if (time_s == 0) before.push_back(p_px);
+                most_px = std::max(most_px, glm::length(p_px - before[n++]));
+            }
+        }
+    }
+    return most_px / kMoment_s;
+}
+
+/// An animated scene of the catalogue before its second view, which stands still: so many times
+/// slower than it is that what moves fastest moves by the step at most.
+Sequence sequence_of_motion(const std::string& name, scene::View size) {
+    Sequence sequence = sequence_of(name, scene::PathKind::still, size);
+    scene::CameraPath& path = sequence.path;
+    constexpr int kPoses = 16;
+    std::vector<double> times_s;
+    for (int i = 0; i <= kPoses; ++i)
+        times_s.push_back(sequence.scene.animation->duration_s * i / kPoses);
+    path.bounds = scene::bounds_of_poses(sequence.scene, times_s);
+    const double most_px_per_s = kStep_px * path.frames_per_s;
+    const double times = std::ceil(speed_px_per_s(sequence.scene, path.start) / most_px_per_s);
+    sequence.pose = [times](scene::Scene& scene, double time_s) {
+        scene::pose_scene(scene, time_s / times);
+    };
+    return sequence;
+}
+
+}  // namespace
+
+score::ScoringTruth unbanded_truth(const truth::Truth& traced) {
+    score::ScoreOptions options = harness::score_options(1);
+    options.band_px = 0;
+    return score::prepare_truth(traced.labels, options, true);
+}
+
+std::vector<MotionRow> study_sequence(const std::vector<harness::Entrant>& entrants,
+                                      Sequence& sequence,
+                                      const MotionOptions& options) {
+    Run run(entrants, sequence, options);
+    run.draw_all();
+    return harness::is_interrupted() ? std::vector<MotionRow>{} : run.rows();
+}
+
+std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count) {
+    using enum scene::PathKind;
+    const scene::View size{{}, width_px, height_px};
+    std::vector<Sequence> sequences;
+    for (const auto& [name, kind] : {std::pair("torus", orbit),
+                                     {"torus", dolly},
+                                     {"cube", orbit},
+                                     {"cube", shake},
+                                     {"figure", orbit},
+                                     {"figure", pan},
+                                     {"tree", orbit},
+                                     {"tree", shake},
+                                     {"gear", orbit},
+                                     {"gear", dolly}}) {
+        sequences.push_back(sequence_of(name, kind, size));
+    }
+    sequences.push_back(sequence_of_motion("gear", size));
+    for (Sequence& sequence : sequences)
+        sequence.path.frame_count = frame_count;
+    return sequences;
+}
+
+std::vector<MotionRow> study_motion(const std::vector<harness::Entrant>& entrants,
+                                    const MotionOptions& options) {
+    std::vector<Sequence> sequences = study_sequences(kWidth_px, kHeight_px, kFrames);
+    core::Progress progress("motion", static_cast<int>(sequences.size()));
+    std::vector<MotionRow> rows;
+    int done = 0;
+    for (Sequence& sequence : sequences) {
+        if (harness::is_interrupted()) break;
+        progress.report(done++,
+                        fmt::format("{} {}", sequence.scene.name, scene::name(sequence.path.kind)));
+        auto of_sequence = study_sequence(entrants, sequence, options);
+        std::move(of_sequence.begin(), of_sequence.end(), std::back_inserter(rows));
+    }
+    return rows;
+}
+
+}  // namespace ink::studies

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/cell.h"
+#include "harness/entrants.h"
+#include "harness/tracing.h"
+#include "scene/camera_path.h"
+#include "scene/scene.h"
+#include "studies/motion_rows.h"
+
+namespace ink::studies {
+
+/// A scene and how its camera moves, and perhaps the scene itself.
+struct Sequence {
+    scene::Scene scene;
+    scene::CameraPath path = {};
+    double step_px = 0;  ///< what the path was made from, for the rows
+    /// Brings the scene, whose topology stays, to a time; empty where it stands still.
+    std::function<void(scene::Scene&, double time_s)> pose = {};
+};
+
+/// How a sequence is drawn and traced.
+struct MotionOptions {
+    harness::MeasureOptions measure;  ///< threads and skips of the methods; nothing is timed
+    harness::TraceOptions trace;      ///< truths go through the cache like those of any view
+};
+
+/// A truth as motion is scored against: ignored pixels taken out and thinned again as everywhere,
+/// but with no band (see score::motion_frame).
+[[nodiscard]] score::ScoringTruth unbanded_truth(const truth::Truth& traced);
+
+/// Draws every frame of a sequence with every entrant and scores them against their truths and each
+/// other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per entrant,
+/// then the brackets `sampled` and `oracle`.
+///
+/// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
+/// sequence: every row says so. On Ctrl-C there are no rows.
+[[nodiscard]] std::vector<MotionRow> study_sequence(const std::vector<harness::Entrant>& entrants,
+                                                    Sequence& sequence,
+                                                    const MotionOptions& options);
+
+/// The sequences of the study: scenes of the catalogue, `frame_count` frames, each path a quarter
+/// of a pixel a frame, so that lines pass slowly over the pixel grid; last the gears, which turn as
+/// slowly before a camera that stands still.
+[[nodiscard]] std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count);
+
+/// The study: all of study_sequences(). Ends early on Ctrl-C.
+[[nodiscard]] std::vector<MotionRow> study_motion(const std::vector<harness::Entrant>& entrants,
+                                                  const MotionOptions& options);
+
+}  // namespace ink::studies

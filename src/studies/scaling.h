@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/entrants.h"
+
+namespace ink::studies {
+
+/// What grows while everything else stays as it is.
+enum class ScalingAxis {
+    triangles,  ///< of a sphere that keeps its place in the picture
+    pixels,     ///< of the picture
+    covered,    ///< the share of the picture that the sphere's disc fills
+};
+
+struct ScalingAxisInfo {
+    ScalingAxis axis;
+    std::string_view name;   ///< as in scaling.csv
+    std::string_view noun;   ///< what x counts, in a sentence
+    std::string_view title;  ///< of its chart's horizontal axis, with the unit
+};
+[[nodiscard]] const std::array<ScalingAxisInfo, 3>& scaling_axes();
+
+/// Two least times of one frame differ by this share at least, whatever the machine.
+inline constexpr double kTimeNoise = 0.1;
+
+/// The least time of one method at one place on one axis.
+struct ScalingPoint {
+    ScalingAxis axis = ScalingAxis::triangles;
+    std::string method;
+    std::string params;  ///< every knob, as in rows.csv
+    double x = 0;        ///< in the axis' unit
+    int width_px = 0;
+    int height_px = 0;
+    std::int64_t triangles = 0;
+    double covered_share = 0;  ///< of the picture, 0..1
+    int threads = 1;
+    std::int64_t draw_ns_min = 0;
+    int draw_n = 0;             ///< timed frames
+    double noise = kTimeNoise;  ///< what draw_ns_min may be off by, as a share of it
+};
+
+/// How large the study is.
+struct ScalingOptions {
+    int threads = 1;
+    double budget_s = 0.4;      ///< a method at a point stops repeating after this much drawing
+    std::filesystem::path out;  ///< folder of scaling.csv
+};
+
+/// Draws spheres made by code with every entrant, in turns, and takes the least times: 10^2 to 10^6
+/// triangles, 0.3 to 33 million pixels, a thousandth to all of the picture covered.
+///
+/// A point's noise is what its three rounds say: how far the second of their least times lies above
+/// the first, kTimeNoise at least. Points are in scaling.csv as soon as their sphere is done. A
+/// method that fails at a point has none there. Ctrl-C ends it after a round.
+[[nodiscard]] std::vector<ScalingPoint> study_scaling(const std::vector<harness::Entrant>& entrants,
+                                                      const ScalingOptions& options);
+
+/// The columns of scaling.csv, and one of its lines.
+[[nodiscard]] const std::vector<std::string>& scaling_columns();
+[[nodiscard]] std::string scaling_csv(const ScalingPoint& point);
+
+}  // namespace ink::studies

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/entrants.h"
+#include "raster/skips.h"
+#include "studies/skip_scenes.h"
+
+namespace ink::studies {
+
+/// How the worth of skips is measured.
+struct SkipStudyOptions {
+    int width_px = 1280;
+    int height_px = 720;
+    int threads = 1;                ///< of the methods
+    int levels = kSkipSceneLevels;  ///< of the scenes, see studies/skip_scenes.h
+    int min_rounds = 3;
+    int max_rounds = 30;
+    double budget_s = 0.3;  ///< a method on a scene stops after this much drawing
+};
+
+/// What a method may skip while it is timed.
+enum class SkipArm {
+    on,       ///< everything
+    one_off,  ///< everything but the skip of the scene
+    all_off,  ///< nothing
+};
+
+/// How fast one method draws one scene in one arm: a line of skips.csv.
+struct SkipTime {
+    std::string scene;
+    std::optional<raster::Skip> skip;  ///< the scene's; none: one of the three views
+    std::string method;
+    std::string params;
+    SkipArm arm = SkipArm::on;
+    raster::SkipSet allowed;
+    std::int64_t triangles = 0;
+    std::optional<std::int64_t> draw_ns;  ///< median over drawings
+    std::optional<std::int64_t> draw_ns_min;
+    int draw_n = 0;
+    raster::SkipCounts counts = {};  ///< of one round: a frame, or the frames of a sequence
+    std::string image_hash;          ///< over the frames of a round
+    std::string status = "ok";
+};
+
+/// Draws `scene` with the method: with every skip, without the scene's own, without any; in turns,
+/// so that a machine that slows down slows all alike.
+///
+/// The three views have no skip of their own, and so no second line. Where nothing moves,
+/// `still_tiles` is off in every arm (skips_of_repeated_drawings). Where something does, the first
+/// frame of a round is not timed, nor is `pose`. The first round warms up. A method that throws
+/// says so in the status of its lines; so does one whose picture is another than with every skip:
+/// "differs: ...".
+[[nodiscard]] std::vector<SkipTime> time_skips(const harness::Entrant& entrant,
+                                               const SkipScene& scene,
+                                               const SkipStudyOptions& options);
+
+/// The study: every scene of studies/skip_scenes.h with every entrant. Ends early on Ctrl-C.
+[[nodiscard]] std::vector<SkipTime> study_skips(const std::vector<harness::Entrant>& entrants,
+                                                const SkipStudyOptions& options);
+
+/// A sentence for each line whose picture differs: a run with one is void.
+[[nodiscard]] std::vector<std::string> skip_differences(const std::vector<SkipTime>& study);
+
+/// The study as CSV, heading and line breaks included; provenance stands in rows.csv beside it.
+[[nodiscard]] std::string skip_study_csv(const std::vector<SkipTime>& study,
+                                         const SkipStudyOptions& options);
+
+}  // namespace ink::studies

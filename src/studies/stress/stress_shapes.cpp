@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "catalogue/shapes.h"
+#include "studies/stress/stress_cases.h"
+
+namespace ink::studies {
+namespace {
+
+constexpr StressLook kThreeQuarter{{1.75, 2.25, 4}, {0, 0, 0}, 34};
+
+/// A level square about the origin that faces up.
+scene::Mesh square(double half) {
+    return catalogue::make_sheet({-half, 0, -half}, {0, 0, 2 * half}, {2 * half, 0, 0});
+}
+
+/// A scene whose parts are placed exactly where they are said to be.
+class ExactScene {
+  public:
+    explicit ExactScene(std::string name) { scene_.name = std::move(name); }
+
+    std::uint32_t mesh(scene::Mesh mesh) {
+        scene_.meshes.push_back(std::move(mesh));
+        return static_cast<std::uint32_t>(scene_.meshes.size() - 1);
+    }
+    void place(std::uint32_t mesh, const glm::dmat4& world_from_object) {
+        scene_.instances.push_back({mesh, world_from_object, "part"});
+    }
+    void place(std::uint32_t mesh, const glm::dvec3& at) {
+        place(mesh, glm::translate(glm::dmat4(1), at));
+    }
+    [[nodiscard]] scene::Scene take() { return std::move(scene_); }
+
+  private:
+    scene::Scene scene_;
+};
+
+glm::dmat4 turned(double about_x_deg, double about_y_deg) {
+    const glm::dmat4 m = glm::rotate(glm::dmat4(1), glm::radians(about_x_deg), glm::dvec3(1, 0, 0));
+    return glm::rotate(m, glm::radians(about_y_deg), glm::dvec3(0, 1, 0));
+}
+
+/// Each triangle in three: one of them as flat as `aspect` says, on its first side.
+scene::Mesh with_slivers(const scene::Mesh& mesh, double aspect) {
+    scene::Mesh result;
+    result.positions = mesh.positions;
+    for (const scene::Triangle& t : mesh.triangles) {
+        const glm::dvec3 a = mesh.positions[t[0]];
+        const glm::dvec3 b = mesh.positions[t[1]];
+        const glm::dvec3 c = mesh.positions[t[2]];
+        const glm::dvec3 middle = (a + b) / 2.0;
+        const glm::dvec3 center = (a + b + c) / 3.0;
+        const double base = glm::distance(a, b);
+        const double height = glm::length(glm::cross(b - a, center - a)) / base;
+        const double share = std::min(1.0, base / (aspect * height));
+        const auto p = static_cast<std::uint32_t>(result.positions.size());
+        result.positions.emplace_back(middle + share * (center - middle));
+        result.triangles.push_back({t[0], t[1], p});
+        result.triangles.push_back({t[1], t[2], p});
+        result.triangles.push_back({t[2], t[0], p});
+    }
+    return result;
+}
+
+scene::Scene needles(double aspect) {
+    ExactScene scene("needles");
+    scene::Mesh needle;
+    const auto half = static_cast<float>(0.5 / aspect);
+    needle.positions = {{-half, 0, 0}, {half, 0, 0}, {0, 1, 0}};
+    needle.triangles = {{0, 1, 2}};
+    const auto number = scene.mesh(std::move(needle));
+    const auto ground = scene.mesh(square(1.75));
+    scene.place(ground, glm::dvec3(0));
+    for (int i = 0; i < 14; ++i)
+        scene.place(number, glm::dvec3(-1.625 + 0.25 * i, 0.0625, 0.25 * (i % 5) - 0.5));
+    return scene.take();
+}
+
+/// A rolling sheet of n x n quads.
+scene::Mesh hills(int n) {
+    std::vector<catalogue::Ring> rows;
+    for (int j = 0; j <= n; ++j) {
+        catalogue::Ring row;
+        for (int i = 0; i <= n; ++i) {
+            const double x = 4.0 * j / n - 2;
+            const double z = 3.0 * i / n - 1.5;
+            row.emplace_back(x, 0.375 * std::sin(2.5 * x + 0.4) * std::cos(2.0 * z), z);
+        }
+        rows.push_back(std::move(row));
+    }
+    return catalogue::loft(rows, {.around = false});
+}
+
+int rounded(double x) {
+    return static_cast<int>(std::lround(x));
+}
+
+}  // namespace
+
+std::vector<StressCase> gap_cases(const StressPoint& point) {
+    const double gap = point.value;
+    ExactScene leaf("leaf");
+    leaf.place(leaf.mesh(square(1.25)), glm::dvec3(0));
+    leaf.place(leaf.mesh(square(0.75)),
+               glm::translate(glm::dmat4(1), glm::dvec3(0, gap, 0)) * turned(0, 20));
+    ExactScene slits("slits");
+    const auto tile = slits.mesh(square(0.5));
+    for (const double x : {-1.0, 0.0, 1.0}) {
+        for (const double z : {-0.5, 0.5})
+            slits.place(tile, glm::dvec3(x * (1 + gap), 0, z * (1 + gap)));
+    }
+    ExactScene step("step");
+    const auto box = step.mesh(catalogue::make_box({0, -0.5, -1}, {1, 0, 1}));
+    step.place(box, glm::dvec3(-1, 0, 0));
+    step.place(box, glm::dvec3(0, gap, 0));
+    ExactScene plate("plate");
+    plate.place(plate.mesh(catalogue::make_box({-1.25, 0, -1}, {1.25, 1, 1})),
+                glm::scale(glm::dmat4(1), glm::dvec3(1, gap, 1)));
+    std::vector<StressCase> cases;
+    for (ExactScene* scene : {&leaf, &slits, &step, &plate})
+        cases.push_back(make_case(point, scene->take(), kThreeQuarter));
+    return cases;
+}
+
+std::vector<StressCase> sliver_cases(const StressPoint& point) {
+    const double width = 1 / point.value;
+    std::vector<StressCase> cases;
+    cases.push_back(make_case(point,
+                              scene_of("cut_cube", cut_cube({-1, 0, width, 1.25}), turned(14, 33)),
+                              kThreeQuarter));
+    cases.push_back(
+        make_case(point,
+                  scene_of("split_ring",
+                           with_slivers(catalogue::make_torus({1.125, 0.5}, {48, 24}), point.value),
+                           turned(30, 0)),
+                  kThreeQuarter));
+    cases.push_back(make_case(point, needles(point.value), kThreeQuarter));
+    return cases;
+}
+
+std::vector<StressCase> facet_cases(const StressPoint& point) {
+    const double facets = point.value;
+    // 2 * segments * (stacks - 1) triangles with segments = 2 * stacks; 2 a b round a ring; 2 n n.
+    const int stacks = std::max(2, rounded(std::sqrt(facets / 4 + 0.25) + 0.5));
+    const int round_tube = std::max(3, rounded(std::sqrt(facets / 4)));
+    const int round_ring = std::max(3, rounded(facets / 2 / round_tube));
+    const int quads = std::max(2, rounded(std::sqrt(facets / 2)));
+    std::vector<StressCase> cases;
+    cases.push_back(make_case(
+        point, scene_of("ball", catalogue::make_sphere(1.25, 2 * stacks, stacks)), kThreeQuarter));
+    cases.push_back(make_case(
+        point,
+        scene_of(
+            "ring", catalogue::make_torus({1.125, 0.5}, {round_ring, round_tube}), turned(30, 0)),
+        kThreeQuarter));
+    cases.push_back(make_case(point, scene_of("waves", hills(quads)), kThreeQuarter));
+    return cases;
+}
+
+}  // namespace ink::studies

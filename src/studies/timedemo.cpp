@@ -1,0 +1,254 @@
+#include "studies/timedemo.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "harness/cell.h"
+#include "harness/interrupt.h"
+#include "raster/mesh/mesh_pass.h"
+#include "scene/animation.h"
+#include "scene/camera_path.h"
+#include "shade/compose.h"
+#include "shade/shading.h"
+
+namespace ink::studies {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kStep_px = 3;  // a frame: fast enough to see, slow enough for 60 frames
+
+template <class Work>
+std::int64_t time_ns(Work work) {
+    const auto start = Clock::now();
+    work();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count();
+}
+
+/// The model in one tone: what a frame costs before anybody draws lines or light.
+class PlainFill : public raster::TileSink {
+  public:
+    void pose(const scene::Scene& scene) {
+        auto moved = std::make_unique<scene::Surface>(scene::flatten(scene));
+        const bool is_same = surface_ && moved->triangles == surface_->triangles &&
+                             moved->p_world.size() == surface_->p_world.size();
+        if (is_same) mesh_.update(*moved);
+        if (!is_same) mesh_ = raster::LaneMesh(*moved);
+        surface_ = std::move(moved);
+        bounds_ = scene::bounding_sphere(scene);
+    }
+    void draw(const scene::View& view, int threads) {
+        if (surface_->triangles.empty()) return;
+        picture_ = core::Image<std::uint8_t>(view.width_px, view.height_px, 0);
+        raster::MeshInput input;
+        input.mesh = &mesh_;
+        input.view = view;
+        input.bounds = bounds_;
+        input.threads = threads;
+        (void)pass_.draw({}, input, *this);
+    }
+    void finish(const raster::Tile& tile) override {
+        if (tile.is_empty) return;
+        for (int y = 0; y < tile.height_px; ++y) {
+            const auto* depth = tile.depth_row<float>(y);
+            std::uint8_t* to = picture_.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x)
+                to[x] = depth[x] > 0 ? 255 : 0;
+        }
+    }
+
+  private:
+    std::unique_ptr<scene::Surface> surface_;
+    raster::LaneMesh mesh_;
+    raster::MeshPass pass_;
+    scene::Sphere bounds_;
+    core::Image<std::uint8_t> picture_;
+};
+
+/// A method under way along one path.
+struct Player {
+    const harness::Entrant* entrant = nullptr;
+    std::unique_ptr<method::Method> method;
+    int threshold = 128;
+    edge::EdgeImage strengths;
+    std::vector<std::string> hashes;  ///< of its frames, as first drawn
+};
+
+std::vector<Player> make_players(const TimedemoOptions& options, const scene::View& view) {
+    std::vector<Player> players;
+    for (const harness::Entrant& entrant : options.entrants) {
+        Player player;
+        player.entrant = &entrant;
+        player.method = entrant.info->make(entrant.settings);
+        player.threshold = std::stoi(entrant.info->complete(entrant.settings).at("threshold"));
+        player.strengths = edge::EdgeImage(view.width_px, view.height_px);
+        players.push_back(std::move(player));
+    }
+    return players;
+}
+
+/// Stored frames are shown whole, as games of their time showed them; keys at even steps.
+double demo_time_s(const scene::Scene& scene, int frame, int frames) {
+    if (!scene.animation) return 0;
+    const std::size_t stored = scene.animation->frame_count();
+    if (stored == 0) return scene.animation->duration_s * frame / frames;
+    return scene.animation->frame_time_s(stored * static_cast<std::size_t>(frame) /
+                                         static_cast<std::size_t>(frames));
+}
+
+/// A ball that holds the scene in all the poses that are drawn.
+scene::Sphere bounds_of_demo(const scene::Scene& scene, int frames) {
+    std::vector<double> times_s;
+    for (int f = 0; f < frames && scene.animation; ++f)
+        times_s.push_back(demo_time_s(scene, f, frames));
+    return scene::bounds_of_poses(scene, times_s);
+}
+
+/// Three paths from the view; who stands inside the scene looks about instead of going round it.
+std::vector<scene::CameraPath> demo_paths(const scene::View& start,
+                                          const scene::Sphere& bounds,
+                                          const TimedemoOptions& options) {
+    using enum scene::PathKind;
+    const glm::dvec3 away = start.camera.eye_world - bounds.center_world;
+    const bool is_outside = glm::length(away) > 1.01 * bounds.radius &&
+                            glm::length(glm::dvec2(away.x, away.z)) > 0.01 * bounds.radius;
+    std::vector<scene::CameraPath> paths;
+    for (const scene::PathKind kind :
+         {is_outside ? orbit : pan, is_outside ? dolly : roll, shake}) {
+        paths.push_back(scene::make_path(kind, start, bounds, kStep_px));
+        paths.back().frame_count = options.frames;
+        paths.back().seed = options.seed;
+    }
+    return paths;
+}
+
+/// Which of the scene's cameras a view is, if the animation moves that one.
+std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene::View& view) {
+    const std::size_t count = scene.animation ? scene.animation->cameras.size() : 0;
+    for (std::size_t c = 0; c < count; ++c) {
+        const bool is_it = scene.cameras[c].name == view.camera.name &&
+                           scene.cameras[c].eye_world == view.camera.eye_world;
+        if (is_it && scene.animation->cameras[c].eye_node != scene::kNoNode) return c;
+    }
+    return std::nullopt;
+}
+
+/// One path with all methods in turns.
+class Demo {
+  public:
+    /// `camera` is that of the scene which is followed instead of the path.
+    Demo(const harness::Subject& subject,
+         const scene::CameraPath& path,
+         std::optional<std::size_t> camera,
+         const TimedemoOptions& options)
+        : scene_(subject.scene),
+          path_(path),
+          camera_(camera),
+          options_(options),
+          players_(make_players(options, path.start)) {}
+
+    void play(std::vector<DemoFrame>& out) {
+        for (int pass = 0; pass <= options_.cached_passes; ++pass) {
+            for (int f = 0; f < options_.frames && !harness::is_interrupted(); ++f)
+                play_frame(pass, f, out);
+        }
+    }
+
+  private:
+    /// What is seen in a frame, the scene being posed.
+    [[nodiscard]] scene::View view_of(int f) const {
+        if (!camera_) return scene::frame_at(path_, f).view;
+        scene::View view = path_.start;
+        view.camera = scene_.cameras[*camera_];
+        scene::fit_clip_range(view.camera, path_.bounds);
+        return view;
+    }
+
+    void play_frame(int pass, int f, std::vector<DemoFrame>& out) {
+        DemoFrame line;
+        line.path = camera_ ? "own" : scene::name(path_.kind);
+        line.pass = pass;
+        line.frame = f;
+        line.time_s = demo_time_s(scene_, f, options_.frames);
+        scene::pose_scene(scene_, line.time_s);
+        const scene::View view = view_of(f);
+        line.fill_ns = time_ns([&] {
+            if (scene_.animation || is_new_) fill_.pose(scene_);
+            fill_.draw(view, options_.threads);
+        });
+        core::Image<shade::Rgb> shaded;
+        line.shade_ns = time_ns([&] {
+            if (scene_.animation || is_new_) shader_.prepare(scene_);
+            shaded = shader_.draw({view, {}, 1, options_.threads});
+        });
+        for (Player& player : players_) {
+            draw(player, view, shaded, line);
+            out.push_back(line);
+        }
+        is_new_ = false;
+    }
+
+    void draw(Player& player,
+              const scene::View& view,
+              const core::Image<shade::Rgb>& shaded,
+              DemoFrame& line) {
+        method::Method& method = *player.method;
+        line.method = player.entrant->info->name;
+        line.pose_ns = time_ns([&] {
+            if (is_new_) method.prepare(scene_);
+            if (scene_.animation || is_new_) method.pose(scene_);
+        });
+        line.draw_ns = time_ns([&] {
+            method.draw({view, options_.threads, options_.skips}, player.strengths);
+        });
+        line.compose_ns = time_ns([&] {
+            picture_ = shade::compose(player.strengths, shaded, {{0, 0, 0}, player.threshold});
+        });
+        line.image_hash = core::image_hash(player.strengths);
+        if (line.pass == 0) player.hashes.push_back(line.image_hash);
+        if (player.hashes[static_cast<std::size_t>(line.frame)] != line.image_hash) {
+            throw core::Error(line.method,
+                              fmt::format("frame {} of the {} path came out otherwise in pass {}",
+                                          line.frame,
+                                          line.path,
+                                          line.pass));
+        }
+    }
+
+    scene::Scene scene_;
+    const scene::CameraPath& path_;
+    std::optional<std::size_t> camera_;
+    const TimedemoOptions& options_;
+    std::vector<Player> players_;
+    PlainFill fill_;
+    shade::Shader shader_{shade::GouraudParams{}};
+    core::Image<shade::Rgb> picture_;
+    bool is_new_ = true;
+};
+
+}  // namespace
+
+std::vector<DemoFrame> run_timedemo(const harness::Subject& subject,
+                                    const TimedemoOptions& options) {
+    const scene::View& start = subject.views.front();
+    const scene::Sphere bounds = bounds_of_demo(subject.scene, options.frames);
+    std::vector<DemoFrame> frames;
+    if (const auto camera = moving_camera(subject.scene, start)) {
+        const auto own = scene::make_path(scene::PathKind::still, start, bounds, 0);
+        Demo(subject, own, camera, options).play(frames);
+    }
+    for (const scene::CameraPath& path : demo_paths(start, bounds, options))
+        Demo(subject, path, std::nullopt, options).play(frames);
+    if (harness::is_interrupted()) return {};
+    return frames;
+}
+
+}  // namespace ink::studies

@@ -1,0 +1,294 @@
+#include "tune/tune.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/progress.h"
+#include "core/whole_file.h"
+#include "harness/cell.h"
+#include "harness/csv.h"
+#include "harness/interrupt.h"
+#include "harness/out_folder.h"
+#include "methods/preset.h"
+#include "statistics/ods.h"
+#include "tune/tune_bench.h"
+#include "tune/tune_report.h"
+
+namespace ink::tune {
+namespace {
+
+/// Thrown between two evaluations after Ctrl-C.
+struct Interrupted {};
+
+/// The settings that the user fixed, with those of the knobs over them.
+harness::Entrant with(const harness::Entrant& entrant, const core::ParamValues& settings) {
+    harness::Entrant changed = entrant;
+    for (const auto& [name, value] : settings)
+        changed.settings[name] = value;
+    return changed;
+}
+
+score::CurveCount pooled(const std::vector<score::CurveCount>& counts) {
+    score::CurveCount sum;
+    for (const score::CurveCount& count : counts)
+        sum += count;
+    return sum;
+}
+
+/// A search under way: answers the optimiser from what is known, from the disk or by drawing.
+class Tuner {
+  public:
+    Tuner(const TuneOptions& options, const TuneSpace& space, TuneBench& bench, TuneLog& log)
+        : options_(options),
+          space_(space),
+          bench_(bench),
+          log_(log),
+          has_planes_(!options.budget_ms && bench.planes().can_search(options.entrant, space)),
+          progress_("tune", options.plan.evaluations * (options.random ? 2 : 1)) {}
+
+    [[nodiscard]] TuneValue value_of(const core::ParamValues& settings) {
+        return value_by(settings, DrawnBy::method);
+    }
+
+    /// An objective that notes its evaluations in `steps`.
+    [[nodiscard]] SearchObjective into(std::vector<TuneStep>& steps) {
+        tried_.clear();
+        best_ = 2;
+        return [this, &steps](const char* phase, const std::vector<double>& point) {
+            const core::ParamValues settings = space_.settings_at(point);
+            const auto known = tried_.find(settings);
+            if (known != tried_.end()) return SearchValue{known->second, false};
+            progress_.report(done_++, fmt::format("{}, best {:.4f}", phase, best_));
+            const TuneValue found = candidate(settings);
+            best_ = std::min(best_, found.value);
+            tried_[settings] = found.value;
+            steps.push_back({phase, settings, found});
+            return SearchValue{found.value, true};
+        };
+    }
+
+  private:
+    /// By planes where that can be, unless it may be the best yet: that the method itself decides.
+    /// Hangs on the search alone and on nothing that is on disk already.
+    [[nodiscard]] TuneValue candidate(const core::ParamValues& settings) {
+        if (has_planes_ && bench_.planes().can_draw(with(options_.entrant, settings))) {
+            const TuneValue found = value_by(settings, DrawnBy::planes);
+            if (found.value >= best_) return found;
+        }
+        return value_by(settings, DrawnBy::method);
+    }
+
+    [[nodiscard]] TuneValue value_by(const core::ParamValues& settings, DrawnBy by) {
+        const bool is_by_planes = by == DrawnBy::planes;
+        const std::string key = (is_by_planes ? "planes;" : "") + harness::join_params(settings);
+        std::optional<TuneValue> found = log_.find(key);
+        if (!found) {
+            if (harness::is_interrupted()) throw Interrupted();
+            found = measured(with(options_.entrant, settings), by);
+            log_.add(key, *found);
+        }
+        found->is_by_planes = is_by_planes;
+        return *found;
+    }
+
+    [[nodiscard]] TuneValue measured(const harness::Entrant& entrant, DrawnBy by) {
+        TuneValue found;
+        if (options_.objective == TuneObjective::ap) {
+            found.error = 1 - score::average_precision(bench_.curve(entrant, by));
+        } else {
+            const std::vector<score::CurveCount> scenes = bench_.counts(entrant, by);
+            const bool is_pooled = options_.objective == TuneObjective::error;
+            found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
+        }
+        found.value = found.error;
+        if (!options_.budget_ms) return found;
+        found.draw_ms = bench_.draw_ms();
+        if (*found.draw_ms > *options_.budget_ms) {
+            found.value = 1 + *found.draw_ms / *options_.budget_ms;
+        }
+        return found;
+    }
+
+    const TuneOptions& options_;
+    const TuneSpace& space_;
+    TuneBench& bench_;
+    TuneLog& log_;
+    bool has_planes_;  ///< a time is the method's own
+    core::Progress progress_;
+    std::map<core::ParamValues, double> tried_;
+    double best_ = 2;
+    int done_ = 0;
+};
+
+const TuneStep& best_of(const std::vector<TuneStep>& steps) {
+    return *std::min_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) {
+        return a.found.value < b.found.value;
+    });
+}
+
+/// All that a result of the search hangs on.
+std::string key_of(const TuneOptions& options, const TuneSpace& space, const std::string& inputs) {
+    core::Hasher hasher;
+    hasher.text(options.command).text(inputs).text(options.entrant.info->name);
+    hasher.text(harness::join_params(options.entrant.info->complete(options.entrant.settings)));
+    for (const TunedKnob& knob : space.knobs())
+        hasher.text(knob.param.name).value(knob.low).value(knob.high);
+    return hasher.hex();
+}
+
+TuneSpace checked_space(const TuneOptions& options) {
+    TuneSpace space(*options.entrant.info, options.knobs);
+    if (options.objective == TuneObjective::ap && space.has("threshold")) {
+        if (!options.knobs.empty()) {
+            throw core::Error("--params",
+                              "average precision is over all thresholds",
+                              "no threshold with --objective ap");
+        }
+        std::string others;
+        for (const std::string& knob : harness::split_list(default_knobs(*options.entrant.info))) {
+            if (!knob.starts_with("threshold")) others += knob + ",";
+        }
+        space = TuneSpace(*options.entrant.info, others);
+    }
+    for (const TunedKnob& knob : space.knobs()) {
+        if (options.entrant.settings.count(knob.param.name) == 0) continue;
+        throw core::Error("--set",
+                          fmt::format("{} is tuned", knob.param.name),
+                          "knobs that --params does not name");
+    }
+    return space;
+}
+
+/// The knobs' values among all settings of `entrant`.
+core::ParamValues knobs_of(const harness::Entrant& entrant, const TuneSpace& space) {
+    const core::ParamValues all = entrant.info->complete(entrant.settings);
+    core::ParamValues knobs;
+    for (const TunedKnob& knob : space.knobs())
+        knobs[knob.param.name] = all.at(knob.param.name);
+    return knobs;
+}
+
+void set_best_threshold(const harness::Entrant& entrant, TuneBench& bench, TunedSettings& found) {
+    const statistics::CellCurve curve{found.name, true, bench.curve(with(entrant, found.settings))};
+    found.settings["threshold"] =
+        std::to_string(statistics::ods_on_training({curve}).front().threshold);
+}
+
+void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
+    core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
+    methods::PresetFile file{options.name, options.entrant.info, options.entrant.settings, {}};
+    for (const auto& [name, value] : result.tuned.settings)
+        file.settings[name] = value;
+    file.provenance = provenance_lines(result, options);
+    result.preset = options.out / (options.name + ".toml");
+    core::write_whole_file(result.preset, methods::preset_toml(file));
+}
+
+}  // namespace
+
+double scenes_error(const std::vector<score::CurveCount>& scenes) {
+    if (scenes.empty()) return 0;
+    double sum = 0;
+    for (const score::CurveCount& scene : scenes)
+        sum += std::sqrt(1 - scene.f());
+    const double mean = sum / static_cast<double>(scenes.size());
+    return mean * mean;
+}
+
+void add_training_views(harness::Subject& subject, const harness::ViewRequest& request, int count) {
+    if (count == 0 || subject.scene.split != scene::Split::train) return;
+    harness::ViewRequest more = request;
+    more.orbit_count = count;
+    more.cameras.clear();
+    more.file_cameras = false;
+    for (scene::View& view : harness::make_subject(subject.scene, more).views) {
+        view.camera.name = "more_" + view.camera.name;
+        subject.views.push_back(std::move(view));
+    }
+}
+
+TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& options) {
+    const harness::InterruptGuard guard;
+    const TuneSpace space = checked_space(options);
+    const auto middle = std::stable_partition(subjects.begin(), subjects.end(), [](auto& subject) {
+        return subject.scene.split == scene::Split::train;
+    });
+    const std::vector<harness::Subject> train(subjects.begin(), middle);
+    const std::vector<harness::Subject> heldout(middle, subjects.end());
+    if (train.empty()) {
+        throw core::Error("--scenes",
+                          "none of them is a training scene",
+                          "one or more of those that inkbench list scenes calls training");
+    }
+    harness::make_out_folder(options.out);
+
+    TuneResult result;
+    TuneBench bench(train, options.trace, options.threads);
+    if (harness::is_interrupted()) {
+        result.is_interrupted = true;
+        return result;
+    }
+    if (options.budget_ms) bench.take_times();
+    result.train_views = bench.view_count();
+    result.inputs_hash = bench.hash();
+    TuneLog log(options.out / "evaluations.csv.part", key_of(options, space, bench.hash()));
+    result.resumed = log.found();
+    const core::ParamValues start = knobs_of(options.entrant, space);
+    try {
+        Tuner tuner(options, space, bench, log);
+        result.defaults = {options.entrant.info->name, start, tuner.value_of(start), {}, {}};
+        search(tuner.into(result.steps), space.point_of(start), options.plan);
+        if (options.random) {
+            random_search(tuner.into(result.random_steps), space.size(), options.plan);
+        }
+    } catch (const Interrupted&) {
+        result.is_interrupted = true;
+        return result;
+    }
+    const TuneStep& best = best_of(result.steps);
+    // The start of the search is the default taken into the ranges, which need not be the default.
+    const bool is_better = best.found.value < result.defaults.found.value;
+    result.tuned = result.defaults;
+    if (is_better) {
+        result.tuned.settings = best.settings;
+        result.tuned.found = best.found;
+    }
+    result.tuned.name = options.name;
+    if (options.random && !result.random_steps.empty()) {
+        const TuneStep& lucky = best_of(result.random_steps);
+        result.random = TunedSettings{"random search", lucky.settings, lucky.found, {}, {}};
+    }
+    std::vector<TunedSettings*> all = {&result.defaults, &result.tuned};
+    if (result.random) all.push_back(&*result.random);
+    if (options.objective == TuneObjective::ap) {
+        for (TunedSettings* each : all) {
+            if (each != &result.defaults) set_best_threshold(options.entrant, bench, *each);
+        }
+    }
+    for (TunedSettings* each : all)
+        each->train = bench.counts(with(options.entrant, each->settings));
+    const bool has_planes = std::any_of(result.steps.begin(), result.steps.end(), [](auto& step) {
+        return step.found.is_by_planes;
+    });
+    if (has_planes)
+        result.agreement = bench.agreement(with(options.entrant, result.tuned.settings));
+    if (!heldout.empty()) {
+        TuneBench unseen(heldout, options.trace, options.threads);
+        result.is_interrupted = harness::is_interrupted();
+        if (result.is_interrupted) return result;
+        result.heldout_views = unseen.view_count();
+        for (TunedSettings* each : all)
+            each->heldout = unseen.counts(with(options.entrant, each->settings));
+    }
+    write_results(options, space, result);
+    log.remove();
+    return result;
+}
+
+}  // namespace ink::tune

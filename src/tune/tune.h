@@ -1,0 +1,101 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/entrants.h"
+#include "harness/suite.h"
+#include "harness/tracing.h"
+#include "score/score.h"
+#include "statistics/spread.h"
+#include "tune/tune_bench.h"
+#include "tune/tune_log.h"
+#include "tune/tune_search.h"
+#include "tune/tune_space.h"
+
+namespace ink::tune {
+
+/// What a tuner lowers over all training views.
+enum class TuneObjective {
+    error,  ///< 1 - F at 2 px and the method's own threshold, all views pooled
+    /// The square of the mean root of each scene's error: no scene speaks for all the others.
+    ///
+    /// Pooled errors let the one scene with the most of them decide (a soup with cracks has five
+    /// times the others'), and what is found there fits it alone. With one training scene at a time
+    /// left out, mote4's settings found over the others erred less on it by this mean than by the
+    /// pool, by .120 against .139.
+    scenes,
+    ap,  ///< 1 - average precision at 2 px; the threshold is then the best over the same views
+};
+
+/// The square of the mean root of 1 - F over `scenes`; 0 if there are none.
+[[nodiscard]] double scenes_error(const std::vector<score::CurveCount>& scenes);
+
+struct TuneOptions {
+    harness::Entrant entrant;  ///< the method, with settings that stay as the user set them
+    std::string knobs;         ///< as TuneSpace reads them
+    TuneObjective objective = TuneObjective::error;
+    /// Settings whose median drawing takes longer are out. Times are measured, so a search with a
+    /// budget depends on the machine.
+    std::optional<double> budget_ms;
+    SearchPlan plan;
+    bool random = true;  ///< also a random search of as many evaluations and the same seed
+    harness::TraceOptions trace;
+    int threads = 1;
+    std::filesystem::path out;  ///< evaluations.csv and <name>.toml
+    std::string name;           ///< of the preset
+    std::string command;        ///< that makes the same preset again
+};
+
+/// One evaluation, in the order in which a search asked for them.
+struct TuneStep {
+    std::string phase;  ///< start | global | local | random
+    core::ParamValues settings;
+    TuneValue found;
+};
+
+/// Settings with what they score.
+struct TunedSettings {
+    std::string name;
+    core::ParamValues settings;  ///< of the knobs, and the threshold where AP chose it
+    TuneValue found;
+    std::vector<score::CurveCount> train;    ///< a sum per training scene, at 2 px
+    std::vector<score::CurveCount> heldout;  ///< a sum per held-out scene; none if there are none
+};
+
+/// What came of a search.
+struct TuneResult {
+    TunedSettings defaults;  ///< the method as the user would have it without the search
+    TunedSettings tuned;
+    std::optional<TunedSettings> random;  ///< the best that chance found
+    std::vector<TuneStep> steps;          ///< the search's evaluations
+    std::vector<TuneStep> random_steps;
+    std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
+    std::size_t resumed = 0;                  ///< evaluations that were found on disk
+    bool is_interrupted = false;
+    std::size_t train_views = 0;
+    std::size_t heldout_views = 0;
+    std::string inputs_hash;
+    std::filesystem::path preset;  ///< the file that was written
+};
+
+/// Adds `count` views round the scene of a training `subject`, of the request's size, beside those
+/// it has. Does nothing to a held-out one.
+void add_training_views(harness::Subject& subject, const harness::ViewRequest& request, int count);
+
+/// Looks for the settings of a method that make the fewest errors on the training scenes among
+/// `subjects`, starting from its defaults, so that what is lowered is never worse there; scores
+/// them on the held-out scenes, which the search never sees.
+///
+/// Truths are traced once, and what a linear code reads of the scenes is rendered once: settings of
+/// such a code are drawn from that, and by the method itself only where they may be the best yet
+/// (tune/tune_planes.h). What other methods draw, they draw anew unless settings differ in the
+/// threshold alone. All errors of `defaults`, `tuned` and `random` are the method's own. Everything
+/// but times is the same for every thread count. Finished evaluations are kept in
+/// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
+/// if no training scene takes part, or `out` cannot be written.
+[[nodiscard]] TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& options);
+
+}  // namespace ink::tune

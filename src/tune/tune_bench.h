@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edge/edge_image.h"
+#include "harness/entrants.h"
+#include "harness/suite.h"
+#include "harness/tracing.h"
+#include "score/drawing.h"
+#include "score/score.h"
+#include "tune/tune_planes.h"
+
+namespace ink::tune {
+
+/// Who draws a setting.
+enum class DrawnBy {
+    method,  ///< as every harness has it drawn
+    planes,  ///< from what its code reads, which is made once (tune/tune_planes.h)
+};
+
+/// How far planes are from the method that they stand for.
+struct PlaneAgreement {
+    std::int64_t differ_px = 0;  ///< drawn by one and not by the other, at the threshold
+    std::int64_t total_px = 0;   ///< of all views
+    std::vector<score::CurveCount> by_planes;  ///< a sum per scene, at 2 px
+};
+
+/// What a tuner wants of a set of views: everything but the method's own work, done once.
+///
+/// Truths are traced (or read) once and kept as lists of pixels; a setting is then drawn and
+/// matched at 2 px alone. Where its code is one linear sum it can be drawn from planes, without the
+/// scenes. The pictures of the last settings are kept, so that one that differs in its threshold
+/// alone is not drawn again.
+class TuneBench {
+  public:
+    /// Traces every view of `subjects`, saying on a terminal how far it is. Borrows the subjects.
+    /// Throws core::Error where a truth is too large or was interrupted.
+    TuneBench(const std::vector<harness::Subject>& subjects,
+              const harness::TraceOptions& trace,
+              int threads);
+
+    [[nodiscard]] std::size_t view_count() const { return views_.size(); }
+    [[nodiscard]] std::size_t scene_count() const { return subjects_.size(); }
+    /// A hash of what is scored against: names, sizes, truth pixels.
+    [[nodiscard]] const std::string& hash() const { return hash_; }
+
+    /// What can be drawn from planes.
+    [[nodiscard]] const TunePlanes& planes() const { return planes_; }
+
+    /// Counts at 2 px and the entrant's own threshold, summed over the views of each scene.
+    [[nodiscard]] std::vector<score::CurveCount> counts(const harness::Entrant& entrant,
+                                                        DrawnBy by = DrawnBy::method);
+
+    /// The same at the 99 thresholds, summed over all views: for average precision.
+    [[nodiscard]] std::array<score::CurveCount, 99> curve(const harness::Entrant& entrant,
+                                                          DrawnBy by = DrawnBy::method);
+
+    /// Planes held against the method that draws the same.
+    [[nodiscard]] PlaneAgreement agreement(const harness::Entrant& entrant);
+
+    /// Median over the views of the milliseconds that one drawing took, one view after the other on
+    /// one thread, when this was last asked to draw.
+    [[nodiscard]] double draw_ms() const { return draw_ms_; }
+    /// From now on draws without threads and takes times.
+    void take_times() { takes_times_ = true; }
+
+  private:
+    struct BenchView {
+        std::size_t subject = 0;
+        scene::View view;
+        score::ScoringTruth truth;
+        score::TruthLists lists;
+    };
+    struct Drawn {
+        std::string key;  ///< all settings but the threshold, and who drew
+        std::vector<edge::EdgeImage> pictures;
+    };
+    const std::vector<edge::EdgeImage>& pictures_of(const harness::Entrant& entrant, DrawnBy by);
+    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const harness::Entrant& entrant);
+    void draw_subject(const harness::Entrant& entrant,
+                      std::size_t subject,
+                      std::vector<edge::EdgeImage>& pictures,
+                      std::vector<double>& times_ms) const;
+
+    const std::vector<harness::Subject>& subjects_;
+    int threads_;
+    bool takes_times_ = false;
+    double draw_ms_ = 0;
+    std::vector<BenchView> views_;
+    std::string hash_;
+    TunePlanes planes_;
+    std::vector<Drawn> kept_;  ///< the latest last
+};
+
+}  // namespace ink::tune

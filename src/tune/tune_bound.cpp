@@ -1,0 +1,47 @@
+#include "tune/tune_bound.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "harness/interrupt.h"
+#include "linear_code/linear_bound_study.h"
+
+namespace ink::tune {
+
+std::string tune_bound_lines(const std::vector<harness::Subject>& subjects,
+                             const TuneResult& result,
+                             const TuneOptions& options) {
+    const harness::InterruptGuard guard;
+    linear_code::BoundStudyOptions study;
+    study.entrant = options.entrant;
+    for (const auto& [name, value] : result.tuned.settings)
+        study.entrant.settings[name] = value;
+    if (!study.entrant.info->make(study.entrant.settings)->code()) return "";
+    study.trace = options.trace;
+    study.search.threads = options.threads;
+    std::string text = "linear bound: no four weights of this code come above it\n";
+    try {
+        const std::vector<linear_code::BoundRow> rows = linear_code::study_bounds(subjects, study);
+        for (const char* split : {"train", "heldout"}) {
+            const linear_code::BoundRow* pooled = nullptr;  // the pool's row follows its scenes'
+            for (const linear_code::BoundRow& row : rows) {
+                if (row.split == split) pooled = &row;
+            }
+            if (pooled == nullptr) continue;
+            const double f = pooled->measured.f();
+            text += fmt::format(
+                "  {:<12} F {:.4f} of at most {:.4f}: {:.4f} below; the bound is at most {:.4f} "
+                "above what weights reach by its reckoning\n",
+                pooled->scene,
+                f,
+                pooled->bound.f_upper,
+                pooled->bound.f_upper - f,
+                pooled->bound.gap());
+        }
+    } catch (const core::Error& reason) {
+        return fmt::format("linear bound: none, {}\n", reason.what());
+    }
+    return harness::is_interrupted() ? "linear bound: interrupted\n" : text;
+}
+
+}  // namespace ink::tune

@@ -1,0 +1,112 @@
+#include "tune/tune_log.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iterator>
+#include <vector>
+
+#include "core/error.h"
+#include "core/whole_file.h"
+
+namespace ink::tune {
+namespace {
+
+std::optional<double> parse_number(std::string_view text) {
+    double value = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = status == std::errc{} && end == text.data() + text.size();
+    return is_number ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(',', begin), line.size());
+        fields.push_back(line.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return fields;
+}
+
+/// settings,value,error,draw_ms; nothing for a line that is damaged.
+std::optional<std::pair<std::string, TuneValue>> parse_line(std::string_view line) {
+    const std::vector<std::string_view> fields = fields_of(line);
+    if (fields.size() != 4) return std::nullopt;
+    const auto value = parse_number(fields[1]);
+    const auto error = parse_number(fields[2]);
+    if (!value || !error) return std::nullopt;
+    return std::pair(std::string(fields[0]), TuneValue{*value, *error, parse_number(fields[3])});
+}
+
+std::string heading(const std::string& key) {
+    return "search " + key;
+}
+
+}  // namespace
+
+TuneLog::TuneLog(std::filesystem::path path, const std::string& key) : path_(std::move(path)) {
+    read(key);
+    std::string text = heading(key) + "\n";
+    for (const auto& [settings, value] : values_) {
+        text += fmt::format("{},{},{},{}\n",
+                            settings,
+                            value.value,
+                            value.error,
+                            value.draw_ms ? fmt::format("{}", *value.draw_ms) : "");
+    }
+    core::write_whole_file(path_, text);
+    stream_.open(path_, std::ios::app);
+    if (!stream_) {
+        throw core::Error(path_.string(), "it cannot be written", "a file in a writable folder");
+    }
+    found_ = values_.size();
+}
+
+void TuneLog::read(const std::string& key) {
+    std::ifstream file(path_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    bool is_first = true;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin);
+        if (end == std::string::npos) return;  // killed while writing it
+        const std::string_view line(text.data() + begin, end - begin);
+        if (is_first && line != heading(key)) {
+            was_anothers_ = true;
+            return;
+        }
+        if (!is_first) {
+            if (const auto found = parse_line(line)) values_.insert(*found);
+        }
+        is_first = false;
+        begin = end + 1;
+    }
+}
+
+std::optional<TuneValue> TuneLog::find(const std::string& settings) const {
+    const auto found = values_.find(settings);
+    return found == values_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void TuneLog::add(const std::string& settings, const TuneValue& value) {
+    values_[settings] = value;
+    stream_ << fmt::format("{},{},{},{}\n",
+                           settings,
+                           value.value,
+                           value.error,
+                           value.draw_ms ? fmt::format("{}", *value.draw_ms) : "")
+            << std::flush;
+    if (!stream_) {
+        throw core::Error(path_.string(),
+                          "a line could not be written; those before it are there",
+                          "room on the disk");
+    }
+}
+
+void TuneLog::remove() {
+    stream_.close();
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace ink::tune

@@ -1,0 +1,204 @@
+#include "tune/tune_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "methods/preset.h"
+#include "report/statistics.h"
+#include "statistics/bootstrap.h"
+
+namespace ink::tune {
+namespace {
+
+double f_of(const std::vector<score::CurveCount>& clusters) {
+    score::CurveCount sum;
+    for (const score::CurveCount& count : clusters)
+        sum += count;
+    return sum.f();
+}
+
+std::string interval_text(const std::optional<statistics::Interval>& interval) {
+    // Of the error: what is high in F is low in E.
+    return interval ? fmt::format("[{:.4f}, {:.4f}]", 1 - interval->high, 1 - interval->low) : "-";
+}
+
+const char* objective_name(TuneObjective objective) {
+    if (objective == TuneObjective::scenes) return "scenes";
+    return objective == TuneObjective::ap ? "ap" : "error";
+}
+
+const char* objective_words(TuneObjective objective) {
+    if (objective == TuneObjective::scenes) return "the scenes' errors at 2 px";
+    return objective == TuneObjective::ap ? "average precision" : "the error at 2 px";
+}
+
+std::string error_line(const TunedSettings& each) {
+    const double train = 1 - f_of(each.train);
+    std::string line = fmt::format("{:<24} {:>7.4f} {:>6.3f} {:<18}",
+                                   each.name,
+                                   train,
+                                   1 - train,
+                                   interval_text(statistics::f_interval(each.train, {})));
+    if (each.heldout.empty()) return line + "\n";
+    const double heldout = 1 - f_of(each.heldout);
+    return line + fmt::format(" {:>7.4f} {:>6.3f} {:<18} {:>+8.4f}\n",
+                              heldout,
+                              1 - heldout,
+                              interval_text(statistics::f_interval(each.heldout, {})),
+                              heldout - train);
+}
+
+std::string lead_line(const char* where,
+                      const std::vector<score::CurveCount>& a,
+                      const std::vector<score::CurveCount>& b) {
+    const experiment::Lead lead{"", "", f_of(a) - f_of(b), statistics::lead_interval(a, b, {})};
+    const char* verdict = "";
+    if (lead.range) verdict = lead.is_beyond_chance() ? ": beyond chance" : ": may be chance";
+    return fmt::format("  on {} scenes {}{}\n", where, experiment::format_lead(lead), verdict);
+}
+
+/// Best value after the first `n` steps.
+double best_after(const std::vector<TuneStep>& steps, std::size_t n) {
+    double best = steps.front().found.value;
+    for (std::size_t i = 0; i < std::min(n, steps.size()); ++i)
+        best = std::min(best, steps[i].found.value);
+    return best;
+}
+
+std::vector<std::size_t> milestones(std::size_t count) {
+    std::vector<std::size_t> at;
+    for (const std::size_t n : {1, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000}) {
+        if (n < count) at.push_back(n);
+    }
+    at.push_back(count);
+    return at;
+}
+
+std::string convergence(const TuneResult& result) {
+    std::string head = fmt::format("{:<24}", "best after evaluations");
+    std::string found = fmt::format("{:<24}", "  the search");
+    std::string chance = fmt::format("{:<24}", "  random search");
+    for (const std::size_t n : milestones(result.steps.size())) {
+        head += fmt::format(" {:>7}", n);
+        found += fmt::format(" {:>7.4f}", best_after(result.steps, n));
+        if (!result.random_steps.empty()) {
+            chance += fmt::format(" {:>7.4f}", best_after(result.random_steps, n));
+        }
+    }
+    return head + "\n" + found + "\n" + (result.random_steps.empty() ? "" : chance + "\n");
+}
+
+/// Who drew the search's settings, and how much it matters.
+std::string agreement_line(const TuneResult& result) {
+    if (!result.agreement) return "";
+    const auto n_planes =
+        std::count_if(result.steps.begin(), result.steps.end(), [](const TuneStep& step) {
+            return step.found.is_by_planes;
+        });
+    const PlaneAgreement& agreement = *result.agreement;
+    return fmt::format(
+        "drawn from planes: {} of {} evaluations; all that was best when it came is the method's "
+        "own\n  at the tuned settings {:.4f} % of the pixels differ, E by {:+.6f}\n\n",
+        n_planes,
+        result.steps.size(),
+        100.0 * static_cast<double>(agreement.differ_px) /
+            static_cast<double>(std::max<std::int64_t>(agreement.total_px, 1)),
+        f_of(result.tuned.train) - f_of(agreement.by_planes));
+}
+
+std::string settings_lines(const TuneResult& result, const TuneOptions& options) {
+    std::string text;
+    const core::ParamValues defaults = options.entrant.info->complete(options.entrant.settings);
+    for (const auto& [name, value] : result.tuned.settings)
+        text += fmt::format("  {:<16} {:>10} -> {}\n", name, defaults.at(name), value);
+    return text;
+}
+
+}  // namespace
+
+std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
+    std::string text = "evaluation,phase";
+    for (const TunedKnob& knob : space.knobs())
+        text += "," + knob.param.name;
+    text += ",e_train,drawn_by";
+    const bool has_times = !result.steps.empty() && result.steps.front().found.draw_ms;
+    text += has_times ? ",draw_ms\n" : "\n";
+    for (const auto* steps : {&result.steps, &result.random_steps}) {
+        for (std::size_t i = 0; i < steps->size(); ++i) {
+            const TuneStep& step = (*steps)[i];
+            text += fmt::format("{},{}", i + 1, step.phase);
+            for (const TunedKnob& knob : space.knobs())
+                text += "," + step.settings.at(knob.param.name);
+            text += fmt::format(
+                ",{},{}", step.found.error, step.found.is_by_planes ? "planes" : "method");
+            text += has_times ? fmt::format(",{}\n", step.found.draw_ms.value_or(0)) : "\n";
+        }
+    }
+    return text;
+}
+
+std::vector<std::pair<std::string, std::string>> provenance_lines(const TuneResult& result,
+                                                                  const TuneOptions& options) {
+    std::vector<std::pair<std::string, std::string>> lines = {
+        {"command", methods::toml_text(options.command)},
+        {"seed", fmt::format("{}", options.plan.seed)},
+        {"objective", methods::toml_text(objective_name(options.objective))},
+        {"evaluations", fmt::format("{}", result.steps.size())},
+        {"training_views", fmt::format("{}", result.train_views)},
+        {"e_train", fmt::format("{:.6f}", 1 - f_of(result.tuned.train))},
+        {"e_train_default", fmt::format("{:.6f}", 1 - f_of(result.defaults.train))}};
+    if (result.heldout_views > 0) {
+        lines.push_back({"heldout_views", fmt::format("{}", result.heldout_views)});
+        lines.push_back({"e_heldout", fmt::format("{:.6f}", 1 - f_of(result.tuned.heldout))});
+        lines.push_back(
+            {"e_heldout_default", fmt::format("{:.6f}", 1 - f_of(result.defaults.heldout))});
+    }
+    if (options.budget_ms) lines.push_back({"budget_ms", fmt::format("{}", *options.budget_ms)});
+    lines.push_back({"inputs", methods::toml_text(result.inputs_hash)});
+    return lines;
+}
+
+std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
+    std::string text = fmt::format(
+        "{}: {} evaluations of {} over {} views of {} training scenes, seed {}{}\n\n",
+        options.entrant.info->name,
+        result.steps.size(),
+        objective_words(options.objective),
+        result.train_views,
+        result.tuned.train.size(),
+        options.plan.seed,
+        result.resumed > 0 ? fmt::format(" ({} were on disk already)", result.resumed) : "");
+    text += fmt::format("{:<24} {:>7} {:>6} {:<18}", "", "E train", "F", "95 % of E");
+    if (result.heldout_views > 0) {
+        text += fmt::format(" {:>7} {:>6} {:<18} {:>8}", "unseen", "F", "95 % of E", "gap");
+    }
+    text += '\n';
+    text += error_line(result.defaults);
+    text += error_line(result.tuned);
+    if (result.random) text += error_line(*result.random);
+    text +=
+        fmt::format("\nlead of {} over {} in F, 95 %:\n", options.name, options.entrant.info->name);
+    text += lead_line("training", result.tuned.train, result.defaults.train);
+    if (result.heldout_views > 0) {
+        text += lead_line("unseen", result.tuned.heldout, result.defaults.heldout);
+    }
+    const bool is_late = options.budget_ms && result.tuned.found.value > 1;
+    if (is_late) text += "none of the settings keeps within the time budget\n";
+    if (options.budget_ms) {
+        text += fmt::format("median drawing {:.3f} ms of {} allowed\n",
+                            result.tuned.found.draw_ms.value_or(0),
+                            *options.budget_ms);
+    }
+    text += '\n';
+    text += convergence(result);
+    text += '\n';
+    text += agreement_line(result);
+    text += settings_lines(result, options);
+    text += fmt::format("\npreset: {}\nevaluations: {}\n",
+                        result.preset.string(),
+                        (options.out / "evaluations.csv").string());
+    return text;
+}
+
+}  // namespace ink::tune

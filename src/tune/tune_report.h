@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tune/tune.h"
+
+namespace ink::tune {
+
+/// A line per evaluation: its number within the search (the random one counts anew), phase, knobs,
+/// e_train as the search saw it, drawn_by (method | planes), and draw_ms where there was a time
+/// budget.
+[[nodiscard]] std::string evaluations_csv(const TuneResult& result, const TuneSpace& space);
+
+/// What a preset says of how it came about.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> provenance_lines(
+    const TuneResult& result, const TuneOptions& options);
+
+/// What came of a search, for a terminal: errors of the defaults, of what was found and of chance
+/// on training and held-out scenes, the gap between them, intervals, the paired lead, how the
+/// search came down, the settings.
+[[nodiscard]] std::string tune_summary(const TuneResult& result, const TuneOptions& options);
+
+}  // namespace ink::tune

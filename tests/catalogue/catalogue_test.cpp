@@ -1,0 +1,276 @@
+#include "catalogue/catalogue.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "catalogue/shapes.h"
+#include "core/error.h"
+#include "scene/topology.h"
+
+namespace ink::catalogue {
+namespace {
+
+/// What a scene of the catalogue is known by. A new scene needs its row here.
+struct Golden {
+    const char* name;
+    bool is_closed;  ///< every solid closed, every edge consistently oriented
+    std::size_t triangles;
+    std::uint64_t hash;
+};
+
+const Golden kGolden[] = {
+    {"sphere", true, 3968, 0x991409e0dc65726aULL},  {"balls", true, 17920, 0x7cfc47de333a99e5ULL},
+    {"torus", true, 7680, 0x63c89f3d9d8dcc35ULL},   {"cube", true, 36, 0x448730d1aabc70d8ULL},
+    {"cylinder", true, 920, 0xa704c0b21ac77e89ULL}, {"cone", true, 296, 0xf172cfbcd5bb5a22ULL},
+    {"blocks", true, 60, 0x8ea113f6fab11f3aULL},    {"horizon", true, 9996, 0x7bb9926b557618ecULL},
+    {"tiles", false, 64, 0xeec432d9fec128d2ULL},    {"layers", false, 32, 0x917a142dd3719ed4ULL},
+    {"hills", false, 24576, 0x36ae7d48d6ec01fbULL}, {"soup", false, 9216, 0xaac16fa84007c7d4ULL},
+    {"gear", true, 1648, 0xa4d9d0e270376dd1ULL},    {"figure", true, 22020, 0xd07cb7f3595f0272ULL},
+    {"teapot", false, 6320, 0xfe251aa1af4d5a33ULL}, {"rocket", true, 100, 0x2f824e6c08d1ed14ULL},
+    {"gem", true, 148, 0xd580e8902f152c5cULL},      {"crystals", true, 416, 0xae3e4e5a20a3095fULL},
+    {"letters", true, 124, 0x091a4b7ac118d8fdULL},  {"knot", true, 9216, 0xadfaf5c37c1ebbd0ULL},
+    {"chess", true, 16764, 0xff23d937726088faULL},  {"flag", false, 13216, 0x36d4c825a9c13c6fULL},
+    {"tree", true, 16128, 0x5faf7e9ff4cd9c4eULL},   {"staircase", true, 144, 0x80390f00d3bae4deULL},
+    {"spiral", true, 2208, 0xc6ccf4af2f97aad3ULL},  {"fence", true, 792, 0x7f6dd31bb6288514ULL},
+    {"room", false, 4728, 0x4e1a199d1e4e0445ULL},
+};
+
+const Golden* golden_of(const std::string& name) {
+    const auto* const row = std::find_if(
+        std::begin(kGolden), std::end(kGolden), [&](const Golden& g) { return name == g.name; });
+    return row == std::end(kGolden) ? nullptr : row;
+}
+
+/// How often the mesh goes round the eye: 1 inside a closed solid, 0 outside, in between for
+/// sheets. Van Oosterom and Strackee 1983, "The solid angle of a plane triangle".
+double winding(const scene::Scene& scene,
+               const scene::Instance& instance,
+               const glm::dvec3& eye_world) {
+    double sum = 0;
+    const scene::Mesh& mesh = scene.meshes[instance.mesh];
+    for (const scene::Triangle& triangle : mesh.triangles) {
+        glm::dvec3 p[3];
+        for (int i = 0; i < 3; ++i) {
+            p[i] =
+                glm::normalize(scene::to_world(instance, mesh.positions[triangle[i]]) - eye_world);
+        }
+        const double volume = glm::dot(p[0], glm::cross(p[1], p[2]));
+        const double sides = 1 + glm::dot(p[0], p[1]) + glm::dot(p[1], p[2]) + glm::dot(p[2], p[0]);
+        sum += std::atan2(volume, sides);
+    }
+    return sum / (2 * std::numbers::pi);
+}
+
+/// The half-width and half-height of all vertices in the frame of 16 by 9, as shares of the
+/// frame's.
+glm::dvec2 filled_share(const scene::Scene& scene, const scene::Camera& camera) {
+    const scene::Projection projection(scene::View{camera, 1600, 900});
+    glm::dvec2 share{0};
+    for (const scene::Instance& instance : scene.instances) {
+        for (const auto& p : scene.meshes[instance.mesh].positions) {
+            const glm::dvec3 clip = projection.to_clip(scene::to_world(instance, p));
+            if (clip.z <= 0) return {INFINITY, INFINITY};
+            share =
+                glm::max(share, glm::abs(glm::dvec2(clip) / clip.z / glm::dvec2(800, 450) - 1.0));
+        }
+    }
+    return share;
+}
+
+TEST(Catalogue, EveryRowOfTheGoldenTableIsAScene) {
+    std::vector<std::string> golden;
+    for (const auto& row : kGolden)
+        golden.emplace_back(row.name);
+    std::vector<std::string> names;
+    for (const auto& entry : catalogue())
+        names.push_back(entry.name);
+    EXPECT_EQ(names, golden);
+    EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+}
+
+TEST(Catalogue, IsTheSameOnEveryMachine) {
+    for (const auto& entry : catalogue()) {
+        const Golden* row = golden_of(entry.name);
+        ASSERT_NE(row, nullptr) << entry.name;
+        const scene::Scene scene = entry.make();
+        EXPECT_EQ(scene::triangle_count(scene), row->triangles) << entry.name;
+        EXPECT_EQ(scene::scene_hash(scene), row->hash)
+            << entry.name << std::hex << " 0x" << scene::scene_hash(scene);
+    }
+}
+
+TEST(Catalogue, ScenesCarryNameSplitLightsAndViews) {
+    for (const auto& entry : catalogue()) {
+        const scene::Scene scene = entry.make();
+        EXPECT_EQ(scene.name, entry.name);
+        EXPECT_EQ(scene.split, entry.split) << entry.name;
+        EXPECT_FALSE(entry.summary.empty()) << entry.name;
+        EXPECT_EQ(scene.lights.size(), 2U) << entry.name;
+        EXPECT_GE(scene.cameras.size(), 2U) << entry.name;
+        EXPECT_GE(scene::triangle_count(scene), 10U) << entry.name;
+        EXPECT_LE(scene::triangle_count(scene), 60000U) << entry.name;
+        std::set<std::string> views;
+        for (const scene::Camera& camera : scene.cameras)
+            views.insert(camera.name);
+        EXPECT_EQ(views.size(), scene.cameras.size()) << entry.name << " has two views of one name";
+    }
+}
+
+TEST(Catalogue, BothSplitsHoldEveryKind) {
+    const std::vector<std::set<std::string>> kinds = {
+        {"sphere", "balls", "torus", "hills", "figure", "teapot", "knot", "flag"},  // smooth
+        {"cube", "cylinder", "gear", "rocket", "gem", "letters", "staircase"},      // creased
+        {"balls", "horizon", "gear", "chess", "tree", "fence", "room"},             // cluttered
+        {"blocks",
+         "figure",
+         "gear",
+         "crystals",
+         "tree",
+         "spiral",
+         "rocket",
+         "teapot"},                                                      // interpenetrating
+        {"tiles", "layers", "hills", "soup", "teapot", "flag", "room"},  // open
+    };
+    std::map<std::string, scene::Split> splits;
+    for (const auto& entry : catalogue())
+        splits[entry.name] = entry.split;
+    const auto count = [&](const std::set<std::string>& kind, scene::Split split) {
+        return std::count_if(
+            kind.begin(), kind.end(), [&](const auto& name) { return splits.at(name) == split; });
+    };
+    for (const auto& kind : kinds) {
+        EXPECT_GE(count(kind, scene::Split::train), 2) << *kind.begin();
+        EXPECT_GE(count(kind, scene::Split::heldout), 2) << *kind.begin();
+    }
+    std::set<std::string> all;
+    for (const auto& entry : catalogue())
+        all.insert(entry.name);
+    EXPECT_GE(count(all, scene::Split::train), 12);
+    EXPECT_GE(count(all, scene::Split::heldout), 12);
+}
+
+TEST(Catalogue, ClosedScenesAreClosedAndOriented) {
+    for (const auto& entry : catalogue()) {
+        const Golden* row = golden_of(entry.name);
+        ASSERT_NE(row, nullptr) << entry.name;
+        const scene::TopologyCounts counts = scene::weld(entry.make()).counts;
+        EXPECT_EQ(counts.degenerate, 0U) << entry.name;
+        EXPECT_EQ(counts.duplicate, 0U) << entry.name;
+        EXPECT_EQ(counts.nonmanifold_edges, 0U) << entry.name;
+        EXPECT_EQ(counts.inconsistent_edges, 0U) << entry.name;
+        EXPECT_EQ(counts.boundary_edges == 0, row->is_closed) << entry.name;
+    }
+}
+
+TEST(Catalogue, EyesStandOutsideOfSolids) {
+    for (const auto& entry : catalogue()) {
+        const scene::Scene scene = entry.make();
+        for (const scene::Instance& instance : scene.instances) {
+            if (instance.name == "shell") continue;  // the room is seen from inside
+            for (const scene::Camera& camera : scene.cameras) {
+                EXPECT_LT(std::abs(winding(scene, instance, camera.eye_world)), 0.5)
+                    << entry.name << ", " << camera.name << ", " << instance.name;
+            }
+        }
+    }
+}
+
+TEST(Catalogue, EyesOfTheRoomStandInside) {
+    const scene::Scene room = make_catalogue_scene("room");
+    ASSERT_EQ(room.instances[0].name, "shell");
+    for (const scene::Camera& camera : room.cameras) {
+        // Its fronts look inwards, and the window lets part of the sphere out.
+        EXPECT_LT(winding(room, room.instances[0], camera.eye_world), -0.5) << camera.name;
+    }
+}
+
+TEST(Catalogue, ThreeQuarterViewsFillTheFrame) {
+    for (const auto& entry : catalogue()) {
+        const scene::Scene scene = entry.make();
+        for (const scene::Camera& camera : scene.cameras) {
+            if (camera.name != "three_quarter" || entry.name == "horizon") continue;
+            const glm::dvec2 share = filled_share(scene, camera);
+            EXPECT_NEAR(std::max(share.x, share.y), 0.92, 1e-4) << entry.name;
+        }
+    }
+}
+
+TEST(Catalogue, ClipRangesHoldWhatIsSeen) {
+    for (const auto& entry : catalogue()) {
+        const scene::Scene scene = entry.make();
+        for (const scene::Camera& camera : scene.cameras) {
+            const scene::Projection projection(scene::View{camera, 1600, 900});
+            EXPECT_GT(camera.near, 0);
+            for (const scene::Instance& instance : scene.instances) {
+                for (const auto& p : scene.meshes[instance.mesh].positions) {
+                    const glm::dvec3 clip = projection.to_clip(scene::to_world(instance, p));
+                    const glm::dvec2 px = glm::dvec2(clip) / clip.z;
+                    const bool is_seen =
+                        clip.z > 0 && px.x > 0 && px.y > 0 && px.x < 1600 && px.y < 900;
+                    if (!is_seen) continue;
+                    EXPECT_GE(clip.z, camera.near) << entry.name << ", " << camera.name;
+                    EXPECT_LE(clip.z, camera.far) << entry.name << ", " << camera.name;
+                }
+            }
+        }
+    }
+}
+
+TEST(Catalogue, SphereAndTorusHaveTheirEulerCharacteristic) {
+    const auto euler = [](const char* name) {
+        const scene::Topology t = scene::weld(make_catalogue_scene(name));
+        return static_cast<long>(t.p_world.size() + t.faces.size()) -
+               static_cast<long>(t.edges.size());
+    };
+    EXPECT_EQ(euler("sphere"), 2);
+    EXPECT_EQ(euler("torus"), 0);
+    EXPECT_EQ(euler("knot"), 0);
+    EXPECT_EQ(euler("balls"), 2 * 14);
+}
+
+TEST(Catalogue, RocketHas150Edges) {
+    EXPECT_EQ(scene::weld(make_catalogue_scene("rocket")).edges.size(), 150U);
+}
+
+TEST(Catalogue, TilesAbutExactly) {
+    // 58 sides in a grid of 5 by 7, less 11 of the missing tiles and 12 between two heights.
+    const scene::Topology topology = scene::weld(make_catalogue_scene("tiles"));
+    const auto seams =
+        std::count_if(topology.edges.begin(), topology.edges.end(), [&](const scene::Edge& edge) {
+            const auto faces = topology.faces_of(edge);
+            return faces.size() == 2 &&
+                   topology.faces[faces[0]].object != topology.faces[faces[1]].object;
+        });
+    EXPECT_EQ(seams, 35);
+}
+
+TEST(Catalogue, OneFigureSceneMirrorsItsLimbs) {
+    const scene::Scene scene = make_catalogue_scene("figure");
+    const auto mirrored = std::count_if(scene.instances.begin(),
+                                        scene.instances.end(),
+                                        [](const auto& i) { return scene::is_mirrored(i); });
+    EXPECT_EQ(mirrored, 3 * 4);
+}
+
+TEST(Catalogue, UnknownSceneListsTheKnownOnes) {
+    try {
+        (void)make_catalogue_scene("torsu");
+        FAIL() << "no error";
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("torsu"));
+        EXPECT_THAT(error.accepted(),
+                    testing::AllOf(testing::HasSubstr("torus"), testing::HasSubstr("room")));
+    }
+    EXPECT_THROW((void)make_catalogue_scene(""), core::Error);
+}
+
+}  // namespace
+}  // namespace ink::catalogue

@@ -1,0 +1,96 @@
+#include "draw/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace ink::draw {
+namespace {
+
+/// What `method` with `settings` is told on a built-in scene.
+MethodExplanation explained(const std::string& scene,
+                            const std::string& method,
+                            const std::vector<std::string>& settings = {}) {
+    const harness::Subject subject = harness::make_subject(harness::load_scene(scene), {});
+    return explain(subject, harness::make_entrants(method, settings), 40).methods.front();
+}
+
+const Omission& find(const std::vector<Omission>& omissions, const std::string& what) {
+    return *std::find_if(
+        omissions.begin(), omissions.end(), [&](const auto& o) { return o.what == what; });
+}
+
+TEST(Explain, ListsEverySkipForEveryMethod) {
+    const harness::Subject subject = harness::make_subject(harness::load_scene("cube"), {});
+    const auto entrants = harness::make_entrants("", {});
+    const Explanation all = explain(subject, entrants, 40);
+    ASSERT_EQ(all.methods.size(), entrants.size());
+    EXPECT_EQ(all.views.size(), subject.views.size());
+    for (const MethodExplanation& method : all.methods) {
+        ASSERT_EQ(method.skips.size(), raster::kSkipCount) << method.method;
+        for (const Omission& skip : method.skips)
+            EXPECT_FALSE(skip.why.empty()) << method.method << ", " << skip.what;
+    }
+}
+
+TEST(Explain, FlatTilesNeedTwoClippedBits) {
+    EXPECT_TRUE(find(explained("cube", "mote4").skips, "flat_tiles").may);
+    const auto refused = explained("cube", "mote4", {"clip_bits=1"});
+    for (const char* skip : {"flat_tiles", "flat_stencils"}) {
+        EXPECT_FALSE(find(refused.skips, skip).may);
+        EXPECT_NE(find(refused.skips, skip).why.find("clip_bits = 1"), std::string::npos);
+    }
+}
+
+TEST(Explain, FlatTilesNeedACodeThatIsLinearOnTheScreen) {
+    for (const char* setting : {"interpolation=perspective",
+                                "packing=pixel",
+                                "response=wrap",
+                                "quantise=each",
+                                "fatten=true"}) {
+        EXPECT_FALSE(find(explained("cube", "mote4", {setting}).skips, "flat_tiles").may)
+            << setting;
+    }
+    EXPECT_FALSE(find(explained("cube", "decaudin").skips, "flat_tiles").may);
+}
+
+TEST(Explain, BacksNeedSealedPieces) {
+    EXPECT_TRUE(find(explained("cube", "mote4").skips, "backs").may);
+    EXPECT_FALSE(find(explained("tiles", "mote4").skips, "backs").may);
+}
+
+TEST(Explain, AttributesAreLeftOutWhereTheirWeightIsZero) {
+    EXPECT_FALSE(find(explained("cube", "mote4").skips, "attributes").may);
+    const auto without = explained("cube", "mote4", {"range_ny=0"});
+    EXPECT_TRUE(find(without.skips, "attributes").may);
+    EXPECT_NE(find(without.skips, "attributes").why.find("ny"), std::string::npos);
+}
+
+TEST(Explain, NormalsTellNothingWithoutCreasesAndCrossings) {
+    EXPECT_TRUE(find(explained("torus", "mote4").channels, "nx").may);
+    EXPECT_FALSE(find(explained("cube", "mote4").channels, "nx").may);
+    EXPECT_FALSE(find(explained("torus", "mote4").channels, "depth").may);
+    EXPECT_TRUE(explained("torus", "decaudin").channels.empty());
+}
+
+TEST(Explain, OnlyAutoHasAPlan) {
+    EXPECT_FALSE(explained("torus", "auto").plan.empty());
+    EXPECT_TRUE(explained("torus", "mote4").plan.empty());
+}
+
+TEST(Explain, TextHasAHeadingForEachPart) {
+    const harness::Subject subject = harness::make_subject(harness::load_scene("torus"), {});
+    const std::string text = as_text(explain(subject, harness::make_entrants("auto", {}), 40));
+    for (const char* part : {"torus: its ledger",
+                             "torus, seen from ",
+                             "auto: what it may leave out",
+                             "auto: channels that tell nothing",
+                             "auto: what it chose, and why"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    }
+}
+
+}  // namespace
+}  // namespace ink::draw

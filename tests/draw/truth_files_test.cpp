@@ -1,0 +1,157 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "catalogue/shapes.h"
+#include "draw/exr_layers.h"
+#include "draw/outline_svg.h"
+#include "draw/picture.h"
+#include "image_io/exr_file.h"
+#include "tests/report/markup.h"
+
+namespace ink::draw {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A cube of side 2 face-on at depth 5, as many px wide as its formula says, in a 64 x 48 frame.
+harness::Subject cube() {
+    harness::ViewRequest request;
+    request.width_px = 64;
+    request.height_px = 48;
+    harness::CameraRequest camera;
+    camera.eye_world = {0, 0, 6};
+    camera.target_world = glm::dvec3(0);
+    camera.fov_y_rad = 2 * std::atan(24.0 / 60);  // a focal length of 60 px
+    request.cameras = {camera};
+    scene::Scene scene;
+    scene.name = "cube";
+    scene.meshes = {catalogue::make_box({-1, -1, -1}, {1, 1, 1})};
+    scene.instances = {{0, glm::dmat4(1), "only"}};
+    return harness::make_subject(std::move(scene), request);
+}
+
+truth::Truth traced(const harness::Subject& subject) {
+    return truth::trace_truth(subject.scene, subject.views.front(), {});
+}
+
+template <class Held>
+const Held* channel(const image_io::ExrFile& file, const std::string& name) {
+    for (const image_io::ExrChannel& c : file.channels) {
+        if (c.name == name) return std::get_if<Held>(&c.pixels);
+    }
+    return nullptr;
+}
+
+std::string text_attribute(const image_io::ExrFile& file, const std::string& name) {
+    for (const image_io::ExrAttribute& a : file.attributes) {
+        if (a.name == name) return std::get<std::string>(a.value);
+    }
+    return "(absent)";
+}
+
+TEST(TruthExr, HoldsEveryLayerAsItIs) {
+    const harness::Subject subject = cube();
+    const truth::Truth truth = traced(subject);
+    const fs::path path = fs::path(testing::TempDir()) / "truth_layers.exr";
+    write_truth_exr(subject, {}, truth, path);
+    const image_io::ExrFile file = image_io::read_exr(path);
+    fs::remove(path);
+
+    using Ids = core::Image<std::uint32_t>;
+    using Floats = core::Image<float>;
+    const auto* label = channel<Ids>(file, "class.label");
+    const auto* triangle = channel<Ids>(file, "id.triangle");
+    const auto* patch = channel<Ids>(file, "id.patch");
+    const auto* depth = channel<Floats>(file, "Z");
+    const auto* facing = channel<Floats>(file, "facing.Y");
+    const auto* sampled = channel<image_io::HalfImage>(file, "sampled.Y");
+    const auto* red = channel<image_io::HalfImage>(file, "R");
+    ASSERT_TRUE(label && triangle && patch && depth && facing && sampled && red);
+    EXPECT_EQ(*triangle, truth.layers.triangle);
+    EXPECT_EQ(*patch, truth.layers.patch);
+    EXPECT_EQ(*depth, truth.layers.w);
+    EXPECT_EQ(*facing, truth.layers.n_dot_v);
+    std::size_t lines = 0;
+    for (std::size_t i = 0; i < label->size(); ++i) {
+        EXPECT_EQ(label->data()[i], truth.labels.data()[i]);
+        EXPECT_EQ(sampled->pixels.data()[i], truth.sampled.data()[i] / 255.0F);
+        lines += label->data()[i] != 0;
+    }
+    EXPECT_GT(lines, 50U);
+    EXPECT_EQ(depth->at(0, 0), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(red->pixels.at(0, 0), 1) << "white paper";
+    EXPECT_EQ(text_attribute(file, "ink:scene"), "cube");
+    EXPECT_THAT(text_attribute(file, "ink:labels"), HasSubstr("3 crease"));
+}
+
+TEST(TruthExr, LeavesOutWhatWasNotTraced) {
+    const harness::Subject subject = cube();
+    const truth::Truth truth =
+        truth::trace_truth(subject.scene, subject.views.front(), {.layers = false});
+    const fs::path path = fs::path(testing::TempDir()) / "truth_labels.exr";
+    write_truth_exr(subject, {}, truth, path);
+    const image_io::ExrFile file = image_io::read_exr(path);
+    fs::remove(path);
+    EXPECT_EQ(file.channels.size(), 6U) << "R, G, B, class.label, crack.right and crack.below";
+    using Ids = core::Image<std::uint32_t>;
+    const auto* right = channel<Ids>(file, "crack.right");
+    ASSERT_NE(right, nullptr);
+    // The left side of the square: 60 px / 5 left of the middle, at 20. Centres 19.5 and 20.5.
+    EXPECT_EQ(right->at(19, 24), static_cast<std::uint32_t>(truth::LineClass::contour));
+    EXPECT_EQ(right->at(20, 24), 0U);
+}
+
+TEST(DrawingExr, HoldsPictureShadingStrengthAndLayers) {
+    const harness::Subject subject = cube();
+    const harness::Entrant entrant = harness::make_entrants("mote4", {}).front();
+    DrawOptions options;
+    options.shading = shade::GouraudParams{};
+    const Drawing drawing = make_drawing(subject, entrant, options);
+    const edge::EdgeImage& strengths = drawing.strengths;
+    const fs::path path = fs::path(testing::TempDir()) / "drawing.exr";
+    const auto layers = draw_layers(subject, entrant, options);
+    write_drawing_exr(subject, entrant, drawing, layers, path);
+    const image_io::ExrFile file = image_io::read_exr(path);
+    fs::remove(path);
+    const auto* strength = channel<image_io::HalfImage>(file, "strength.Y");
+    ASSERT_NE(strength, nullptr);
+    ASSERT_NE(channel<image_io::HalfImage>(file, "G"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "shading.G"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "packed.R"), nullptr);
+    EXPECT_NE(channel<image_io::HalfImage>(file, "filtered.B"), nullptr);
+    for (std::size_t i = 0; i < strengths.size(); ++i)
+        EXPECT_EQ(std::lround(strength->pixels.data()[i] * 255), strengths.data()[i]);
+    EXPECT_EQ(text_attribute(file, "ink:method"), "mote4");
+}
+
+TEST(OutlineSvg, IsWellFormedAndSaysWhatEachLineIs) {
+    const harness::Subject subject = cube();
+    const std::string svg =
+        outline_svg(traced(subject), "a \"cube\" & <more>", subject.views.front());
+    EXPECT_EQ(report::nesting_error(svg), "");
+    EXPECT_THAT(svg, HasSubstr(R"(viewBox="0 0 64 48")"));
+    EXPECT_THAT(svg, HasSubstr(R"(data-class="contour" data-kind="sky")"));
+    EXPECT_THAT(svg, HasSubstr(R"(data-gap="inf inf inf inf")"));
+    EXPECT_THAT(svg, HasSubstr(R"(data-dihedral-deg="90 90 90 90")"));
+    EXPECT_THAT(svg, Not(HasSubstr("data-class=\"crease\"")));
+}
+
+TEST(OutlineSvg, OfNothingIsAnEmptySheet) {
+    truth::Truth nothing;
+    scene::View view;
+    view.width_px = 8;
+    view.height_px = 6;
+    const std::string svg = outline_svg(nothing, "nothing", view);
+    EXPECT_EQ(report::nesting_error(svg), "");
+    EXPECT_THAT(svg, Not(HasSubstr("polyline")));
+}
+
+}  // namespace
+}  // namespace ink::draw

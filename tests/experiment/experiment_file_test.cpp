@@ -1,0 +1,171 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/error.h"
+#include "experiment/experiment.h"
+#include "experiment/experiment_plan.h"
+
+namespace ink::experiment {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Experiment parse(const std::string& text) {
+    return parse_experiment(text, "e.toml");
+}
+
+/// What the error says; "" if there is none.
+std::string error_of(const std::string& text) {
+    try {
+        (void)parse(text);
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+constexpr const char* kHead = "name = \"e\"\nkind = \"compare\"\n";  // two lines
+
+TEST(ExperimentFile, ReadsEveryKey) {
+    const Experiment e = parse(R"(name = "e"
+kind = "compare"
+seed = 7
+[grid]
+scenes = ["cube", "torus"]
+views = 2
+methods = ["mote4", "ids"]
+sizes = ["64x36", "128x72"]
+threads = [1, 2]
+[measure]
+repetitions = 4
+budget_ms = 10
+full_scores = false
+witness = false
+times = false
+[settings]
+crease_deg = 30
+[settings.mote4]
+packing = "pixel"
+[sweep]
+own_views = 1
+[sweep.mote4]
+threshold = [3, 6]
+fatten = [true, false]
+)");
+    EXPECT_EQ(e.name, "e");
+    EXPECT_EQ(e.seed, 7U);
+    EXPECT_THAT(e.scenes, ElementsAre("cube", "torus"));
+    EXPECT_EQ(e.views, 2);
+    EXPECT_THAT(e.methods, ElementsAre("mote4", "ids"));
+    ASSERT_EQ(e.sizes.size(), 2U);
+    EXPECT_EQ(e.sizes[1].width_px, 128);
+    EXPECT_EQ(e.sizes[1].height_px, 72);
+    EXPECT_THAT(e.threads, ElementsAre(1, 2));
+    EXPECT_EQ(e.repetitions, 4);
+    EXPECT_DOUBLE_EQ(e.budget_s, 0.01);
+    EXPECT_FALSE(e.full_scores || e.witness || e.times);
+    EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
+    EXPECT_EQ(e.own_sweep_views, 1);
+    ASSERT_EQ(e.grids.size(), 1U);
+    EXPECT_EQ(grid_entrants(entrants_of(e).front(), e.grids.front()).size(), 4U);
+    const auto entrants = entrants_of(e);
+    EXPECT_EQ(entrants[0].settings.at("packing"), "pixel");
+    EXPECT_EQ(entrants[1].settings.at("crease_deg"), "30");
+    EXPECT_FALSE(entrants[1].settings.contains("packing"));
+}
+
+TEST(ExperimentFile, WithoutAGridIsEveryMethodOnTheCatalogue) {
+    const Experiment e = parse(kHead);
+    EXPECT_EQ(e.scenes, scenes_called("catalogue"));
+    EXPECT_EQ(e.methods.size(), entrants_of(e).size());
+    EXPECT_GT(e.methods.size(), 10U);
+    EXPECT_EQ(scenes_called("train").size() + scenes_called("heldout").size(), e.scenes.size());
+}
+
+TEST(ExperimentFile, NamesFileLineKeyAndWhatIsAccepted) {
+    const auto of = [](const std::string& more) { return error_of(kHead + more); };
+    EXPECT_THAT(
+        of("[grid]\nscene = [\"cube\"]\n"),
+        testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("grid.scene"), HasSubstr("scenes")));
+    EXPECT_THAT(of("[grid]\nscenes = [\n\"cube\",\n\"cub\"]\n"),
+                testing::AllOf(HasSubstr("e.toml:6"), HasSubstr("'cub'"), HasSubstr("cube")));
+    EXPECT_THAT(
+        of("[grid]\nviews = \"two\"\n"),
+        testing::AllOf(
+            HasSubstr("e.toml:4"), HasSubstr("grid.views"), HasSubstr("two"), HasSubstr("1..360")));
+    EXPECT_THAT(of("[grid]\nmethods = [\"mote5\"]\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("mote5"), HasSubstr("mote4")));
+    EXPECT_THAT(
+        of("[grid]\nsizes = [\"64\"]\n"),
+        testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("'64'"), HasSubstr("WIDTHxHEIGHT")));
+    EXPECT_THAT(of("[grid]\nthreads = [0]\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("1..256")));
+    EXPECT_THAT(
+        of("[measure]\nwitness = 1\n"),
+        testing::AllOf(
+            HasSubstr("e.toml:4"), HasSubstr("measure.witness"), HasSubstr("true | false")));
+    EXPECT_THAT(of("[settings]\nthreshold = 999\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("999"), HasSubstr("1..255")));
+    EXPECT_THAT(of("[sweep.mote4]\nrange_dept = [1, 2]\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("range_depth")));
+    EXPECT_THAT(of("[sweep.mote4]\nthreshold = []\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("empty")));
+    EXPECT_THAT(of("[sweep.mote5]\nthreshold = [1]\n"), HasSubstr("mote5"));
+    EXPECT_THAT(of("[gird]\n"), testing::AllOf(HasSubstr("e.toml:3"), HasSubstr("grid")));
+    EXPECT_THAT(of("grid = 3\n"), testing::AllOf(HasSubstr("e.toml:3"), HasSubstr("[grid]")));
+    EXPECT_THAT(of("a = = 3\n"), testing::AllOf(HasSubstr("e.toml:3"), HasSubstr("no TOML")));
+    EXPECT_THAT(error_of("name = \"e\"\nkind = \"compar\"\n"),
+                testing::AllOf(HasSubstr("e.toml:2"), HasSubstr("compare | stress | animation")));
+    EXPECT_THAT(error_of("kind = \"compare\"\n"), HasSubstr("there is no name"));
+    EXPECT_THAT(error_of("name = \"../x\"\nkind = \"compare\"\n"), HasSubstr("e.toml:1"));
+    EXPECT_THAT(error_of("name = \"e\"\nkind = \"stress\"\n[grid]\nscenes = [\"cube\"]\n"),
+                testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("axes")));
+}
+
+TEST(ExperimentFile, CommandLineReplacesSizeScenesMethodsAndViews) {
+    Experiment e = parse(std::string(kHead) +
+                         "[settings.mote4]\nthreshold = 9\n[sweep.mote4]\nthreshold = [3, 6]\n"
+                         "[sweep.ids]\ncrease_deg = [20, 40]\n");
+    ExperimentOverrides overrides;
+    overrides.size = "80x45";
+    overrides.scenes = "cube";
+    overrides.methods = "ids";
+    overrides.views = 1;
+    overrides.no_times = true;
+    e = with_overrides(e, overrides);
+    EXPECT_EQ(e.sizes.front().width_px, 80);
+    EXPECT_THAT(e.scenes, ElementsAre("cube"));
+    EXPECT_THAT(e.methods, ElementsAre("ids"));
+    ASSERT_EQ(e.grids.size(), 1U);
+    EXPECT_EQ(e.grids.front().method, "ids");
+    EXPECT_EQ(e.views, 1);
+    EXPECT_FALSE(e.times);
+    EXPECT_EQ(entrants_of(e).size(), 1U);
+    overrides.size = "80";
+    EXPECT_THROW((void)with_overrides(e, overrides), core::Error);
+}
+
+TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(INK_SOURCE_DIR "/experiments")) {
+        if (entry.path().extension() != ".toml") continue;
+        ++files;
+        const Experiment e = read_experiment(entry.path());
+        EXPECT_EQ(e.name, entry.path().stem().string());
+        const Plan plan = make_plan(e, {});
+        EXPECT_GT(plan.cells(), 0) << entry.path();
+        double work_s = 0;
+        for (const Block& block : plan.blocks) {
+            EXPECT_GT(block.cells, 0) << block.key;
+            work_s += block.work;
+        }
+        EXPECT_LT(work_s, 1800) << entry.path();
+    }
+    EXPECT_EQ(files, 6);
+}
+
+}  // namespace
+}  // namespace ink::experiment

@@ -1,0 +1,253 @@
+#include "experiment/experiment_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "core/error.h"
+#include "experiment/block_store.h"
+#include "experiment/folder_lock.h"
+#include "harness/csv_table.h"
+
+namespace ink::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A plan whose blocks only count how often they run: block i has two lines and takes work i + 1.
+Plan counting_plan(int blocks, std::vector<int>& runs) {
+    runs.assign(static_cast<std::size_t>(blocks), 0);
+    Plan plan;
+    plan.name = "counting";
+    plan.identity = "plan-of-" + std::to_string(blocks);
+    plan.build = "test";
+    plan.tables = {{"t.csv", "block,draw_ns"}};
+    for (int i = 0; i < blocks; ++i) {
+        const std::string name = std::to_string(i);
+        plan.blocks.push_back(
+            {"block " + name, 2, i + 1.0, false, [&runs, i, name] {
+                 ++runs[static_cast<std::size_t>(i)];
+                 return BlockResult{{{"t.csv", name + ",5\n" + name + ",6\n"}}, {}};
+             }});
+    }
+    return plan;
+}
+
+std::string text_of(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// What the error of `work` says; "" if there is none.
+template <class Work>
+std::string error_of(Work work) {
+    try {
+        work();
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+class ExperimentRun : public testing::Test {
+  protected:
+    void SetUp() override { fs::remove_all(folder_); }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] RunOptions into(const std::string& name, Shard shard = {}) const {
+        RunOptions options;
+        options.out = folder_ / name;
+        options.shard = shard;
+        return options;
+    }
+    fs::path folder_ = fs::path(testing::TempDir()) /
+                       ("ink_experiment_run_" +
+                        std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::vector<int> runs_;
+};
+
+TEST_F(ExperimentRun, WritesItsTablesInPlanOrderAndLeavesOnlyThose) {
+    const Plan plan = counting_plan(3, runs_);
+    const RunOutcome outcome = run_experiment(plan, into("a"));
+    EXPECT_THAT(outcome.tables, testing::ElementsAre(folder_ / "a" / "t.csv"));
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n2,5\n2,6\n");
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "a"))
+        names.insert(entry.path().filename());
+    EXPECT_EQ(names, (std::set<std::string>{"plan.toml", "t.csv"}));
+}
+
+TEST_F(ExperimentRun, DoesNothingAgainWhenAllIsDone) {
+    const Plan plan = counting_plan(3, runs_);
+    (void)run_experiment(plan, into("a"));
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(runs_, (std::vector<int>{1, 1, 1}));
+    fs::remove(folder_ / "a" / "t.csv");
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(runs_, (std::vector<int>{2, 2, 2})) << "somebody took the table away";
+    RunOptions fresh = into("a");
+    fresh.is_fresh = true;
+    (void)run_experiment(plan, fresh);
+    EXPECT_EQ(runs_, (std::vector<int>{3, 3, 3}));
+}
+
+TEST_F(ExperimentRun, GoesOnAfterABlockThatThrew) {
+    Plan plan = counting_plan(3, runs_);
+    const auto good = plan.blocks[1].run;
+    plan.blocks[1].run = []() -> BlockResult { throw core::Error("block", "it broke"); };
+    EXPECT_THAT(error_of([&] { (void)run_experiment(plan, into("a")); }), HasSubstr("it broke"));
+    plan.blocks[1].run = good;
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(runs_, (std::vector<int>{1, 1, 1})) << "the first block must not run twice";
+}
+
+TEST_F(ExperimentRun, ComputesATornBlockAgain) {
+    const Plan plan = counting_plan(2, runs_);
+    (void)run_experiment(plan, into("a", {1, 1}));
+    const std::string whole = text_of(folder_ / "a" / "t.csv");
+    // A shard keeps its blocks: tear one of them.
+    const Shard shard{1, 2};
+    (void)run_experiment(plan, into("b", shard));
+    const BlockStore store(folder_ / "b");
+    ASSERT_EQ(store.indices().size(), 1U);
+    const std::size_t i = store.indices().front();
+    const fs::path file = folder_ / "b" / "blocks" / ("00000" + std::to_string(i) + ".block");
+    fs::resize_file(file, fs::file_size(file) - 3);
+    EXPECT_FALSE(store.read(i, plan.blocks[i].key));
+    const int before = runs_[i];
+    (void)run_experiment(plan, into("b", shard));
+    EXPECT_EQ(runs_[i], before + 1);
+    EXPECT_TRUE(store.read(i, plan.blocks[i].key));
+    EXPECT_FALSE(store.read(i, "another block"));
+}
+
+TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
+    (void)run_experiment(counting_plan(2, runs_), into("a"));
+    const Plan other = counting_plan(3, runs_);
+    EXPECT_THAT(error_of([&] { (void)run_experiment(other, into("a")); }),
+                testing::AllOf(HasSubstr("another experiment"), HasSubstr("--fresh")));
+    EXPECT_EQ(runs_, (std::vector<int>{0, 0, 0}));
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n");
+    const FolderLock lock(folder_ / "a", false);
+    EXPECT_THAT(error_of([&] { (void)run_experiment(other, into("a")); }),
+                HasSubstr("another run"));
+}
+
+TEST_F(ExperimentRun, LeavesTimesOutIfThePlanSaysSo) {
+    Plan plan = counting_plan(1, runs_);
+    plan.times = false;
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,\n0,\n");
+}
+
+TEST_F(ExperimentRun, KeepsWhatIsFinishedWhenTheDiskIsFull) {
+    Plan plan = counting_plan(3, runs_);
+    const auto good = plan.blocks[1].run;
+    plan.blocks[1].run = [] {
+        return BlockResult{{{"t.csv", std::string(1 << 20, 'x') + ",1\n"}}, {}};
+    };
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{1 << 16, before.rlim_max};
+    const auto old = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string error = error_of([&] { (void)run_experiment(plan, into("a")); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old);
+    EXPECT_THAT(error, HasSubstr("cannot be written"));
+    EXPECT_FALSE(fs::exists(folder_ / "a" / "t.csv"));
+    plan.blocks[1].run = good;
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(runs_, (std::vector<int>{1, 1, 1}));
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n2,5\n2,6\n");
+}
+
+TEST_F(ExperimentRun, AVoidRunSaysSoAgain) {
+    Plan plan = counting_plan(1, runs_);
+    plan.blocks[0].run = [] { return BlockResult{{{"t.csv", "0,1\n"}}, {"a, b", "c"}}; };
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_THAT(run_experiment(plan, into("a")).faults, testing::ElementsAre("a, b", "c"));
+    }
+}
+
+TEST_F(ExperimentRun, MergesShardsToTheBytesOfOneRun) {
+    const Plan plan = counting_plan(7, runs_);
+    (void)run_experiment(plan, into("whole"));
+    std::vector<fs::path> parts;
+    for (int i = 1; i <= 3; ++i) {
+        const std::string name = "part" + std::to_string(i);
+        EXPECT_TRUE(run_experiment(plan, into(name, {i, 3})).tables.empty());
+        parts.push_back(folder_ / name);
+    }
+    (void)merge_shards(parts, folder_ / "merged");
+    EXPECT_EQ(text_of(folder_ / "merged" / "t.csv"), text_of(folder_ / "whole" / "t.csv"));
+    EXPECT_EQ(text_of(folder_ / "merged" / "plan.toml"), text_of(folder_ / "whole" / "plan.toml"));
+}
+
+TEST_F(ExperimentRun, MergeRefusesWhatDoesNotFit) {
+    const Plan plan = counting_plan(4, runs_);
+    (void)run_experiment(plan, into("a", {1, 2}));
+    (void)run_experiment(plan, into("b", {2, 2}));
+    (void)run_experiment(plan, into("c", {2, 2}));
+    (void)run_experiment(plan, into("whole"));
+    std::vector<int> others;
+    (void)run_experiment(counting_plan(5, others), into("foreign", {1, 2}));
+    const auto merge = [&](const std::vector<std::string>& names) {
+        std::vector<fs::path> folders;
+        for (const std::string& name : names)
+            folders.push_back(folder_ / name);
+        return error_of([&] { (void)merge_shards(folders, folder_ / "m"); });
+    };
+    EXPECT_THAT(merge({"a"}),
+                testing::AllOf(HasSubstr("2 of 4 blocks are missing"), HasSubstr("'block ")));
+    EXPECT_THAT(merge({"a", "b", "c"}), testing::AllOf(HasSubstr("/c"), HasSubstr("/b too")));
+    EXPECT_THAT(merge({"a", "foreign"}), testing::AllOf(HasSubstr("/foreign"), HasSubstr("/a")));
+    EXPECT_THAT(merge({"a", "nowhere"}), HasSubstr("/nowhere"));
+    EXPECT_THAT(merge({"whole"}), HasSubstr("finished"));
+    EXPECT_FALSE(fs::exists(folder_ / "m"));
+}
+
+TEST(ShardBlocks, ShareAllBlocksOutEvenly) {
+    std::vector<int> runs;
+    const Plan plan = counting_plan(40, runs);  // 820 of work
+    for (const int n : {1, 3, 7, 50}) {
+        std::multiset<std::size_t> all;
+        for (int i = 1; i <= n; ++i) {
+            double work = 0;
+            for (const std::size_t block : shard_blocks(plan, i, n)) {
+                all.insert(block);
+                work += plan.blocks[block].work;
+            }
+            EXPECT_LE(work, 820.0 / n + 40) << i << "/" << n;
+        }
+        EXPECT_EQ(all.size(), 40U);
+        EXPECT_EQ(std::set<std::size_t>(all.begin(), all.end()).size(), 40U);
+    }
+}
+
+TEST(ParseShard, TakesOneToN) {
+    EXPECT_EQ(parse_shard("2/4").i, 2);
+    EXPECT_EQ(parse_shard("2/4").n, 4);
+    for (const char* bad : {"", "2", "0/4", "5/4", "1/0", "a/b", "1/2/3", "1/2 ", "-1/2"})
+        EXPECT_THROW((void)parse_shard(bad), core::Error) << bad;
+}
+
+TEST(harness::CsvTable, KeepsEveryByteOfFieldsItDoesNotChange) {
+    const std::string text = "a,b\n\"x, \"\"y\"\"\n\",2\n,\n";
+    const harness::CsvTable table = harness::split_csv(text, "t");
+    ASSERT_EQ(table.records.size(), 2U);
+    EXPECT_EQ(harness::unquoted(table.records[0][0]), "x, \"y\"\n");
+    EXPECT_EQ(harness::join_csv(table), text);
+    EXPECT_THROW((void)harness::split_csv("a,b\n1\n", "t"), core::Error);
+    EXPECT_TRUE(harness::split_csv("", "t").columns.empty());
+    EXPECT_EQ(harness::without_times("a,draw_ns,b", "1,2,3\n"), "1,,3\n");
+}
+
+}  // namespace
+}  // namespace ink::experiment

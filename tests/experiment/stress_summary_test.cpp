@@ -1,0 +1,117 @@
+#include "experiment/stress_summary.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiment/stress.h"
+#include "report/stress_chart.h"
+#include "report/stress_page.h"
+#include "tests/report/markup.h"
+
+namespace ink::experiment {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+studies::StressRow row_of(const std::string& method,
+                          double value,
+                          const std::string& scene,
+                          int k) {
+    studies::StressRow row{"grazing", value, "deg", {}, {}};
+    row.row.method = method;
+    row.row.scene = scene;
+    row.row.k_2px = k;
+    row.row.n_pred = 100;
+    row.row.n_truth = 100;
+    row.row.f_2px = k / 100.0;
+    return row;
+}
+
+std::vector<studies::StressRow> some_rows() {
+    std::vector<studies::StressRow> rows;
+    for (const char* scene : {"a", "b"}) {
+        rows.push_back(row_of("sampled", 0.1, scene, 99));
+        rows.push_back(row_of("steady", 0.1, scene, 90));
+        rows.push_back(row_of("mote4", 0.1, scene, *scene == 'a' ? 30 : 50));
+        rows.push_back(row_of("sampled", 20, scene, 99));
+        rows.push_back(row_of("steady", 20, scene, 91));
+        rows.push_back(row_of("mote4", 20, scene, 80));
+    }
+    return rows;
+}
+
+TEST(StressSummary, PoolsTheCasesOfAPoint) {
+    const auto points = summarise_stress(some_rows(), 1);
+    ASSERT_EQ(points.size(), 6U);
+    EXPECT_EQ(points[2].method, "mote4");
+    EXPECT_EQ(points[2].value, 0.1);
+    EXPECT_EQ(points[2].cases, 2);
+    EXPECT_DOUBLE_EQ(points[2].f.value(), 0.4);
+    EXPECT_DOUBLE_EQ(points[2].error().value(), 0.6);
+    EXPECT_EQ(points[2].truth_px, 200);
+    ASSERT_TRUE(points[2].f_range);
+    EXPECT_DOUBLE_EQ(points[2].f_range->low, 0.3);  // both times the worse scene
+    EXPECT_DOUBLE_EQ(points[2].f_range->high, 0.5);
+}
+
+TEST(StressSummary, ALostCellIsCountedAndNotScored) {
+    auto rows = some_rows();
+    rows[2].row.status = "failed: no ink";
+    rows[2].counts.lost = 1;
+    const auto points = summarise_stress(rows, 1);
+    EXPECT_EQ(points[2].cases, 1);
+    EXPECT_DOUBLE_EQ(points[2].f.value(), 0.5);
+    EXPECT_FALSE(points[2].f_range);
+    EXPECT_EQ(points[2].counts.lost, 1);
+    EXPECT_THAT(stress_summary_csv(points), HasSubstr("grazing,0.1,deg,mote4,1,0.5,,,0.5,"));
+}
+
+TEST(StressSentence, NamesTheLevelAndTheWorst) {
+    const auto curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
+    ASSERT_EQ(curves.size(), 3U);
+    EXPECT_NEAR(curves[2].loss(), 0.4, 1e-12);
+    EXPECT_EQ(stress_sentence(studies::find_stress_axis("grazing"), curves),
+              "Level: steady. Moves most: mote4 from .20 (at 20°) to .60 (at 0.1°).");
+}
+
+TEST(StressTable, HasALinePerAxisThatRan) {
+    const std::string table = stress_table(summarise_stress(some_rows(), 1));
+    EXPECT_THAT(table, HasSubstr("grazing"));
+    EXPECT_THAT(table, HasSubstr("mote4"));
+    EXPECT_THAT(table, Not(HasSubstr("cube_roll")));
+}
+
+TEST(StressChart, EveryMethodHasAFamilyAndAName) {
+    EXPECT_EQ(report::stress_family("decaudin_tuned"), report::StressFamily::full_buffers);
+    EXPECT_EQ(report::stress_family("mote16"), report::StressFamily::packed);
+    EXPECT_EQ(report::stress_family("edge_hash"), report::StressFamily::object_space);
+    EXPECT_EQ(report::stress_family("a_new_one"), report::StressFamily::ids);
+    const auto curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
+    const std::string svg =
+        report::stress_chart(studies::find_stress_axis("grazing"), curves).file("x");
+    EXPECT_THAT(svg, HasSubstr(">mote4<"));
+    EXPECT_THAT(svg, HasSubstr(">steady<"));
+    EXPECT_THAT(svg, HasSubstr("angle at which the gaze meets a floor, deg"));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(StressPage, TellsOfLostCellsAndNeedsNoOtherFile) {
+    StressOptions options;
+    options.axes = {&studies::find_stress_axis("grazing")};
+    StressResult result;
+    result.rows = some_rows();
+    result.points = summarise_stress(result.rows, 1);
+    EXPECT_THAT(report::stress_page(options, result), HasSubstr("Nothing crashed"));
+    result.rows[2].counts.lost = 1;
+    result.rows[2].row.status = "failed: <no ink>";
+    result.counts = total_counts(result.rows);
+    const std::string page = report::stress_page(options, result);
+    EXPECT_THAT(page, HasSubstr("failed: &lt;no ink&gt;"));
+    EXPECT_THAT(page, Not(HasSubstr("Nothing crashed")));
+    EXPECT_THAT(page, Not(HasSubstr("src=")));
+    EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+}
+
+}  // namespace
+}  // namespace ink::experiment

@@ -1,0 +1,177 @@
+// Laws of the score that hold on every picture, over every frame of the catalogue and every method.
+
+#include <gtest/gtest.h>
+
+#include "catalogue/catalogue.h"
+#include "core/parallel.h"
+#include "harness/cell.h"
+#include "harness/line_scores.h"
+#include "harness/suite.h"
+#include "methods/registry.h"
+#include "tests/shared_files.h"
+
+namespace ink::harness {
+namespace {
+
+constexpr std::array kLadder_px = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0};
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+
+edge::EdgeImage drawing_of(const score::ScoringTruth& truth) {
+    edge::EdgeImage picture = truth.labels;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        picture.data()[i] = picture.data()[i] != 0 ? 255 : 0;
+    return picture;
+}
+
+ViewRequest small_views() {
+    ViewRequest request;
+    request.width_px = 640;
+    request.height_px = 360;
+    return request;
+}
+
+ViewTruth truth_of(truth::SceneModel& model, const scene::View& view) {
+    return trace_view(model, view, "");
+}
+
+truth::TruthOptions without_layers() {
+    truth::TruthOptions options;
+    options.threads = core::hardware_threads();
+    options.layers = false;
+    return options;
+}
+
+void expect_full_self_score(const ViewTruth& truth) {
+    score::ScoreOptions options = score_options(128);
+    const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, options);
+    for (const double tolerance_px : kLadder_px) {
+        options.tolerance_px = tolerance_px;
+        const score::Score s = score::score_strokes(strokes, truth.scoring, options);
+        EXPECT_EQ(s.k, s.n_truth) << tolerance_px;
+        EXPECT_EQ(s.k, s.n_pred) << tolerance_px;
+        EXPECT_EQ(s.f(), 1.0) << tolerance_px;
+    }
+}
+
+void expect_laws(const edge::EdgeImage& picture, int threshold, const ViewTruth& truth) {
+    score::ScoreOptions options = score_options(threshold);
+    const auto strokes = score::make_strokes(picture, threshold, options);
+    std::int64_t k_before = 0;
+    for (const double tolerance_px : kLadder_px) {
+        options.tolerance_px = tolerance_px;
+        const score::Score s = score::score_strokes(strokes, truth.scoring, options);
+        EXPECT_EQ(s.n_pred, s.k + s.surplus + s.off_line) << tolerance_px;
+        EXPECT_EQ(s.n_truth, s.k + s.lost + s.missing) << tolerance_px;
+        for (const std::int64_t n : {s.k, s.surplus, s.off_line, s.lost, s.missing})
+            EXPECT_GE(n, 0) << tolerance_px;
+        EXPECT_GE(s.k, k_before) << tolerance_px;
+        k_before = s.k;
+        std::int64_t n_of_classes = 0, k_of_classes = 0;
+        for (const score::ClassCount& c : s.classes) {
+            EXPECT_LE(c.k, c.n_truth);
+            n_of_classes += c.n_truth;
+            k_of_classes += c.k;
+        }
+        EXPECT_EQ(n_of_classes, s.n_truth);
+        EXPECT_GE(k_of_classes, s.k);
+    }
+}
+
+/// Unthinned the score does not care which of the two pictures is the drawing.
+void expect_symmetry(const edge::EdgeImage& picture, int threshold, const ViewTruth& truth) {
+    score::ScoreOptions options{.threshold = threshold, .thin = false};
+    const auto strokes = score::make_strokes(picture, threshold, options);
+    const auto drawn_as_truth = score::prepare_truth(strokes.drawn, options, false);
+    auto labels_as_truth = truth.scoring;
+    labels_as_truth.ignore.fill(0);
+    const score::Score there = score::score_strokes(strokes, labels_as_truth, options);
+    const score::Score back = score::score(drawing_of(truth.scoring), drawn_as_truth, options);
+    EXPECT_EQ(there.k, back.k);
+    EXPECT_EQ(there.surplus, back.lost);
+    EXPECT_EQ(there.off_line, back.missing);
+    EXPECT_EQ(there.lost, back.surplus);
+    EXPECT_EQ(there.missing, back.off_line);
+}
+
+/// Every bin of an attribute adds up to no more than is true, and the oracle finds all of each.
+void expect_bins(const ViewTruth& truth) {
+    const LineTruth lines = prepare_lines(truth);
+    const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, score_options(128));
+    const LineScores s = score_lines(strokes, lines);
+    std::array<std::int64_t, 4> n_truth{};
+    for (const BinCount& bin : s.bins) {
+        EXPECT_EQ(bin.k, bin.n_truth);
+        n_truth[bin.attribute] += bin.n_truth;
+    }
+    const auto all = static_cast<std::int64_t>(lines.lists.truth.size());
+    EXPECT_EQ(n_truth[2], all);  // every line has a view angle and a distance
+    EXPECT_EQ(n_truth[3], all);
+    EXPECT_LE(n_truth[0], all);
+    EXPECT_LE(n_truth[1], all);
+    EXPECT_EQ(s.ink.n_false, 0);
+    EXPECT_EQ(s.ink.n_drawn, all);
+}
+
+TEST_P(EveryScene, KeepsTheLawsOfTheScore) {
+    const Subject subject = make_subject(load_scene(GetParam()), small_views());
+    truth::SceneModel model(subject.scene, without_layers());
+    std::vector<std::unique_ptr<PreparedMethod>> methods;
+    for (const method::MethodInfo& info : methods::registry())
+        methods.push_back(std::make_unique<PreparedMethod>(Entrant{&info, {}}, subject.scene));
+    for (const scene::View& view : subject.views) {
+        SCOPED_TRACE(view.camera.name);
+        const ViewTruth truth = truth_of(model, view);
+        expect_full_self_score(truth);
+        expect_bins(truth);
+        for (const auto& method : methods) {
+            SCOPED_TRACE(method->entrant().info->name);
+            edge::EdgeImage picture(view.width_px, view.height_px);
+            method->method().draw({view, core::hardware_threads()}, picture);
+            expect_laws(picture, method->threshold(), truth);
+            expect_symmetry(picture, method->threshold(), truth);
+        }
+    }
+}
+
+std::vector<std::string> catalogue_names() {
+    std::vector<std::string> names;
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
+        names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue,
+                         EveryScene,
+                         testing::ValuesIn(catalogue_names()),
+                         [](const auto& value) { return value.param; });
+
+class EveryModel : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryModel, ScoresOneAgainstItself) {
+    const auto path = shared_file("models/" + GetParam());
+    INK_SKIP_WITHOUT(path);
+    const Subject subject = make_subject(load_scene(path.string()), small_views());
+    truth::SceneModel model(subject.scene, without_layers());
+    for (const scene::View& view : subject.views) {
+        SCOPED_TRACE(view.camera.name);
+        expect_full_self_score(truth_of(model, view));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared,
+                         EveryModel,
+                         testing::Values("bunny.obj",
+                                         "spot.obj",
+                                         "temple.glb",
+                                         "knight.mdl",
+                                         "milk_truck.glb",
+                                         "pine.glb",
+                                         "dice.stl",
+                                         "nonmanifold.obj"),
+                         [](const auto& value) {
+                             return value.param.substr(0, value.param.find('.'));
+                         });
+
+}  // namespace
+}  // namespace ink::harness

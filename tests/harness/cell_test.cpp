@@ -1,0 +1,134 @@
+#include "harness/cell.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::harness {
+namespace {
+
+/// A method made for one test: draws what `picture` says, or fails where it is told to.
+class Puppet final : public method::Method {
+  public:
+    struct Script {
+        std::string fail_in;    ///< "prepare", "draw" or ""
+        bool is_moody = false;  ///< every drawing differs from the one before
+        int drawings = 0;
+    };
+    explicit Puppet(Script& script) : script_(script) {}
+
+    void prepare(const scene::Scene&) override {
+        if (script_.fail_in == "prepare") throw core::Error("puppet", "it will not prepare");
+    }
+    void pose(const scene::Scene&) override {}
+    void draw(const method::Frame&, edge::EdgeImage& out) override {
+        if (script_.fail_in == "draw") throw std::runtime_error("out of ink");
+        out.fill(0);
+        out.at(2, 2) = static_cast<std::uint8_t>(script_.is_moody ? ++script_.drawings : 200);
+        if (!script_.is_moody) ++script_.drawings;
+    }
+    int bytes_per_px() const override { return 3; }
+
+  private:
+    Script& script_;
+};
+
+method::MethodInfo info_of(const std::string& name, Puppet::Script& script) {
+    method::MethodInfo info;
+    info.name = name;
+    info.make = [&script](const core::ParamValues&) { return std::make_unique<Puppet>(script); };
+    info.complete = [](const core::ParamValues&) {
+        return core::ParamValues{{"threshold", "100"}};
+    };
+    return info;
+}
+
+struct Stage {
+    scene::Scene scene = scene::scene_of(scene::unit_cube());
+    scene::View view{scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 8, 8};
+    std::vector<std::unique_ptr<PreparedMethod>> methods;
+
+    void add(const method::MethodInfo& info) {
+        methods.push_back(std::make_unique<PreparedMethod>(Entrant{&info, {}}, scene));
+    }
+};
+
+TEST(DrawInTurns, RepeatsAtLeastTheMinimumAndKeepsThePicture) {
+    Puppet::Script script;
+    const auto info = info_of("good", script);
+    Stage stage;
+    stage.add(info);
+    std::vector<edge::EdgeImage> pictures;
+    const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000}, pictures);
+    EXPECT_EQ(times[0].failure, "");
+    EXPECT_EQ(times[0].draw_ns.size(), 5U);
+    EXPECT_EQ(script.drawings, 6);  // one to warm up
+    EXPECT_EQ(pictures[0].at(2, 2), 200);
+}
+
+TEST(DrawInTurns, OneMethodsFailureIsItsOwn) {
+    Puppet::Script good, bad, moody, unprepared;
+    bad.fail_in = "draw";
+    moody.is_moody = true;
+    unprepared.fail_in = "prepare";
+    const auto infos = std::vector{info_of("good", good),
+                                   info_of("bad", bad),
+                                   info_of("moody", moody),
+                                   info_of("unprepared", unprepared)};
+    Stage stage;
+    for (const auto& info : infos)
+        stage.add(info);
+    std::vector<edge::EdgeImage> pictures;
+    const auto times = draw_in_turns(stage.methods, stage.view, {1, 2, 2, 1}, pictures);
+    EXPECT_EQ(times[0].failure, "");
+    EXPECT_THAT(times[1].failure, testing::HasSubstr("out of ink"));
+    EXPECT_THAT(times[2].failure, testing::HasSubstr("two drawings of one view differ"));
+    EXPECT_THAT(times[3].failure, testing::HasSubstr("it will not prepare"));
+    EXPECT_EQ(stage.methods[3]->row().status, "puppet: it will not prepare");
+    EXPECT_FALSE(stage.methods[3]->row().prepare_ns.has_value());
+}
+
+TEST(FillTimes, GivesMedianQuartilesAndMinimumThatWereMeasured) {
+    Row row;
+    fill_times({50, 10, 30, 20, 40}, row);
+    EXPECT_EQ(row.draw_ns, 30);
+    EXPECT_EQ(row.draw_ns_q25, 20);
+    EXPECT_EQ(row.draw_ns_q75, 40);
+    EXPECT_EQ(row.draw_ns_min, 10);
+    EXPECT_EQ(row.draw_n, 5);
+    Row none;
+    fill_times({}, none);
+    EXPECT_FALSE(none.draw_ns.has_value());
+}
+
+TEST(FillScores, CountsAddUpAndNullsStayNull) {
+    score::ScoreOptions options;
+    core::Image<std::uint8_t> labels(40, 40);
+    for (int x = 10; x < 30; ++x)
+        labels.at(x, 20) = 1;
+    edge::EdgeImage picture(40, 40);
+    for (int x = 10; x < 20; ++x)
+        picture.at(x, 20) = 255;
+    Row row;
+    fill_scores(score_picture(picture, score::prepare_truth(labels, options, true), 128), row);
+    EXPECT_EQ(row.k_2px + row.lost + row.missing, row.n_truth);
+    EXPECT_EQ(row.k_2px + row.surplus + row.off_line, row.n_pred);
+    EXPECT_EQ(row.precision_2px, 1.0);
+
+    Row empty;
+    fill_scores(
+        score_picture(edge::EdgeImage(40, 40), score::prepare_truth(labels, options, true), 128),
+        empty);
+    EXPECT_EQ(empty.f_2px, 0.0);
+    EXPECT_FALSE(empty.precision_2px.has_value());
+    EXPECT_FALSE(empty.mean_width_px.has_value());
+}
+
+TEST(JoinParams, IsOrderedByName) {
+    EXPECT_EQ(join_params({{"b", "2"}, {"a", "x"}}), "a=x;b=2");
+}
+
+}  // namespace
+}  // namespace ink::harness

@@ -1,0 +1,90 @@
+#include "harness/suite.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::harness {
+namespace {
+
+/// A user's model: called as no built-in scene is.
+scene::Scene model() {
+    scene::Mesh mesh = scene::unit_cube();
+    mesh.name = "crate";
+    return scene::scene_of(mesh);
+}
+
+TEST(Subject, AModelGetsThreeViewsRoundItUnlessAsked) {
+    const Subject three = make_subject(model(), {});
+    EXPECT_EQ(three.views.size(), 3U);
+    EXPECT_EQ(three.views[0].width_px, 1280);
+    ViewRequest five;
+    five.orbit_count = 5;
+    EXPECT_EQ(make_subject(model(), five).views.size(), 5U);
+}
+
+TEST(Subject, ACatalogueSceneHasItsOwnViews) {
+    const auto& entry = catalogue::catalogue().front();
+    const Subject subject = make_subject(load_scene(entry.name), {});
+    ASSERT_EQ(subject.views.size(), subject.scene.cameras.size());
+    EXPECT_EQ(subject.views[0].camera.name, subject.scene.cameras[0].name);
+}
+
+TEST(Subject, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
+    ViewRequest request;
+    request.cameras.push_back({{0, 0, 10}, std::nullopt, {0, 1, 0}, std::nullopt});
+    const Subject subject = make_subject(model(), request);
+    ASSERT_EQ(subject.views.size(), 1U);
+    const scene::Camera& camera = subject.views[0].camera;
+    EXPECT_EQ(camera.eye_world, glm::dvec3(0, 0, 10));
+    EXPECT_NEAR(camera.near, 10 - std::sqrt(3.0), 1e-9);
+    EXPECT_NEAR(camera.far, 10 + std::sqrt(3.0), 1e-9);
+}
+
+TEST(Subject, FileCamerasThatAreNotThereAreAnError) {
+    ViewRequest request;
+    request.file_cameras = true;
+    EXPECT_THROW((void)make_subject(model(), request), core::Error);
+}
+
+TEST(Size, AbsurdSizesNameTheLimits) {
+    for (const auto& [w, h] : {std::pair{0, 10}, {10, -1}, {100000, 100000}, {16384, 16384}}) {
+        try {
+            check_size(w, h);
+            FAIL() << w << "x" << h;
+        } catch (const core::Error& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("1..16384 px a side"));
+        }
+    }
+    EXPECT_NO_THROW(check_size(1, 1));
+    EXPECT_NO_THROW(check_size(7680, 4320));
+}
+
+TEST(LoadScene, AWordThatIsNeitherSceneNorFileListsTheScenes) {
+    try {
+        (void)load_scene("no_such_thing");
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr(catalogue::catalogue().front().name));
+    }
+}
+
+TEST(LoadOneView, AnUnknownViewListsTheViews) {
+    const auto& entry = catalogue::catalogue().front();
+    const std::string first = entry.make().cameras.front().name;
+    EXPECT_EQ(load_one_view(entry.name, "", {}).views.size(), 1U);
+    try {
+        (void)load_one_view(entry.name, "from_nowhere", {});
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr(first));
+    }
+}
+
+}  // namespace
+}  // namespace ink::harness

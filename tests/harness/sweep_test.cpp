@@ -1,0 +1,89 @@
+#include "harness/sweep.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/scene/small_meshes.h"
+
+namespace ink::harness {
+namespace {
+
+/// Draws a row of pixels of the strength it is set to, and fails where it is told to.
+class Stroke final : public method::Method {
+  public:
+    explicit Stroke(int strength) : strength_(strength) {}
+    void prepare(const scene::Scene&) override {}
+    void pose(const scene::Scene&) override {}
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override {
+        if (strength_ == 13) throw std::runtime_error("out of ink");
+        out.fill(0);
+        for (int x = 0; x < frame.view.width_px; ++x)
+            out.at(x, 20) = static_cast<std::uint8_t>(strength_);
+    }
+    int bytes_per_px() const override { return 1; }
+
+  private:
+    int strength_;
+};
+
+method::MethodInfo stroke_info() {
+    method::MethodInfo info;
+    info.name = "stroke";
+    info.complete = [](const core::ParamValues& values) {
+        core::ParamValues all = {{"strength", "200"}, {"threshold", "100"}, {"tip", "round"}};
+        for (const auto& [name, value] : values)
+            all[name] = value;
+        return all;
+    };
+    info.make = [complete = info.complete](const core::ParamValues& values) {
+        return std::make_unique<Stroke>(std::stoi(complete(values).at("strength")));
+    };
+    info.sweep = {{}, {{"strength", "50"}}, {{"strength", "13"}}, {{"tip", "flat"}}};
+    return info;
+}
+
+TEST(SweepEntrants, PutTheSweepOnTopOfWhatTheUserSet) {
+    const auto info = stroke_info();
+    const auto entrants = sweep_entrants({&info, {{"tip", "flat"}, {"strength", "77"}}});
+    std::vector<core::ParamValues> settings;
+    for (const Entrant& entrant : entrants)
+        settings.push_back(entrant.settings);
+    // The last line, {tip: flat}, is what the user has already.
+    EXPECT_THAT(settings,
+                testing::ElementsAre(core::ParamValues{{"strength", "77"}, {"tip", "flat"}},
+                                     core::ParamValues{{"strength", "50"}, {"tip", "flat"}},
+                                     core::ParamValues{{"strength", "13"}, {"tip", "flat"}}));
+}
+
+TEST(SweepEntrants, OfAMethodWithoutASweepAreNone) {
+    auto info = stroke_info();
+    info.sweep.clear();
+    EXPECT_TRUE(sweep_entrants({&info, {}}).empty());
+}
+
+TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {
+    const auto info = stroke_info();
+    const scene::Scene scene = scene::scene_of(scene::unit_cube());
+    const scene::View view{
+        scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 40, 40};
+    ViewTruth truth;
+    core::Image<std::uint8_t> labels(40, 40);
+    for (int x = 0; x < 40; ++x)
+        labels.at(x, 21) = 1;
+    truth.scoring = score::prepare_truth(labels, score_options(1), true);
+
+    const auto rows = sweep_rows({&info, {}}, scene, view, truth, {1, 2, 2, 1000});
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0].f_2px, 1.0);
+    EXPECT_EQ(rows[0].n_truth, 28) << "40 less the band of 6 at both ends";
+    EXPECT_EQ(rows[0].draw_n, 2);
+    EXPECT_FALSE(rows[0].f_1px) << "left out";
+    EXPECT_FALSE(rows[0].ap);
+    EXPECT_TRUE(rows[0].ladder.empty());
+    EXPECT_EQ(rows[1].f_2px, 0.0) << "50 is below the threshold";
+    EXPECT_THAT(rows[2].status, testing::HasSubstr("out of ink"));
+    EXPECT_THAT(rows[3].params, testing::HasSubstr("tip=flat"));
+}
+
+}  // namespace
+}  // namespace ink::harness

@@ -1,0 +1,360 @@
+#include "import/import.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "scene/topology.h"
+#include "tests/import/model_files.h"
+#include "tests/shared_files.h"
+
+namespace ink::import {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Import = ModelFiles;
+using ImportRefuses = ModelFiles;
+
+/// One triangle (0,0,0) (1,0,0) (0,1,0), placed as it is, mirrored in x and moved, and under a
+/// turned parent; a camera 10 in front of it.
+constexpr const char* kPlacedGltf = R"({
+ "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2, 4]}],
+ "nodes": [
+  {"name": "plain", "mesh": 0},
+  {"name": "mirrored", "mesh": 0, "scale": [-1, 1, 1], "translation": [0, 0, 5]},
+  {"name": "parent", "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476],
+   "translation": [10, 0, 0], "children": [3]},
+  {"name": "child", "mesh": 0, "translation": [1, 0, 0]},
+  {"name": "../eye", "camera": 0, "translation": [0, 2, 10]}],
+ "cameras": [{"type": "perspective", "name": "../eye",
+  "perspective": {"yfov": 0.8, "aspectRatio": 1.5, "znear": 0.1}}],
+ "meshes": [{"name": "tri", "primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+  "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri":
+  "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]
+})";
+
+/// A unit cube whose six quads are shared out between two materials.
+constexpr const char* kTwoMaterialCube =
+    "mtllib cube.mtl\n"
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "usemtl red\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\n"
+    "usemtl blue\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string binary_stl(const std::vector<std::array<float, 12>>& facets) {
+    std::string bytes(80, ' ');
+    append(bytes, static_cast<std::uint32_t>(facets.size()));
+    for (const auto& facet : facets) {
+        append(bytes, facet);
+        append(bytes, std::uint16_t{0});
+    }
+    return bytes;
+}
+
+const scene::Instance& instance_named(const scene::Scene& scene, const std::string& name) {
+    for (const scene::Instance& instance : scene.instances) {
+        if (instance.name == name) return instance;
+    }
+    ADD_FAILURE() << "no instance " << name;
+    return scene.instances.front();
+}
+
+TEST_F(Import, ReadsATriangleAsItStands) {
+    const scene::Scene scene = import_scene(write("tri.obj", kTriangleObj));
+    EXPECT_EQ(scene.name, "tri");
+    EXPECT_EQ(scene.split, scene::Split::heldout);
+    ASSERT_EQ(scene.meshes.size(), 1U);
+    ASSERT_EQ(scene.instances.size(), 1U);
+    const scene::Mesh& mesh = scene.meshes[0];
+    EXPECT_THAT(mesh.positions,
+                testing::ElementsAre(glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)));
+    EXPECT_THAT(mesh.triangles, testing::ElementsAre(scene::Triangle{0, 1, 2}));
+    EXPECT_TRUE(mesh.normals.empty()) << "the file has none, and none are made up";
+    EXPECT_EQ(scene.instances[0].world_from_object, glm::dmat4{1});
+    EXPECT_TRUE(scene.cameras.empty());
+}
+
+TEST_F(Import, LeavesOutPointsAndLines) {
+    const scene::Scene scene = import_scene(
+        write("mixed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\nl 1 4\np 4\n"));
+    EXPECT_EQ(scene::triangle_count(scene), 1U);
+}
+
+TEST_F(Import, SplitsPolygonsIntoTriangles) {
+    const scene::Scene scene = import_scene(
+        write("pentagon.obj", "v 0 0 0\nv 2 0 0\nv 3 2 0\nv 1 3 0\nv -1 2 0\nf 1 2 3 4 5\n"));
+    EXPECT_EQ(scene::triangle_count(scene), 3U);
+}
+
+TEST_F(Import, KeepsPlacementsMirrorsAndParents) {
+    const scene::Scene scene = import_scene(write("placed.gltf", kPlacedGltf));
+    EXPECT_EQ(scene.meshes.size(), 1U) << "one mesh, three times placed";
+    ASSERT_EQ(scene.instances.size(), 3U);
+    const glm::vec3 corner{1, 0, 0};
+    EXPECT_EQ(scene::to_world(instance_named(scene, "plain"), corner), glm::dvec3(1, 0, 0));
+    const scene::Instance mirrored = instance_named(scene, "mirrored");
+    EXPECT_EQ(scene::to_world(mirrored, corner), glm::dvec3(-1, 0, 5));
+    EXPECT_TRUE(scene::is_mirrored(mirrored));
+    EXPECT_FALSE(scene::is_mirrored(instance_named(scene, "child")));
+    // The parent turns by 90 degrees about z: (1,0,0) + (1,0,0) comes to (10,2,0).
+    const glm::dvec3 turned = scene::to_world(instance_named(scene, "child"), corner);
+    EXPECT_LT(glm::length(turned - glm::dvec3(10, 2, 0)), 1e-6);
+}
+
+TEST_F(Import, TakesTheFilesCamera) {
+    const scene::Scene scene = import_scene(write("placed.gltf", kPlacedGltf));
+    ASSERT_EQ(scene.cameras.size(), 1U);
+    const scene::Camera& camera = scene.cameras[0];
+    EXPECT_EQ(camera.name, "___eye") << "a word that is safe in a file name";
+    EXPECT_EQ(camera.eye_world, glm::dvec3(0, 2, 10));
+    EXPECT_NEAR(camera.fov_y_rad, 0.8, 1e-6);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(camera.view_from_world[axis][axis], 1, 1e-12) << "it looks along -z, y up";
+    }
+    EXPECT_GT(camera.near, 0);
+    EXPECT_GT(camera.far, 10);
+}
+
+TEST_F(Import, FileSplitByMaterialWeldsIntoOneClosedSurface) {
+    (void)write("cube.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    const scene::Scene scene = import_scene(write("cube.obj", kTwoMaterialCube));
+    EXPECT_EQ(scene.meshes.size(), 2U);
+    const scene::Topology topology = scene::weld(scene);
+    EXPECT_EQ(topology.p_world.size(), 8U);
+    EXPECT_EQ(topology.faces.size(), 12U);
+    EXPECT_EQ(topology.edges.size(), 18U);
+    EXPECT_EQ(topology.counts.boundary_edges, 0U);
+    std::map<std::uint32_t, int> faces_of_material;
+    for (const scene::Face& face : topology.faces)
+        ++faces_of_material[face.material];
+    ASSERT_EQ(faces_of_material.size(), 2U);
+    for (const auto& [material, faces] : faces_of_material)
+        EXPECT_EQ(faces, 6) << material;
+}
+
+TEST_F(Import, KeepsTheFilesNormalsMadeUnit) {
+    const scene::Scene scene =
+        import_scene(write("n.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 3 4\nf 1//1 2//1 3//1\n"));
+    ASSERT_EQ(scene.meshes[0].normals.size(), 3U);
+    EXPECT_EQ(scene.meshes[0].normals[0], glm::vec3(0, 0.6F, 0.8F));
+}
+
+TEST_F(Import, NormalsThatAreNoneCountAsAbsent) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    const std::array<float, 12> good{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::array<float, 12> zero{0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::array<float, 12> not_a_number{kNan, kNan, kNan, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::array<float, 12> without_area{0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0};
+    const auto normals = [&](const std::vector<std::array<float, 12>>& facets) {
+        return import_scene(write("facets.stl", binary_stl(facets))).meshes.at(0).normals.size();
+    };
+    EXPECT_EQ(normals({good, good}), 6U);
+    EXPECT_EQ(normals({good, zero}), 0U);
+    EXPECT_EQ(normals({good, not_a_number}), 0U);
+    EXPECT_EQ(normals({good, without_area}), 6U) << "nobody sees that one";
+}
+
+TEST_F(Import, NamesArePrintable) {
+    const scene::Scene scene =
+        import_scene(write("names.obj", "o a\x1b[31mb\xff\n" + std::string(kTriangleObj)));
+    EXPECT_EQ(scene.instances[0].name, "a?[31mb?");
+}
+
+TEST_F(Import, PathMayHoldSpacesAndDashes) {
+    EXPECT_EQ(scene::triangle_count(import_scene(write("--help $(x) 'y'.obj", kTriangleObj))), 1U);
+}
+
+TEST_F(Import, ImportsTheSameTwice) {
+    const auto path = write("placed.gltf", kPlacedGltf);
+    EXPECT_EQ(scene::scene_hash(import_scene(path)), scene::scene_hash(import_scene(path)));
+}
+
+TEST_F(ImportRefuses, PathsThatAreNoFile) {
+    EXPECT_EQ(complaint(in_folder("absent.obj")), "no such file");
+    EXPECT_EQ(complaint(in_folder("")), "is a folder");
+    EXPECT_EQ(complaint("/dev/null"), "is not a regular file");
+}
+
+TEST_F(ImportRefuses, AFileThatMayNotBeRead) {
+    const auto path = write("secret.obj", kTriangleObj);
+    std::filesystem::permissions(path, std::filesystem::perms::none);
+    if (geteuid() == 0) GTEST_SKIP() << "skipped: root may read everything";
+    EXPECT_EQ(complaint(path), "cannot be opened: Permission denied");
+}
+
+TEST_F(ImportRefuses, FilesThatAreNoModel) {
+    std::string noise;
+    std::uint32_t state = 1;
+    for (int i = 0; i < 5000; ++i)
+        noise.push_back(static_cast<char>((state = state * 1664525 + 1013904223) >> 24));
+    EXPECT_EQ(complaint(write("empty.obj", "")), "the file is empty");
+    EXPECT_EQ(complaint(write("prose.obj", "It was a dark and stormy night.\n")),
+              "it holds no triangle");
+    EXPECT_THAT(complaint(write("noise.glb", noise)),
+                StartsWith("its content is not what its extension says"));
+    EXPECT_THAT(complaint(write("noise.xyz", noise)), StartsWith("is not a kind of model file"));
+    EXPECT_THAT(complaint(write("noextension", noise)), StartsWith("is not a kind of model file"));
+    try {
+        (void)import_scene(in_folder("noise.xyz"));
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.accepted(),
+                    AllOf(HasSubstr(".obj"), HasSubstr(".glb"), HasSubstr(".3ds")));
+    }
+}
+
+TEST_F(ImportRefuses, ModelsWithoutATriangle) {
+    EXPECT_EQ(complaint(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")),
+              "it holds no triangle");
+    EXPECT_EQ(complaint(write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n")), "it holds no triangle");
+}
+
+TEST_F(ImportRefuses, NumbersThatAreNotFinite) {
+    EXPECT_EQ(complaint(write("nan.obj", "v 0 nan 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")),
+              "mesh 0: vertex 0 is not finite");
+    EXPECT_EQ(complaint(write("inf.obj", "v 0 0 0\nv 1e39 0 0\nv 0 1 0\nf 1 2 3\n")),
+              "mesh 0: vertex 1 is not finite");
+}
+
+TEST_F(ImportRefuses, IndicesOutOfRange) {
+    EXPECT_THAT(complaint(write("range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")),
+                StartsWith("cannot be read as a model; Assimp says"));
+}
+
+TEST_F(ImportRefuses, FilesCutShort) {
+    const std::array<float, 12> facet{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::string stl = binary_stl({facet, facet, facet});
+    EXPECT_EQ(complaint(write("cut.stl", stl.substr(0, stl.size() - 60))),
+              "the file is cut short: its header promises 234 bytes, it has 174");
+    EXPECT_EQ(
+        complaint(write("text.stl",
+                        "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                        "vertex 0 1 0\nendloop\nendfacet\n")),
+        "the file is cut short: its end mark is missing");
+    EXPECT_EQ(complaint(write("cut.ply",
+                              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty "
+                              "float y\nproperty float z\nelement face 2\nproperty list uchar int "
+                              "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+              "the file is cut short: its header promises 14 lines");
+}
+
+TEST_F(ImportRefuses, RealFilesCutShort) {
+    for (const char* name :
+         {"rocket_launch.3ds", "pine.glb", "faerie.md2", "conrod.off", "cycloidal.ply"}) {
+        const auto whole = shared_file("models") / name;
+        INK_SKIP_WITHOUT(whole);
+        const std::string bytes = file_bytes(whole);
+        for (const double part : {0.1, 0.5, 0.9}) {
+            const auto size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
+            EXPECT_NE(complaint(write(std::string("cut_") + name, bytes.substr(0, size))), "")
+                << name << part;
+        }
+    }
+}
+
+TEST_F(ImportRefuses, MoreTrianglesThanItMayPlace) {
+    ImportLimits limits;
+    limits.triangles = 2;
+    EXPECT_EQ(complaint(write("placed.gltf", kPlacedGltf), limits), "it holds 3 triangles");
+}
+
+/// The rows of the shared models' table, each by its column names.
+std::vector<std::map<std::string, std::string>> manifest_rows() {
+    std::ifstream file(shared_file("models/MANIFEST.tsv"));
+    const auto cells = [](const std::string& line) {
+        std::vector<std::string> out;
+        std::istringstream stream(line);
+        for (std::string cell; std::getline(stream, cell, '\t');)
+            out.push_back(cell);
+        return out;
+    };
+    std::string line;
+    std::getline(file, line);
+    const auto names = cells(line);
+    std::vector<std::map<std::string, std::string>> rows;
+    while (std::getline(file, line)) {
+        const auto values = cells(line);
+        auto& row = rows.emplace_back();
+        for (std::size_t i = 0; i < values.size(); ++i)
+            row[names.at(i)] = values[i];
+    }
+    return rows;
+}
+
+glm::dvec3 parse_vector(const std::string& text) {
+    glm::dvec3 v{0};
+    std::istringstream(text) >> v.x >> v.y >> v.z;
+    return v;
+}
+
+void expect_box(const scene::Scene& scene, const glm::dvec3& low, const glm::dvec3& high) {
+    glm::dvec3 found_low{1e30};
+    glm::dvec3 found_high{-1e30};
+    for (const scene::Instance& instance : scene.instances) {
+        for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
+            found_low = glm::min(found_low, scene::to_world(instance, p));
+            found_high = glm::max(found_high, scene::to_world(instance, p));
+        }
+    }
+    const double tolerance = 1e-5 * glm::length(high - low);  // the table has six digits
+    EXPECT_LT(glm::length(found_low - low), tolerance);
+    EXPECT_LT(glm::length(found_high - high), tolerance);
+}
+
+TEST(ImportModels, AgreeWithTheirTable) {
+    INK_SKIP_WITHOUT(shared_file("models/MANIFEST.tsv"));
+    const auto rows = manifest_rows();
+    EXPECT_GE(rows.size(), 20U);
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.at("file"));
+        const scene::Scene scene = import_scene(shared_file("models") / row.at("file"));
+        EXPECT_EQ(scene::triangle_count(scene), std::stoul(row.at("triangles")));
+        EXPECT_EQ(scene.instances.size(), std::stoul(row.at("mesh_instances")));
+        EXPECT_EQ(scene.meshes.size(), std::stoul(row.at("meshes")));
+        const bool has_normals = !scene.meshes[0].normals.empty();
+        EXPECT_EQ(has_normals, row.at("vertex_normals") != "none");
+        expect_box(scene, parse_vector(row.at("bbox_min")), parse_vector(row.at("bbox_max")));
+    }
+}
+
+TEST(ImportModels, ThreeDsCameraLooksAtItsTarget) {
+    const auto path = shared_file("models/rocket_launch.3ds");
+    INK_SKIP_WITHOUT(path);
+    const scene::Scene scene = import_scene(path);
+    ASSERT_EQ(scene.cameras.size(), 1U);
+    const scene::Camera& camera = scene.cameras[0];
+    EXPECT_EQ(camera.name, "Camera01");
+    // In the file, z up: eye (46,-52,9), target (0,0,10), no roll, lens 35 (2400/35 degrees
+    // across).
+    EXPECT_LT(glm::length(camera.eye_world - glm::dvec3(46, 9, 52)), 1e-9);
+    const glm::dvec3 target_view =
+        camera.view_from_world * (glm::dvec3(0, 10, 0) - camera.eye_world);
+    EXPECT_NEAR(target_view.x, 0, 1e-9);
+    EXPECT_NEAR(target_view.y, 0, 1e-9);
+    EXPECT_LT(target_view.z, 0);
+    EXPECT_GT((camera.view_from_world * glm::dvec3(0, 1, 0)).y, 0.99);
+    const double fov_x_rad = 2 * std::atan(std::tan(camera.fov_y_rad / 2) * 4 / 3);
+    EXPECT_NEAR(fov_x_rad * 180 / std::numbers::pi, 2400.0 / 35, 1e-6);
+}
+
+}  // namespace
+}  // namespace ink::import

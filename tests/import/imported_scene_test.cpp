@@ -1,0 +1,161 @@
+// A reply of the import child is not trusted: whatever it claims must end in a sound scene or an
+// Error.
+
+#include "import/imported_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "core/error.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::import {
+namespace {
+
+constexpr std::uint64_t kMany = 1000;
+
+ImportReply cube_reply() {
+    ImportReply reply;
+    reply.meshes = {scene::unit_cube()};
+    reply.instances = {{0, glm::dmat4(1), "only"}};
+    return reply;
+}
+
+std::string complaint(ImportReply reply, std::uint64_t most_triangles = kMany) {
+    try {
+        (void)scene_from_reply(std::move(reply), "dir/cube.obj", most_triangles);
+    } catch (const core::Error& error) {
+        EXPECT_EQ(error.where(), "dir/cube.obj");
+        return error.what_happened();
+    }
+    return {};
+}
+
+TEST(ImportedScene, SoundReplyIsTaken) {
+    const scene::Scene scene = scene_from_reply(cube_reply(), "dir/cube.obj", kMany);
+    EXPECT_EQ(scene.name, "cube");
+    EXPECT_EQ(scene::triangle_count(scene), 12U);
+}
+
+TEST(ImportedScene, RefusesWhatDoesNotFitTogether) {
+    ImportReply absent_mesh = cube_reply();
+    absent_mesh.instances[0].mesh = 1;
+    EXPECT_EQ(complaint(absent_mesh), "its reader placed a mesh that it did not hand over");
+
+    ImportReply absent_vertex = cube_reply();
+    absent_vertex.meshes[0].triangles[3][1] = 8;
+    EXPECT_EQ(complaint(absent_vertex), "mesh 0: triangle 3 uses vertex 8");
+
+    ImportReply not_placed = cube_reply();
+    not_placed.instances.clear();
+    EXPECT_EQ(complaint(not_placed), "it holds no triangle");
+}
+
+TEST(ImportedScene, RefusesAbsurdNumbers) {
+    ImportReply far_away = cube_reply();
+    far_away.instances[0].world_from_object = glm::dmat4(1e70);
+    EXPECT_NE(complaint(far_away).find("its extent is"), std::string::npos);
+
+    ImportReply lost = cube_reply();
+    lost.instances[0].world_from_object[3][0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(complaint(lost), "instance 0: its transform is not finite");
+
+    EXPECT_EQ(complaint(cube_reply(), 11), "it holds 12 triangles");
+    EXPECT_EQ(complaint(cube_reply(), 12), "");
+}
+
+TEST(ImportedScene, RefusesMotionThatDoesNotFit) {
+    ImportReply reply = cube_reply();
+    scene::Animation motion;
+    motion.duration_s = 1;
+    motion.node_of_instance = {3};
+    reply.animation = motion;
+    EXPECT_EQ(complaint(reply), "animation: an instance hangs on node 3");
+    reply.animation->node_of_instance = {scene::kNoNode};
+    EXPECT_EQ(complaint(reply), "");
+    reply.animation->vertex_frames.resize(7);
+    EXPECT_EQ(complaint(reply), "animation: 7 lists of frames for 1 meshes");
+}
+
+TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
+    ImportReply reply = cube_reply();
+    scene::Animation motion;
+    motion.duration_s = 1;
+    motion.node_of_instance = {scene::kNoNode};
+    scene::AnimatedNode mover;
+    mover.translations = {{0, {0, 0, 0}}, {1, {1, 0, 0}}};
+    mover.rotations = {{0, {1, 0, 0, 0}}};
+    mover.scales = {{0, {1, 1, 1}}};
+    motion.nodes = {mover, scene::AnimatedNode{}, scene::AnimatedNode{}};
+    motion.nodes[1].parent = 0;
+    const auto camera = [](std::uint32_t node) {
+        return ImportedCamera{"c",
+                              {0, 0, 5},
+                              {0, 0, 0},
+                              {0, 1, 0},
+                              0.7,
+                              {node, node, {0, 0, 5}, {0, 0, 0}, {0, 1, 0}}};
+    };
+    ImportedCamera flat = camera(0);
+    flat.fov_y_rad = 0;
+    reply.animation = motion;
+    reply.cameras = {flat, camera(1), camera(2), camera(scene::kNoNode)};
+    ImportReply still = reply;
+    still.cameras = {camera(2)};
+    ImportReply lost = reply;
+    lost.cameras[1].motion.eye_node = 3;
+    EXPECT_EQ(complaint(lost), "animation: a camera hangs on node 3");
+    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const auto& cameras = scene.animation->cameras;
+    ASSERT_EQ(cameras.size(), 3U) << "the one that cannot be is out of both lists";
+    EXPECT_EQ(cameras[0].eye_node, 1U) << "by its parent";
+    EXPECT_EQ(cameras[1].eye_node, scene::kNoNode);
+    EXPECT_EQ(cameras[2].eye_node, scene::kNoNode);
+    EXPECT_TRUE(scene_from_reply(std::move(still), "cube.obj", kMany).animation->cameras.empty());
+}
+
+TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {
+    ImportReply reply = cube_reply();
+    reply.animation = scene::Animation{};
+    reply.animation->node_of_instance = {scene::kNoNode};
+    EXPECT_EQ(scene_from_reply(std::move(reply), "cube.obj", kMany).animation, nullptr);
+}
+
+TEST(ImportedScene, WrongNumberOfNormalsCountsAsNone) {
+    ImportReply reply = cube_reply();
+    reply.meshes[0].normals = {{0, 0, 1}};
+    EXPECT_TRUE(scene_from_reply(std::move(reply), "cube.obj", kMany).meshes[0].normals.empty());
+}
+
+TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    ImportReply reply = cube_reply();
+    const ImportedCamera good{"a b", {0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.7};
+    ImportedCamera nowhere = good;
+    nowhere.target_world = nowhere.eye_world;
+    ImportedCamera lost = good;
+    lost.eye_world.x = kNan;
+    ImportedCamera flat = good;
+    flat.fov_y_rad = 0;
+    ImportedCamera nameless = good;
+    nameless.name = "";
+    reply.cameras = {good, nowhere, lost, flat, good, nameless};
+    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    ASSERT_EQ(scene.cameras.size(), 3U);
+    EXPECT_EQ(scene.cameras[0].name, "a_b");
+    EXPECT_EQ(scene.cameras[1].name, "a_b_2");
+    EXPECT_EQ(scene.cameras[2].name, "camera");
+    EXPECT_LT(scene.cameras[0].near, 5 - 1) << "the cube's front is not cut";
+    EXPECT_GT(scene.cameras[0].far, 5 + 1);
+}
+
+TEST(Printable, OneShortPlainLine) {
+    EXPECT_EQ(printable("a\nb\t\x1b[1m\xc3\xa9  ", 80), "a b ?[1m??");
+    EXPECT_EQ(printable("abcdefghij", 8), "abcde...");
+    EXPECT_EQ(printable("", 8), "");
+}
+
+}  // namespace
+}  // namespace ink::import

@@ -1,0 +1,126 @@
+#include "import/scene_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace ink::import {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+ImportReply sample_reply() {
+    ImportReply reply;
+    reply.faces_read = 7;
+    reply.vertices_read = 9;
+    scene::Mesh mesh;
+    mesh.name = "mesh";
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+    mesh.materials = {5, 5};
+    reply.meshes = {mesh, scene::Mesh{}};
+    reply.instances = {{.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node"}};
+    reply.cameras = {{.name = "eye",
+                      .eye_world = {1, 2, 3},
+                      .fov_y_rad = 0.5,
+                      .motion = {1, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}}};
+    scene::Animation motion;
+    motion.duration_s = 3;
+    motion.frames_per_s = 10;
+    scene::AnimatedNode node;
+    node.translations = {{0, {1, 2, 3}}, {1, {4, 5, 6}}};
+    node.rotations = {{0.5, {0, 1, 0, 0}}};
+    node.scales = {{0, {1, 1, 1}}};
+    motion.nodes = {node, scene::AnimatedNode{}};
+    motion.node_of_instance = {1};
+    motion.vertex_frames = {{2, mesh.positions, mesh.normals}, {}};
+    scene::Skin skin{1, mesh.positions, {}, {{1, glm::dmat4(3)}}, {}, {}};
+    scene::set_weights({{{0, 0.5F}}, {}, {{0, 1}}}, skin);
+    motion.skins = {skin};
+    reply.animation = motion;
+    return reply;
+}
+
+Bytes stream_of(const ImportReply& reply) {
+    Bytes stream;
+    write_reply(reply, [&](const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(data);
+        stream.insert(stream.end(), bytes, bytes + size);
+    });
+    return stream;
+}
+
+TEST(SceneStream, GivesBackWhatWasWritten) {
+    const auto reply = read_reply(stream_of(sample_reply()));
+    ASSERT_TRUE(reply.has_value());
+    EXPECT_EQ(reply->status, ImportStatus::scene);
+    EXPECT_EQ(reply->faces_read, 7U);
+    EXPECT_EQ(reply->vertices_read, 9U);
+    ASSERT_EQ(reply->meshes.size(), 2U);
+    const scene::Mesh expected = sample_reply().meshes[0];
+    EXPECT_EQ(reply->meshes[0].name, expected.name);
+    EXPECT_EQ(reply->meshes[0].positions, expected.positions);
+    EXPECT_EQ(reply->meshes[0].normals, expected.normals);
+    EXPECT_EQ(reply->meshes[0].triangles, expected.triangles);
+    EXPECT_EQ(reply->meshes[0].materials, expected.materials);
+    ASSERT_EQ(reply->instances.size(), 1U);
+    EXPECT_EQ(reply->instances[0].world_from_object, glm::dmat4(2));
+    EXPECT_EQ(reply->instances[0].name, "node");
+    ASSERT_EQ(reply->cameras.size(), 1U);
+    EXPECT_EQ(reply->cameras[0].name, "eye");
+    EXPECT_EQ(reply->cameras[0].eye_world, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(reply->cameras[0].fov_y_rad, 0.5);
+}
+
+TEST(SceneStream, GivesBackTheMotion) {
+    const auto reply = read_reply(stream_of(sample_reply()));
+    ASSERT_TRUE(reply.has_value() && reply->animation.has_value());
+    const scene::Animation& motion = *reply->animation;
+    EXPECT_EQ(motion.duration_s, 3);
+    EXPECT_EQ(motion.frames_per_s, 10);
+    ASSERT_EQ(motion.nodes.size(), 2U);
+    ASSERT_EQ(motion.nodes[0].translations.size(), 2U);
+    EXPECT_EQ(motion.nodes[0].translations[1].value, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(motion.nodes[0].rotations.at(0).time_s, 0.5);
+    EXPECT_EQ(motion.nodes[0].rotations.at(0).value, glm::dquat(0, 1, 0, 0));
+    EXPECT_EQ(motion.nodes[0].scales.size(), 1U);
+    EXPECT_FALSE(motion.nodes[1].has_keys());
+    EXPECT_EQ(motion.node_of_instance, std::vector<std::uint32_t>{1});
+    ASSERT_EQ(motion.vertex_frames.size(), 2U);
+    EXPECT_EQ(motion.vertex_frames[0].frame_count, 2U);
+    EXPECT_EQ(motion.vertex_frames[0].positions, sample_reply().meshes[0].positions);
+    ASSERT_EQ(motion.skins.size(), 1U);
+    EXPECT_EQ(motion.skins[0].mesh, 1U);
+    EXPECT_EQ(motion.skins[0].bones.at(0).node_from_mesh, glm::dmat4(3));
+    EXPECT_EQ(motion.skins[0].first_weight, (std::vector<std::uint32_t>{0, 1, 1, 2}));
+    EXPECT_EQ(motion.skins[0].weights.at(1).weight, 1);
+}
+
+TEST(SceneStream, CutAnywhereIsNoReply) {
+    const Bytes whole = stream_of(sample_reply());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(read_reply(std::span(whole).first(size)).has_value()) << size;
+    }
+}
+
+TEST(SceneStream, MoreThanOneReplyIsNone) {
+    Bytes stream = stream_of(sample_reply());
+    stream.push_back(std::byte{0});
+    EXPECT_FALSE(read_reply(stream).has_value());
+}
+
+TEST(SceneStream, AnyCountMayLie) {
+    // A count blown up at any place must neither be believed nor allocated.
+    const Bytes whole = stream_of(sample_reply());
+    int refused = 0;
+    for (std::size_t at = 0; at + 8 <= whole.size(); ++at) {
+        Bytes damaged = whole;
+        std::memset(damaged.data() + at, 0x7f, 8);
+        refused += read_reply(damaged).has_value() ? 0 : 1;
+    }
+    EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace ink::import

@@ -1,0 +1,271 @@
+#include "linear_code/cancellation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "catalogue/catalogue.h"
+#include "linear_code/cancellation_law.h"
+#include "linear_code/cancellation_study.h"
+#include "tests/linear_code/crease_fan.h"
+
+namespace ink::linear_code {
+namespace {
+
+using truth::LineClass;
+
+constexpr double kDegree_rad = std::numbers::pi / 180;
+constexpr std::int64_t kEnough_px = 300;  // two points are six pixels of them
+constexpr double kTwoPoints = 0.02;
+
+/// The rows of methods on views of one scene; `crease_deg` is the methods' and the truth's.
+std::vector<CancellationRow> study(const scene::Scene& scene,
+                                   const std::vector<scene::View>& views,
+                                   const std::vector<harness::Entrant>& entrants,
+                                   double crease_deg) {
+    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
+    for (harness::Entrant entrant : entrants) {
+        entrant.settings["crease_deg"] = std::to_string(crease_deg);
+        methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene));
+    }
+    truth::TruthOptions options;
+    options.crease_rad = crease_deg * kDegree_rad;
+    truth::SceneModel model(scene, options);
+    harness::MissPredictor predictor(scene);
+    std::vector<CancellationRow> rows;
+    for (const scene::View& view : views) {
+        const harness::ViewTruth truth = harness::trace_view(model, view, {});
+        const std::vector<harness::Shot> shots = harness::method_shots(methods, view, {1, 0, 0, 0});
+        for (CancellationRow& row : study_cancellation(truth, view, predictor, shots))
+            rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<harness::Entrant> motes() {
+    std::vector<harness::Entrant> entrants;
+    for (const char* name : {"mote2", "mote4", "mote16"})
+        entrants.push_back({&methods::find_method(name), {}});
+    return entrants;
+}
+
+std::string words(const CancellationTotal& total) {
+    return total.method + " " + std::string(truth::name(total.kind.line_class)) + " from " +
+           std::to_string(total.kind.dihedral_low_deg.value_or(-1)) + " deg";
+}
+
+/// How many totals have enough pixels, each of which must be within two points.
+int expect_within_two_points(const std::vector<CancellationTotal>& totals) {
+    int count = 0;
+    for (const CancellationTotal& total : totals) {
+        if (total.count.n_truth < kEnough_px) continue;
+        EXPECT_NEAR(total.count.predicted_rate(), total.count.measured_rate(), kTwoPoints)
+            << words(total) << ", " << total.count.n_truth << " px";
+        ++count;
+    }
+    return count;
+}
+
+CancellationCount crease_total(const std::vector<CancellationRow>& rows) {
+    CancellationCount count;
+    for (const CancellationRow& row : rows) {
+        if (row.kind.line_class == LineClass::crease) count += row.count;
+    }
+    return count;
+}
+
+TEST(Cancellation, OnCreasesOfEveryBendPredictedAndMeasuredMissesAgree) {
+    const RoofPicture fan = crease_fan();
+    const auto rows = study(fan.scene, {fan.view}, motes(), 5);
+    const auto kinds = cancellation_by_kind(rows);
+    int bins = 0;
+    for (const CancellationTotal& total : kinds) {
+        if (total.kind.line_class != LineClass::crease) continue;
+        // 24 ridges of 20 px: 20 pixels each along an axis, 14 along a diagonal.
+        EXPECT_GE(total.count.n_truth, 340) << words(total);
+        EXPECT_LE(total.count.n_truth, 520) << words(total);
+        ++bins;
+    }
+    EXPECT_EQ(bins, 3 * 16) << "a bin for each bend and method";
+    EXPECT_GE(expect_within_two_points(kinds), 3 * 16);
+    expect_within_two_points(cancellation_by_class(rows));
+    for (const CancellationTotal& total : cancellation_by_class(rows)) {
+        if (total.kind.line_class != LineClass::crease) continue;
+        EXPECT_GT(total.count.measured_rate(), 0.03) << "else there was nothing to foretell";
+    }
+}
+
+TEST(Cancellation, OnCreaseScenesOfTheCatalogueTheyAgreeInEveryBinAndClass) {
+    int compared = 0;
+    for (const char* name : {"cube", "staircase", "gem"}) {
+        const scene::Scene scene = catalogue::make_catalogue_scene(name);
+        std::vector<scene::View> views;
+        for (const scene::Camera& camera : scene.cameras)
+            views.push_back({camera, 480, 270});
+        const auto rows = study(scene, views, motes(), 40);
+        SCOPED_TRACE(name);
+        compared += expect_within_two_points(cancellation_by_kind(rows));
+        compared += expect_within_two_points(cancellation_by_class(rows));
+        EXPECT_GE(crease_total(rows).n_truth, 3 * kEnough_px);
+    }
+    EXPECT_GE(compared, 3 * 3 * 4) << "contours and creases, in bins and together";
+}
+
+/// A roof whose normals differ in x less y alone: by weights that are alike its code is one code.
+RoofPicture diagonal_roof() {
+    scene::Mesh mesh;
+    add_roof({.bend_rad = 85 * kDegree_rad,
+              .roll_rad = 45 * kDegree_rad,
+              .half_length = 40,
+              .half_width = 30},
+             mesh);
+    return picture_of(std::move(mesh), 160, 160);
+}
+
+TEST(Cancellation, ACreaseAcrossWhichTheCodeDoesNotChangeIsPredictedMissed) {
+    const RoofPicture roof = diagonal_roof();
+    const harness::Entrant alike{&methods::find_method("mote4"), {{"sky", "255"}}};
+    const CancellationCount missed = crease_total(study(roof.scene, {roof.view}, {alike}, 40));
+    // 80 px along a diagonal are 57 pixels; at both ends the outline's ink is in reach.
+    EXPECT_GE(missed.n_truth, 50);
+    EXPECT_GE(missed.predicted_missing, missed.n_truth - 10);
+    EXPECT_EQ(missed.both_missing, missed.predicted_missing);
+}
+
+TEST(Cancellation, TheSameCreaseIsPredictedSeenByUnlikeWeights) {
+    const RoofPicture roof = diagonal_roof();
+    const harness::Entrant unlike{&methods::find_method("mote4"),
+                                  {{"sky", "255"}, {"range_ny", "0"}}};
+    const CancellationCount seen = crease_total(study(roof.scene, {roof.view}, {unlike}, 40));
+    EXPECT_GE(seen.n_truth, 50);
+    EXPECT_EQ(seen.predicted_missing, 0);
+    EXPECT_EQ(seen.measured_missing, 0);
+}
+
+TEST(Cancellation, ThePredictionNeverReadsThePicture) {
+    const RoofPicture roof = diagonal_roof();
+    truth::SceneModel model(roof.scene, {});
+    const harness::ViewTruth truth = harness::trace_view(model, roof.view, {});
+    harness::MissPredictor predictor(roof.scene);
+    std::vector<harness::Shot> shots(2);
+    for (harness::Shot& shot : shots) {
+        shot.code.emplace();
+        shot.code->normal_weight[0] = 60;
+        shot.threshold = 8;
+        shot.row.n_truth = 1;
+        shot.picture = edge::EdgeImage(160, 160);
+    }
+    shots[1].picture.fill(255);
+    const auto rows = study_cancellation(truth, roof.view, predictor, shots);
+    ASSERT_FALSE(rows.empty());
+    ASSERT_EQ(rows.size() % 2, 0U);
+    const std::size_t half = rows.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+        EXPECT_EQ(rows[i].count.predicted_missed, rows[half + i].count.predicted_missed);
+        EXPECT_EQ(rows[i].count.predicted_missing, rows[half + i].count.predicted_missing);
+        EXPECT_EQ(rows[i].count.measured_missed, rows[i].count.n_truth) << "nothing was drawn";
+    }
+}
+
+TEST(Cancellation, MethodsWithoutACodeAndFailedOnesHaveNoRows) {
+    const RoofPicture roof = diagonal_roof();
+    truth::SceneModel model(roof.scene, {});
+    const harness::ViewTruth truth = harness::trace_view(model, roof.view, {});
+    harness::MissPredictor predictor(roof.scene);
+    std::vector<harness::Shot> shots(2);
+    shots[1].code.emplace();
+    shots[1].row.status = "out of ink";
+    EXPECT_TRUE(study_cancellation(truth, roof.view, predictor, shots).empty());
+}
+
+score::PixelList pixels_at(const std::vector<score::Pixel>& pixels) {
+    core::Image<std::uint8_t> image(20, 3);
+    for (const auto& [x, y] : pixels)
+        image.at(x, y) = 1;
+    return score::PixelList(image);
+}
+
+TEST(CancellationCount, CountsWhatEachInkMissesAndWhatBothDo) {
+    // True pixels 0 1 9 14; predicted ink reaches 0 and 1 once, measured ink 9.
+    const auto kind = pixels_at({{0, 1}, {1, 1}, {9, 1}, {14, 1}});
+    const CancellationCount count = count_cancellation(
+        kind, pixels_at({{1, 2}}), pixels_at({{10, 1}, {11, 1}}), score::Disk(2));
+    EXPECT_EQ(count.n_truth, 4);
+    EXPECT_EQ(count.predicted_missed, 3) << "one ink pixel is matched once";
+    EXPECT_EQ(count.measured_missed, 3);
+    EXPECT_EQ(count.predicted_missing, 2);
+    EXPECT_EQ(count.measured_missing, 3);
+    EXPECT_EQ(count.both_missing, 1) << "the last one";
+    EXPECT_DOUBLE_EQ(count.predicted_rate(), 0.75);
+    EXPECT_DOUBLE_EQ(count.agreement(), 0.25) << "rightly foretold: the last one alone";
+    EXPECT_DOUBLE_EQ(CancellationCount{}.agreement(), 1);
+    EXPECT_DOUBLE_EQ(CancellationCount{}.measured_rate(), 0);
+}
+
+CancellationRow made_up_row(const std::string& method, LineKind kind, std::int64_t n) {
+    CancellationRow row{.method = method, .scene = "knot, tied", .view = "front", .split = "train"};
+    row.width_px = 640;
+    row.height_px = 360;
+    row.silent_deg = 7.25;
+    row.kind = kind;
+    row.count = {n, 3, 2, 2, 1, 1};
+    return row;
+}
+
+TEST(CancellationCsv, HasAFieldPerColumnAndNoBinForBoundaries) {
+    EXPECT_EQ(cancellation_csv(made_up_row("mote4", {LineClass::crease, 40}, 9)),
+              "mote4,\"knot, tied\",front,train,640,360,7.250,crease,40,50,9,3,2,2,1,1");
+    EXPECT_EQ(cancellation_csv(made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
+              "mote4,\"knot, tied\",front,train,640,360,7.250,boundary,,,9,3,2,2,1,1");
+    EXPECT_EQ(cancellation_columns().size(), 16U);
+}
+
+TEST(CancellationTotals, PoolViewsByKindAndByClass) {
+    const std::vector<CancellationRow> rows = {
+        made_up_row("mote4", {LineClass::crease, 40}, 10),
+        made_up_row("mote2", {LineClass::crease, 40}, 11),
+        made_up_row("mote4", {LineClass::crease, 90}, 20),
+        made_up_row("mote4", {LineClass::crease, 40}, 5),
+    };
+    const auto kinds = cancellation_by_kind(rows);
+    ASSERT_EQ(kinds.size(), 3U);
+    EXPECT_EQ(kinds[0].method, "mote4");
+    EXPECT_EQ(kinds[0].count, (CancellationCount{15, 6, 4, 4, 2, 2}));
+    EXPECT_EQ(kinds[1].kind.dihedral_low_deg, 90);
+    EXPECT_EQ(kinds[2].method, "mote2");
+    const auto classes = cancellation_by_class(rows);
+    ASSERT_EQ(classes.size(), 2U);
+    EXPECT_EQ(classes[0].count.n_truth, 35);
+    EXPECT_EQ(classes[0].kind.dihedral_low_deg, std::nullopt);
+    EXPECT_TRUE(cancellation_by_kind({}).empty());
+}
+
+TEST(CancellationLaw, IsTheDesignsForTenDegrees) {
+    // sin 5 / sin 30, sin 5 / sin 45, sin 5 / sin 90.
+    EXPECT_NEAR(law_of_misses(60 * kDegree_rad, 10 * kDegree_rad), 0.174311, 1e-6);
+    EXPECT_NEAR(law_of_misses(90 * kDegree_rad, 10 * kDegree_rad), 0.123257, 1e-6);
+    EXPECT_NEAR(law_of_misses(180 * kDegree_rad, 10 * kDegree_rad), 0.087156, 1e-6);
+    EXPECT_EQ(law_of_misses(9 * kDegree_rad, 10 * kDegree_rad), 1);
+    EXPECT_EQ(law_of_misses(0, 0), 1) << "no bend, no line";
+}
+
+TEST(CancellationLaw, FacetsAreSilentBelowTheLeastStepThatFiresWhenSeenTwice) {
+    method::LinearCode code;
+    code.normal_weight[2] = 100;
+    code.response.clip_bits = 0;
+    // |L| = 8 fires: 2 * 100 sin(bend / 2) = 8.
+    EXPECT_NEAR(silent_bend_rad(code, 8), 2 * std::asin(0.04), 1e-12);
+    code.response.clip_bits = 2;  // 5, 6, 7 become 4
+    EXPECT_NEAR(silent_bend_rad(code, 5), 2 * std::asin(0.04), 1e-12);
+    code.normal_weight[0] = 60;
+    code.normal_weight[2] = 80;
+    EXPECT_NEAR(silent_bend_rad(code, 8), 2 * std::asin(0.04), 1e-12) << "the length counts";
+    EXPECT_NEAR(silent_bend_rad(code, 250), std::numbers::pi, 1e-12) << "200 is the most";
+    EXPECT_NEAR(silent_bend_rad({}, 1), std::numbers::pi, 1e-12) << "no normal in it";
+}
+
+}  // namespace
+}  // namespace ink::linear_code

@@ -1,0 +1,199 @@
+#include "report/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/report/made_up_report.h"
+
+namespace ink::report {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Three views of two methods, with brackets: `rough` is cheap, `fine` is better on every view.
+std::vector<harness::Row> small_comparison() {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 3; ++i) {
+        for (harness::Row row : {made_up_row("rough", 0.6, 2.0),
+                                 made_up_row("fine", 0.9, 8.0),
+                                 made_up_row("none", 0, 0),
+                                 made_up_row("sampled", 0.97, 0),
+                                 made_up_row("oracle", 1, 0)}) {
+            row.scene = "cube";
+            row.view = std::to_string(i);
+            row.split = i == 2 ? "heldout" : "train";
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+    std::istringstream stream(line);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(VerdictTable, HasTheNumbersOfEachMethod) {
+    const auto lines = lines_of(verdict_table(small_comparison()));
+    EXPECT_THAT(words_of(lines.at(1)),
+                testing::ElementsAre("rough",
+                                     ".600",
+                                     "-",  // one scene has no interval
+                                     ".600",
+                                     ".600",
+                                     ".600",
+                                     ".540",
+                                     ".600",
+                                     ".600",
+                                     "1.70",
+                                     "2.00",
+                                     "5",
+                                     "3"));
+    EXPECT_THAT(words_of(lines.at(2)),
+                testing::ElementsAre("fine",
+                                     ".900",
+                                     "-",
+                                     ".900",
+                                     ".900",
+                                     ".900",
+                                     ".810",
+                                     ".900",
+                                     ".900",
+                                     "1.70",
+                                     "8.00",
+                                     "5",
+                                     "3"));
+}
+
+TEST(VerdictTable, MarksTheBracketsAndGivesThemNoTime) {
+    const auto lines = lines_of(verdict_table(small_comparison()));
+    const auto words = words_of(lines.at(5));
+    EXPECT_EQ(words.at(0) + words.at(1), "oracle*");
+    EXPECT_EQ(words.at(2), "1.000");
+    EXPECT_EQ(words.at(12), "-");
+}
+
+TEST(VerdictTable, EndsWithOneSentence) {
+    EXPECT_EQ(lines_of(verdict_table(small_comparison())).back(),
+              "fine makes the fewest errors: F .900 at 2 px over 3 views pooled, 8.00 ms a frame, "
+              "4.0 times as long as the cheapest, rough (2.00 ms, F .600).");
+}
+
+TEST(VerdictTable, ListsTheClassesThatAreThere) {
+    const std::string table = verdict_table(small_comparison());
+    EXPECT_THAT(table, HasSubstr("crease"));
+    EXPECT_THAT(table, Not(HasSubstr("intersection")));
+    EXPECT_THAT(table, HasSubstr("fine          .945    .810  .450"));
+}
+
+TEST(VerdictTable, SaysHowManyCellsFailed) {
+    std::vector<harness::Row> rows = small_comparison();
+    rows[0].status = "failed: out of ink";
+    const std::string table = verdict_table(rows);
+    EXPECT_THAT(table, HasSubstr("2/3"));
+    EXPECT_THAT(table, HasSubstr("1 cell failed and enters no number here."));
+}
+
+TEST(VerdictTable, SaysSoIfALeadMayBeChance) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 8; ++i) {
+        harness::Row even = made_up_row("even", 0.7, 3);
+        harness::Row moody = made_up_row("moody", i % 2 == 0 ? 0.5 : 0.91, 3);
+        even.scene = moody.scene = std::to_string(i);
+        rows.insert(rows.end(), {even, moody});
+    }
+    EXPECT_THAT(verdict_table(rows), HasSubstr("These scenes cannot tell it from even (F .700)"));
+    EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("cannot tell")));
+}
+
+TEST(VerdictTable, SaysSoIfALeadIsBeyondChance) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 8; ++i) {
+        harness::Row good = made_up_row("good", 0.7 + 0.01 * i, 3);
+        harness::Row better = made_up_row("better", 0.72 + 0.01 * i, 3);
+        good.scene = better.scene = std::to_string(i);
+        rows.insert(rows.end(), {good, better});
+    }
+    EXPECT_THAT(verdict_table(rows),
+                HasSubstr("Its lead over good (F .735) is +.020 [+.020, +.020]: beyond chance."));
+}
+
+TEST(VerdictTable, ShowsThresholdsAndTolerancesIfThereAreAny) {
+    std::vector<harness::Row> rows = small_comparison();
+    EXPECT_THAT(verdict_table(rows), Not(HasSubstr("ODS   OIS")));
+    statistics::CellCurve curve{"fine", true, {}};
+    curve.counts.fill({500, 1000, 1000});
+    const std::string table = verdict_table(rows, {curve});
+    EXPECT_THAT(table, HasSubstr("ODS   OIS"));
+    EXPECT_THAT(verdict_markdown(rows, {curve}), HasSubstr("| ODS | OIS | AP |"));
+}
+
+TEST(VerdictMarkdown, HasTheMatrixOfLeads) {
+    EXPECT_THAT(verdict_markdown(small_comparison()),
+                AllOf(HasSubstr("| leads by | fine | rough |"), HasSubstr("| fine |  | +.300 |")));
+}
+
+TEST(VerdictTable, FitsATerminalWhateverMethodsAreCalled) {
+    std::vector<harness::Row> rows = small_comparison();
+    for (harness::Row& row : rows) {
+        if (!harness::is_bracket(row.method)) row.method += "_with_a_name_that_does_not_end";
+    }
+    rows[0].status = "failed";
+    const std::string table = verdict_table(rows);
+    for (const std::string& line : lines_of(table.substr(0, table.rfind("\n\n")))) {
+        EXPECT_LE(line.size(), 110U) << line;
+    }
+}
+
+TEST(VerdictTable, WithoutAMethodThereIsNoVerdict) {
+    EXPECT_EQ(verdict_table({}), "No method was scored on any view, so there is no verdict.");
+    EXPECT_THAT(verdict_table({made_up_row("oracle", 1, 0)}), HasSubstr("there is no verdict"));
+}
+
+TEST(VerdictTable, AMethodAloneWinsNothing) {
+    EXPECT_THAT(verdict_table({made_up_row("fine", 0.9, 8)}),
+                HasSubstr("fine is the only method scored: F .900 at 2 px over 1 view pooled"));
+}
+
+TEST(VerdictMarkdown, IsATableOfEqualLines) {
+    const auto lines = lines_of(verdict_markdown(small_comparison()));
+    EXPECT_THAT(lines.at(0), HasSubstr("| method | F 2px | 95 % | train | held-out |"));
+    EXPECT_THAT(lines.at(2), HasSubstr("| rough | .600 | - |"));
+    const auto bars = [](const std::string& line) {
+        return std::count(line.begin(), line.end(), '|');
+    };
+    for (std::size_t i = 1; i < 7; ++i)
+        EXPECT_EQ(bars(lines.at(i)), bars(lines.at(0)));
+}
+
+TEST(FormatShare, DropsTheZeroBeforeThePoint) {
+    EXPECT_EQ(format_share(0.9124), ".912");
+    EXPECT_EQ(format_share(1), "1.000");
+    EXPECT_EQ(format_share(0), ".000");
+    EXPECT_EQ(format_share(std::nullopt), "-");
+}
+
+TEST(FormatMs, KeepsThreeDigits) {
+    EXPECT_EQ(format_ms(0.0421), "0.042");
+    EXPECT_EQ(format_ms(3.096), "3.10");
+    EXPECT_EQ(format_ms(9.996), "10.0");
+    EXPECT_EQ(format_ms(12.34), "12.3");
+    EXPECT_EQ(format_ms(99.96), "100");
+    EXPECT_EQ(format_ms(1234.4), "1234");
+}
+
+}  // namespace
+}  // namespace ink::report

@@ -1,0 +1,150 @@
+#include "studies/roll_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/motion_chart.h"
+#include "tests/report/markup.h"
+
+namespace ink::studies {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kDegree_rad = std::numbers::pi / 180;
+
+/// 360 samples, one a degree, in which the named degrees are lost.
+std::vector<RollSample> turn_without(const std::vector<int>& lost) {
+    std::vector<RollSample> samples;
+    for (int i = 0; i < 360; ++i) {
+        const bool is_lost = std::find(lost.begin(), lost.end(), i) != lost.end();
+        samples.push_back(
+            {.roll_rad = i * kDegree_rad, .length_px = 10, .covered_px = is_lost ? 4.9 : 5.0});
+    }
+    return samples;
+}
+
+double measured_deg(const std::vector<int>& lost, double predicted_deg) {
+    const auto measured = measured_vanishing(turn_without(lost), predicted_deg * kDegree_rad);
+    return measured ? *measured / kDegree_rad : -1;
+}
+
+TEST(MeasuredVanishing, IsTheMiddleOfWhatIsLost) {
+    EXPECT_NEAR(measured_deg({40, 41, 42, 43}, 42), 41.5, 1e-9);
+    EXPECT_NEAR(measured_deg({40, 90, 91, 92, 200}, 93), 91, 1e-9);
+    EXPECT_NEAR(measured_deg({40, 44}, 43), 44, 1e-9);
+}
+
+TEST(MeasuredVanishing, GoesRoundTheTurn) {
+    EXPECT_NEAR(measured_deg({357, 358, 359, 0, 1}, 2), 359, 1e-9);
+    EXPECT_NEAR(measured_deg({359, 0, 1, 2, 3, 4}, 358), 1.5, 1e-9);
+}
+
+TEST(MeasuredVanishing, IsNothingFarFromThePrediction) {
+    EXPECT_EQ(measured_deg({40, 41, 42}, 60), -1);
+    EXPECT_EQ(measured_deg({}, 60), -1);
+    EXPECT_EQ(measured_vanishing({}, 1), std::nullopt);
+}
+
+TEST(MeasuredVanishing, OfACreaseThatIsNeverShownIsNothing) {
+    std::vector<RollSample> samples = turn_without({});
+    for (RollSample& sample : samples)
+        sample.covered_px = 0;
+    EXPECT_EQ(measured_vanishing(samples, 1), std::nullopt);
+}
+
+/// The claim itself: two angles per crease, each within two degrees of where mote4 loses it.
+TEST(StudyRoll, Mote4LosesEachCreaseWhereItsWeightsSay) {
+    const RollOptions options{.frame_count = 180, .size_px = 200};
+    const auto curves = study_roll(harness::make_entrants("mote4", {}), options);
+    ASSERT_EQ(curves.size(), 3U);
+    for (const RollCurve& curve : curves) {
+        SCOPED_TRACE(curve.crease);
+        EXPECT_TRUE(curve.is_predicted);
+        ASSERT_EQ(curve.samples.size(), 180U);
+        ASSERT_EQ(curve.vanishing.size(), 2U);
+        for (const Vanishing& at : curve.vanishing) {
+            ASSERT_TRUE(at.measured_rad.has_value());
+            const double off =
+                std::remainder(*at.measured_rad - at.predicted_rad, 360 * kDegree_rad);
+            EXPECT_LT(std::abs(off), 2 * kDegree_rad);
+            EXPECT_LT(at.recall_there.value(), 0.2);
+        }
+        // Wherever the step is seen clearly the crease is whole, and only there.
+        for (const RollSample& sample : curve.samples) {
+            if (std::abs(sample.step) > 8) {
+                EXPECT_GT(sample.recall(), 0.95) << sample.roll_rad;
+            }
+            if (std::abs(sample.step) < 2) {
+                EXPECT_LT(sample.recall(), 0.3) << sample.roll_rad;
+            }
+        }
+    }
+}
+
+TEST(StudyRoll, WhoDeclaresNoCodeIsNotPredictedAndThreadsChangeNothing) {
+    RollOptions options{.frame_count = 8, .size_px = 120};
+    const auto entrants = harness::make_entrants("decaudin,mote4", {});
+    const auto curves = study_roll(entrants, options);
+    ASSERT_EQ(curves.size(), 6U);
+    EXPECT_FALSE(curves[0].is_predicted);
+    EXPECT_TRUE(curves[0].vanishing.empty());
+    EXPECT_GT(curves[0].mean_recall(), 0.9);
+    options.measure.threads = 3;
+    const auto again = study_roll(entrants, options);
+    EXPECT_EQ(roll_csv(again), roll_csv(curves));
+    EXPECT_EQ(vanishing_csv(again), vanishing_csv(curves));
+}
+
+/// A made-up curve of method `a<b` that must vanish at 45 degrees.
+RollCurve made_up_curve() {
+    RollCurve curve{.method = "a<b", .params = "k=1", .crease = 1, .is_predicted = true};
+    for (int i = 0; i < 8; ++i) {
+        curve.samples.push_back({.roll_rad = i * 45 * kDegree_rad,
+                                 .length_px = 20,
+                                 .covered_px = i == 1 ? 1.0 : 20.0,
+                                 .step = i - 1.0,
+                                 .is_blind = i == 1});
+    }
+    curve.vanishing = {{45 * kDegree_rad, 46 * kDegree_rad, 0.05}, {225 * kDegree_rad}};
+    return curve;
+}
+
+TEST(RollCurve, KnowsItsLeastAndItsMean) {
+    EXPECT_DOUBLE_EQ(made_up_curve().least_recall(), 0.05);
+    EXPECT_DOUBLE_EQ(made_up_curve().mean_recall(), 7.05 / 8);
+    EXPECT_EQ(RollCurve{}.mean_recall(), 1);
+}
+
+TEST(RollCsv, HasALinePerAngleAndOnePerPrediction) {
+    RollCurve unpredicted = made_up_curve();
+    unpredicted.is_predicted = false;
+    unpredicted.samples.resize(1);
+    unpredicted.vanishing.clear();
+    const std::vector<RollCurve> curves = {made_up_curve(), unpredicted};
+    const std::string roll = roll_csv(curves);
+    EXPECT_EQ(std::count(roll.begin(), roll.end(), '\n'), 1 + 8 + 1);
+    EXPECT_THAT(roll, HasSubstr("\na<b,k=1,1,45,20,1,0,1\n"));
+    EXPECT_THAT(roll, HasSubstr("\na<b,k=1,1,0,20,20,,\n"));
+    EXPECT_EQ(vanishing_csv(curves),
+              "method,params,crease,predicted_deg,measured_deg,error_deg,recall_there\n"
+              "a<b,k=1,1,45,46,1,0.05\n"
+              "a<b,k=1,1,225,,,\n");
+}
+
+TEST(RollChart, MarksPredictionsAndHasAPanelPerCode) {
+    const std::string svg = report::roll_chart({made_up_curve()}).inline_element("roll");
+    EXPECT_EQ(report::nesting_error(svg), "");
+    EXPECT_THAT(svg, HasSubstr(">a&lt;b</text>"));
+    EXPECT_THAT(svg, HasSubstr("<title>crease 2: predicted 45.0°, measured 46.0°</title>"));
+    EXPECT_THAT(svg, HasSubstr("<title>crease 2: predicted 225.0°, measured nowhere</title>"));
+    EXPECT_THAT(report::roll_chart({}).inline_element("roll"),
+                HasSubstr("No method here declares a code"));
+}
+
+}  // namespace
+}  // namespace ink::studies

@@ -1,0 +1,229 @@
+#include "studies/stress/stress_rows.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "experiment/stress_summary.h"
+#include "studies/roll_study.h"
+#include "studies/stress/stress_counts.h"
+#include "tests/harness/skipping_method.h"
+
+namespace ink::studies {
+namespace {
+
+constexpr StressSize kSmall{112, 63};
+
+std::vector<StressRow> rows_of(const std::string& axis,
+                               double value,
+                               const std::vector<harness::Entrant>& entrants,
+                               const StressSize& size = kSmall) {
+    std::vector<StressRow> rows;
+    for (const StressCase& stress : find_stress_axis(axis).cases(value, size)) {
+        for (StressRow& row : stress_rows(stress, entrants, {}, {}))
+            rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// The hash of one method's picture by scene.
+std::map<std::string, std::string> hashes(const std::vector<StressRow>& rows,
+                                          const std::string& method) {
+    std::map<std::string, std::string> result;
+    for (const StressRow& row : rows) {
+        if (row.row.method == method) result[row.row.scene] = row.row.image_hash;
+    }
+    return result;
+}
+
+TEST(StressRows, NoExtremeLosesACellOrANumber) {
+    const auto entrants = harness::make_entrants("mote4,roberts", {});
+    for (const StressAxis& axis : stress_axes()) {
+        const double last = axis.name == "facets" ? 32768 : axis.values.back();  // for time
+        for (const double value : {axis.values.front(), last}) {
+            const auto rows = rows_of(axis.name, value, entrants);
+            EXPECT_EQ(rows.size() % 5, 0U) << axis.name;  // none, sampled, oracle, two methods
+            for (const StressRow& row : rows) {
+                EXPECT_EQ(row.row.status, "ok") << axis.name << " " << value;
+                EXPECT_EQ(row.counts.lost, 0);
+                EXPECT_EQ(row.counts.non_finite, 0)
+                    << axis.name << " " << value << " " << row.row.scene;
+                EXPECT_EQ(row.counts.overflow, 0)
+                    << axis.name << " " << value << " " << row.row.scene;
+                if (row.row.method == "oracle") {
+                    EXPECT_EQ(row.row.f_2px, 1);
+                }
+            }
+        }
+    }
+}
+
+TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
+    const auto rows = rows_of("zoom", 0.25, harness::make_entrants("mote2", {}));
+    ASSERT_EQ(rows.size(), 16U);
+    EXPECT_EQ(rows[3].axis, "zoom");
+    EXPECT_EQ(rows[3].value, 0.25);
+    EXPECT_EQ(rows[3].row.method, "mote2");
+    EXPECT_EQ(rows[3].row.scene, "blocks");
+    EXPECT_EQ(rows[3].row.view, "zoom=0.25");
+    EXPECT_FALSE(rows[3].row.draw_ns);
+    EXPECT_FALSE(rows[3].row.prepare_ns);
+    EXPECT_FALSE(rows[3].row.predicted_ns);
+    const std::string line = to_csv(rows[3]);
+    EXPECT_TRUE(line.starts_with("zoom,0.25,,mote2,blocks,zoom=0.25,")) << line;
+    EXPECT_TRUE(line.ends_with(",0,0,0,0")) << line;
+    EXPECT_EQ(stress_columns().front(), "axis");
+    EXPECT_EQ(stress_columns().back(), "differing");
+    EXPECT_EQ(stress_columns().size(), harness::row_columns().size() + 7);
+}
+
+TEST(StressRows, AMethodThatThrowsIsLost) {
+    harness::SkipScript script;
+    script.failure = "no ink left";
+    const method::MethodInfo info = harness::skipping_info(script);
+    const auto rows = rows_of("zoom", 1, {{&info, {}}});
+    ASSERT_EQ(rows.size(), 16U);
+    EXPECT_EQ(rows[3].row.status, "failed: no ink left");
+    EXPECT_EQ(rows[3].counts.lost, 1);
+    EXPECT_EQ(rows[2].counts.lost, 0) << "the oracle goes on";
+    EXPECT_EQ(experiment::total_counts(rows).lost, 4);
+    EXPECT_FALSE(experiment::total_counts(rows).is_clean());
+}
+
+/// Draws a picture of a size that nobody asked for.
+class Misfit final : public method::Method {
+  public:
+    void prepare(const scene::Scene&) override {}
+    void pose(const scene::Scene&) override {}
+    void draw(const method::Frame&, edge::EdgeImage& out) override { out = edge::EdgeImage(3, 5); }
+    int bytes_per_px() const override { return 1; }
+};
+
+TEST(StressRows, APictureOfAnotherSizeIsLost) {
+    method::MethodInfo info;
+    info.name = "misfit";
+    info.make = [](const core::ParamValues&) { return std::make_unique<Misfit>(); };
+    info.complete = [](const core::ParamValues&) { return core::ParamValues{{"threshold", "9"}}; };
+    const auto rows = rows_of("cube_roll", 20, {{&info, {}}});
+    ASSERT_EQ(rows.size(), 12U);
+    EXPECT_EQ(rows[3].row.status, "failed: a picture of 3 x 5 px");
+    EXPECT_EQ(rows[3].counts.lost, 1);
+}
+
+TEST(StressThreads, DrawTheSamePictures) {
+    const auto entrants = harness::make_entrants("decaudin,mote16,edge_hash", {});
+    std::vector<StressRow> rows = rows_of("threads", 1, entrants);
+    for (const double threads : {3, 8}) {
+        for (StressRow& row : rows_of("threads", threads, entrants))
+            rows.push_back(std::move(row));
+    }
+    note_differences(rows);
+    std::set<int> used;
+    std::map<std::string, std::set<std::string>> pictures;
+    for (const StressRow& row : rows) {
+        used.insert(row.row.threads);
+        EXPECT_EQ(row.counts.differing, 0);
+        pictures[row.row.scene + row.row.method].insert(row.row.image_hash);
+    }
+    EXPECT_EQ(used, (std::set<int>{1, 3, 8}));
+    for (const auto& [cell, hash] : pictures)
+        EXPECT_EQ(hash.size(), 1U) << cell;
+}
+
+TEST(StressDifferences, AreToldWhereAnAxisAllowsNone) {
+    StressRow first{"threads", 1, "", {}, {}};
+    first.row.method = "mote4";
+    first.row.scene = "torus";
+    first.row.image_hash = "aa";
+    StressRow other = first;
+    other.value = 2;
+    other.row.image_hash = "bb";
+    StressRow same = first;
+    same.value = 3;
+    StressRow elsewhere = other;
+    elsewhere.row.scene = "gear";
+    std::vector<StressRow> rows = {first, other, same, elsewhere};
+    note_differences(rows);
+    EXPECT_EQ(rows[0].counts.differing, 0);
+    EXPECT_EQ(rows[1].counts.differing, 1);
+    EXPECT_EQ(rows[2].counts.differing, 0);
+    EXPECT_EQ(rows[3].counts.differing, 0);
+    for (StressRow& row : rows)
+        row.axis = "zoom";
+    rows[1].counts.differing = 0;
+    note_differences(rows);
+    EXPECT_EQ(rows[1].counts.differing, 0) << "pictures of a zoom differ by intent";
+}
+
+TEST(StressScaleAxis, AMillionthAndABillionTimesTheSizeAreTheSamePicture) {
+    const auto entrants = harness::make_entrants("decaudin,polygon_offset", {});
+    const auto small = rows_of("scale", std::ldexp(1, -30), entrants);
+    const auto large = rows_of("scale", std::ldexp(1, 30), entrants);
+    for (const char* method : {"oracle", "sampled"})
+        EXPECT_EQ(hashes(small, method), hashes(large, method)) << method;
+}
+
+TEST(StressOrigin, ExactlyMovedScenesKeepTheirTruth) {
+    const auto near = rows_of("origin", 1, {});
+    const auto far = rows_of("origin", 1e6, {});
+    EXPECT_EQ(hashes(near, "oracle"), hashes(far, "oracle"));
+}
+
+TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
+    const auto entrants = harness::make_entrants("ids", {});
+    const auto exact = rows_of("origin", 1e6, entrants);
+    const auto rounded = rows_of("fp32", 1e6, entrants);
+    EXPECT_EQ(hashes(exact, "oracle"), hashes(rounded, "oracle"));
+    for (const auto& [scene, hash] : hashes(exact, "ids"))
+        EXPECT_NE(hashes(rounded, "ids").at(scene), hash) << scene;
+}
+
+TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
+    const auto entrants = harness::make_entrants("mote4", {});
+    RollOptions options;
+    options.frame_count = 36;
+    const auto curves = study_roll(entrants, options);
+    ASSERT_EQ(curves.size(), 3U);
+    double blind = 0;
+    double seeing = 0;
+    int blind_count = 0;
+    int seeing_count = 0;
+    for (int step = 0; step < 36; ++step) {
+        bool is_blind = false;
+        for (const RollCurve& curve : curves)
+            is_blind = is_blind || curve.samples.at(static_cast<std::size_t>(step)).is_blind;
+        const StressCase cube =
+            find_stress_axis("cube_roll").cases(10.0 * step, {240, 240}).front();
+        const double error = 1 - stress_rows(cube, entrants, {}, {}).back().row.f_2px.value();
+        (is_blind ? blind : seeing) += error;
+        ++(is_blind ? blind_count : seeing_count);
+    }
+    ASSERT_GT(blind_count, 2);
+    ASSERT_GT(seeing_count, 2);
+    // One crease of nine edges is lost: a ninth of the lines or so.
+    EXPECT_GT(blind / blind_count, seeing / seeing_count + 0.04);
+}
+
+TEST(StressCounts, NameNumbersThatAreNone) {
+    harness::Row row;
+    EXPECT_EQ(count_non_finite(row), 0) << "an empty field is no number";
+    row.f_2px = std::numeric_limits<double>::quiet_NaN();
+    row.precision_2px = 1.5;
+    row.recall_2px = 1;
+    EXPECT_EQ(count_non_finite(row), 2);
+    truth::Truth truth;
+    truth.curves.resize(3);
+    truth.curves[0].gap = std::numeric_limits<float>::infinity();  // before the sky
+    EXPECT_EQ(count_non_finite(truth), 0);
+    truth.curves[1].end.x_px = std::numeric_limits<double>::infinity();
+    truth.curves[2].bend_rad = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(count_non_finite(truth), 2);
+}
+
+}  // namespace
+}  // namespace ink::studies

@@ -1,0 +1,181 @@
+#include "studies/timedemo.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+#include "core/error.h"
+#include "scene/animation.h"
+
+namespace ink::studies {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(MedianRange, IsMadeOfOrderStatistics) {
+    std::vector<std::int64_t> values(100);
+    std::iota(values.rbegin(), values.rend(), 1);
+    // Ranks 41 and 60 hold the median of 100 with 95 %, as tables have it.
+    const MedianRange of_100 = median_range(values);
+    EXPECT_EQ(of_100.median, 50);
+    EXPECT_EQ(of_100.low, 41);
+    EXPECT_EQ(of_100.high, 60);
+    const MedianRange of_one = median_range({7});
+    EXPECT_EQ(of_one.median, 7);
+    EXPECT_EQ(of_one.low, 7);
+    EXPECT_EQ(of_one.high, 7);
+}
+
+TEST(TimedemoTable, AddsUpWhatAFrameTakes) {
+    DemoFrame frame;
+    frame.path = "orbit";
+    frame.method = "mote4";
+    frame.fill_ns = 1'000'000;
+    frame.shade_ns = 4'000'000;
+    frame.pose_ns = 4'000'000;
+    frame.draw_ns = 1'000'000;
+    frame.compose_ns = 1'000'000;
+    DemoFrame cached = frame;
+    cached.pass = 1;
+    cached.pose_ns = 1'000'000;
+    const std::string table = timedemo_table({frame, cached});
+    EXPECT_THAT(table, HasSubstr("1000 [1000, 1000]")) << "plain: 1 ms";
+    EXPECT_THAT(table, HasSubstr("250 [250, 250]")) << "shading: 4 ms";
+    EXPECT_THAT(table, HasSubstr("125 [125, 125]")) << "no edges, first: 8 ms";
+    EXPECT_THAT(table, HasSubstr("100 [100, 100]")) << "full, first: 10 ms";
+    EXPECT_THAT(table, HasSubstr("200 [200, 200]")) << "no edges, cached: 5 ms";
+    EXPECT_THAT(table, HasSubstr("143 [143, 143]")) << "full, cached: 7 ms";
+    EXPECT_EQ(timedemo_table({}), "");
+}
+
+TEST(Timedemo, DrawsEveryFrameOfEveryPassAlongThreePaths) {
+    harness::ViewRequest request;
+    request.width_px = 96;
+    request.height_px = 64;
+    const harness::Subject gear = harness::make_subject(harness::load_scene("gear"), request);
+    TimedemoOptions options;
+    options.entrants = harness::make_entrants("mote4,decaudin", {});
+    options.frames = 3;
+    options.cached_passes = 1;
+    const auto frames = run_timedemo(gear, options);
+    EXPECT_EQ(frames.size(), 3U * 2 * 3 * 2) << "paths, passes, frames, methods";
+    std::set<std::string> paths;
+    std::set<std::string> pictures;
+    for (const DemoFrame& frame : frames) {
+        paths.insert(frame.path);
+        if (frame.method == "mote4" && frame.path == "orbit") pictures.insert(frame.image_hash);
+        EXPECT_EQ(frame.time_s, 4.0 * frame.frame / 3);
+        EXPECT_GT(frame.draw_ns, 0);
+    }
+    EXPECT_EQ(paths, (std::set<std::string>{"orbit", "dolly", "shake"}));
+    EXPECT_EQ(pictures.size(), 3U) << "it moves, and comes out the same again";
+    EXPECT_THAT(timedemo_heading(gear, options), HasSubstr("gear, 4 s of keys, 3 drawn"));
+}
+
+TEST(Timedemo, AnEyeInsideLooksAbout) {
+    harness::ViewRequest request;
+    request.width_px = 64;
+    request.height_px = 48;
+    request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0), {0, 1, 0}, std::nullopt});
+    TimedemoOptions options;
+    options.entrants = harness::make_entrants("mote4", {});
+    options.frames = 2;
+    options.cached_passes = 0;
+    std::set<std::string> paths;
+    for (const DemoFrame& frame :
+         run_timedemo(harness::make_subject(harness::load_scene("gear"), request), options))
+        paths.insert(frame.path);
+    EXPECT_EQ(paths, (std::set<std::string>{"pan", "roll", "shake"}));
+}
+
+/// The gears as a file would hold them, with a camera that turns with the wheel.
+scene::Scene filmed_gear() {
+    scene::Scene scene = harness::load_scene("gear");
+    scene.name = "film";
+    scene.cameras.resize(1);
+    scene.cameras[0] = scene::look_at({0, 0, 9}, {0, 0, 0}, {0, 1, 0}, 0.6);
+    scene.cameras[0].name = "rider";
+    scene::Animation animation = *scene.animation;
+    constexpr std::uint32_t kWheel = 1;
+    animation.cameras = {{kWheel, kWheel, {3, 8, 0}, {0, 0, 0}, {1, 0, 0}}};
+    scene.animation = std::make_shared<const scene::Animation>(animation);
+    return scene;
+}
+
+TEST(Timedemo, AMovingCameraOfTheModelGoesItsOwnWayFirst) {
+    harness::ViewRequest request;
+    request.width_px = 64;
+    request.height_px = 48;
+    request.file_cameras = true;
+    TimedemoOptions options;
+    options.entrants = harness::make_entrants("mote4", {});
+    options.frames = 3;
+    options.cached_passes = 1;
+    std::vector<std::string> paths;
+    std::set<std::string> pictures;
+    for (const DemoFrame& frame :
+         run_timedemo(harness::make_subject(filmed_gear(), request), options)) {
+        if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
+        if (frame.path == "own") pictures.insert(frame.image_hash);
+    }
+    EXPECT_EQ(paths, (std::vector<std::string>{"own", "orbit", "dolly", "shake"}));
+    EXPECT_EQ(pictures.size(), 3U);
+    request.file_cameras = false;
+    paths.clear();
+    for (const DemoFrame& frame :
+         run_timedemo(harness::make_subject(filmed_gear(), request), options)) {
+        if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
+    }
+    EXPECT_EQ(paths, (std::vector<std::string>{"orbit", "dolly", "shake"}));
+}
+
+TEST(PosedSubject, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
+    harness::ViewRequest request;
+    request.file_cameras = true;
+    request.time_s = 2;
+    const harness::Subject posed = harness::make_subject(filmed_gear(), request);
+    ASSERT_EQ(posed.views.size(), 1U);
+    const scene::Camera& camera = posed.views[0].camera;
+    EXPECT_EQ(camera.name, "rider");
+    scene::Camera expected = posed.scene.cameras[0];
+    EXPECT_EQ(camera.eye_world, expected.eye_world);
+    EXPECT_NE(camera.eye_world, filmed_gear().cameras[0].eye_world);
+    scene::fit_clip_range(expected, scene::bounding_sphere(posed.scene));
+    EXPECT_EQ(camera.near, expected.near);
+    EXPECT_EQ(camera.far, expected.far);
+}
+
+/// What make_subject says of a request for `scene`.
+std::string complaint(const std::string& scene, const harness::ViewRequest& request) {
+    try {
+        (void)harness::make_subject(harness::load_scene(scene), request);
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PosedSubject, IsCalledAndHashedAsItIsPosed) {
+    harness::ViewRequest request;
+    request.time_s = 1.5;
+    const harness::Subject posed = harness::make_subject(harness::load_scene("gear"), request);
+    EXPECT_EQ(posed.scene.name, "gear.1.5s");
+    EXPECT_EQ(posed.views.size(), posed.scene.cameras.size()) << "the catalogue's own views";
+    EXPECT_NE(scene::scene_hash(posed.scene), scene::scene_hash(harness::load_scene("gear")));
+}
+
+TEST(PosedSubject, OnlyAtMomentsThatThereAre) {
+    harness::ViewRequest late;
+    late.time_s = 4.5;
+    EXPECT_EQ(complaint("gear", late), "--time: gear does not move at 4.5 s (accepted: 0..4)");
+    EXPECT_THAT(complaint("cube", late), HasSubstr("--time: cube does not move (accepted: "));
+    harness::ViewRequest frame;
+    frame.frame = 3;
+    EXPECT_EQ(complaint("gear", frame),
+              "--frame: gear stores no frames (accepted: --time SECONDS)");
+}
+
+}  // namespace
+}  // namespace ink::studies
