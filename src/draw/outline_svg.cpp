@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/escape.h"
 #include "draw/palette.h"
-#include "report/html.h"
 #include "truth/join_curves.h"
 
 namespace ink::draw {

@@ -17,6 +17,7 @@
 #include "harness/view_cells.h"
 #include "linear_code/cancellation_study.h"
 #include "report/figures.h"
+#include "report/report.h"
 #include "report/verdict.h"
 #include "studies/motion_study.h"
 #include "studies/skip_study.h"

@@ -8,7 +8,6 @@
 #include "harness/suite.h"
 #include "harness/sweep.h"
 #include "harness/tracing.h"
-#include "report/report.h"
 #include "statistics/ods.h"
 
 namespace ink::experiment {

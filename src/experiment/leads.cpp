@@ -1,8 +1,12 @@
 #include "experiment/leads.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "core/text_table.h"
 #include "experiment/summary.h"
 #include "statistics/bootstrap.h"
 
@@ -10,6 +14,11 @@ namespace ink::experiment {
 namespace {
 
 using Counts = score::CurveCount;
+
+std::string format_signed(double value) {
+    return fmt::format("{}{}", value < 0 ? '-' : '+', core::format_share(std::abs(value)));
+}
+
 std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<harness::Row>& rows,
                                                             const std::string& method) {
     std::map<harness::Place, const harness::Row*> found;
@@ -79,6 +88,14 @@ std::vector<Lead> all_leads(const std::vector<harness::Row>& rows) {
         }
     }
     return leads;
+}
+
+std::string format_lead(const Lead& lead) {
+    if (!lead.range) return format_signed(lead.difference);
+    return fmt::format("{} [{}, {}]",
+                       format_signed(lead.difference),
+                       format_signed(lead.range->low),
+                       format_signed(lead.range->high));
 }
 
 }  // namespace ink::experiment

@@ -35,4 +35,7 @@ struct Lead {
 /// made).
 [[nodiscard]] std::vector<Lead> all_leads(const std::vector<harness::Row>& rows);
 
+/// "+.012 [+.002, +.021]"; the difference alone where there is no interval.
+[[nodiscard]] std::string format_lead(const Lead& lead);
+
 }  // namespace ink::experiment

@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/text_table.h"
 #include "experiment/summary.h"
-#include "report/text_table.h"
 #include "statistics/bootstrap.h"
 
 namespace ink::experiment {

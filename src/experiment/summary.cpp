@@ -171,10 +171,6 @@ Rows good_rows(const std::vector<harness::Row>& rows, const std::string& method)
 
 }  // namespace
 
-bool is_bracket(std::string_view method) {
-    return method == "none" || method == "sampled" || method == "oracle";
-}
-
 Counts counts_2px(const harness::Row& row) {
     return {row.k_2px, row.n_pred, row.n_truth};
 }

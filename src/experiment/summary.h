@@ -13,9 +13,6 @@
 
 namespace ink::experiment {
 
-/// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
-[[nodiscard]] bool is_bracket(std::string_view method);
-
 /// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
 /// an empty value never enters a mean.
 struct MethodSummary {

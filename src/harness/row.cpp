@@ -335,4 +335,8 @@ std::string to_csv(const Row& row) {
     return line;
 }
 
+bool is_bracket(std::string_view method) {
+    return method == "none" || method == "sampled" || method == "oracle";
+}
+
 }  // namespace ink::harness

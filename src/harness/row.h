@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -101,5 +102,8 @@ using Place = std::tuple<std::string, std::string, int, int>;
 /// Numbers are in the shortest form that reads back to the same value, whatever the locale. Counts
 /// of a row that failed are empty, as its metrics are.
 [[nodiscard]] std::string to_csv(const Row& row);
+
+/// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
+[[nodiscard]] bool is_bracket(std::string_view method);
 
 }  // namespace ink::harness

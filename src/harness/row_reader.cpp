@@ -7,7 +7,6 @@
 #include <map>
 
 #include "core/error.h"
-#include "experiment/summary.h"
 #include "harness/csv.h"
 #include "truth/line_class.h"
 

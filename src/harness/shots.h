@@ -9,9 +9,9 @@
 #include "harness/cell.h"
 #include "harness/miss_prediction.h"
 #include "harness/row.h"
+#include "harness/shown_view.h"
 #include "harness/tracing.h"
 #include "harness/witness_cache.h"
-#include "report/report.h"
 
 namespace ink::harness {
 

@@ -5,11 +5,11 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/text_table.h"
 #include "harness/cell.h"
 #include "harness/csv.h"
 #include "harness/interrupt.h"
 #include "linear_code/channel_planes.h"
-#include "report/text_table.h"
 #include "truth/limits.h"
 
 namespace ink::linear_code {

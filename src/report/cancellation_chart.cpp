@@ -7,9 +7,9 @@
 #include <map>
 #include <numbers>
 
+#include "core/escape.h"
 #include "draw/palette.h"
 #include "linear_code/cancellation_law.h"
-#include "report/html.h"
 
 namespace ink::report {
 namespace {

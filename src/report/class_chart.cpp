@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/text_table.h"
 #include "draw/palette.h"
 #include "experiment/class_recalls.h"
 #include "report/charts.h"
@@ -92,7 +93,7 @@ void draw_panel(Svg& svg,
         const auto range = ranges[i].find(name);
         if (range != ranges[i].end())
             draw_range(svg, panel.x, full, y + 5 + kBarHeight / 2, range->second);
-        svg.text(panel.x + full + 5, y + 17, format_share(found->second), {.size = 12});
+        svg.text(panel.x + full + 5, y + 17, core::format_share(found->second), {.size = 12});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/text_table.h"
 #include "report/figure_legend.h"
 #include "report/verdict.h"
 
@@ -43,7 +44,7 @@ draw::RgbImage averaged(const draw::RgbImage& picture, int factor) {
 GridCell errors_cell(const FigureShot& shot) {
     const int factor = shrink_factor(shot.marks.width_px());
     return {draw::error_picture(draw::shrink(shot.marks, factor)),
-            "F " + format_share(shot.row.f_2px)};
+            "F " + core::format_share(shot.row.f_2px)};
 }
 
 GridCell truth_cell(const FigureView& view) {

@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "core/text_table.h"
 #include "core/whole_file.h"
 #include "draw/error_picture.h"
 #include "draw/palette.h"
@@ -83,7 +84,7 @@ std::string caption_of(const std::vector<harness::Row>& rows,
                        const std::string& method) {
     for (const harness::Row& row : rows) {
         if (row.scene != view.scene || row.view != view.view || row.method != method) continue;
-        std::string caption = fmt::format("{}  F {}", method, format_share(row.f_2px));
+        std::string caption = fmt::format("{}  F {}", method, core::format_share(row.f_2px));
         if (row.draw_ns) {
             caption += fmt::format("  {} ms", format_ms(static_cast<double>(*row.draw_ns) * 1e-6));
         }

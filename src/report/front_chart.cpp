@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "report/charts.h"
 #include "report/front_scale.h"
-#include "report/html.h"
 #include "report/label_places.h"
 #include "report/method_looks.h"
 #include "report/verdict.h"
@@ -142,7 +143,7 @@ void draw_setting(Svg& svg,
                         core::escape(series.sweep->method),
                         core::escape(s.is_default() ? "as it comes" : s.difference),
                         format_ms(s.draw_ms),
-                        format_share(1 - s.error)));
+                        core::format_share(1 - s.error)));
     draw_marker(
         svg, scale.x(s.draw_ms), scale.y(s.error), s.is_default() ? kMarker : 3, series.look);
     svg.raw("</g>");

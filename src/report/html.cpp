@@ -1,34 +1,8 @@
 #include "report/html.h"
 
-namespace ink::report {
+#include <string_view>
 
-std::string escape(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                const auto code = static_cast<unsigned char>(c);
-                const bool is_control = (code < 0x20 && c != '\t' && c != '\n') || code == 0x7f;
-                if (!is_control) safe += c;
-        }
-    }
-    return safe;
-}
+namespace ink::report {
 
 std::string base64(std::span<const std::uint8_t> bytes) {
     constexpr std::string_view kDigits =

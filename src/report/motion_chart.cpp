@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/escape.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 
 namespace ink::report {
 namespace {

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <set>
 
+#include "core/escape.h"
 #include "core/provenance.h"
+#include "core/text_table.h"
 #include "experiment/summary.h"
 #include "report/cause_chart.h"
 #include "report/charts.h"
-#include "report/html.h"
 #include "report/page_about.h"
 #include "report/page_assets.h"
 #include "report/page_cancellation.h"
@@ -61,7 +62,7 @@ std::string context_sentences(const Material& m) {
     const experiment::MethodSummary* sampled = find_summary(m.summaries, "sampled");
     if (m.verdict.best != nullptr && sampled != nullptr && sampled->f_2px) {
         text += fmt::format(" Exact lines seen once per pixel centre would reach F {}.",
-                            format_share(sampled->f_2px));
+                            core::format_share(sampled->f_2px));
     }
     std::vector<experiment::CostPoint> costs;
     std::vector<const experiment::MethodSummary*> methods;
@@ -99,7 +100,7 @@ std::string facts_html(const Material& m) {
         methods += s.is_bracket ? 0 : 1;
     std::string facts;
     if (const experiment::MethodSummary* best = m.verdict.best) {
-        facts += fact("F at 2 px", format_share(best->f_2px));
+        facts += fact("F at 2 px", core::format_share(best->f_2px));
         if (best->draw_ms) facts += fact("its frame", format_ms(best->draw_ms), "ms");
     }
     facts += fact("methods", std::to_string(methods));
@@ -118,7 +119,7 @@ std::string void_html(const std::vector<harness::Row>& rows) {
         if (!is_wrong_oracle && !is_wrong_none) continue;
         items += fmt::format("<li>{} has F {} on {}, view {}</li>",
                              row.method,
-                             format_share(row.f_2px),
+                             core::format_share(row.f_2px),
                              core::escape(row.scene),
                              core::escape(row.view));
     }

@@ -5,8 +5,8 @@
 
 #include <ctime>
 
+#include "core/escape.h"
 #include "core/provenance.h"
-#include "report/html.h"
 
 namespace ink::report {
 

@@ -4,9 +4,9 @@
 
 #include <span>
 
+#include "core/escape.h"
 #include "draw/palette.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 
 namespace ink::report {
 namespace {

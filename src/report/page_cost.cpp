@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/escape.h"
 #include "experiment/scaling_steps.h"
-#include "report/html.h"
 #include "report/scaling_chart.h"
 #include "report/verdict.h"
 #include "statistics/spread.h"

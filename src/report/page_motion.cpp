@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/escape.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 #include "report/motion_chart.h"
 
 namespace ink::report {

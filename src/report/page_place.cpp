@@ -8,8 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 #include "report/verdict.h"
 
 namespace ink::report {
@@ -89,15 +90,15 @@ std::string place_line(const Pooled& p) {
         "<td>{}</td><td class=\"group\">{}</td></tr>\n",
         harness::is_bracket(p.method) ? "bracket" : "",
         core::escape(p.method),
-        format_share(p.cracks.f()),
-        format_share(p.cracks.precision()),
-        format_share(p.cracks.recall()),
+        core::format_share(p.cracks.f()),
+        core::format_share(p.cracks.precision()),
+        core::format_share(p.cracks.recall()),
         px(p.offsets.mean(), true),
         px(p.offsets.spread()),
         px(p.offsets.rms()),
         px(p.widths.mean()),
         px(p.widths.spread()),
-        format_share(false_share(p)));
+        core::format_share(false_share(p)));
 }
 
 /// White where all is found, full red from a recall of .4 down.
@@ -113,7 +114,7 @@ std::string recall_cell(const std::vector<const harness::BinCount*>& bins, std::
                        mix(84),
                        bin->k,
                        bin->n_truth,
-                       format_share(recall));
+                       core::format_share(recall));
 }
 
 std::string bin_name(double low, double high) {

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "draw/palette.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 #include "report/page_causes.h"
 #include "report/page_tables.h"
 #include "report/verdict.h"
@@ -26,7 +27,7 @@ const harness::Row* find_row(const std::vector<harness::Row>& rows,
 /// "F .912 · 3.10 ms", and what went wrong below.
 std::string words_on(const harness::Row* row) {
     if (row == nullptr) return "";
-    std::string line = "F " + format_share(row->f_2px);
+    std::string line = "F " + core::format_share(row->f_2px);
     if (row->draw_ns)
         line += fmt::format(" · {} ms", format_ms(static_cast<double>(*row->draw_ns) * 1e-6));
     return fmt::format(
@@ -42,7 +43,7 @@ std::string alt_of(const harness::ShownView& view,
     std::string text = fmt::format("Lines of {} on {}, errors in colour", picture.method, place);
     if (row != nullptr && row->is_ok()) {
         text += fmt::format(": F {}, {} pixels missing, {} off the lines",
-                            format_share(row->f_2px),
+                            core::format_share(row->f_2px),
                             row->missing,
                             row->off_line);
     }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/escape.h"
 #include "experiment/skip_totals.h"
 #include "harness/skip_switches.h"
-#include "report/html.h"
 #include "report/verdict.h"
 
 namespace ink::report {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "experiment/leads.h"
-#include "report/html.h"
 #include "report/statistics.h"
 #include "report/verdict.h"
 
@@ -58,7 +59,7 @@ std::string front_line(const experiment::MethodSweep& sweep, std::size_t index, 
         is_first ? core::escape(sweep.method) : "",
         s.is_default() ? "as it comes" : fmt::format("<code>{}</code>", core::escape(s.difference)),
         format_ms(s.draw_ms),
-        format_share(1 - s.error));
+        core::format_share(1 - s.error));
 }
 
 }  // namespace

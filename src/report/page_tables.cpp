@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "report/html.h"
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "report/verdict.h"
 
 namespace ink::report {
@@ -57,7 +58,7 @@ std::string heat_line(const std::vector<const harness::Row*>& of_scene,
         line += fmt::format(R"(<td style="{}">{}{}{}</td>)",
                             heat_style(*values[i]),
                             is_best ? "<b>" : "",
-                            format_share(values[i]),
+                            core::format_share(values[i]),
                             is_best ? "</b>" : "");
     }
     return line;
@@ -72,7 +73,7 @@ struct RowColumn {
 
 RowColumn share_of_row(std::string heading, std::optional<double> harness::Row::*field) {
     return {std::move(heading), false, [field](const harness::Row& row) {
-                return format_share(row.*field);
+                return core::format_share(row.*field);
             }};
 }
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "report/html.h"
+#include "core/escape.h"
+#include "core/text_table.h"
 #include "report/page_tables.h"
 #include "report/verdict.h"
 #include "truth/line_class.h"
@@ -26,7 +27,7 @@ VerdictColumn share_column(std::string group,
                            std::optional<double> experiment::MethodSummary::*field) {
     return {std::move(group),
             std::move(heading),
-            [field](const experiment::MethodSummary& s) { return format_share(s.*field); },
+            [field](const experiment::MethodSummary& s) { return core::format_share(s.*field); },
             [field](const experiment::MethodSummary& s) { return s.*field; }};
 }
 
@@ -38,15 +39,15 @@ VerdictColumn recall_column(const std::string& name) {
     };
     return {"recall per class",
             name,
-            [recall](const experiment::MethodSummary& s) { return format_share(recall(s)); },
+            [recall](const experiment::MethodSummary& s) { return core::format_share(recall(s)); },
             recall};
 }
 
 std::string range_cell(const experiment::MethodSummary& s) {
     if (!s.f_2px_range) return "-";
     return fmt::format("<span class=\"range\">{}–{}</span>",
-                       format_share(s.f_2px_range->low),
-                       format_share(s.f_2px_range->high));
+                       core::format_share(s.f_2px_range->low),
+                       core::format_share(s.f_2px_range->high));
 }
 
 std::string views_cell(const experiment::MethodSummary& s) {
@@ -175,7 +176,7 @@ std::string scene_verdicts_html(const std::vector<harness::Row>& rows) {
                                      ? "no method was scored"
                                      : fmt::format("best: {}, F {}",
                                                    core::escape(verdict.best->method),
-                                                   format_share(verdict.best->f_2px));
+                                                   core::format_share(verdict.best->f_2px));
         html += fmt::format(
             "<details class=\"counts\"><summary>{} <span class=\"note\">{}</span></summary>{}"
             "</details>\n",

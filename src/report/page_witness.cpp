@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/escape.h"
 #include "draw/witness_report.h"
-#include "report/html.h"
 
 namespace ink::report {
 namespace {

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
-#include "edge/edge_image.h"
 #include "experiment/cost_model.h"
 #include "harness/row.h"
+#include "harness/shown_view.h"
 #include "linear_code/cancellation.h"
-#include "score/attribution.h"
 #include "statistics/ods.h"
 #include "studies/motion_rows.h"
 #include "studies/roll_study.h"
@@ -17,22 +15,6 @@
 #include "studies/skip_study.h"
 
 namespace ink::report {
-
-/// A method's picture on one view, kept for the report.
-struct MethodPicture {
-    std::string method;
-    edge::EdgeImage strength;
-    int threshold = 128;                        ///< the strength at which it was scored
-    std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
-};
-
-/// One view that the report shows whole: truth and methods side by side.
-struct ShownView {
-    std::string scene;
-    std::string view;
-    core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
-    std::vector<harness::MethodPicture> pictures;
-};
 
 /// Everything a report says.
 struct ReportData {

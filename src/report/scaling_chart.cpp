@@ -8,9 +8,9 @@
 #include <limits>
 #include <string>
 
+#include "core/escape.h"
 #include "draw/palette.h"
 #include "experiment/scaling_steps.h"
-#include "report/html.h"
 
 namespace ink::report {
 namespace {

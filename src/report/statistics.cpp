@@ -3,17 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "core/text_table.h"
 #include "harness/cell.h"
 #include "report/verdict.h"
 
 namespace ink::report {
 namespace {
-
-std::string format_signed(double value) {
-    return fmt::format("{}{}", value < 0 ? '-' : '+', format_share(std::abs(value)));
-}
 
 bool any(const std::vector<experiment::MethodSummary>& summaries,
          bool (*has)(const experiment::MethodSummary&)) {
@@ -22,7 +18,7 @@ bool any(const std::vector<experiment::MethodSummary>& summaries,
 
 TextColumn curve_column(std::string heading, double (*value)(const statistics::CurveSummary&)) {
     return {std::move(heading), [value](const experiment::MethodSummary& s) {
-                return s.curve ? format_share(value(*s.curve)) : "-";
+                return s.curve ? core::format_share(value(*s.curve)) : "-";
             }};
 }
 
@@ -61,19 +57,12 @@ std::vector<TextColumn> statistics_columns(
         for (std::size_t i = 0; i < harness::kLadder_px.size(); ++i) {
             columns.push_back({fmt::format("{} px", harness::kLadder_px[i]),
                                [i](const experiment::MethodSummary& s) {
-                                   return i < s.f_ladder.size() ? format_share(s.f_ladder[i]) : "-";
+                                   return i < s.f_ladder.size() ? core::format_share(s.f_ladder[i])
+                                                                : "-";
                                }});
         }
     }
     return columns;
-}
-
-std::string format_lead(const experiment::Lead& lead) {
-    if (!lead.range) return format_signed(lead.difference);
-    return fmt::format("{} [{}, {}]",
-                       format_signed(lead.difference),
-                       format_signed(lead.range->low),
-                       format_signed(lead.range->high));
 }
 
 core::Cells lead_cells(const std::vector<experiment::Lead>& leads) {
@@ -123,10 +112,10 @@ std::string threshold_lines(const std::vector<harness::Row>& rows,
         lines += fmt::format("{}: best threshold over these training scenes {} (F {} pooled)",
                              point.method,
                              point.threshold,
-                             format_share(point.f));
+                             core::format_share(point.f));
         if (s != nullptr && s->threshold && s->f_train) {
-            lines +=
-                fmt::format("; its own, {}, has F {}", *s->threshold, format_share(s->f_train));
+            lines += fmt::format(
+                "; its own, {}, has F {}", *s->threshold, core::format_share(s->f_train));
         }
         lines += '\n';
     }

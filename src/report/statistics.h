@@ -17,9 +17,6 @@ namespace ink::report {
 [[nodiscard]] std::vector<TextColumn> statistics_columns(
     const std::vector<experiment::MethodSummary>& summaries);
 
-/// "+.012 [+.002, +.021]"; the difference alone where there is no interval.
-[[nodiscard]] std::string format_lead(const experiment::Lead& lead);
-
 /// The matrix of leads: a line per method, best first, by how much it leads each other. Empty with
 /// fewer than two methods.
 [[nodiscard]] core::Cells lead_cells(const std::vector<experiment::Lead>& leads);

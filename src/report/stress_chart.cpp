@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "core/escape.h"
 #include "draw/palette.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 #include "report/stress_scale.h"
 
 namespace ink::report {

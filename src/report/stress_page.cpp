@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/escape.h"
 #include "core/provenance.h"
 #include "experiment/summary.h"
-#include "report/html.h"
 #include "report/page_assets.h"
 #include "report/stress_chart.h"
 

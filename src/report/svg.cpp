@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/html.h"
+#include "core/escape.h"
 
 namespace ink::report {
 namespace {

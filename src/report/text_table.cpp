@@ -1,9 +1,5 @@
 #include "report/text_table.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "report/verdict.h"
 
 namespace ink::report {
@@ -11,7 +7,7 @@ namespace ink::report {
 TextColumn share_column(std::string heading,
                         std::optional<double> experiment::MethodSummary::*field) {
     return {std::move(heading),
-            [field](const experiment::MethodSummary& s) { return format_share(s.*field); }};
+            [field](const experiment::MethodSummary& s) { return core::format_share(s.*field); }};
 }
 
 TextColumn name_column() {
@@ -33,35 +29,6 @@ core::Cells cells_of(const std::vector<TextColumn>& columns,
             line.push_back(column.text(s));
     }
     return cells;
-}
-
-std::string aligned(const core::Cells& cells) {
-    std::vector<std::size_t> widths(cells[0].size(), 0);
-    for (const auto& line : cells) {
-        for (std::size_t i = 0; i < line.size(); ++i)
-            widths[i] = std::max(widths[i], line[i].size());
-    }
-    std::string text;
-    for (const auto& line : cells) {
-        text += fmt::format("{:<{}}", line[0], widths[0]);
-        for (std::size_t i = 1; i < line.size(); ++i)
-            text += fmt::format("  {:>{}}", line[i], widths[i]);
-        text += '\n';
-    }
-    return text;
-}
-
-std::string markdown(const core::Cells& cells) {
-    std::string text;
-    for (const auto& line : cells) {
-        text += fmt::format("| {} |\n", fmt::join(line, " | "));
-        if (&line != &cells.front()) continue;
-        text += "|---|";
-        for (std::size_t i = 1; i < line.size(); ++i)
-            text += "--:|";
-        text += '\n';
-    }
-    return text;
 }
 
 }  // namespace ink::report

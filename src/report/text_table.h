@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/text_table.h"
 #include "experiment/summary.h"
 
 namespace ink::report {
@@ -22,18 +24,8 @@ struct TextColumn {
 /// width whatever methods are called.
 [[nodiscard]] TextColumn name_column();
 
-/// A table as text: headings first, then a line each.
-using core::Cells = std::vector<std::vector<std::string>>;
-
 /// `columns` of `summaries`.
 [[nodiscard]] core::Cells cells_of(const std::vector<TextColumn>& columns,
                                    const std::vector<experiment::MethodSummary>& summaries);
-
-/// For a terminal: the first column to the left, the others to the right. Every line ends with a
-/// line break; at least the headings are there.
-[[nodiscard]] std::string aligned(const core::Cells& cells);
-
-/// The same as a Markdown table.
-[[nodiscard]] std::string markdown(const core::Cells& cells);
 
 }  // namespace ink::report

@@ -59,7 +59,7 @@ std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummar
                                const auto found = s.recall_by_class.find(name);
                                return found == s.recall_by_class.end()
                                           ? "-"
-                                          : format_share(found->second);
+                                          : core::format_share(found->second);
                            }});
     }
     return columns;
@@ -82,7 +82,7 @@ std::string cost_of(const experiment::Verdict& verdict) {
                        *best.draw_ms / *cheapest->draw_ms,
                        cheapest->method,
                        format_ms(cheapest->draw_ms),
-                       format_share(cheapest->f_2px));
+                       core::format_share(cheapest->f_2px));
 }
 
 /// Whether the lead of the winner is more than chance; nothing where scenes are too few to tell.
@@ -90,8 +90,8 @@ std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdi
     if (verdict.runner_up == nullptr) return "";
     const auto lead = experiment::lead_of(rows, verdict.best->method, verdict.runner_up->method);
     if (!lead || !lead->range) return "";
-    const std::string other =
-        fmt::format("{} (F {})", verdict.runner_up->method, format_share(verdict.runner_up->f_2px));
+    const std::string other = fmt::format(
+        "{} (F {})", verdict.runner_up->method, core::format_share(verdict.runner_up->f_2px));
     if (lead->is_beyond_chance()) {
         return fmt::format(
             " Its lead over {} is {}: beyond chance.", other, experiment::format_lead(*lead));
@@ -125,14 +125,8 @@ std::string threshold_list(const std::vector<harness::Row>& rows,
 
 }  // namespace
 
-std::string format_share(const std::optional<double>& share) {
-    if (!share) return "-";
-    const std::string text = fmt::format("{:.3f}", *share);
-    return text[0] == '0' ? text.substr(1) : text;
-}
-
 std::string format_range(const std::optional<statistics::Interval>& range) {
-    return range ? format_share(range->low) + "-" + format_share(range->high) : "-";
+    return range ? core::format_share(range->low) + "-" + core::format_share(range->high) : "-";
 }
 
 std::string format_ms(const std::optional<double>& ms) {
@@ -150,7 +144,7 @@ std::string verdict_details(const std::vector<harness::Row>& rows,
     }
     const experiment::MethodSummary& best = *verdict.best;
     return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}",
-                       format_share(best.f_2px),
+                       core::format_share(best.f_2px),
                        best.views,
                        best.views == 1 ? "" : "s",
                        cost_of(verdict),

@@ -8,9 +8,6 @@
 
 namespace ink::report {
 
-/// F, precision or recall as tables show it: ".912", "1.000"; "-" for nothing.
-[[nodiscard]] std::string format_share(const std::optional<double>& share);
-
 /// Milliseconds with three digits that count: "0.042", "3.10", "12.3", "1234"; "-" for nothing.
 [[nodiscard]] std::string format_ms(const std::optional<double>& ms);
 

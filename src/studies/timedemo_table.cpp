@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/text_table.h"
 #include "harness/csv.h"
-#include "report/text_table.h"
 #include "scene/animation.h"
 #include "studies/timedemo.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "experiment/leads.h"
 #include "methods/preset.h"
-#include "report/statistics.h"
 #include "statistics/bootstrap.h"
 
 namespace ink::tune {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/text_table.h"
 #include "tests/report/made_up_report.h"
 
 namespace ink::report {

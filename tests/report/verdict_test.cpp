@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/text_table.h"
 #include "tests/report/made_up_report.h"
 
 namespace ink::report {
@@ -180,10 +181,10 @@ TEST(VerdictMarkdown, IsATableOfEqualLines) {
 }
 
 TEST(FormatShare, DropsTheZeroBeforeThePoint) {
-    EXPECT_EQ(format_share(0.9124), ".912");
-    EXPECT_EQ(format_share(1), "1.000");
-    EXPECT_EQ(format_share(0), ".000");
-    EXPECT_EQ(format_share(std::nullopt), "-");
+    EXPECT_EQ(core::format_share(0.9124), ".912");
+    EXPECT_EQ(core::format_share(1), "1.000");
+    EXPECT_EQ(core::format_share(0), ".000");
+    EXPECT_EQ(core::format_share(std::nullopt), "-");
 }
 
 TEST(FormatMs, KeepsThreeDigits) {

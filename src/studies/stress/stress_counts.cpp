@@ -30,14 +30,14 @@ class PlaneCheck : public raster::TileSink {
         buffers::TileFloats buffer;
         std::array<buffers::TileFloats, 3> normal_buffers;
         const buffers::TilePlane depth =
-            encoded_depth(tile, carrier_, buffers::DepthSign::near_high, draw::kSky, buffer);
+            encoded_depth(tile, carrier_, buffers::DepthSign::near_high, kSky, buffer);
         const auto normals = buffers::view_normals(tile, false, normal_buffers);
         std::int64_t bad = 0;
         std::int64_t beyond = 0;
         for (int y = 0; y < tile.height_px; ++y) {
             for (int x = 0; x < tile.width_px; ++x) {
                 const float d = depth.row(y)[x];
-                if (d == draw::kSky) continue;
+                if (d == kSky) continue;
                 const glm::vec3 n{normals[0].row(y)[x], normals[1].row(y)[x], normals[2].row(y)[x]};
                 bad += std::isfinite(d) && is_finite(n) ? 0 : 1;
                 beyond += d < -kSlack || d > 1 + kSlack ? 1 : 0;
@@ -47,7 +47,7 @@ class PlaneCheck : public raster::TileSink {
         overflow += beyond;
     }
 
-    static constexpr float draw::kSky = -7;  // no depth is
+    static constexpr float kSky = -7;  // no depth is
     std::atomic<std::int64_t> non_finite = 0;
     std::atomic<std::int64_t> overflow = 0;
 

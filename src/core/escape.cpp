@@ -1,0 +1,33 @@
+#include "core/escape.h"
+
+namespace ink::core {
+
+std::string escape(std::string_view text) {
+    std::string safe;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&#39;";
+                break;
+            default:
+                const auto code = static_cast<unsigned char>(c);
+                const bool is_control = (code < 0x20 && c != '\t' && c != '\n') || code == 0x7f;
+                if (!is_control) safe += c;
+        }
+    }
+    return safe;
+}
+
+}  // namespace ink::core

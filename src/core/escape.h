@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ink::core {
+
+/// `text` as it may stand between tags or inside a quoted attribute of HTML or SVG: the five marks
+/// & < > " ' become entities, control characters other than tab and line break vanish.
+///
+/// Every name that comes from outside (scenes are called after users' files) goes through here.
+[[nodiscard]] std::string escape(std::string_view text);
+
+}  // namespace ink::core

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "edge/edge_image.h"
+#include "score/attribution.h"
+
+namespace ink::harness {
+
+/// A method's picture on one view.
+struct MethodPicture {
+    std::string method;
+    edge::EdgeImage strength;
+    int threshold = 128;                        ///< the strength at which it was scored
+    std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
+};
+
+/// One view that is shown whole: truth and methods side by side.
+struct ShownView {
+    std::string scene;
+    std::string view;
+    core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
+    std::vector<MethodPicture> pictures;
+};
+
+}  // namespace ink::harness
