@@ -10,7 +10,7 @@
 
 namespace ink::crosscheck {
 
-struct WitnessRays::Handles : embree::Handles {};
+struct WitnessRays::Handles : truth::embree::Handles {};
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double kSame = 1e-11;  ///< relative: depths as close as this are equa
 
 /// One look on its way through the tree.
 struct Look {
-    embree::Context context;  // first: the filter casts its address back
+    truth::embree::Context context;  // first: the filter casts its address back
     const WitnessMesh* mesh;
     glm::dvec2 p_px;
     double near;
@@ -97,7 +97,7 @@ WitnessRays::WitnessRays(const WitnessMesh& mesh, int threads)
         throw core::Error("witness", "Embree could not start", "a CPU with at least SSE2");
     }
     handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(handles_->scene, embree::kSceneFlags);
+    rtcSetSceneFlags(handles_->scene, truth::embree::kSceneFlags);
 
     double largest = 0;
     for (const glm::dvec3& p : topology.p_world)
@@ -133,7 +133,7 @@ WitnessRays::~WitnessRays() = default;
 
 Sight WitnessRays::look(const glm::dvec2& p_px) const {
     Look look;
-    embree::init_context(look.context);
+    truth::embree::init_context(look.context);
     look.mesh = &mesh_;
     look.p_px = p_px;
     look.near = mesh_.view().camera.near;
@@ -148,7 +148,7 @@ Sight WitnessRays::look(const glm::dvec2& p_px) const {
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.ray.mask = 0xffffffffU;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect(handles_->scene, look.context, &take, query);
+    truth::embree::intersect(handles_->scene, look.context, &take, query);
 
     if (look.count == 0) return {};
     return *std::min_element(look.front.begin(),

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/parallel.h"
-#include "truth/box_tree.h"
+#include "truth/crossings/box_tree.h"
 
 namespace ink::truth {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "truth/touching.h"
+#include "truth/crossings/touching.h"
 #include "truth/visibility.h"
 
 namespace ink::truth {

@@ -5,7 +5,7 @@
 
 #include "core/parallel.h"
 #include "scene/predicates.h"
-#include "truth/touching.h"
+#include "truth/crossings/touching.h"
 
 namespace ink::truth {
 namespace {

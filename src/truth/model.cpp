@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "truth/slit_crossings.h"
+#include "truth/crossings/slit_crossings.h"
 #include "truth/truth.h"
 
 namespace ink::truth {

@@ -6,7 +6,7 @@
 
 #include "scene/topology.h"
 #include "truth/continuation.h"
-#include "truth/crossings.h"
+#include "truth/crossings/crossings.h"
 #include "truth/line_class.h"
 
 namespace ink::truth {

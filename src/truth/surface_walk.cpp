@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "truth/touching.h"
+#include "truth/crossings/touching.h"
 
 namespace ink::truth {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/parallel.h"
 #include "scene/topology.h"
+#include "truth/crossings/touching.h"
 #include "truth/screen_line.h"
-#include "truth/touching.h"
 #include "truth/visibility.h"
 
 namespace ink::truth {

@@ -3,7 +3,7 @@
 
 #include "catalogue/shapes.h"
 #include "tests/truth/shapes.h"
-#include "truth/crossings.h"
+#include "truth/crossings/crossings.h"
 
 namespace ink::truth {
 namespace {

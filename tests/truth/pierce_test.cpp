@@ -1,4 +1,4 @@
-#include "truth/pierce.h"
+#include "truth/crossings/pierce.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "scene/predicates.h"
 #include "tests/truth/shapes.h"
-#include "truth/crossings.h"
+#include "truth/crossings/crossings.h"
 
 namespace ink::truth {
 namespace {

@@ -1,9 +1,9 @@
-#include "truth/slit_crossings.h"
+#include "truth/crossings/slit_crossings.h"
 
 #include <numbers>
 
 #include "tests/truth/shapes.h"
-#include "truth/crossings.h"
+#include "truth/crossings/crossings.h"
 #include "truth/model.h"
 
 namespace ink::truth {

@@ -4,7 +4,7 @@
 
 #include "scene/topology.h"
 #include "truth/continuation.h"
-#include "truth/pierce.h"
+#include "truth/crossings/pierce.h"
 
 namespace ink::truth {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/topology.h"
-#include "truth/pierce.h"
+#include "truth/crossings/pierce.h"
 
 namespace ink::truth {
 

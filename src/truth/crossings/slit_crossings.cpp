@@ -1,4 +1,4 @@
-#include "truth/slit_crossings.h"
+#include "truth/crossings/slit_crossings.h"
 
 #include <algorithm>
 #include <cmath>

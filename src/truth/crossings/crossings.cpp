@@ -1,4 +1,4 @@
-#include "truth/crossings.h"
+#include "truth/crossings/crossings.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "core/parallel.h"
-#include "truth/pair_tree.h"
+#include "truth/crossings/pair_tree.h"
 
 namespace ink::truth {
 namespace {

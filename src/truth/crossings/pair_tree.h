@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "truth/box_tree.h"
+#include "truth/crossings/box_tree.h"
 
 namespace ink::truth {
 

@@ -1,4 +1,4 @@
-#include "truth/touching.h"
+#include "truth/crossings/touching.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "truth/pair_tree.h"
+#include "truth/crossings/pair_tree.h"
 
 #include <algorithm>
 #include <bit>

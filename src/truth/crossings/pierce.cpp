@@ -1,4 +1,4 @@
-#include "truth/pierce.h"
+#include "truth/crossings/pierce.h"
 
 #include <algorithm>
 #include <cmath>
