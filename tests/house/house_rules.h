@@ -20,8 +20,12 @@ using Findings = std::vector<std::string>;
 [[nodiscard]] Findings check_arrows(const SourceTree& tree);
 
 /// One file includes Embree (those of bench/ beside it), one OpenImageIO, one Assimp; OpenCV stays
-/// in score, lab, methods, tests and bench, and CLI11 in cli.
+/// in score, draw, report, methods, tests and bench, and CLI11 in cli.
 [[nodiscard]] Findings check_libraries(const SourceTree& tree);
+
+/// No folder of a room holds more than 60 files or 4300 lines of code: what is larger is two rooms,
+/// or one with folders in it.
+[[nodiscard]] Findings check_sizes(const SourceTree& tree);
 
 /// Every folder of src/ is a room of the table and has its CMakeLists.txt, as have methods, tests
 /// and bench; no folder is called utils, common or helpers.

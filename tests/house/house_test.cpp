@@ -32,6 +32,10 @@ TEST(House, FoldersAreRooms) {
     EXPECT_THAT(check_folders(project()), IsEmpty());
 }
 
+TEST(House, NoFolderIsTooLarge) {
+    EXPECT_THAT(check_sizes(project()), IsEmpty());
+}
+
 TEST(House, EveryMethodIsWholeAndRegistered) {
     EXPECT_THAT(check_methods(project()), IsEmpty());
 }
