@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "cli/listing.h"
 #include "core/error.h"
 #include "harness/cell.h"
 #include "harness/csv.h"
@@ -61,13 +60,6 @@ TEST(ForbiddenSkips, AreNamedInTheOrderOfTheTable) {
 TEST(SkipsOfRepeatedDrawings, AreAllButThoseOfWhatStandsStill) {
     EXPECT_EQ(forbidden_skips(skips_of_repeated_drawings()), "still_tiles");
     EXPECT_EQ(forbidden_skips(MeasureOptions().skips), "still_tiles");
-}
-
-TEST(ListingOfSkips, HasALineForEach) {
-    const std::string text = cli::listing("skips");
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
-    EXPECT_THAT(text, HasSubstr("  hidden         triangles  Triangles behind"));
-    EXPECT_THAT(cli::listing("all"), HasSubstr(text));
 }
 
 struct Stage {

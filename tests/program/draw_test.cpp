@@ -6,7 +6,7 @@
 
 #include "tests/program/run_program.h"
 
-// Pictures as a user asks for them; what they hold is tested in tests/shade and tests/lab.
+// Pictures as a user asks for them; what they hold is tested in tests/shade and tests/draw.
 
 namespace ink::program {
 namespace {

@@ -46,7 +46,7 @@ TEST(MethodLooks, NoTwoRegisteredMethodsLookAlike) {
     std::set<std::tuple<Family, Shape, bool>> looks;
     for (const method::MethodInfo& info : methods::registry()) {
         const Look look = look_of(info.name);
-        EXPECT_NE(look.family, Family::other) << info.name << " is in no family: lab/method_looks";
+        EXPECT_NE(look.family, Family::other) << info.name << " is in no family: report/method_looks";
         EXPECT_TRUE(looks.insert({look.family, look.shape, look.is_hollow}).second) << info.name;
     }
 }

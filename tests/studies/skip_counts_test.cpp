@@ -1,5 +1,4 @@
-// Each skip has something to do on the scene that was made for it. Links ink::lab, whose scenes
-// these are.
+// Each skip has something to do on the scene that was made for it.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +7,7 @@
 #include "studies/skip_scenes.h"
 #include "studies/skip_study.h"
 
-namespace ink::methods {
+namespace ink::studies {
 namespace {
 
 /// Takes the name of a skip.
@@ -23,18 +22,17 @@ class SkipCounts : public testing::TestWithParam<std::string> {
     }
     /// mote4 on the scene of the skip, with a quarter of its triangles on a quarter of the pixels:
     /// with every skip, without that one, without any.
-    std::vector<studies::SkipTime> times(int threads = 1) const {
-        const studies::SkipStudyOptions quick{.width_px = 640,
-                                              .height_px = 360,
-                                              .threads = threads,
-                                              .levels = studies::kSkipSceneLevels - 1,
-                                              .min_rounds = 1,
-                                              .max_rounds = 1};
+    std::vector<SkipTime> times(int threads = 1) const {
+        const SkipStudyOptions quick{.width_px = 640,
+                                     .height_px = 360,
+                                     .threads = threads,
+                                     .levels = kSkipSceneLevels - 1,
+                                     .min_rounds = 1,
+                                     .max_rounds = 1};
         const auto entrants = harness::make_entrants("mote4", {});
-        return studies::time_skips(
-            entrants.front(), studies::skip_scene(skip(), quick.levels), quick);
+        return time_skips(entrants.front(), skip_scene(skip(), quick.levels), quick);
     }
-    raster::SkipCount count(const studies::SkipTime& time) const {
+    raster::SkipCount count(const SkipTime& time) const {
         return time.counts[static_cast<std::size_t>(skip())];
     }
 };
@@ -76,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Every, SkipCounts, testing::ValuesIn(skip_names()), [](
 });
 
 }  // namespace
-}  // namespace ink::methods
+}  // namespace ink::studies

@@ -1,0 +1,21 @@
+#include "cli/listing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ink::cli {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ListingOfSkips, HasALineForEach) {
+    const std::string text = listing("skips");
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+    EXPECT_THAT(text, HasSubstr("  hidden         triangles  Triangles behind"));
+    EXPECT_THAT(listing("all"), HasSubstr(text));
+}
+
+}  // namespace
+}  // namespace ink::cli
