@@ -18,7 +18,7 @@ PixelWork operator+(const PixelWork& a, const PixelWork& b);
 PixelWork operator*(double times, const PixelWork& work);
 
 /// What a method declares a frame of it to do, counted from its formulas and its settings alone:
-/// never measured, never dependent on a scene. The cost model of the lab turns it into a time.
+/// never measured, never dependent on a scene. The cost model turns it into a time.
 struct Cost {
     int passes = 0;               ///< over the scene's triangles; 0: nothing is declared
     int interpolants = 0;         ///< planes set up per triangle, beside that of depth
