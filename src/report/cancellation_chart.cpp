@@ -121,7 +121,7 @@ void draw_scatter(Svg& svg, const Panel& panel, const MethodKinds& m) {
                    panel.y_at(total->count.measured_rate()),
                    2.5 + 1.5 * decades,
                    fmt::format(R"(fill="{}" fill-opacity="0.75" stroke="#fff" stroke-width="0.8")",
-                               colour_of(total->kind.line_class).hex));
+                               draw::colour_of(total->kind.line_class).hex));
         svg.raw("</g>");
     }
     svg.text(panel.x_at(0.5), bottom + 34, "missed, predicted", {"middle", kFaint, 12});
@@ -136,7 +136,7 @@ struct Stretch {
 };
 
 void draw_stretch(Svg& svg, const Stretch& stretch, truth::LineClass line_class) {
-    const std::string_view hex = colour_of(line_class).hex;
+    const std::string_view hex = draw::colour_of(line_class).hex;
     for (std::size_t i = 0; i + 1 < stretch.measured.size(); i += 2) {
         svg.circle(stretch.measured[i],
                    stretch.measured[i + 1],
@@ -205,7 +205,7 @@ double legend_entry(Svg& svg, double x, std::string_view words) {
 void draw_legend(Svg& svg) {
     double x = 12;
     for (const truth::LineClass line_class : truth::kLineClasses) {
-        svg.circle(x + 5, 14, 5, fmt::format(R"(fill="{}")", colour_of(line_class).hex));
+        svg.circle(x + 5, 14, 5, fmt::format(R"(fill="{}")", draw::colour_of(line_class).hex));
         x = legend_entry(svg, x + 15, truth::name(line_class));
     }
     x += 14;

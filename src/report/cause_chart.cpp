@@ -95,7 +95,7 @@ void draw_bar(Svg& svg,
         x += length;
     };
     for (const score::Cause cause : side.causes)
-        piece(totals.causes[cause], colour_of(cause).hex, label_of(cause));
+        piece(totals.causes[cause], draw::colour_of(cause).hex, experiment::label_of(cause));
     piece(totals.*side.contested, draw::kMist.hex, side.contested_name);
     svg.text(x + 6,
              track.y + 13,

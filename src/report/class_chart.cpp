@@ -69,7 +69,7 @@ void draw_panel(Svg& svg,
                 const Summaries& shown,
                 const std::vector<Ranges>& ranges) {
     const std::string name(truth::name(c));
-    const std::string fill = fmt::format("fill=\"{}\"", colour_of(c).hex);
+    const std::string fill = fmt::format("fill=\"{}\"", draw::colour_of(c).hex);
     svg.rect({panel.x, 12, 11, 11}, fill + R"( rx="2")");
     svg.text(panel.x + 17, 22, name, {.is_bold = true});
     const bool is_there =

@@ -32,18 +32,20 @@ std::vector<std::vector<LegendEntry>> legend_of(const std::vector<FigureView>& v
     std::vector<LegendEntry> misses = {{draw::kHitColour, "right"}};
     for (const score::Cause cause : score::kMissCauses) {
         if (has(draw::mark_of(cause)))
-            misses.push_back({colour_of(cause), fmt::format("missing: {}", label_of(cause))});
+            misses.push_back(
+                {draw::colour_of(cause), fmt::format("missing: {}", experiment::label_of(cause))});
     }
     std::vector<LegendEntry> extras;
     for (const score::Cause cause : score::kOffLineCauses) {
         if (has(draw::mark_of(cause)))
-            extras.push_back({colour_of(cause), fmt::format("false: {}", label_of(cause))});
+            extras.push_back(
+                {draw::colour_of(cause), fmt::format("false: {}", experiment::label_of(cause))});
     }
     if (has(draw::Mark::ignored)) extras.push_back({draw::kIgnoredColour, "not counted"});
     std::vector<LegendEntry> classes;
     for (const truth::LineClass c : truth::kLineClasses) {
         if (labels[static_cast<std::size_t>(c)])
-            classes.push_back({colour_of(c), fmt::format("truth: {}", truth::name(c))});
+            classes.push_back({draw::colour_of(c), fmt::format("truth: {}", truth::name(c))});
     }
     return {misses, extras, classes};
 }

@@ -160,13 +160,15 @@ struct LegendEntry {
 std::vector<std::vector<LegendEntry>> legend_groups() {
     std::vector<LegendEntry> truth_lines;
     for (const truth::LineClass c : truth::kLineClasses)
-        truth_lines.push_back({colour_of(c), std::string(truth::name(c))});
+        truth_lines.push_back({draw::colour_of(c), std::string(truth::name(c))});
     std::vector<LegendEntry> misses = {{draw::kHitColour, "right"}};
     for (const score::Cause cause : score::kMissCauses)
-        misses.push_back({colour_of(cause), fmt::format("missing: {}", label_of(cause))});
+        misses.push_back(
+            {draw::colour_of(cause), fmt::format("missing: {}", experiment::label_of(cause))});
     std::vector<LegendEntry> false_lines = {{draw::kIgnoredColour, "not counted"}};
     for (const score::Cause cause : score::kOffLineCauses)
-        false_lines.push_back({colour_of(cause), fmt::format("false: {}", label_of(cause))});
+        false_lines.push_back(
+            {draw::colour_of(cause), fmt::format("false: {}", experiment::label_of(cause))});
     return {misses, false_lines, truth_lines};
 }
 

@@ -12,7 +12,7 @@ namespace ink::report {
 namespace {
 
 std::string swatch(score::Cause cause) {
-    return fmt::format("<i style=\"background:{}\"></i>", colour_of(cause).hex);
+    return fmt::format("<i style=\"background:{}\"></i>", draw::colour_of(cause).hex);
 }
 
 std::string legend_list(std::string_view heading, std::span<const score::Cause> causes) {
@@ -20,7 +20,7 @@ std::string legend_list(std::string_view heading, std::span<const score::Cause> 
     for (const score::Cause cause : causes) {
         items += fmt::format("<li>{}<b>{}</b> <span class=\"soft\">{}</span></li>",
                              swatch(cause),
-                             label_of(cause),
+                             experiment::label_of(cause),
                              experiment::meaning_of(cause));
     }
     return fmt::format("<ul class=\"causes\">{}</ul>", items);
@@ -64,7 +64,7 @@ std::string half_head(std::string_view whole,
         cells += fmt::format("<th scope=\"col\" title=\"{}\">{}<br>{}</th>",
                              experiment::meaning_of(cause),
                              swatch(cause),
-                             label_of(cause));
+                             experiment::label_of(cause));
     }
     return cells + fmt::format("<th scope=\"col\">{}</th>", contested);
 }

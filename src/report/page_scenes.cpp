@@ -57,7 +57,7 @@ std::string swatch(const draw::Colour& colour, std::string_view words) {
 std::string legend_html() {
     std::string truth_colours;
     for (const truth::LineClass c : truth::kLineClasses)
-        truth_colours += swatch(colour_of(c), truth::name(c));
+        truth_colours += swatch(draw::colour_of(c), truth::name(c));
     return fmt::format(
         "<ul class=\"legend\" aria-label=\"Colours of methods' pictures\">{}{}</ul>{}"
         "<ul class=\"legend\" aria-label=\"Colours of the truth\"><li class=\"soft\">Truth:</li>{}"
