@@ -1,4 +1,12 @@
-"""The tables of runs, as pandas frames. Nothing here scores or fits: columns, and sums of them."""
+"""The tables of runs, as pandas frames. Nothing here scores or fits: columns, and sums of them.
+
+`rows.csv` is complete in itself, and every other table names a cell of it, so that by hand it takes
+three lines:
+
+    rows = pd.read_csv("inkbench-out/quality/rows.csv")
+    curves = pd.read_csv("inkbench-out/quality/curves.csv")
+    curves = curves.merge(rows[["cell", "method", "scene", "view"]], on="cell")
+"""
 
 import os
 from pathlib import Path
@@ -46,15 +54,46 @@ def find(name, *folders):
     return None
 
 
+def _read(path):
+    """A table of a folder; one that names cells has the columns of their rows too."""
+    if path.name == "rows.csv":
+        frame = pd.read_csv(path, low_memory=False)
+        is_main = frame["study"] == "compare"
+        return frame[is_main] if is_main.any() else frame
+    columns = pd.read_csv(path, nrows=0).columns
+    swept = columns[list(columns).index("status") + 1 : list(columns).index("f_2px")] \
+        if path.name == "sweep.csv" else []
+    frame = pd.read_csv(path, low_memory=False, dtype={name: str for name in swept})
+    if "cell" not in frame:
+        return frame
+    rows = pd.read_csv(path.parent / "rows.csv", low_memory=False)
+    frame = frame.merge(rows[["cell"] + [c for c in rows if c not in frame]], on="cell", how="left")
+    if path.name == "sweep.csv":
+        frame["params"] = _settings(frame, swept)
+    return frame
+
+
+def _settings(sweep, swept):
+    """The whole parameters of each setting: those of its cell with what the setting changes."""
+    def whole(line):
+        own = dict(pair.split("=", 1) for pair in line["params"].split(";"))
+        own.update({name: line[name] for name in swept if name in own})
+        return ";".join(f"{name}={value}" for name, value in own.items())
+
+    return sweep.apply(whole, axis=1)
+
+
 def table(name, *folders):
     """The table `name` of the first folder that has it; MissingTable says what command makes it.
 
-    Rows that failed (status other than ok) are left out and counted in a printed line.
+    Tables beside rows.csv have the columns of their cells' rows, and their own where both have one.
+    Rows of other studies than the main one (`study`) stand with their own tables alone. Rows that
+    failed (status other than ok) are left out and counted in a printed line.
     """
     path = find(name, *folders)
     if path is None:
         raise MissingTable(_advice(name, folders))
-    frame = pd.read_csv(path, low_memory=False)
+    frame = _read(path)
     if "status" in frame:
         failed = frame[frame["status"] != "ok"]
         if len(failed):
@@ -100,13 +139,13 @@ def evaluations():
     return found
 
 
-def lives(motion):
-    """How many false lines lived 1, 2, ... frames over these rows of motion.csv, by frames."""
-    written = motion["lives"].dropna().astype(str)
-    if written.empty:
+def lives(lines, method):
+    """How many of a method's false lines lived 1, 2, ... frames by lives.csv (or None), by frames."""
+    own = [] if lines is None else lines[lines["method"] == method]
+    if not len(own):
         return pd.Series(dtype=float)
-    counts = written.str.split(";", expand=True).astype(float).sum()
-    return counts.set_axis(counts.index + 1)
+    counts = own.groupby("frames")["count"].sum()
+    return counts.reindex(range(1, int(counts.index.max()) + 1), fill_value=0).astype(float)
 
 
 def views_of(rows):

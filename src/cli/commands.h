@@ -18,6 +18,7 @@ void add_figures_command(CLI::App& app);
 void add_list_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_run_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 void add_timedemo_command(CLI::App& app);
 void add_tune_command(CLI::App& app);
 void add_stress_command(CLI::App& app);

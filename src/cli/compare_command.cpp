@@ -5,14 +5,18 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "core/error.h"
-#include "core/parallel.h"
-#include "experiment/compare.h"
-#include "report/statistics.h"
-#include "report/verdict.h"
+#include "harness/skip_switches.h"
 
 namespace ink::cli {
 namespace {
+
+constexpr int kMostRepetitions = 10000;
+
+/// What `--quick` asks for: a first look in seconds.
+constexpr const char* kQuickSize = "640x360";
+constexpr int kQuickRepetitions = 3;
 
 struct CompareArgs {
     std::vector<std::string> models;
@@ -21,7 +25,7 @@ struct CompareArgs {
     std::vector<std::string> settings;
     std::vector<std::string> presets;
     ViewOptions views;
-    std::string out = "inkbench-out";
+    RunFolderOptions folder{.out = "inkbench-out"};
     CacheOptions cache;
     TruthSettings truth;
     int threads = 1;
@@ -34,59 +38,87 @@ struct CompareArgs {
     std::string no_skip;
     bool skip_study = false;
     bool motion = false;
+    bool quick = false;
+    std::string images = "first";
 };
 
-experiment::CompareOptions compare_options(const CompareArgs& args) {
-    experiment::CompareOptions options;
-    options.entrants = harness::make_entrants(args.methods, args.settings, args.presets);
-    options.measure.threads = checked_threads(args.threads);
-    if (args.repetitions < 1 || args.repetitions > 10000) {
-        throw core::Error(
-            "--repetitions", fmt::format("{} is not possible", args.repetitions), "1..10000");
+int checked(int value, const char* option) {
+    if (value < 1 || value > kMostRepetitions) {
+        throw core::Error(option,
+                          fmt::format("{} is not possible", value),
+                          fmt::format("1..{}", kMostRepetitions));
     }
-    options.measure.max_repetitions = args.repetitions;
-    options.measure.min_repetitions = std::min(options.measure.min_repetitions, args.repetitions);
-    options.measure.skips = harness::without_skips(options.measure.skips, args.no_skip);
+    return value;
+}
+
+/// The scenes of the list and the models; the whole catalogue if there are none.
+std::vector<std::string> scenes_of(const CompareArgs& args) {
+    std::vector<std::string> scenes;
+    for (const std::string& name : scene_names(args.scenes, args.models))
+        for (std::string& scene : experiment::scenes_called(name))
+            scenes.push_back(std::move(scene));
+    return scenes.empty() ? experiment::scenes_called("catalogue") : scenes;
+}
+
+void apply_quick(CompareArgs& args, const CLI::App& command) {
+    if (command.count("--size") == 0) args.views.size = kQuickSize;
+    if (command.count("--repetitions") == 0) args.repetitions = kQuickRepetitions;
+    args.no_sweep = true;
+    args.no_witness = true;
+}
+
+experiment::Experiment experiment_of(const CompareArgs& args) {
+    experiment::Experiment experiment;
+    experiment.where = "inkbench compare";
+    experiment.name = "compare";
+    experiment.kind = experiment::ExperimentKind::compare;
+    experiment.seed = parse_seed(args.seed);
+    for (const harness::Entrant& entrant :
+         harness::make_entrants(args.methods, args.settings, args.presets))
+        if (!args.methods.empty() && !entrant.owned)
+            experiment.methods.push_back(entrant.info->name);
+    experiment.settings = args.settings;
+    experiment.presets = args.presets;
+    experiment.view_request = view_request(args.views);
+    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
+    experiment.threads = {checked_threads(args.threads)};
+    experiment.scenes = scenes_of(args);
+    if (args.quick && args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
+    experiment.repetitions = checked(args.repetitions, "--repetitions");
+    experiment.budget_s = harness::MeasureOptions{}.budget_s;
+    experiment.own_sweep_views = args.no_sweep ? 0 : checked(args.sweep_views, "--sweep-views");
+    experiment.skips_off = harness::split_list(args.no_skip);
+    (void)harness::without_skips({}, args.no_skip);
     if (args.skip_study && !args.no_skip.empty()) {
         throw core::Error(
             "--skip-study", "it switches every skip itself", "no --no-skip beside it");
     }
-    options.skip_study = args.skip_study;
-    options.sweep.measure.threads = options.measure.threads;
-    options.sweep.measure.skips = options.measure.skips;
-    if (args.sweep_views < 1 || args.sweep_views > 10000) {
-        throw core::Error(
-            "--sweep-views", fmt::format("{} is not possible", args.sweep_views), "1..10000");
-    }
-    options.sweep.views = args.no_sweep ? 0 : args.sweep_views;
-    apply(args.truth, options.trace.truth);
-    options.trace.truth.threads = core::hardware_threads();
-    options.trace.witness = !args.no_witness;
-    options.study_scaling = args.scaling;
-    options.study_motion = args.motion;
-    options.out = args.out;
-    options.trace.cache = cache_folder(args.cache);
-    options.seed = parse_seed(args.seed);
-    return options;
+    truth::TruthOptions checked_truth;
+    apply(args.truth, checked_truth);
+    experiment.crease_deg = args.truth.crease_deg;
+    experiment.weld_epsilon = args.truth.weld_epsilon;
+    experiment.witness = !args.no_witness;
+    experiment.images = kept_images(args.images);
+    experiment.study_scaling = args.scaling;
+    experiment.study_motion = args.motion;
+    experiment.study_skips = args.skip_study;
+    return experiment;
 }
 
-void run_compare(const CompareArgs& args, const std::string& command_line) {
-    experiment::CompareOptions options = compare_options(args);
-    options.command = command_line;
-    const experiment::CompareResult result = experiment::compare(
-        harness::load_subjects(scene_names(args.scenes, args.models), view_request(args.views)),
-        options);
-    fmt::print("{}\n", report::verdict_table(result.rows, result.curves));
-    fmt::print("{}", report::threshold_lines(result.rows, result.curves));
-    fmt::print("report: {}\n", result.report.string());
-    for (const std::string& reason : result.void_reasons) {
-        fmt::print(stderr, "inkbench: this run is void: {}\n", reason);
-    }
-    if (result.is_interrupted) {
-        fmt::print(stderr, "inkbench: interrupted; the finished rows are in {}\n", args.out);
-        throw CLI::RuntimeError(kInterrupted);
-    }
-    if (!result.void_reasons.empty()) throw CLI::RuntimeError(1);
+void add_study_options(CLI::App& command, CompareArgs& args) {
+    command.add_flag("--scaling",
+                     args.scaling,
+                     "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: "
+                     "scaling.csv and plots, about a minute");
+    command.add_flag("--motion",
+                     args.motion,
+                     "Also draw sequences in which the camera moves slowly, and a cube before a "
+                     "camera that rolls: flicker, pops, lives of false lines; motion.csv, "
+                     "roll.csv, vanishing.csv and plots, about a minute");
+    command.add_flag("--skip-study",
+                     args.skip_study,
+                     "Measure too what each skip is worth, on scenes made for it: skips.csv and "
+                     "the report's part on skips");
 }
 
 }  // namespace
@@ -94,20 +126,22 @@ void run_compare(const CompareArgs& args, const std::string& command_line) {
 void add_compare_command(CLI::App& app) {
     auto args = std::make_shared<CompareArgs>();
     auto* command = app.add_subcommand(
-        "compare", "Draw, trace, score and time methods on scenes; write rows, figures, a report");
-    command->add_option("models", args->models, "Model files; none and no --scenes: the catalogue");
+        "compare",
+        "Draw, trace, score and time methods on scenes; write a run folder with a report");
+    command->add_option("models",
+                        args->models,
+                        "Model files or built-in scenes; none and no "
+                        "--scenes: the catalogue");
     command->add_option("--scenes", args->scenes, "Built-in scenes a,b (see inkbench list scenes)");
-    command->add_option("--methods", args->methods, "Methods a,b (all unless given)");
+    command->add_option("--methods", args->methods, "Methods a,b (default: all)");
     add_set_option(*command, args->settings);
     add_preset_option(*command, args->presets, "beside the methods");
     add_view_options(*command, args->views);
-    command
-        ->add_option("--out",
-                     args->out,
-                     "Folder for rows.csv, curves.csv, ladder.csv, sweep.csv, scaling.csv, "
-                     "skips.csv, motion.csv, summary.csv, "
-                     "report.html, verdict.md, figures")
-        ->capture_default_str();
+    add_run_folder_options(*command, args->folder);
+    command->add_flag("--quick",
+                      args->quick,
+                      "A first look: 640x360, one view a scene, few repetitions, no sweep, no "
+                      "check of the truth");
     add_truth_settings(*command, args->truth);
     command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
         ->capture_default_str();
@@ -125,38 +159,27 @@ void add_compare_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-witness", args->no_witness, "Do not hold the truth against its witness");
-    command->add_flag("--scaling",
-                      args->scaling,
-                      "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: "
-                      "scaling.csv and plots, about a minute");
-    command->add_flag("--motion",
-                      args->motion,
-                      "Also draw sequences in which the camera moves slowly, and a cube before a "
-                      "camera that rolls: flicker, pops, lives of false lines; motion.csv, "
-                      "roll.csv, vanishing.csv and plots, about a minute");
+    command
+        ->add_option("--images",
+                     args->images,
+                     "Of which views images are kept: none, the first of each scene, or all")
+        ->capture_default_str();
     command->add_option("--no-skip",
                         args->no_skip,
                         "Skips a,b to do without, or all (see inkbench list skips): other times, "
                         "the same pictures");
-    command->add_flag("--skip-study",
-                      args->skip_study,
-                      "Measure too what each skip is worth, on scenes made for it: skips.csv and "
-                      "the report's part on skips");
+    add_study_options(*command, *args);
     add_cache_options(*command, args->cache);
     command->footer(
+        "Killed or interrupted, the same command goes on where it stopped.\n"
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
-        "Exit codes: 0 done, 1 the run is void, 2 bad input, 130 interrupted.");
-    command->callback([args, &app] {
-        std::string line = "inkbench compare";
-        for (const CLI::Option* option : app.get_subcommand("compare")->get_options()) {
-            if (option->count() == 0) continue;
-            for (const std::string& value : option->results()) {
-                const bool is_flag = option->get_expected_max() == 0;
-                if (!option->get_positional()) line += " " + option->get_name();
-                if (!is_flag) line += " " + value;
-            }
-        }
-        run_compare(*args, line);
+        "Exit codes: 0 done, 1 the run is invalid, 2 bad input, 3 views without a score, 130 "
+        "interrupted.");
+    command->callback([args, command] {
+        if (args->quick) apply_quick(*args, *command);
+        experiment::Experiment experiment = experiment_of(*args);
+        experiment.command = command_line(*command);
+        run_to_end(experiment, args->folder, args->cache);
     });
 }
 

@@ -150,7 +150,7 @@ report::FigureOptions figure_options(const FiguresArgs& args,
 
 void run_figures(const FiguresArgs& args, const std::string& command_line) {
     const std::vector<harness::Row> run =
-        args.from.empty() ? std::vector<harness::Row>() : report::read_run(args.from);
+        args.from.empty() ? std::vector<harness::Row>() : report::rows_to_draw(args.from);
     report::FigureOptions options = figure_options(args, run);
     options.command = command_line;
     const report::FigureFiles files = report::make_figures(subjects_of(args, run), options);

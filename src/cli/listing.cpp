@@ -7,8 +7,9 @@
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "core/param.h"
+#include "experiment/dictionary.h"
 #include "experiment/stress_summary.h"
-#include "harness/row.h"
+#include "harness/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "shade/hand_lines.h"
@@ -82,8 +83,8 @@ std::string list_shadings() {
 std::string list_metrics() {
     std::string text;
     text += fmt::format("columns of rows.csv\n");
-    for (const auto& [name, doc] : harness::described_columns())
-        text += fmt::format("  {:<22} {}\n", name, doc);
+    for (const harness::Column& column : harness::rows_table().columns)
+        text += fmt::format("  {:<22} {:<10} {}\n", column.name, column.unit, column.doc);
     return text;
 }
 
@@ -113,7 +114,7 @@ std::string list_axes() {
 
 std::string listing(const std::string& what) {
     const std::vector<std::string> known = {
-        "all", "methods", "scenes", "params", "metrics", "skips", "shadings", "axes"};
+        "all", "methods", "scenes", "params", "metrics", "columns", "skips", "shadings", "axes"};
     if (std::find(known.begin(), known.end(), what) == known.end()) {
         throw core::Error(
             "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
@@ -123,6 +124,7 @@ std::string listing(const std::string& what) {
     if (what == "all" || what == "scenes") text += list_scenes();
     if (what == "all" || what == "params") text += list_params();
     if (what == "all" || what == "metrics") text += list_metrics();
+    if (what == "columns") text += experiment::dictionary_text();
     if (what == "all" || what == "skips") text += list_skips();
     if (what == "all" || what == "shadings") text += list_shadings();
     if (what == "all" || what == "axes") text += list_axes();

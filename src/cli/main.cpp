@@ -89,6 +89,7 @@ int main(int argc, char** argv) {
     ink::cli::add_tune_command(app);
     ink::cli::add_stress_command(app);
     ink::cli::add_run_command(app);
+    ink::cli::add_report_command(app);
     ink::cli::add_merge_command(app);
     ink::cli::add_bound_command(app);
     ink::cli::add_list_command(app);

@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/run_result.h"
 #include "experiment/experiment_run.h"
 
 namespace ink::cli {
@@ -11,32 +10,27 @@ namespace {
 struct MergeArgs {
     std::vector<std::string> folders;
     std::string out;
+    bool is_json = false;
 };
-
-void run_merge(const MergeArgs& args) {
-    const experiment::RunOutcome outcome =
-        experiment::merge_shards({args.folders.begin(), args.folders.end()}, args.out);
-    for (const std::filesystem::path& table : outcome.tables)
-        fmt::print("{}\n", table.string());
-    for (const std::string& fault : outcome.faults)
-        fmt::print(stderr, "inkbench: this run is void: {}\n", fault);
-    if (!outcome.faults.empty()) throw CLI::RuntimeError(1);
-}
 
 }  // namespace
 
 void add_merge_command(CLI::App& app) {
     auto args = std::make_shared<MergeArgs>();
     auto* command = app.add_subcommand(
-        "merge", "Join the shards of an experiment to the tables that one run would write");
-    command->add_option("folders", args->folders, "Folders of inkbench run --shard i/n")
-        ->required();
-    command->add_option("-o,--out", args->out, "Folder of the tables")->required();
+        "merge", "Join the shards of a run to the folder that one run would write");
+    command->add_option("folders", args->folders, "Folders of --shard i/n")->required();
+    command->add_option("-o,--out", args->out, "Folder of the joined run")->required();
+    command->add_flag("--json", args->is_json, "Print the result as JSON");
     command->footer(
-        "Example: inkbench merge part1 part2 part3 -o inkbench-out/quality\n"
-        "Exit codes: 0 done, 1 the run is void, 2 bad input: shards missing, twice, or of another "
-        "plan.");
-    command->callback([args] { run_merge(*args); });
+        "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"
+        "Exit codes: 0 done; 1 the run is invalid; 2 bad input: shards missing, twice, or of "
+        "another run; 3 views without a score.");
+    command->callback([args] {
+        const experiment::RunOutcome outcome =
+            experiment::merge_shards({args->folders.begin(), args->folders.end()}, args->out);
+        conclude(outcome, args->out, {.has_page = true, .is_json = args->is_json});
+    });
 }
 
 }  // namespace ink::cli

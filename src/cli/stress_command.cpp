@@ -6,9 +6,9 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "core/error.h"
-#include "core/parallel.h"
-#include "experiment/stress.h"
+#include "studies/stress/stress_axes.h"
 
 namespace ink::cli {
 namespace {
@@ -22,72 +22,38 @@ struct StressArgs {
     int threads = 1;
     std::string seed = "0";
     CacheOptions cache;
-    std::string out = "inkbench-out/stress";
+    RunFolderOptions folder{.out = "inkbench-out/stress"};
 };
 
-std::vector<const studies::StressAxis*> chosen_axes(const std::string& list) {
-    std::vector<const studies::StressAxis*> axes;
+std::vector<std::string> chosen_axes(const std::string& list) {
+    std::vector<std::string> axes;
     for (const std::string& name : harness::split_list(list)) {
-        const studies::StressAxis* axis = &studies::find_stress_axis(name);
-        for (const studies::StressAxis* known : axes) {
-            if (known == axis)
-                throw core::Error("--axes", fmt::format("'{}' is named twice", name), "each once");
-        }
-        axes.push_back(axis);
-    }
-    if (axes.empty()) {
-        for (const studies::StressAxis& axis : studies::stress_axes())
-            axes.push_back(&axis);
+        (void)studies::find_stress_axis(name);
+        if (std::find(axes.begin(), axes.end(), name) != axes.end())
+            throw core::Error("--axes", fmt::format("'{}' is named twice", name), "each once");
+        axes.push_back(name);
     }
     return axes;
 }
 
-/// What the user typed, as far as it says what was done: not where it was written.
-std::string command_line(const StressArgs& args) {
-    std::string text = "inkbench stress";
-    if (!args.axes.empty()) text += " --axes " + args.axes;
-    if (!args.methods.empty()) text += " --methods " + args.methods;
-    for (const std::string& setting : args.settings)
-        text += " --set " + setting;
-    if (args.points > 0) text += fmt::format(" --points {}", args.points);
-    return text + fmt::format(" --size {} --seed {}", args.views.size, args.seed);
-}
-
-void run_stress_command(const StressArgs& args) {
-    experiment::StressOptions options;
-    options.axes = chosen_axes(args.axes);
-    options.entrants = harness::make_entrants(args.methods, args.settings);
-    options.measure.threads = checked_threads(args.threads);
-    options.seed = parse_seed(args.seed);
-    if (args.points != 0) {
-        if (args.points < 2 || args.points > 1000) {
-            throw core::Error(
-                "--points", fmt::format("{} is not possible", args.points), "2..1000");
-        }
-        options.points = args.points;
+experiment::Experiment experiment_of(const StressArgs& args) {
+    experiment::Experiment experiment;
+    experiment.where = "inkbench stress";
+    experiment.name = "stress";
+    experiment.kind = experiment::ExperimentKind::stress;
+    experiment.axes = chosen_axes(args.axes);
+    for (const harness::Entrant& entrant : harness::make_entrants(args.methods, args.settings))
+        if (!args.methods.empty()) experiment.methods.push_back(entrant.info->name);
+    experiment.settings = args.settings;
+    experiment.threads = {checked_threads(args.threads)};
+    experiment.seed = parse_seed(args.seed);
+    if (args.points != 0 && (args.points < 2 || args.points > 1000)) {
+        throw core::Error("--points", fmt::format("{} is not possible", args.points), "2..1000");
     }
+    experiment.points = args.points;
     const harness::ViewRequest request = view_request(args.views);
-    harness::check_size(request.width_px, request.height_px);
-    options.size = {request.width_px, request.height_px};
-    options.trace.cache = cache_folder(args.cache);
-    options.trace.truth.threads = core::hardware_threads();
-    options.out = args.out;
-    options.command = command_line(args);
-    const experiment::StressResult result = experiment::run_stress(options);
-    fmt::print("{}{}\n", experiment::stress_table(result.points), result.page.string());
-    if (result.is_interrupted) {
-        fmt::print(stderr, "inkbench: interrupted; what was finished is written\n");
-        throw CLI::RuntimeError(kInterrupted);
-    }
-    if (result.counts.is_clean()) return;
-    fmt::print(stderr,
-               "inkbench: {} numbers not finite, {} codes overflown, {} cells lost, {} pictures "
-               "that differ\n",
-               result.counts.non_finite,
-               result.counts.overflow,
-               result.counts.lost,
-               result.counts.differing);
-    throw CLI::RuntimeError(1);
+    experiment.sizes = {{request.width_px, request.height_px}};
+    return experiment;
 }
 
 }  // namespace
@@ -97,22 +63,26 @@ void add_stress_command(CLI::App& app) {
     args->views.size = "480x270";
     auto* command =
         app.add_subcommand("stress", "Sweep one difficulty at a time: error curves per method");
-    command->add_option("--axes,--axis", args->axes, "Axes a,b (all unless given; list axes)");
-    command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
+    command->add_option("--axes,--axis", args->axes, "Axes a,b (default: all; see list axes)");
+    command->add_option("--methods,--method", args->methods, "Methods a,b (default: all)");
     add_set_option(*command, args->settings);
-    command->add_option("--points", args->points, "Points of an axis at most (all unless given)");
+    command->add_option("--points", args->points, "Points of an axis at most (default: all)");
     command->add_option("--size", args->views.size, "Size of a picture")->capture_default_str();
     command->add_option("--threads", args->threads, "Threads of a method")->capture_default_str();
     command->add_option("--seed", args->seed, "Of the intervals")->capture_default_str();
     add_cache_options(*command, args->cache);
-    command->add_option("--out", args->out, "Folder for rows, summary, page and figures")
-        ->capture_default_str();
+    add_run_folder_options(*command, args->folder);
     command->footer(
-        "Writes stress.csv, stress_summary.csv, stress.html and figures/stress_<axis>.svg.\n"
+        "Writes rows.csv, stress.csv, stress_summary.csv, stress.html and "
+        "figures/stress_<axis>.svg.\n"
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell was lost or "
         "pictures differ that must not; 2 bad input; 130 interrupted.");
-    command->callback([args] { run_stress_command(*args); });
+    command->callback([args, command] {
+        experiment::Experiment experiment = experiment_of(*args);
+        experiment.command = command_line(*command);
+        run_to_end(experiment, args->folder, args->cache);
+    });
 }
 
 }  // namespace ink::cli

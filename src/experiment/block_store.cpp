@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "core/error.h"
-#include "core/hash.h"
 #include "core/whole_file.h"
 #include "experiment/toml_reader.h"
 
@@ -18,131 +17,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMagic = "inkbench block 1 ";
-constexpr const char* kFaults = "faults";
-constexpr const char* kExtension = ".block";
+constexpr const char* kRecord = "block.toml";
+constexpr const char* kUnfinished = ".part";
+constexpr const char* kImages = "images";
 
-std::optional<std::string> slurp(const fs::path& path) {
+std::optional<std::string> read_text(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) return std::nullopt;
     return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// A part of a block's file: its name and its length, then its bytes.
-std::string part_text(const std::string& name, const std::string& bytes) {
-    return fmt::format("{} {}\n{}", name, bytes.size(), bytes);
-}
-
-/// Takes a line, or so many bytes, off the front of `text`.
-std::string take_line(std::string_view& text) {
-    const auto end = std::min(text.find('\n'), text.size());
-    std::string line(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return line;
-}
-
-std::string encode(const std::string& key, const KeptBlock& block) {
-    std::string body = fmt::format("{}\n{}\n", key, block.seconds);
-    body += part_text(kFaults, fmt::format("{}", fmt::join(block.result.faults, "\n")));
-    for (const auto& [table, lines] : block.result.lines)
-        body += part_text(table, lines);
-    const std::string hash = core::Hasher().text(body).hex();
-    return fmt::format("{}{}\n{}", kMagic, hash, body);
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    std::string_view rest = text;
-    while (!rest.empty())
-        lines.push_back(take_line(rest));
-    return lines;
-}
-
-/// The checksum vouches for the form of what follows it.
-std::optional<KeptBlock> decode(std::string_view text, const std::string& key) {
-    const std::string heading = take_line(text);
-    if (heading != fmt::format("{}{}", kMagic, core::Hasher().text(text).hex()))
-        return std::nullopt;
-    if (take_line(text) != key) return std::nullopt;
-    KeptBlock block;
-    block.seconds = std::stod(take_line(text));
-    while (!text.empty()) {
-        const std::string part = take_line(text);
-        const auto space = part.rfind(' ');
-        const std::size_t size = std::stoul(part.substr(space + 1));
-        std::string bytes(text.substr(0, size));
-        text.remove_prefix(size);
-        if (part.substr(0, space) == kFaults) {
-            block.result.faults = lines_of(bytes);
-        } else {
-            block.result.lines[part.substr(0, space)] = std::move(bytes);
-        }
+/// Runs `work`; what the file system objects to becomes an Error that names `place`.
+template <class Work>
+void on_disk(const fs::path& place, Work work) {
+    try {
+        work();
+    } catch (const fs::filesystem_error& error) {
+        throw core::Error(place.string(),
+                          fmt::format("it cannot be written: {}", error.code().message()),
+                          "a writable place with room for the results");
     }
-    return block;
+}
+
+std::string record_text(const KeptBlock& block) {
+    toml::array faults;
+    for (const std::string& fault : block.faults)
+        faults.push_back(fault);
+    std::ostringstream text;
+    text << toml::table{{"key", block.key}, {"seconds", block.seconds}, {"faults", faults}} << '\n';
+    return text.str();
 }
 
 }  // namespace
 
-PlanRecord record_of(const Plan& plan) {
-    PlanRecord record{
-        plan.name, plan.identity, plan.build, plan.times, plan.one_place, false, plan.tables, {}};
-    for (const Block& block : plan.blocks)
-        record.keys.push_back(block.key);
-    return record;
-}
-
-void refuse_other_plan(const BlockStore& store, const PlanRecord& there, const PlanRecord& mine) {
-    if (there.identity == mine.identity) return;
-    const std::string what =
-        there.build != mine.build
-            ? fmt::format(
-                  "it holds results of another build ({}; this is {})", there.build, mine.build)
-            : fmt::format(
-                  "it holds results of another experiment or of other settings of it "
-                  "('{}', {} blocks; this is '{}', {} blocks)",
-                  there.name,
-                  there.keys.size(),
-                  mine.name,
-                  mine.keys.size());
-    throw core::Error(
-        store.folder().string(), what, "another --out, or --fresh to throw them away");
-}
-
 BlockStore::BlockStore(fs::path folder) : folder_(std::move(folder)), blocks_(folder_ / "blocks") {}
 
-fs::path BlockStore::file_of(std::size_t index) const {
-    return blocks_ / fmt::format("{:06}{}", index, kExtension);
-}
-
-std::optional<PlanRecord> BlockStore::read_plan() const {
-    const fs::path file = folder_ / "plan.toml";
-    const auto text = slurp(file);
-    if (!text) return std::nullopt;
-    const toml::table root = parse_toml(*text, file);
-    PlanRecord record;
-    record.name = root["name"].value_or(std::string());
-    record.identity = root["identity"].value_or(std::string());
-    record.build = root["build"].value_or(std::string());
-    record.times = root["times"].value_or(true);
-    record.one_place = root["one_place"].value_or(true);
-    record.is_finished = root["finished"].value_or(false);
-    const auto texts = [&](const char* key) {
-        std::vector<std::string> found;
-        if (const toml::array* array = root[key].as_array()) {
-            for (const toml::node& node : *array)
-                found.push_back(node.value_or(std::string()));
-        }
-        return found;
-    };
-    const std::vector<std::string> tables = texts("tables");
-    const std::vector<std::string> headings = texts("headings");
-    record.keys = texts("blocks");
-    if (record.identity.empty() || record.keys.empty() || tables.size() != headings.size()) {
-        throw core::Error(file.string(), "this is no plan of an experiment", "an unchanged file");
-    }
-    for (std::size_t i = 0; i < tables.size(); ++i)
-        record.tables.push_back({tables[i], headings[i]});
-    return record;
+fs::path BlockStore::place_of(std::size_t index) const {
+    return blocks_ / fmt::format("{:06}", index);
 }
 
 void BlockStore::make_folder() const {
@@ -154,53 +65,99 @@ void BlockStore::make_folder() const {
     }
 }
 
-void BlockStore::write_plan(const PlanRecord& record) const {
-    toml::array tables;
-    toml::array headings;
-    toml::array keys;
-    for (const PlannedTable& table : record.tables) {
-        tables.push_back(table.name);
-        headings.push_back(table.heading);
+void BlockStore::write(std::size_t index, const KeptBlock& block, const BlockResult& result) const {
+    const fs::path place = place_of(index);
+    fs::path part = place;
+    part += kUnfinished;
+    on_disk(place, [&] {
+        fs::remove_all(part);
+        fs::create_directories(part);
+        try {
+            for (const auto& [table, lines] : result.lines)
+                core::write_whole_file(part / table, lines);
+            for (const auto& [file, bytes] : result.files) {
+                fs::create_directories((part / file).parent_path());
+                core::write_whole_file(part / file, bytes);
+            }
+            core::write_whole_file(part / kRecord, record_text(block));
+            fs::remove_all(place);
+            fs::rename(part, place);
+        } catch (...) {
+            std::error_code ignored;
+            fs::remove_all(part, ignored);
+            throw;
+        }
+    });
+}
+
+std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
+    const fs::path file = place_of(index) / kRecord;
+    const auto text = read_text(file);
+    if (!text) return std::nullopt;
+    const toml::table root = parse_toml(*text, file);
+    KeptBlock block;
+    block.key = root["key"].value_or(std::string());
+    block.seconds = root["seconds"].value_or(0.0);
+    if (const toml::array* faults = root["faults"].as_array()) {
+        for (const toml::node& fault : *faults)
+            block.faults.push_back(fault.value_or(std::string()));
     }
-    for (const std::string& key : record.keys)
-        keys.push_back(key);
-    const toml::table root{{"name", record.name},
-                           {"identity", record.identity},
-                           {"build", record.build},
-                           {"times", record.times},
-                           {"one_place", record.one_place},
-                           {"finished", record.is_finished},
-                           {"tables", std::move(tables)},
-                           {"headings", std::move(headings)},
-                           {"blocks", std::move(keys)}};
-    std::ostringstream text;
-    text << "# Which experiment these results are of; written and read by inkbench.\n"
-         << root << '\n';
-    core::write_whole_file(folder_ / "plan.toml", text.str());
+    return block;
 }
 
-void BlockStore::write(std::size_t index, const std::string& key, const KeptBlock& block) const {
-    core::write_whole_file(file_of(index), encode(key, block));
-}
-
-std::optional<KeptBlock> BlockStore::read(std::size_t index, const std::string& key) const {
-    const auto text = slurp(file_of(index));
-    return text ? decode(*text, key) : std::nullopt;
+std::string BlockStore::lines(std::size_t index, const std::string& table) const {
+    return read_text(place_of(index) / table).value_or("");
 }
 
 std::vector<std::size_t> BlockStore::indices() const {
     std::vector<std::size_t> found;
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(blocks_, ignored)) {
-        const std::string stem = entry.path().stem().string();
+        const std::string name = entry.path().filename().string();
         std::size_t index = 0;
-        const auto [end, status] = std::from_chars(stem.data(), stem.data() + stem.size(), index);
-        const bool is_block = entry.path().extension() == kExtension && status == std::errc{} &&
-                              end == stem.data() + stem.size();
-        if (is_block) found.push_back(index);
+        const auto [end, status] = std::from_chars(name.data(), name.data() + name.size(), index);
+        if (status == std::errc{} && end == name.data() + name.size()) found.push_back(index);
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+void BlockStore::adopt(std::size_t index, const BlockStore& other) const {
+    const fs::path place = place_of(index);
+    fs::path part = place;
+    part += kUnfinished;
+    on_disk(place, [&] {
+        fs::remove_all(part);
+        fs::copy(other.place_of(index), part, fs::copy_options::recursive);
+        fs::remove_all(place);
+        fs::rename(part, place);
+    });
+}
+
+void BlockStore::release_images(std::size_t index) const {
+    const fs::path place = place_of(index);
+    if (!fs::is_directory(place / kImages)) return;
+    on_disk(folder_ / kImages, [&] {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::recursive_directory_iterator(place / kImages))
+            if (entry.is_regular_file()) files.push_back(entry.path());
+        for (const fs::path& file : files) {
+            const fs::path target = folder_ / fs::relative(file, place);
+            fs::create_directories(target.parent_path());
+            fs::rename(file, target);
+        }
+    });
+}
+
+void BlockStore::remove_leftovers() const {
+    std::error_code ignored;
+    std::vector<fs::path> parts;
+    for (const fs::path& folder : {blocks_, folder_}) {
+        for (const auto& entry : fs::directory_iterator(folder, ignored))
+            if (entry.path().extension() == kUnfinished) parts.push_back(entry.path());
+    }
+    for (const fs::path& part : parts)
+        fs::remove_all(part, ignored);
 }
 
 void BlockStore::clear() const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,61 +9,47 @@
 
 namespace ink::experiment {
 
-/// What a folder of results says of the plan that it belongs to: its plan.toml.
-struct PlanRecord {
-    std::string name;
-    std::string identity;
-    std::string build;
-    bool times = true;
-    bool one_place = true;
-    bool is_finished = false;  ///< the tables are there
-    std::vector<PlannedTable> tables;
-    std::vector<std::string> keys;  ///< of the blocks, in plan order
-};
-
-[[nodiscard]] PlanRecord record_of(const Plan& plan);
-
-class BlockStore;
-
-/// Throws core::Error (where = the folder) unless `there`, the plan of its results, is `mine`.
-void refuse_other_plan(const BlockStore& store, const PlanRecord& there, const PlanRecord& mine);
-
-/// A finished block as it was kept.
+/// A finished block as it was kept, without its images: these stay on disk until the run ends.
 struct KeptBlock {
-    BlockResult result;
+    std::string key;
     double seconds = 0;  ///< that it took
+    std::vector<std::string> faults;
 };
 
-/// The finished blocks of an experiment in a folder: a file each, written whole and moved to its
-/// name, so that kill -9 at any moment leaves whole blocks and nothing else. A file whose checksum
-/// is wrong (the machine lost power) counts as not there.
+/// The finished blocks of a run in `folder`/blocks: a folder each, `000012`, with block.toml, a
+/// part of every table and the images. A block is written beside its place and renamed into it, so
+/// that kill -9 at any moment leaves whole blocks and nothing else.
 class BlockStore {
   public:
-    /// Of the results in `folder`; nothing is made yet.
+    /// Of the run in `folder`; nothing is made yet.
     explicit BlockStore(std::filesystem::path folder);
 
-    /// The plan that the folder belongs to; nothing if there is none. Throws core::Error for a
-    /// plan.toml that cannot be read.
-    [[nodiscard]] std::optional<PlanRecord> read_plan() const;
-    /// Makes the folder. Throws core::Error if that cannot be.
+    /// Makes the folders. Throws core::Error if that cannot be.
     void make_folder() const;
-    /// Writes plan.toml into the folder, which is there.
-    void write_plan(const PlanRecord& record) const;
 
     /// Writes block `index`. Throws core::Error if the disk is full; finished blocks stay.
-    void write(std::size_t index, const std::string& key, const KeptBlock& block) const;
-    /// The block at `index` if it is there, whole, and called `key`.
-    [[nodiscard]] std::optional<KeptBlock> read(std::size_t index, const std::string& key) const;
-    /// Which files of blocks are there, whatever they hold, by index.
+    void write(std::size_t index, const KeptBlock& block, const BlockResult& result) const;
+    /// The block at `index` if it is there.
+    [[nodiscard]] std::optional<KeptBlock> read(std::size_t index) const;
+    /// Its part of `table`: lines without a heading, "" if it has none.
+    [[nodiscard]] std::string lines(std::size_t index, const std::string& table) const;
+    /// Which blocks are there, ascending.
     [[nodiscard]] std::vector<std::size_t> indices() const;
 
-    /// Removes all blocks, and what a killed run left half-written.
+    /// Copies block `index` of another store into this one.
+    void adopt(std::size_t index, const BlockStore& other) const;
+    /// Moves the images of a block to where the run keeps them; those that are there already stay.
+    void release_images(std::size_t index) const;
+
+    /// Removes what a killed run left half-written.
+    void remove_leftovers() const;
+    /// Removes all blocks.
     void clear() const;
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   private:
-    [[nodiscard]] std::filesystem::path file_of(std::size_t index) const;
+    [[nodiscard]] std::filesystem::path place_of(std::size_t index) const;
 
     std::filesystem::path folder_;
     std::filesystem::path blocks_;

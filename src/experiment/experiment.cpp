@@ -38,11 +38,25 @@ void apply(const std::string& setting, std::vector<harness::Entrant>& entrants) 
 
 void refuse_scenes(const Experiment& experiment) {
     throw core::Error("--scenes",
-                      fmt::format("{} makes its own scenes", experiment.file.string()),
+                      fmt::format("{} makes its own scenes", experiment.where),
                       "an experiment of kind compare or animation");
 }
 
 }  // namespace
+
+std::string_view name(ExperimentKind kind) {
+    switch (kind) {
+        case ExperimentKind::compare:
+            return "compare";
+        case ExperimentKind::stress:
+            return "stress";
+        case ExperimentKind::animation:
+            return "animation";
+        case ExperimentKind::bound:
+            return "bound";
+    }
+    return "";
+}
 
 PictureSize parse_picture_size(const std::string& text, const std::string& where) {
     const auto x = text.find('x');
@@ -101,8 +115,8 @@ Experiment with_overrides(Experiment experiment, const ExperimentOverrides& over
 }
 
 std::vector<harness::Entrant> entrants_of(const Experiment& experiment) {
-    std::vector<harness::Entrant> entrants =
-        harness::make_entrants(fmt::format("{}", fmt::join(experiment.methods, ",")), {});
+    std::vector<harness::Entrant> entrants = harness::make_entrants(
+        fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
     for (const std::string& setting : experiment.settings)
         apply(setting, entrants);
     return entrants;

@@ -9,12 +9,28 @@
 
 #include "core/param.h"
 #include "harness/entrants.h"
+#include "harness/suite.h"
 
 namespace ink::experiment {
 
-/// What is computed: `compare` draws methods on views (rows.csv, curves.csv, sweep.csv ...),
-/// `stress` along axes of difficulty (stress.csv), `animation` on sequences (motion.csv, roll.csv).
-enum class ExperimentKind { compare, stress, animation };
+/// What is computed: `compare` draws methods on views, and may study motion, scaling and skips
+/// beside; `stress` draws along axes of difficulty; `animation` on sequences; `bound` searches the
+/// best weights of a linear code.
+enum class ExperimentKind { compare, stress, animation, bound };
+
+/// "compare", "stress", "animation", "bound": as files and run.toml have it.
+[[nodiscard]] std::string_view name(ExperimentKind kind);
+
+/// Of which views a comparison keeps images: none, the first of each scene, or all.
+enum class KeptImages { none, first, all };
+
+/// What a bound is asked for, beside the method (linear_bound.h).
+struct BoundRequest {
+    bool is_signed = false;       ///< weights below 0 too
+    int least_threshold = 0;      ///< codes; 0: the least that the filter draws
+    double gap = 0.005;           ///< the search stops where upper and found are this close,
+    std::int64_t boxes = 100000;  ///< or after so many boxes of weights
+};
 
 /// Every combination of some settings of one method.
 struct SettingGrid {
@@ -27,29 +43,40 @@ struct PictureSize {
     int height_px = 0;
 };
 
-/// An experiment as its file has it, all names checked.
+/// An experiment, from its file or from the options of a command; all names are checked.
 struct Experiment {
-    std::filesystem::path file;
+    std::string where;    ///< the file or the command that asks, for messages
+    std::string command;  ///< as the user typed it, less what says where results go; may be ""
     std::string name;
     ExperimentKind kind = ExperimentKind::compare;
     std::uint64_t seed = 0;
-    std::vector<std::string> methods;   ///< registered names, each once
-    std::vector<PictureSize> sizes;     ///< one at least
-    std::vector<int> threads = {1};     ///< of the methods
-    std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation
-    int views = 0;                      ///< the first of each scene; 0: all
-    std::vector<std::string> axes;      ///< of stress; none: all
-    int points = 0;                     ///< values of an axis, at most; 0: all
-    int frames = 48;                    ///< of a sequence
-    bool roll = true;                   ///< animation: the cube roll too
-    std::vector<std::string> settings;  ///< key=value or method.key=value
-    std::vector<SettingGrid> grids;     ///< sweep.csv
-    int own_sweep_views = 0;            ///< sweep.csv: each method's own, on the first views
-    int repetitions = 15;               ///< timed drawings, at most
-    double budget_s = 0.06;             ///< of drawing, after which repetitions end
-    bool full_scores = true;            ///< curves, ladder, bins, causes; else F at 2 px alone
-    bool witness = true;                ///< hold truths against the witness
-    bool times = true;                  ///< false: columns of times stay empty
+    std::vector<std::string> methods;    ///< registered names, each once; none: all
+    std::vector<std::string> presets;    ///< preset files whose methods take part too
+    std::vector<PictureSize> sizes;      ///< one at least
+    std::vector<int> threads = {1};      ///< of the methods
+    std::vector<std::string> scenes;     ///< built-in scenes or model files; compare, animation
+    harness::ViewRequest view_request;   ///< from where scenes are seen; its size is not read
+    int views = 0;                       ///< the first of each scene; 0: all
+    std::vector<std::string> axes;       ///< of stress; none: all
+    int points = 0;                      ///< values of an axis, at most; 0: all
+    int frames = 48;                     ///< of a sequence
+    bool roll = true;                    ///< animation: the cube roll too
+    std::vector<std::string> settings;   ///< key=value or method.key=value
+    std::vector<SettingGrid> grids;      ///< sweep.csv
+    int own_sweep_views = 0;             ///< sweep.csv: each method's own, on the first views
+    std::vector<std::string> skips_off;  ///< optimisations that methods may not use
+    double crease_deg = 40;              ///< of the truth
+    double weld_epsilon = 0;             ///< of the truth, share of each part's diagonal
+    KeptImages images = KeptImages::first;
+    bool study_motion = false;   ///< compare: motion.csv, roll.csv too
+    bool study_scaling = false;  ///< compare: scaling.csv too
+    bool study_skips = false;    ///< compare: skips.csv too
+    BoundRequest bound;
+    int repetitions = 15;     ///< timed drawings, at most
+    double budget_s = 0.06;   ///< of drawing, after which repetitions end
+    bool full_scores = true;  ///< curves, ladder, bins, causes; else F at 2 px alone
+    bool witness = true;      ///< hold truths against the witness
+    bool times = true;        ///< false: columns of times stay empty
 };
 
 /// What the command line puts in place of what the file says.
@@ -75,7 +102,8 @@ struct ExperimentOverrides {
 [[nodiscard]] Experiment with_overrides(Experiment experiment,
                                         const ExperimentOverrides& overrides);
 
-/// The methods that take part with the settings that each knows.
+/// The methods that take part, presets last, with the settings that each knows. Throws core::Error
+/// for a preset that cannot be read.
 [[nodiscard]] std::vector<harness::Entrant> entrants_of(const Experiment& experiment);
 
 /// Every combination of a grid as an entrant, on top of what `entrant` has; the last key turns

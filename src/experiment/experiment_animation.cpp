@@ -4,11 +4,12 @@
 #include <memory>
 
 #include "core/error.h"
-#include "core/parallel.h"
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
 #include "studies/motion_study.h"
+#include "studies/motion_table.h"
 #include "studies/roll_study.h"
+#include "studies/roll_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 constexpr int kBrackets = 2;  // of a sequence: sampled and oracle
 constexpr int kRollFrames = 180;
 constexpr int kRollCreases = 3;
-
-/// The first line of a table, and the rest with its line breaks.
-std::pair<std::string, std::string> split_heading(const std::string& table) {
-    const auto end = table.find('\n');
-    return {table.substr(0, end), table.substr(end + 1)};
-}
 
 /// The sequences of the study whose scene takes part.
 std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const PictureSize& size) {
@@ -33,7 +28,7 @@ std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const 
     known.erase(std::unique(known.begin(), known.end()), known.end());
     for (const std::string& scene : experiment.scenes) {
         if (std::find(known.begin(), known.end(), scene) != known.end()) continue;
-        throw core::Error(experiment.file.string(),
+        throw core::Error(experiment.where,
                           fmt::format("no sequence is made of scene '{}'", scene),
                           core::known_names(known, scene));
     }
@@ -52,25 +47,73 @@ struct Stage {
     std::vector<studies::Sequence> sequences;
 };
 
-BlockResult run_sequence(Stage& stage, std::size_t n, int threads) {
+BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t first_cell) {
     studies::MotionOptions options;
     options.measure.threads = threads;
     options.trace = stage.trace;
     const std::vector<studies::MotionRow> rows =
         studies::study_sequence(stage.entrants, stage.sequences[n], options);
-    return {{{"motion.csv", split_heading(studies::motion_csv(rows)).second}},
-            studies::motion_faults(rows)};
+    BlockResult result;
+    std::int64_t cell = first_cell;
+    for (const studies::MotionRow& row : rows) {
+        result.lines["rows.csv"] +=
+            harness::row_line(cell, harness::Study::motion, studies::motion_row(row));
+        result.lines["motion.csv"] += studies::motion_line(cell, row);
+        result.lines["lives.csv"] += studies::life_lines(cell, row);
+        ++cell;
+    }
+    result.faults = studies::motion_faults(rows);
+    return result;
 }
 
-BlockResult run_roll(const Stage& stage, int threads) {
+/// A method has a curve per crease, and one cell for all of them.
+BlockResult run_roll(const Stage& stage, int threads, std::int64_t first_cell) {
     studies::RollOptions options;
     options.measure.threads = threads;
     options.cache = stage.trace.cache;
     options.frame_count = kRollFrames;
-    const std::vector<studies::RollCurve> curves = studies::study_roll(stage.entrants, options);
-    return {{{"roll.csv", split_heading(studies::roll_csv(curves)).second},
-             {"vanishing.csv", split_heading(studies::vanishing_csv(curves)).second}},
-            {}};
+    BlockResult result;
+    std::int64_t cell = first_cell;
+    std::string method;
+    for (const studies::RollCurve& curve : studies::study_roll(stage.entrants, options)) {
+        if (!method.empty() && curve.method != method) ++cell;
+        if (curve.method != method)
+            result.lines["rows.csv"] +=
+                harness::row_line(cell, harness::Study::roll, studies::roll_row(curve, options));
+        method = curve.method;
+        result.lines["roll.csv"] += studies::roll_lines(cell, curve);
+        result.lines["vanishing.csv"] += studies::vanishing_lines(cell, curve);
+    }
+    return result;
+}
+
+void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& stage, Plan& plan) {
+    const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
+    for (const PictureSize& size : experiment.sizes) {
+        for (studies::Sequence& sequence : sequences_of(experiment, size)) {
+            const std::size_t n = stage->sequences.size();
+            const double mpx = 1e-6 * size.width_px * size.height_px;
+            const auto triangles = static_cast<double>(scene::triangle_count(sequence.scene));
+            const double frame_s = 0.005 + rows * (0.03 * mpx + 5e-8 * triangles);
+            for (const int threads : experiment.threads) {
+                const std::int64_t first_cell = plan.take_cells(rows);
+                plan.blocks.push_back({fmt::format("motion {} {} {} {}x{} threads {}",
+                                                   n + 1,
+                                                   sequence.scene.name,
+                                                   scene::name(sequence.path.kind),
+                                                   size.width_px,
+                                                   size.height_px,
+                                                   threads),
+                                       rows,
+                                       experiment.frames * frame_s,
+                                       true,
+                                       [stage, n, threads, first_cell] {
+                                           return run_sequence(*stage, n, threads, first_cell);
+                                       }});
+            }
+            stage->sequences.push_back(std::move(sequence));
+        }
+    }
 }
 
 }  // namespace
@@ -79,41 +122,22 @@ void plan_animation(const Experiment& experiment, const harness::TraceOptions& t
     const auto stage = std::make_shared<Stage>();
     stage->entrants = entrants_of(experiment);
     stage->trace = trace;
-    stage->trace.truth.threads = core::hardware_threads();
-    const int methods = static_cast<int>(stage->entrants.size());
-    plan.tables.push_back({"motion.csv", split_heading(studies::motion_csv({})).first});
-    for (const PictureSize& size : experiment.sizes) {
-        for (studies::Sequence& sequence : sequences_of(experiment, size)) {
-            const std::size_t n = stage->sequences.size();
-            const double mpx = 1e-6 * size.width_px * size.height_px;
-            const auto triangles = static_cast<double>(scene::triangle_count(sequence.scene));
-            const double frame_s = 0.005 + (methods + kBrackets) * (0.03 * mpx + 5e-8 * triangles);
-            for (const int threads : experiment.threads) {
-                plan.blocks.push_back(
-                    {fmt::format("{} {} {} {}x{} threads {}",
-                                 n + 1,
-                                 sequence.scene.name,
-                                 scene::name(sequence.path.kind),
-                                 size.width_px,
-                                 size.height_px,
-                                 threads),
-                     methods + kBrackets,
-                     experiment.frames * frame_s,
-                     true,
-                     [stage, n, threads] { return run_sequence(*stage, n, threads); }});
-            }
-            stage->sequences.push_back(std::move(sequence));
-        }
-    }
+    plan.add_table(harness::rows_table());
+    plan.add_table(studies::motion_table());
+    plan.add_table(studies::lives_table());
+    plan_sequences(experiment, stage, plan);
     if (!experiment.roll) return;
-    plan.tables.push_back({"roll.csv", split_heading(studies::roll_csv({})).first});
-    plan.tables.push_back({"vanishing.csv", split_heading(studies::vanishing_csv({})).first});
+    plan.add_table(studies::roll_table());
+    plan.add_table(studies::vanishing_table());
+    const int methods = static_cast<int>(stage->entrants.size());
     const int threads = experiment.threads.front();
-    plan.blocks.push_back({"roll",
-                           methods * kRollCreases * kRollFrames,
-                           kRollFrames * (0.005 + methods * 0.002),
-                           true,
-                           [stage, threads] { return run_roll(*stage, threads); }});
+    const std::int64_t first_cell = plan.take_cells(methods);
+    plan.blocks.push_back(
+        {"roll",
+         methods * kRollCreases * kRollFrames,
+         kRollFrames * (0.005 + methods * 0.002),
+         true,
+         [stage, threads, first_cell] { return run_roll(*stage, threads, first_cell); }});
 }
 
 }  // namespace ink::experiment

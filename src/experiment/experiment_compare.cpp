@@ -1,21 +1,19 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <memory>
 #include <set>
-#include <tuple>
 
-#include "core/parallel.h"
-#include "experiment/cost_facts.h"
 #include "experiment/experiment_plan.h"
-#include "harness/bins.h"
-#include "harness/csv.h"
-#include "harness/suite.h"
+#include "experiment/view_bench.h"
+#include "harness/cost_tables.h"
+#include "harness/score_tables.h"
 #include "harness/sweep.h"
-#include "harness/view_cells.h"
+#include "harness/sweep_table.h"
+#include "harness/view_images.h"
 #include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -23,116 +21,21 @@ namespace {
 /// Settings of one method that take turns; more at once would not fit into memory on large models.
 constexpr std::size_t kSettingsAtOnce = 48;
 constexpr int kBrackets = 3;
-
-std::string heading_of(const std::vector<std::string>& columns) {
-    return fmt::format("{}", fmt::join(columns, ","));
-}
-
-/// The scenes of a plan, and what is kept of the one that is being worked on from block to block.
-class Bench {
-  public:
-    Bench(const Experiment& experiment, harness::TraceOptions trace)
-        : experiment_(experiment), trace_(std::move(trace)), entrants_(entrants_of(experiment)) {
-        trace_.witness = experiment.witness;
-        trace_.truth.threads = core::hardware_threads();
-        for (const PictureSize& size : experiment.sizes) {
-            harness::ViewRequest request;
-            request.width_px = size.width_px;
-            request.height_px = size.height_px;
-            std::vector<harness::Subject> subjects =
-                harness::load_subjects(experiment.scenes, request);
-            for (std::size_t s = 0; s < subjects.size(); ++s) {
-                views_[{s, size.width_px, size.height_px}] = std::move(subjects[s].views);
-                if (scenes_.size() == s) scenes_.push_back(std::move(subjects[s].scene));
-            }
-        }
-    }
-
-    [[nodiscard]] const Experiment& experiment() const { return experiment_; }
-    [[nodiscard]] const std::vector<harness::Entrant>& entrants() const { return entrants_; }
-    [[nodiscard]] const std::vector<scene::Scene>& scenes() const { return scenes_; }
-    [[nodiscard]] std::size_t view_count(std::size_t scene, const PictureSize& size) const {
-        const std::size_t all = views_.at({scene, size.width_px, size.height_px}).size();
-        return experiment_.views > 0 ? std::min(all, static_cast<std::size_t>(experiment_.views))
-                                     : all;
-    }
-    [[nodiscard]] const scene::View& view(std::size_t scene,
-                                          const PictureSize& size,
-                                          std::size_t n) const {
-        return views_.at({scene, size.width_px, size.height_px})[n];
-    }
-
-    [[nodiscard]] harness::CellOptions cell_options(int threads) const {
-        harness::CellOptions options{{}, trace_, experiment_.seed};
-        options.measure.threads = threads;
-        options.measure.max_repetitions = experiment_.repetitions;
-        options.measure.min_repetitions =
-            std::min(options.measure.min_repetitions, experiment_.repetitions);
-        options.measure.budget_s = experiment_.budget_s;
-        return options;
-    }
-
-    /// The truth of a view; that of the last view asked for is at hand.
-    const harness::TracedView& traced(std::size_t scene, const scene::View& view) {
-        turn_to(scene);
-        if (traced_view_ != &view) {
-            traced_ = harness::trace_with_facts(*model_, scenes_[scene], view, trace_);
-            traced_view_ = &view;
-        }
-        return traced_;
-    }
-
-    harness::MissPredictor& predictor(std::size_t scene) {
-        turn_to(scene);
-        return *predictor_;
-    }
-
-    /// All methods at their own settings, ready for the scene.
-    std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene) {
-        turn_to(scene);
-        if (methods_.empty()) methods_ = prepared(entrants_, scene);
-        return methods_;
-    }
-
-    [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<harness::Entrant>& entrants, std::size_t scene) const {
-        std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-        for (const harness::Entrant& entrant : entrants)
-            methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scenes_[scene]));
-        return methods;
-    }
-
-  private:
-    void turn_to(std::size_t scene) {
-        if (model_ && scene_ == scene) return;
-        scene_ = scene;
-        methods_.clear();
-        traced_view_ = nullptr;
-        model_ = std::make_unique<truth::SceneModel>(scenes_[scene], trace_.truth);
-        predictor_ = std::make_unique<harness::MissPredictor>(scenes_[scene]);
-    }
-
-    Experiment experiment_;
-    harness::TraceOptions trace_;
-    std::vector<harness::Entrant> entrants_;
-    std::vector<scene::Scene> scenes_;
-    std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;
-    std::size_t scene_ = 0;
-    std::unique_ptr<truth::SceneModel> model_;
-    std::unique_ptr<harness::MissPredictor> predictor_;
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
-    const scene::View* traced_view_ = nullptr;
-    harness::TracedView traced_;
-};
+/// The motion study beside a comparison: small pictures, a few pixels' way.
+constexpr PictureSize kMotionSize{640, 360};
+constexpr int kMotionFrames = 24;
 
 /// Where a block's cells are.
 struct BlockPlace {
     std::size_t scene = 0;
     const scene::View* view = nullptr;
     int threads = 1;
+    std::int64_t first_cell = 0;  ///< the number of the first method's row
+    bool is_first_view = false;   ///< of its scene: methods are made ready there
+    bool keeps_images = false;
 };
 
-std::string place_text(const Bench& bench, const BlockPlace& at) {
+std::string place_text(const ViewBench& bench, const BlockPlace& at) {
     return fmt::format("{} {} {}x{} threads {}",
                        bench.scenes()[at.scene].name,
                        at.view->camera.name,
@@ -141,104 +44,105 @@ std::string place_text(const Bench& bench, const BlockPlace& at) {
                        at.threads);
 }
 
-void add_line(const std::string& line, const std::string& table, BlockResult& result) {
-    if (!line.empty()) result.lines[table] += line + "\n";
-}
-
-void add_row(const harness::Row& row, const std::string& table, BlockResult& result) {
-    add_line(to_csv(row), table, result);
-    result.lines[facts_table(table)] += cost_facts_line(row) + "\n";
+void add_side_tables(std::int64_t cell, const harness::Shot& shot, BlockResult& result) {
+    if (!shot.row.is_ok() || !shot.row.lines) return;
+    result.lines["curves.csv"] += harness::curve_lines(cell, shot.scored.curve);
+    result.lines["tolerances.csv"] += harness::tolerance_lines(cell, shot.row.ladder);
+    result.lines["bins.csv"] += harness::bin_lines(cell, shot.row.lines->bins);
 }
 
 /// The methods at their own settings, and the brackets: rows.csv and what stands beside it.
-BlockResult run_methods(Bench& bench, const BlockPlace& at) {
+BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const harness::CellOptions options = bench.cell_options(at.threads);
+    const bool is_full = bench.experiment().full_scores;
     std::vector<harness::Shot> shots =
         harness::method_shots(bench.methods(at.scene), *at.view, options.measure);
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
     BlockResult result;
-    if (bench.experiment().full_scores) {
+    if (is_full) {
         harness::finish_shots(scene, *at.view, traced, options, shots);
-        if (traced.has_truth()) {
-            harness::MissPredictor& predictor = bench.predictor(at.scene);
-            harness::attribute_shots(traced.truth, *at.view, predictor, shots);
-            for (const linear_code::CancellationRow& row :
-                 linear_code::study_cancellation(traced.truth, *at.view, predictor, shots))
-                add_line(linear_code::cancellation_csv(row), "cancellation.csv", result);
-        }
     } else {
         harness::finish_briefly(scene, *at.view, traced, options, shots);
     }
-    harness::check_brackets(shots, result.faults);
-    for (const harness::Shot& shot : shots) {
-        add_row(shot.row, "rows.csv", result);
-        if (!shot.row.is_ok() || !shot.row.lines) continue;
-        add_line(harness::curve_csv(shot.row, shot.scored.curve), "curves.csv", result);
-        add_line(harness::ladder_csv(shot.row), "ladder.csv", result);
-        add_line(harness::bin_csv(shot.row, shot.row.lines->bins), "bins.csv", result);
+    if (is_full && traced.has_truth()) {
+        harness::MissPredictor& predictor = bench.predictor(at.scene);
+        harness::attribute_shots(traced.truth, *at.view, predictor, shots);
+        for (const linear_code::CancellationRow& row :
+             linear_code::study_cancellation(traced.truth, *at.view, predictor, shots)) {
+            const auto shot = std::find_if(shots.begin(), shots.end(), [&](const harness::Shot& s) {
+                return s.row.method == row.method;
+            });
+            result.lines["cancellation.csv"] +=
+                linear_code::cancellation_line(at.first_cell + (shot - shots.begin()), row);
+        }
     }
+    harness::check_brackets(shots, result.faults);
+    std::int64_t cell = at.first_cell;
+    for (harness::Shot& shot : shots) {
+        if (!bench.experiment().times) clear_times(shot.row);
+        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::compare, shot.row);
+        result.lines["cost.csv"] += harness::cost_line(cell, shot.row);
+        add_side_tables(cell, shot, result);
+        ++cell;
+    }
+    if (at.keeps_images && traced.has_truth())
+        result.files = harness::image_files(traced.truth, scene, shots);
     return result;
 }
 
-/// Settings of one method: rows of sweep.csv, without brackets.
-BlockResult run_settings(Bench& bench,
+/// Some settings of the n-th method.
+struct SettingsPart {
+    std::size_t method = 0;
+    std::size_t first = 0;  ///< the number of the first setting, from 1
+    std::vector<harness::Entrant> settings;
+};
+
+/// Settings of one method: lines of sweep.csv, without brackets.
+BlockResult run_settings(ViewBench& bench,
                          const BlockPlace& at,
-                         const std::vector<harness::Entrant>& settings) {
+                         const SettingsPart& part,
+                         const std::vector<std::string>& swept) {
     harness::CellOptions options = bench.cell_options(at.threads);
-    // As compare's own sweeps have it: times to a few percent do, and there are many settings.
+    // Times to a few percent do for a front, and there are many settings.
     const harness::MeasureOptions brief = harness::SweepOptions{}.measure;
     options.measure.min_repetitions = brief.min_repetitions;
     options.measure.max_repetitions =
         std::min(brief.max_repetitions, options.measure.max_repetitions);
-    options.measure.budget_s = brief.budget_s;
-    auto methods = bench.prepared(settings, at.scene);
+    options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
+    auto methods = bench.prepared(part.settings, at.scene);
     std::vector<harness::Shot> shots = harness::method_shots(methods, *at.view, options.measure);
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
     harness::finish_briefly(bench.scenes()[at.scene], *at.view, traced, options, shots);
     BlockResult result;
-    for (std::size_t i = 0; i < settings.size(); ++i)
-        add_row(shots[i].row, "sweep.csv", result);
+    const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
+    for (std::size_t i = 0; i < part.settings.size(); ++i) {
+        if (!bench.experiment().times) clear_times(shots[i].row);
+        result.lines["sweep.csv"] +=
+            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, shots[i].row);
+    }
     return result;
 }
 
-/// Seconds for `cells` pictures of a view, roughly, on two cores without other work: a part for
-/// every cell, one for its pixels (scores) and one for its triangles (drawing); then the truth.
-double work_s(const Bench& bench, const BlockPlace& at, int cells, bool is_full) {
+/// Seconds for `cells` images of a view, roughly, on two cores without other work: a part for
+/// every cell, one for its pixels (scores), one for its triangles (drawing) and, where methods are
+/// made ready for the block, one for that; then the truth.
+double work_s(const ViewBench& bench, const BlockPlace& at, int cells, bool is_full) {
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
     const double draws = is_full ? bench.experiment().repetitions : 4;
     const double draw_s = std::min(draws * (0.006 * mpx + 4e-8 * triangles),
                                    is_full ? bench.experiment().budget_s : 0.03);
     const double score_s = (is_full && bench.experiment().full_scores ? 0.12 : 0.02) * mpx;
-    return cells * (0.002 + draw_s + score_s) + (is_full ? 0.05 + 0.2 * mpx : 0.01);
-}
-
-/// The blocks of one method's settings on a place, so many at once.
-void plan_settings(const std::shared_ptr<Bench>& bench,
-                   const BlockPlace& at,
-                   const std::vector<harness::Entrant>& settings,
-                   Plan& plan) {
-    for (std::size_t begin = 0; begin < settings.size(); begin += kSettingsAtOnce) {
-        const std::size_t end = std::min(settings.size(), begin + kSettingsAtOnce);
-        const std::vector<harness::Entrant> part(
-            settings.begin() + static_cast<std::ptrdiff_t>(begin),
-            settings.begin() + static_cast<std::ptrdiff_t>(end));
-        const int cells = static_cast<int>(part.size());
-        plan.blocks.push_back({fmt::format("{} sweep {} settings {}..{}",
-                                           place_text(*bench, at),
-                                           part.front().info->name,
-                                           begin + 1,
-                                           end),
-                               cells,
-                               work_s(*bench, at, cells, false),
-                               false,
-                               [bench, at, part] { return run_settings(*bench, at, part); }});
-    }
+    // Measured over the catalogue and eleven scanned and modelled meshes: 2.4 us a triangle in the
+    // mean of all methods.
+    const double prepare_s = is_full && !at.is_first_view ? 0 : 2.4e-6 * triangles;
+    const double truth_s = is_full ? 0.05 + 0.2 * mpx + 4e-6 * triangles : 0.01;
+    return cells * (0.002 + draw_s + score_s + prepare_s) + truth_s;
 }
 
 /// All settings over which a method is swept on the n-th view: its grids', then its own.
-std::vector<harness::Entrant> settings_of(const Bench& bench,
+std::vector<harness::Entrant> settings_of(const ViewBench& bench,
                                           const harness::Entrant& entrant,
                                           std::size_t nth_view) {
     std::vector<harness::Entrant> settings;
@@ -256,38 +160,116 @@ std::vector<harness::Entrant> settings_of(const Bench& bench,
     return settings;
 }
 
+/// The parameters in which any setting of any sweep differs from its method's own.
+std::vector<std::string> parameters_swept(const ViewBench& bench) {
+    std::set<std::string> names;
+    for (const harness::Entrant& entrant : bench.entrants()) {
+        const core::ParamValues own = entrant.info->complete(entrant.settings);
+        for (const harness::Entrant& setting : settings_of(bench, entrant, 0)) {
+            for (const auto& [name, value] : setting.info->complete(setting.settings))
+                if (own.at(name) != value) names.insert(name);
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
+/// The blocks of one method's settings on a place, so many at once.
+void plan_settings(const std::shared_ptr<ViewBench>& bench,
+                   const BlockPlace& at,
+                   std::size_t method,
+                   const std::vector<harness::Entrant>& settings,
+                   const std::vector<std::string>& swept,
+                   Plan& plan) {
+    for (std::size_t begin = 0; begin < settings.size(); begin += kSettingsAtOnce) {
+        const std::size_t end = std::min(settings.size(), begin + kSettingsAtOnce);
+        SettingsPart part{method, begin + 1, {}};
+        part.settings.assign(settings.begin() + static_cast<std::ptrdiff_t>(begin),
+                             settings.begin() + static_cast<std::ptrdiff_t>(end));
+        const int cells = static_cast<int>(part.settings.size());
+        plan.blocks.push_back(
+            {fmt::format("{} sweep {} settings {}..{}",
+                         place_text(*bench, at),
+                         settings.front().info->name,
+                         begin + 1,
+                         end),
+             cells,
+             work_s(*bench, at, cells, false),
+             false,
+             [bench, at, part, swept] { return run_settings(*bench, at, part, swept); }});
+    }
+}
+
+void add_tables(const ViewBench& bench, const std::vector<std::string>& swept, Plan& plan) {
+    plan.add_table(harness::rows_table());
+    plan.add_table(harness::cost_table());
+    if (bench.experiment().full_scores) {
+        plan.add_table(harness::curves_table());
+        plan.add_table(harness::tolerances_table());
+        plan.add_table(harness::bins_table());
+        plan.add_table(linear_code::cancellation_table());
+    }
+    if (!swept.empty()) plan.add_table(harness::sweep_table(swept));
+}
+
+/// All blocks of one view: the methods, then the settings of each.
+void plan_view(const std::shared_ptr<ViewBench>& bench,
+               BlockPlace at,
+               std::size_t nth_view,
+               const std::vector<std::string>& swept,
+               Plan& plan) {
+    const int cells = static_cast<int>(bench->entrants().size()) + kBrackets;
+    at.first_cell = plan.take_cells(cells);
+    plan.blocks.push_back(
+        {place_text(*bench, at), cells, work_s(*bench, at, cells, true), false, [bench, at] {
+             return run_methods(*bench, at);
+         }});
+    for (std::size_t m = 0; m < bench->entrants().size(); ++m) {
+        const std::vector<harness::Entrant> settings =
+            settings_of(*bench, bench->entrants()[m], nth_view);
+        plan_settings(bench, at, m, settings, swept, plan);
+    }
+}
+
+bool keeps_images(const Experiment& experiment, std::size_t nth_view, bool is_first_place) {
+    if (!is_first_place || !experiment.full_scores) return false;
+    return experiment.images == KeptImages::all ||
+           (experiment.images == KeptImages::first && nth_view == 0);
+}
+
+/// The motion study beside a comparison: all sequences, of a size of their own.
+Experiment motion_beside(Experiment experiment) {
+    experiment.scenes.clear();
+    experiment.sizes = {kMotionSize};
+    experiment.frames = kMotionFrames;
+    experiment.roll = true;
+    experiment.threads = {experiment.threads.front()};
+    return experiment;
+}
+
 }  // namespace
 
 void plan_compare(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
-    const auto bench = std::make_shared<Bench>(experiment, trace);
-    plan.tables.push_back({"rows.csv", heading_of(harness::row_columns())});
-    if (experiment.full_scores) {
-        plan.tables.push_back({"curves.csv", heading_of(harness::curve_columns())});
-        plan.tables.push_back({"bins.csv", heading_of(harness::bin_columns())});
-        plan.tables.push_back({"ladder.csv", heading_of(harness::ladder_columns())});
-        plan.tables.push_back(
-            {"cancellation.csv", heading_of(linear_code::cancellation_columns())});
-    }
-    if (!experiment.grids.empty() || experiment.own_sweep_views > 0) {
-        plan.tables.push_back({"sweep.csv", heading_of(harness::row_columns())});
-    }
-    const int cells = static_cast<int>(bench->entrants().size()) + kBrackets;
+    const auto bench = std::make_shared<ViewBench>(experiment, trace);
+    const std::vector<std::string> swept = parameters_swept(*bench);
+    add_tables(*bench, swept, plan);
     for (std::size_t s = 0; s < bench->scenes().size(); ++s) {
-        for (const PictureSize& size : experiment.sizes) {
-            for (std::size_t v = 0; v < bench->view_count(s, size); ++v) {
-                for (const int threads : experiment.threads) {
-                    const BlockPlace at{s, &bench->view(s, size, v), threads};
-                    plan.blocks.push_back({place_text(*bench, at),
-                                           cells,
-                                           work_s(*bench, at, cells, true),
-                                           false,
-                                           [bench, at] { return run_methods(*bench, at); }});
-                    for (const harness::Entrant& entrant : bench->entrants())
-                        plan_settings(bench, at, settings_of(*bench, entrant, v), plan);
+        for (std::size_t z = 0; z < experiment.sizes.size(); ++z) {
+            for (std::size_t v = 0; v < bench->view_count(s, experiment.sizes[z]); ++v) {
+                for (std::size_t t = 0; t < experiment.threads.size(); ++t) {
+                    const BlockPlace at{s,
+                                        &bench->view(s, experiment.sizes[z], v),
+                                        experiment.threads[t],
+                                        0,
+                                        v == 0,
+                                        keeps_images(experiment, v, z == 0 && t == 0)};
+                    plan_view(bench, at, v, swept, plan);
                 }
             }
         }
     }
+    if (experiment.study_scaling) plan_scaling(experiment, plan);
+    if (experiment.study_motion) plan_animation(motion_beside(experiment), trace, plan);
+    if (experiment.study_skips) plan_skips(experiment, plan);
 }
 
 }  // namespace ink::experiment

@@ -240,7 +240,7 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     TomlReader reader(root, file, "");
     reader.refuse_unknown({"name", "kind", "seed", "grid", "measure", "settings", "sweep"});
     Experiment experiment;
-    experiment.file = file;
+    experiment.where = file.string();
     experiment.name = read_name(reader);
     experiment.kind = read_kind(reader);
     experiment.seed = static_cast<std::uint64_t>(reader.whole("seed", 0, INT64_MAX).value_or(0));

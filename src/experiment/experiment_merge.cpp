@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/experiment_run.h"
-#include "experiment/experiment_tables.h"
 #include "experiment/folder_lock.h"
 
 namespace ink::experiment {
@@ -16,80 +18,72 @@ namespace fs = std::filesystem;
 /// The shards as they come together.
 class Gathering {
   public:
-    /// Adds the blocks of a folder. Throws core::Error if they do not belong to the others.
+    /// Notes the blocks of a folder. Throws core::Error if they do not belong to the others.
     void add(const fs::path& folder) {
-        const BlockStore store(folder);
-        const PlanRecord record = shard_record(store);
-        if (!plan_) {
-            plan_ = record;
+        const RunRecord record = shard_record(folder);
+        if (!record_) {
+            record_ = record;
             first_ = folder;
-            found_.resize(record.keys.size());
-            from_.resize(record.keys.size());
+            missing_ = record.missing;
         }
-        if (record.identity != plan_->identity) refuse_foreign(folder, record);
+        if (record.identity != record_->identity) refuse_foreign(folder, record);
+        const BlockStore store(folder);
         for (const std::size_t i : store.indices()) {
-            if (i >= plan_->keys.size()) continue;
-            auto block = store.read(i, plan_->keys[i]);
-            if (!block) continue;
-            if (found_[i]) {
+            const auto block = store.read(i);
+            if (!block || i >= static_cast<std::size_t>(record_->blocks)) continue;
+            if (const auto other = from_.find(i); other != from_.end()) {
                 throw core::Error(
                     folder.string(),
-                    fmt::format("block '{}' is in {} too", plan_->keys[i], from_[i].string()),
+                    fmt::format("block '{}' is in {} too", block->key, other->second.string()),
                     "every shard once");
             }
-            found_[i] = std::move(block);
             from_[i] = folder;
+            std::erase(missing_, block->key);
         }
     }
 
-    /// All blocks in plan order. Throws core::Error (where = `out`) if there are not all.
-    [[nodiscard]] std::vector<KeptBlock> take(const fs::path& out) {
-        std::vector<KeptBlock> blocks;
-        std::vector<std::string> missing;
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            if (found_[i]) {
-                blocks.push_back(std::move(*found_[i]));
-            } else {
-                missing.push_back(plan_->keys[i]);
-            }
-        }
-        if (missing.empty()) return blocks;
+    /// Throws core::Error (where = `out`) if there are not all blocks.
+    void check_complete(const fs::path& out) const {
+        const auto all = static_cast<std::size_t>(record_->blocks);
+        if (from_.size() == all) return;
         throw core::Error(out.string(),
                           fmt::format("{} of {} blocks are missing, the first is '{}'",
-                                      missing.size(),
-                                      found_.size(),
-                                      missing.front()),
+                                      all - from_.size(),
+                                      all,
+                                      missing_.empty() ? "unknown" : missing_.front()),
                           "all shards, each run to its end");
     }
 
-    [[nodiscard]] const PlanRecord& plan() const { return *plan_; }
+    [[nodiscard]] const RunRecord& record() const { return *record_; }
+    [[nodiscard]] const fs::path& first() const { return first_; }
+    [[nodiscard]] const std::map<std::size_t, fs::path>& blocks() const { return from_; }
 
   private:
-    static PlanRecord shard_record(const BlockStore& store) {
-        const auto record = store.read_plan();
-        if (record && !record->is_finished) return *record;
-        throw core::Error(
-            store.folder().string(),
-            record ? "it holds a whole run that is finished" : "there is no shard in it",
-            "folders of inkbench run --shard i/n");
-    }
-
-    [[noreturn]] void refuse_foreign(const fs::path& folder, const PlanRecord& record) const {
+    static RunRecord shard_record(const fs::path& folder) {
+        const auto record = read_record(folder);
+        if (record && record->state == RunState::unfinished) return *record;
         throw core::Error(
             folder.string(),
-            fmt::format("its plan is not that of {}: '{}' by build {}, against '{}' by build {}",
-                        first_.string(),
-                        record.name,
-                        record.build,
-                        plan_->name,
-                        plan_->build),
-            "shards of one experiment with the same settings, made by one build");
+            record ? "it holds a whole run that is finished" : "there is no shard in it",
+            "folders of inkbench compare or run with --shard i/n");
     }
 
-    std::optional<PlanRecord> plan_;
+    [[noreturn]] void refuse_foreign(const fs::path& folder, const RunRecord& record) const {
+        throw core::Error(folder.string(),
+                          fmt::format("it is a shard of another run than {}: '{}' by build {}, "
+                                      "against '{}' by build {}",
+                                      first_.string(),
+                                      record.name,
+                                      record.build,
+                                      record_->name,
+                                      record_->build),
+                          "shards of one experiment with the same settings, made by one build");
+    }
+
+    std::optional<RunRecord> record_;
     fs::path first_;
-    std::vector<std::optional<KeptBlock>> found_;
-    std::vector<fs::path> from_;
+    std::map<std::size_t, fs::path> from_;
+    std::vector<std::string> missing_;  ///< keys
 };
 
 }  // namespace
@@ -101,12 +95,19 @@ RunOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& ou
     Gathering gathering;
     for (const fs::path& folder : folders)
         gathering.add(folder);
-    const std::vector<KeptBlock> blocks = gathering.take(out);
+    gathering.check_complete(out);
     const BlockStore store(out);
     store.make_folder();
     const FolderLock lock(out, false);
-    if (const auto there = store.read_plan()) refuse_other_plan(store, *there, gathering.plan());
-    return finish_run(store, gathering.plan(), blocks);
+    if (const auto there = read_record(out)) refuse_other_run(out, *there, gathering.record());
+    for (const auto& [index, folder] : gathering.blocks())
+        store.adopt(index, BlockStore(folder));
+    if (fs::exists(gathering.first() / "methods.csv")) {
+        fs::copy_file(gathering.first() / "methods.csv",
+                      out / "methods.csv",
+                      fs::copy_options::overwrite_existing);
+    }
+    return write_run(store, gathering.record(), {});
 }
 
 }  // namespace ink::experiment

@@ -5,15 +5,20 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/parallel.h"
 #include "core/provenance.h"
-#include "harness/cell.h"
+#include "experiment/asked.h"
+#include "lab/methods_table.h"
 
 namespace ink::experiment {
 namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 std::string build_text() {
     const core::Provenance& p = core::provenance();
@@ -33,19 +38,7 @@ void add_file(const std::string& scene, core::Hasher& hasher) {
 std::string identity_of(const Experiment& experiment, const Plan& plan) {
     core::Hasher hasher;
     hasher.text(plan.build).text(core::provenance().compiler).text(core::provenance().flags);
-    hasher.text(experiment.name).value(experiment.seed);
-    hasher.value(experiment.repetitions).value(experiment.budget_s).value(experiment.frames);
-    hasher.value(int{experiment.full_scores}).value(int{experiment.witness});
-    hasher.value(int{experiment.times});
-    for (const harness::Entrant& entrant : entrants_of(experiment)) {
-        hasher.text(entrant.info->name)
-            .text(harness::join_params(entrant.info->complete(entrant.settings)));
-    }
-    for (const SettingGrid& grid : experiment.grids) {
-        hasher.text(grid.method);
-        for (const auto& [key, values] : grid.axes)
-            hasher.text(key).text(fmt::format("{}", fmt::join(values, ",")));
-    }
+    hasher.text(plan.name).text(plan.kind).text(plan.asked);
     for (const std::string& scene : experiment.scenes)
         add_file(scene, hasher);
     for (const PlannedTable& table : plan.tables)
@@ -53,6 +46,16 @@ std::string identity_of(const Experiment& experiment, const Plan& plan) {
     for (const Block& block : plan.blocks)
         hasher.text(block.key).value(block.cells);
     return hasher.hex();
+}
+
+/// How truths are traced: on all processors, as nothing of a truth is timed.
+harness::TraceOptions trace_of(const Experiment& experiment, const std::filesystem::path& cache) {
+    harness::TraceOptions trace;
+    trace.cache = cache;
+    trace.truth.threads = core::hardware_threads();
+    trace.truth.crease_rad = experiment.crease_deg * kRadPerDeg;
+    trace.truth.weld_epsilon = experiment.weld_epsilon;
+    return trace;
 }
 
 }  // namespace
@@ -63,12 +66,31 @@ int Plan::cells() const {
     });
 }
 
-Plan make_plan(const Experiment& experiment, const harness::TraceOptions& trace) {
+void Plan::add_table(const harness::TableInfo& table) {
+    const bool is_there = std::any_of(
+        tables.begin(), tables.end(), [&](const PlannedTable& t) { return t.name == table.file; });
+    if (is_there) return;
+    std::string columns = harness::heading(table);
+    columns.pop_back();  // its line break
+    tables.push_back({table.file, std::move(columns)});
+}
+
+std::int64_t Plan::take_cells(std::int64_t count) {
+    rows += count;
+    return rows - count;
+}
+
+Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache) {
     Plan plan;
     plan.name = experiment.name;
+    plan.kind = name(experiment.kind);
+    plan.command = experiment.command;
     plan.build = build_text();
+    plan.asked = asked_text(experiment);
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
+    plan.files["methods.csv"] = methods_csv(entrants_of(experiment));
+    const harness::TraceOptions trace = trace_of(experiment, cache);
     switch (experiment.kind) {
         case ExperimentKind::compare:
             plan_compare(experiment, trace, plan);
@@ -79,9 +101,12 @@ Plan make_plan(const Experiment& experiment, const harness::TraceOptions& trace)
         case ExperimentKind::animation:
             plan_animation(experiment, trace, plan);
             break;
+        case ExperimentKind::bound:
+            plan_bound(experiment, trace, plan);
+            break;
     }
     if (plan.blocks.empty()) {
-        throw core::Error(experiment.file.string(),
+        throw core::Error(experiment.where,
                           "its grid has no cells",
                           "scenes, methods and sizes, one of each at least");
     }

@@ -1,34 +1,35 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "experiment/experiment.h"
+#include "harness/table.h"
 #include "harness/tracing.h"
 
 namespace ink::experiment {
 
-/// A table that an experiment writes.
+/// A table that a run writes.
 struct PlannedTable {
     std::string name;     ///< "rows.csv"
     std::string heading;  ///< the columns, joined by commas
-
-    friend bool operator==(const PlannedTable&, const PlannedTable&) = default;
 };
 
 /// What a block came to.
 struct BlockResult {
     std::map<std::string, std::string> lines;  ///< by table, every line ended; none: no entry
-    std::vector<std::string> faults;           ///< why the whole run would be void
+    std::map<std::string, std::string> files;  ///< images: path inside the run folder, bytes
+    std::vector<std::string> faults;           ///< why the whole run would be invalid
 };
 
 /// What is computed together: the cells of one view, whose drawings take turns (A B C A B C), so
 /// that a machine that slows down slows all alike. Blocks depend on nothing but the plan.
 struct Block {
-    std::string key;  ///< what it is, for people and for its file; no two of a plan are equal
-    int cells = 0;    ///< rows it will have, brackets counted
+    std::string key;  ///< what it is, for people; no two of a plan are equal
+    int cells = 0;    ///< images it will score, baselines and settings counted
     double work = 0;  ///< seconds it may take on one core of 2022, to weigh blocks by
     /// Ctrl-C may cut it short; it is then done again.
     bool may_be_cut = false;
@@ -38,19 +39,29 @@ struct Block {
 /// An experiment taken apart: the order of blocks is the order of lines in every table.
 struct Plan {
     std::string name;
+    std::string kind;
+    std::string command;   ///< as the user typed it; may be ""
     std::string identity;  ///< hash of all that rows depend on, the build included
     std::string build;     ///< version and commit, for messages
+    std::string asked;     ///< TOML: what is asked, down to every parameter
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads: summaries mean something
     std::vector<PlannedTable> tables;
+    std::map<std::string, std::string> files;  ///< what is known before any block: methods.csv
     std::vector<Block> blocks;
+    std::int64_t rows = 0;  ///< lines of rows.csv that the blocks so far will have
 
     [[nodiscard]] int cells() const;
+
+    void add_table(const harness::TableInfo& table);
+    /// The first of `count` new numbers for the column `cell` of rows.csv.
+    [[nodiscard]] std::int64_t take_cells(std::int64_t count);
 };
 
-/// Loads the scenes and lists the blocks. Throws core::Error for scenes that cannot be loaded, and
-/// where = the file if nothing is left to do.
-[[nodiscard]] Plan make_plan(const Experiment& experiment, const harness::TraceOptions& trace);
+/// Loads the scenes and lists the blocks; `cache` is the folder of traced truths, empty for none.
+/// Throws core::Error for scenes that cannot be loaded, and where = what asks if nothing is left to
+/// do.
+[[nodiscard]] Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache);
 
 /// The indices of the blocks that shard `i` of `n` (1..n) computes: heaviest first, each goes to
 /// the shard that has least to do, so that shards take about as long as each other. Every block
@@ -61,5 +72,9 @@ struct Plan {
 void plan_compare(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
+void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
+/// The studies beside a comparison: scaling.csv, skips.csv.
+void plan_scaling(const Experiment& experiment, Plan& plan);
+void plan_skips(const Experiment& experiment, Plan& plan);
 
 }  // namespace ink::experiment

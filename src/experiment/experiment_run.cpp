@@ -6,13 +6,13 @@
 #include <charconv>
 #include <chrono>
 #include <numeric>
-#include <regex>
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "core/whole_file.h"
 #include "experiment/block_store.h"
-#include "experiment/experiment_tables.h"
 #include "experiment/folder_lock.h"
+#include "experiment/run_tables.h"
 #include "harness/interrupt.h"
 
 namespace ink::experiment {
@@ -29,25 +29,13 @@ std::string duration_text(double seconds) {
     return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// Half-written files of a run that was killed.
-void remove_leftovers(const fs::path& folder) {
-    static const std::regex kLeftover(R"(.*\.[0-9a-f]{16}\.part)");
-    std::error_code ignored;
-    for (const fs::path& place : {folder, folder / "blocks"}) {
-        for (const auto& entry : fs::directory_iterator(place, ignored)) {
-            if (std::regex_match(entry.path().filename().string(), kLeftover))
-                fs::remove(entry.path(), ignored);
-        }
-    }
-}
-
 /// The blocks of a run: which are wanted, which are there.
 class Work {
   public:
     Work(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted)
         : plan_(plan), store_(store), wanted_(std::move(wanted)) {
         for (const std::size_t i : wanted_) {
-            const auto kept = store_.read(i, plan_.blocks[i].key);
+            const auto kept = store_.read(i);
             if (!kept) {
                 missing_.push_back(i);
                 continue;
@@ -99,12 +87,12 @@ class Work {
             const Block& block = plan_.blocks[i];
             progress.report(static_cast<int>(wanted_.size() - missing_.size()), block.key);
             const auto begin = Clock::now();
-            KeptBlock kept{block.run(), 0};
+            const BlockResult result = block.run();
             if (block.may_be_cut && harness::is_interrupted()) return false;
-            kept.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-            store_.write(i, block.key, kept);
+            const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+            store_.write(i, {block.key, seconds, result.faults}, result);
             missing_.erase(missing_.begin());
-            note(i, kept.seconds);
+            note(i, seconds);
             const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
             if (!has_said && elapsed_s > kFirstWord_s && !missing_.empty()) {
                 has_said = true;
@@ -112,6 +100,17 @@ class Work {
             }
         }
         return true;
+    }
+
+    /// Keys of the blocks of the whole plan that are not there.
+    [[nodiscard]] std::vector<std::string> missing_of_plan() const {
+        std::vector<std::string> missing;
+        const std::vector<std::size_t> there = store_.indices();
+        for (std::size_t i = 0; i < plan_.blocks.size(); ++i) {
+            if (!std::binary_search(there.begin(), there.end(), i))
+                missing.push_back(plan_.blocks[i].key);
+        }
+        return missing;
     }
 
   private:
@@ -131,25 +130,38 @@ class Work {
     double known_s_ = 0;
 };
 
-bool has_all_tables(const PlanRecord& record, const fs::path& folder) {
-    return record.is_finished &&
-           std::all_of(record.tables.begin(), record.tables.end(), [&](const PlannedTable& table) {
+/// A folder that holds results, but none that this program could tell apart.
+bool holds_unknown_results(const fs::path& folder) {
+    for (const char* name : {"rows.csv", "report.html", "plan.toml", "stress.csv"})
+        if (fs::exists(folder / name)) return true;
+    return false;
+}
+
+/// Makes sure that `out` is empty of other runs, or refuses.
+void take_folder(const fs::path& out, const RunRecord& mine, bool is_forced) {
+    if (is_forced) {
+        clear_run_folder(out);
+        return;
+    }
+    if (const auto there = read_record(out)) {
+        refuse_other_run(out, *there, mine);
+    } else if (holds_unknown_results(out)) {
+        throw core::Error(out.string(),
+                          "it holds results without a run.toml",
+                          "another --out, or --force to throw them away");
+    }
+}
+
+bool is_complete(const RunRecord& record, const fs::path& folder) {
+    return record.state != RunState::unfinished &&
+           std::all_of(record.tables.begin(), record.tables.end(), [&](const RecordedTable& table) {
                return fs::is_regular_file(folder / table.name);
            });
 }
 
-std::vector<KeptBlock> read_all(const BlockStore& store, const PlanRecord& record) {
-    std::vector<KeptBlock> blocks;
-    for (std::size_t i = 0; i < record.keys.size(); ++i) {
-        auto kept = store.read(i, record.keys[i]);
-        if (!kept) {
-            throw core::Error(store.folder().string(),
-                              fmt::format("block '{}' is gone", record.keys[i]),
-                              "a folder that nobody else writes to");
-        }
-        blocks.push_back(std::move(*kept));
-    }
-    return blocks;
+void write_files(const Plan& plan, const fs::path& folder) {
+    for (const auto& [name, text] : plan.files)
+        core::write_whole_file(folder / name, text);
 }
 
 }  // namespace
@@ -171,40 +183,94 @@ Shard parse_shard(const std::string& text) {
     return shard;
 }
 
+void clear_run_folder(const fs::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {"blocks", "images", "figures"})
+        fs::remove_all(folder / name, ignored);
+    for (const char* name : {"report.html", "stress.html", "verdict.md", "run.toml", "plan.toml"})
+        fs::remove(folder / name, ignored);
+    std::vector<fs::path> tables;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".csv") tables.push_back(entry.path());
+    for (const fs::path& table : tables)
+        fs::remove(table, ignored);
+}
+
+RunOutcome write_run(const BlockStore& store,
+                     RunRecord record,
+                     const std::vector<std::string>& missing) {
+    RunOutcome outcome;
+    record.missing = missing;
+    record.blocks_done = 0;
+    record.work_s = 0;
+    record.faults.clear();
+    for (const FinishedTable& table : finished_tables(record, store)) {
+        core::write_whole_file(store.folder() / table.name, table.text);
+        outcome.tables.push_back(store.folder() / table.name);
+    }
+    for (const std::size_t i : store.indices()) {
+        const auto block = store.read(i);
+        if (!block) continue;
+        store.release_images(i);
+        ++record.blocks_done;
+        record.work_s += block->seconds;
+        record.faults.insert(record.faults.end(), block->faults.begin(), block->faults.end());
+    }
+    const bool is_whole = record.blocks_done == record.blocks;
+    record.state = !is_whole               ? RunState::unfinished
+                   : record.faults.empty() ? RunState::finished
+                                           : RunState::invalid;
+    write_record(record, store.folder());
+    if (is_whole) store.clear();
+    outcome.record = std::move(record);
+    return outcome;
+}
+
 RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     const harness::InterruptGuard guard;
     const auto start = Clock::now();
     const BlockStore store(options.out);
-    store.make_folder();
+    std::error_code ignored;
+    fs::create_directories(options.out, ignored);
     const FolderLock lock(options.out, !options.shard.is_all());
-    const PlanRecord mine = record_of(plan);
-    if (options.shard.is_all()) remove_leftovers(options.out);
-    if (options.is_fresh) {
-        store.clear();
-        store.make_folder();
-    }
-    const auto there = options.is_fresh ? std::nullopt : store.read_plan();
-    if (there) refuse_other_plan(store, *there, mine);
-    if (there && has_all_tables(*there, options.out)) {
+    const RunRecord mine = record_of(plan);
+    take_folder(options.out, mine, options.is_forced);
+    const auto there = read_record(options.out);
+    if (there && is_complete(*there, options.out)) {
         store.clear();
         options.say(fmt::format("{}: all {} cells are done", plan.name, plan.cells()));
         RunOutcome outcome;
-        for (const PlannedTable& table : there->tables)
+        outcome.record = *there;
+        for (const RecordedTable& table : there->tables)
             outcome.tables.push_back(options.out / table.name);
         return outcome;
     }
-    store.write_plan(mine);
-
+    store.make_folder();
+    if (options.shard.is_all()) store.remove_leftovers();
     Work work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
-    options.say(work.heading(options.shard));
-    RunOutcome outcome;
-    if (!work.run(options.say)) {
-        outcome.is_interrupted = true;
-        return outcome;
+    {
+        RunRecord begun = mine;
+        begun.missing = work.missing_of_plan();
+        begun.blocks_done = begun.blocks - static_cast<int>(begun.missing.size());
+        write_record(begun, options.out);
     }
-    if (options.shard.is_all()) outcome = finish_run(store, mine, read_all(store, mine));
-    const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-    options.say(fmt::format("done after {}", duration_text(elapsed_s)));
+    write_files(plan, options.out);
+    options.say(work.heading(options.shard));
+    const bool is_done = work.run(options.say);
+    RunOutcome outcome;
+    if (options.shard.is_all()) {
+        outcome = write_run(store, mine, work.missing_of_plan());
+    } else {
+        outcome.record = mine;
+        outcome.record.missing = work.missing_of_plan();
+        outcome.record.blocks_done = mine.blocks - static_cast<int>(outcome.record.missing.size());
+        write_record(outcome.record, options.out);
+    }
+    outcome.is_interrupted = !is_done;
+    if (is_done) {
+        const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
+        options.say(fmt::format("done after {}", duration_text(elapsed_s)));
+    }
     return outcome;
 }
 

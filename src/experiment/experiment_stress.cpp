@@ -7,6 +7,7 @@
 #include "experiment/experiment_plan.h"
 #include "studies/stress/stress_axes.h"
 #include "studies/stress/stress_rows.h"
+#include "studies/stress_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -46,10 +47,11 @@ std::string fault_of(const studies::StressRow& row) {
         row.counts.differing);
 }
 
-/// Every case of some values of an axis.
+/// Every case of some values of an axis; `first_cell` is the number of its first row.
 BlockResult run_values(const Stage& stage,
                        const studies::StressAxis& axis,
-                       const std::vector<double>& values) {
+                       const std::vector<double>& values,
+                       std::int64_t first_cell) {
     std::vector<studies::StressRow> rows;
     for (const double value : values) {
         for (const studies::StressCase& stress : axis.cases(value, stage.size)) {
@@ -59,9 +61,12 @@ BlockResult run_values(const Stage& stage,
     }
     studies::note_differences(rows);
     BlockResult result;
+    std::int64_t cell = first_cell;
     for (studies::StressRow& row : rows) {
         row.row.seed = stage.seed;
-        result.lines["stress.csv"] += studies::to_csv(row) + "\n";
+        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::stress, row.row);
+        result.lines["stress.csv"] += studies::stress_line(cell, row);
+        ++cell;
         if (std::string fault = fault_of(row); !fault.empty())
             result.faults.push_back(std::move(fault));
     }
@@ -88,8 +93,8 @@ void plan_stress(const Experiment& experiment, const harness::TraceOptions& trac
     stage->seed = experiment.seed;
     stage->trace.truth.threads = core::hardware_threads();
     stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
-    plan.tables.push_back(
-        {"stress.csv", fmt::format("{}", fmt::join(studies::stress_columns(), ","))});
+    plan.add_table(harness::rows_table());
+    plan.add_table(stress_table());
     const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
     const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
     for (const studies::StressAxis* axis : axes_of(experiment)) {
@@ -97,12 +102,14 @@ void plan_stress(const Experiment& experiment, const harness::TraceOptions& trac
         const auto cases = static_cast<int>(axis->cases(axis->values.front(), stage->size).size());
         for (const std::vector<double>& values : value_groups(*axis, experiment.points)) {
             const int cells = rows * cases * static_cast<int>(values.size());
-            plan.blocks.push_back(
-                {fmt::format("{} {}", axis->name, fmt::join(values, " ")),
-                 cells,
-                 cells * (0.01 + 0.05 * mpx),
-                 true,
-                 [stage, axis, values] { return run_values(*stage, *axis, values); }});
+            const std::int64_t first_cell = plan.take_cells(cells);
+            plan.blocks.push_back({fmt::format("{} {}", axis->name, fmt::join(values, " ")),
+                                   cells,
+                                   cells * (0.01 + 0.05 * mpx),
+                                   true,
+                                   [stage, axis, values, first_cell] {
+                                       return run_values(*stage, *axis, values, first_cell);
+                                   }});
         }
     }
 }

@@ -23,7 +23,7 @@ std::vector<studies::ScalingPoint> line_of(const std::vector<studies::ScalingPoi
                                            const std::string& method) {
     std::vector<studies::ScalingPoint> line;
     for (const studies::ScalingPoint& point : points) {
-        if (point.axis == axis && point.method == method) line.push_back(point);
+        if (point.axis == axis && point.method == method && point.is_timed()) line.push_back(point);
     }
     std::stable_sort(
         line.begin(),

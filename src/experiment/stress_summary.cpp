@@ -8,6 +8,7 @@
 
 #include "core/text_table.h"
 #include "experiment/summary.h"
+#include "harness/table_of.h"
 #include "statistics/bootstrap.h"
 
 namespace ink::experiment {
@@ -15,10 +16,6 @@ namespace {
 
 /// An error that moves by less than this is called level.
 constexpr double kLevel = 0.02;
-
-std::string optional_number(const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : "";
-}
 
 /// ".123": an error or a share, without its 0.
 std::string share(double value) {
@@ -72,6 +69,44 @@ std::string level_words(const std::vector<std::string>& level, std::size_t metho
     return fmt::format("Level: {}.", joined(level));
 }
 
+using P = StressPointSummary;
+
+harness::TableOf<P> make_points_table() {
+    harness::TableOf<P> table(
+        "stress_summary.csv",
+        "A line per axis, value and method, over its cases: a point of a curve.");
+    const auto add = [&table](harness::Column column, auto value_of) {
+        table.add_derived(std::move(column), value_of);
+    };
+    add({"axis", "", "what grows"}, [](const P& p) { return p.axis; });
+    add({"value", "of unit", "where on the axis"}, [](const P& p) { return p.value; });
+    add({"unit", "", "of value; empty for a pure number"}, [](const P& p) { return p.unit; });
+    add({"method", "", "as in rows.csv"}, [](const P& p) { return p.method; });
+    add({"cases", "", "that have a score"}, [](const P& p) { return p.cases; });
+    add({"f", "0..1", "F within 2 px of the counts of all cases"}, [](const P& p) { return p.f; });
+    add({"f_lo", "0..1", "lower end of its 95 % interval, cases drawn again"},
+        [](const P& p) { return p.f_range ? std::optional(p.f_range->low) : std::nullopt; });
+    add({"f_hi", "0..1", "upper end"},
+        [](const P& p) { return p.f_range ? std::optional(p.f_range->high) : std::nullopt; });
+    add({"error", "0..1", "1 - f"}, [](const P& p) { return p.error(); });
+    add({"precision", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.precision; });
+    add({"recall", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.recall; });
+    add({"truth_px", "px", "true pixels of all cases"}, [](const P& p) { return p.truth_px; });
+    add({"non_finite", "", "numbers that are NaN or infinite"},
+        [](const P& p) { return p.counts.non_finite; });
+    add({"overflow", "", "codes beyond what they may hold"},
+        [](const P& p) { return p.counts.overflow; });
+    add({"lost_cells", "", "cases without a result"}, [](const P& p) { return p.counts.lost; });
+    add({"differing", "", "pictures that differ where the axis allows none to"},
+        [](const P& p) { return p.counts.differing; });
+    return table;
+}
+
+const harness::TableOf<P>& points_table() {
+    static const harness::TableOf<P> kTable = make_points_table();
+    return kTable;
+}
+
 }  // namespace
 
 std::optional<double> StressPointSummary::error() const {
@@ -102,29 +137,14 @@ std::vector<StressPointSummary> summarise_stress(const std::vector<studies::Stre
     return points;
 }
 
+const harness::TableInfo& stress_summary_table() {
+    return points_table().info();
+}
+
 std::string stress_summary_csv(const std::vector<StressPointSummary>& points) {
-    std::string text =
-        "axis,value,unit,method,cases,f,f_lo,f_hi,error,precision,recall,truth_px,non_finite,"
-        "overflow,lost_cells,differing\n";
-    for (const StressPointSummary& p : points) {
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                            p.axis,
-                            p.value,
-                            p.unit,
-                            p.method,
-                            p.cases,
-                            optional_number(p.f),
-                            p.f_range ? fmt::format("{}", p.f_range->low) : "",
-                            p.f_range ? fmt::format("{}", p.f_range->high) : "",
-                            optional_number(p.error()),
-                            optional_number(p.precision),
-                            optional_number(p.recall),
-                            p.truth_px,
-                            p.counts.non_finite,
-                            p.counts.overflow,
-                            p.counts.lost,
-                            p.counts.differing);
-    }
+    std::string text = harness::heading(stress_summary_table());
+    for (const StressPointSummary& point : points)
+        text += points_table().line(point);
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/table.h"
 #include "statistics/spread.h"
 #include "studies/stress/stress_rows.h"
 
@@ -30,6 +31,9 @@ struct StressPointSummary {
 /// A point per axis, value and method, in the order of the rows.
 [[nodiscard]] std::vector<StressPointSummary> summarise_stress(
     const std::vector<studies::StressRow>& rows, std::uint64_t seed);
+
+/// The columns of stress_summary.csv.
+[[nodiscard]] const harness::TableInfo& stress_summary_table();
 
 /// stress_summary.csv, heading and line breaks included.
 [[nodiscard]] std::string stress_summary_csv(const std::vector<StressPointSummary>& points);

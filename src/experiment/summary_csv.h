@@ -4,16 +4,14 @@
 #include <vector>
 
 #include "harness/row.h"
+#include "harness/table.h"
 #include "statistics/ods.h"
 
 namespace ink::experiment {
 
-/// The columns of summary.csv, in order: method, kind (method or bracket), views and scenes it was
-/// scored on, failed cells; F pooled at 2 px with its 95 % interval (f_lo, f_hi), over training and
-/// held-out scenes, as the mean of scenes, at 1 px; precision, recall, average precision; draw_ms,
-/// the median over views, with its quartiles (draw_ms_lo, draw_ms_hi); bytes_per_px; and for each
-/// line class recall_<class> with its 95 % interval (_lo, _hi).
-[[nodiscard]] const std::vector<std::string>& summary_columns();
+/// The columns of summary.csv: method, kind, on how much it was scored; F, precision, recall, time
+/// and bytes, with their intervals.
+[[nodiscard]] const harness::TableInfo& summary_table();
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
 /// appearance, the brackets last; what there is none of is empty. `curves` give average precision;

@@ -1,7 +1,5 @@
 #include "harness/bins.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +7,6 @@
 #include <numbers>
 #include <optional>
 
-#include "harness/csv.h"
-#include "harness/row.h"
 #include "score/matching.h"
 #include "truth/curve_map.h"
 
@@ -154,37 +150,6 @@ std::vector<BinCount> match_bins(const score::PixelList& drawn,
                           static_cast<std::int64_t>(bin.pixels.size())});
     }
     return counts;
-}
-
-const std::vector<std::string>& bin_columns() {
-    static const std::vector<std::string> kColumns = {"method",
-                                                      "scene",
-                                                      "view",
-                                                      "width",
-                                                      "height",
-                                                      "params",
-                                                      "attribute",
-                                                      "bin_low",
-                                                      "bin_high",
-                                                      "k",
-                                                      "n_truth"};
-    return kColumns;
-}
-
-std::string bin_csv(const Row& row, const std::vector<BinCount>& bins) {
-    const std::string key = cell_key(row);
-    std::string lines;
-    for (const BinCount& bin : bins) {
-        lines += fmt::format("{}{},{},{},{},{},{}",
-                             lines.empty() ? "" : "\n",
-                             key,
-                             line_attributes()[bin.attribute].name,
-                             bin.low,
-                             bin.high,
-                             bin.k,
-                             bin.n_truth);
-    }
-    return lines;
 }
 
 }  // namespace ink::harness

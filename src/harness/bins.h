@@ -57,12 +57,4 @@ struct BinCount {
                                                const std::vector<TruthBin>& bins,
                                                const score::Disk& disk);
 
-struct Row;
-
-/// The columns of bins.csv: the cell's key, then attribute, bin_low, bin_high, k, n_truth.
-[[nodiscard]] const std::vector<std::string>& bin_columns();
-
-/// The lines of one cell, one a bin that has true pixels; "" if none has. Infinity is "inf".
-[[nodiscard]] std::string bin_csv(const Row& row, const std::vector<BinCount>& bins);
-
 }  // namespace ink::harness

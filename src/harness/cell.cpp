@@ -97,6 +97,7 @@ void fill_score_2px(const score::Score& s, Row& row) {
         const std::string name(truth::name(line_class));
         row.recall_by_class[name] = static_cast<double>(c.k) / static_cast<double>(c.n_truth);
         row.truth_px_by_class[name] = c.n_truth;
+        row.k_by_class[name] = c.k;
     }
     if (s.mean_width_px > 0) row.mean_width_px = s.mean_width_px;
     row.k_2px = s.k;

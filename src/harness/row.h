@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/provenance.h"
 #include "harness/frame_counts.h"
 #include "harness/line_scores.h"
 #include "raster/skips.h"
@@ -37,6 +39,7 @@ struct Row {
     std::optional<double> recall_2px;
     std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
     std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
+    std::map<std::string, std::int64_t> k_by_class = {};         ///< and what it is made from
     std::optional<double> mean_width_px;
     std::optional<double> ap;
     std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled
@@ -83,25 +86,20 @@ struct Row {
     /// Truth and witness: share of their lines that only one of them has.
     std::optional<double> witness_disagreement = std::nullopt;
     double witness_px = 0;  ///< the length of line, both ways, of which that is a share
+    /// The program and machine that the row comes from; null: these.
+    std::shared_ptr<const core::Provenance> provenance = {};
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
+    /// Whether its counts at 2 px say something: it came out, and was scored.
+    [[nodiscard]] bool is_scored() const { return is_ok() && f_2px.has_value(); }
 };
+
+/// Empties what holds times or follows from them: two runs of one plan then have the same rows.
+void clear_times(Row& row);
 
 /// Where a row's picture was taken: scene, view, width and height in pixels.
 using Place = std::tuple<std::string, std::string, int, int>;
 [[nodiscard]] Place place_of(const Row& row);
-
-/// The columns of rows.csv and sweep.csv, in order, provenance last.
-[[nodiscard]] const std::vector<std::string>& row_columns();
-
-/// The columns with what each means and its unit, for people.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> described_columns();
-
-/// One CSV line (RFC 4180 quoting, no newline) with a field per column.
-///
-/// Numbers are in the shortest form that reads back to the same value, whatever the locale. Counts
-/// of a row that failed are empty, as its metrics are.
-[[nodiscard]] std::string to_csv(const Row& row);
 
 /// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
 [[nodiscard]] bool is_bracket(std::string_view method);

@@ -126,14 +126,4 @@ void check_brackets(const std::vector<Shot>& shots, std::vector<std::string>& re
     }
 }
 
-ShownView shown_view(const ViewTruth& truth, const std::vector<Shot>& shots) {
-    ShownView shown{shots.front().row.scene, shots.front().row.view, truth.traced.labels, {}};
-    for (const Shot& shot : shots) {
-        if (!shot.row.is_ok() || shot.row.method == "none" || shot.row.method == "oracle") continue;
-        shown.pictures.push_back(
-            {shot.row.method, shot.picture, shot.threshold, shot.scored.attribution.pixels});
-    }
-    return shown;
-}
-
 }  // namespace ink::harness

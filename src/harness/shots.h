@@ -55,7 +55,4 @@ void attribute_shots(const ViewTruth& truth,
 /// methods either.
 void check_brackets(const std::vector<Shot>& shots, std::vector<std::string>& reasons);
 
-/// The pictures of one view for the report: those of the methods and of `sampled`.
-[[nodiscard]] ShownView shown_view(const ViewTruth& truth, const std::vector<Shot>& shots);
-
 }  // namespace ink::harness

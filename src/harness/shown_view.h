@@ -10,7 +10,7 @@
 
 namespace ink::harness {
 
-/// A method's picture on one view.
+/// What one method drew on a view.
 struct MethodPicture {
     std::string method;
     edge::EdgeImage strength;

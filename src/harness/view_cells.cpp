@@ -17,10 +17,8 @@ void prepare_rows(const scene::Scene& scene,
                   const TracedView& traced,
                   const CellOptions& options,
                   std::vector<Shot>& shots) {
-    if (traced.has_truth()) {
-        std::vector<Shot> brackets = bracket_shots(traced.truth);
-        std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
-    }
+    std::vector<Shot> brackets = bracket_shots(traced.truth);
+    std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
     for (Shot& shot : shots) {
         if (!traced.has_truth()) shot.row.status = traced.failure;
         fill_place(scene, view, options, shot.row);

@@ -47,7 +47,7 @@ void fill_place(const scene::Scene& scene,
                 Row& row);
 
 /// Scores drawn shots of a view and adds its brackets: rows come out complete but for predicted_ns.
-/// Without a truth there are no brackets, and every row says why.
+/// Without a truth every row, the brackets' too, says why.
 void finish_shots(const scene::Scene& scene,
                   const scene::View& view,
                   const TracedView& traced,

@@ -1,14 +1,12 @@
 #include "linear_code/cancellation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
-#include "harness/csv.h"
 #include "score/matching.h"
+#include "score/wrong_pixels.h"
 #include "truth/curve_map.h"
 
 namespace ink::linear_code {
@@ -32,11 +30,6 @@ LineKind kind_of(const truth::Curve& curve) {
 
 double share(std::int64_t part, std::int64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-std::string bin_fields(const LineKind& kind) {
-    if (!kind.dihedral_low_deg) return ",";
-    return fmt::format("{},{}", *kind.dihedral_low_deg, *kind.dihedral_low_deg + kDihedralBin_deg);
 }
 
 std::vector<CancellationTotal> add_up(const std::vector<CancellationRow>& rows, bool by_bin) {
@@ -124,46 +117,6 @@ CancellationCount count_cancellation(const score::PixelList& kind,
         count.both_missing += is_predicted[i] == 0 && is_measured[i] == 0 ? 1 : 0;
     }
     return count;
-}
-
-const std::vector<std::string>& cancellation_columns() {
-    static const std::vector<std::string> kColumns = {"method",
-                                                      "scene",
-                                                      "view",
-                                                      "split",
-                                                      "width",
-                                                      "height",
-                                                      "silent_deg",
-                                                      "class",
-                                                      "dihedral_low_deg",
-                                                      "dihedral_high_deg",
-                                                      "n_truth",
-                                                      "predicted_missed",
-                                                      "measured_missed",
-                                                      "predicted_missing",
-                                                      "measured_missing",
-                                                      "both_missing"};
-    return kColumns;
-}
-
-std::string cancellation_csv(const CancellationRow& row) {
-    const CancellationCount& n = row.count;
-    return fmt::format("{},{},{},{},{},{},{:.3f},{},{},{},{},{},{},{},{}",
-                       row.method,
-                       harness::csv_field(row.scene),
-                       harness::csv_field(row.view),
-                       row.split,
-                       row.width_px,
-                       row.height_px,
-                       row.silent_deg,
-                       truth::name(row.kind.line_class),
-                       bin_fields(row.kind),
-                       n.n_truth,
-                       n.predicted_missed,
-                       n.measured_missed,
-                       n.predicted_missing,
-                       n.measured_missing,
-                       n.both_missing);
 }
 
 std::vector<CancellationTotal> cancellation_by_kind(const std::vector<CancellationRow>& rows) {

@@ -78,12 +78,6 @@ struct CancellationRow {
     CancellationCount count = {};
 };
 
-/// The columns of cancellation.csv.
-[[nodiscard]] const std::vector<std::string>& cancellation_columns();
-
-/// A row as a line without its break; a boundary's bin is two empty fields.
-[[nodiscard]] std::string cancellation_csv(const CancellationRow& row);
-
 /// The counts of a method and a kind over all views.
 struct CancellationTotal {
     std::string method;

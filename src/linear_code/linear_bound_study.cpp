@@ -1,13 +1,11 @@
 #include "linear_code/linear_bound_study.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/text_table.h"
 #include "harness/cell.h"
-#include "harness/csv.h"
 #include "harness/interrupt.h"
 #include "linear_code/channel_planes.h"
 #include "truth/limits.h"
@@ -172,26 +170,6 @@ std::string bound_table(const std::vector<BoundRow>& rows) {
                          fmt::format("{}", row.bound.boxes)});
     }
     return core::aligned(cells);
-}
-
-std::string bound_csv(const std::vector<BoundRow>& rows) {
-    std::string text =
-        "scene,split,views,n_truth,f_2px,f_model,f_found,f_upper,gap,boxes,depth,nx,ny,nz\n";
-    for (const BoundRow& row : rows) {
-        text += fmt::format("{},{},{},{},{:.6f},{},{:.6f},{:.6f},{:.6f},{},{:.6f}\n",
-                            harness::csv_field(row.scene),
-                            row.split,
-                            row.views,
-                            row.measured.n_truth,
-                            row.measured.f(),
-                            row.modelled ? fmt::format("{:.6f}", row.modelled->f()) : "",
-                            row.bound.f_found,
-                            row.bound.f_upper,
-                            row.bound.gap(),
-                            row.bound.boxes,
-                            fmt::join(row.bound.weights, ","));
-    }
-    return text;
 }
 
 }  // namespace ink::linear_code

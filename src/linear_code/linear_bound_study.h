@@ -42,8 +42,4 @@ struct BoundRow {
 /// For a terminal: a line per row.
 [[nodiscard]] std::string bound_table(const std::vector<BoundRow>& rows);
 
-/// bound.csv: scene, split, views, n_truth, f_2px, f_model, f_found, f_upper, gap, boxes, then the
-/// weights that were found over their threshold.
-[[nodiscard]] std::string bound_csv(const std::vector<BoundRow>& rows);
-
 }  // namespace ink::linear_code

@@ -3,29 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "experiment/run_data.h"
 #include "experiment/summary.h"
-#include "harness/csv_table.h"
-#include "harness/row_reader.h"
 
 namespace ink::report {
 namespace {
 
 constexpr const char* kRunFolder = "the --out folder of a finished inkbench compare or run";
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw core::Error(path.string(), "it cannot be read", kRunFolder);
-    return text.str();
-}
 
 /// Several rows of one method on one view would be drawn as if they were one method.
 void refuse_settings(const std::vector<harness::Row>& rows, const std::filesystem::path& path) {
@@ -54,22 +44,16 @@ core::ParamValues values_of(const std::string& params) {
 
 }  // namespace
 
-std::vector<harness::Row> read_run(const std::filesystem::path& folder) {
+std::vector<harness::Row> rows_to_draw(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder))
         throw core::Error(folder.string(), "there is no such folder", kRunFolder);
-    const std::filesystem::path path = folder / "rows.csv";
-    if (!std::filesystem::is_regular_file(path)) {
-        const bool is_part = std::filesystem::exists(path.string() + ".part");
-        throw core::Error(
-            folder.string(),
-            is_part ? "its run is not finished: it has rows.csv.part alone" : "it has no rows.csv",
-            kRunFolder);
-    }
-    std::vector<harness::Row> rows =
-        harness::read_rows(harness::split_csv(text_of(path), path.string()), path.string());
-    if (rows.empty()) throw core::Error(path.string(), "it has no rows", kRunFolder);
-    refuse_settings(rows, path);
-    return rows;
+    experiment::RunData run = experiment::read_run(folder);
+    if (run.record.state == experiment::RunState::unfinished)
+        throw core::Error(folder.string(), "its run is not finished", kRunFolder);
+    if (run.tables.rows.empty())
+        throw core::Error((folder / "rows.csv").string(), "it has no rows", kRunFolder);
+    refuse_settings(run.tables.rows, folder / "rows.csv");
+    return std::move(run.tables.rows);
 }
 
 std::vector<std::string> drawable_scenes(const std::vector<harness::Row>& rows, std::size_t most) {

@@ -9,13 +9,12 @@
 
 namespace ink::report {
 
-/// The rows of a finished run: `folder`/rows.csv.
+/// The rows of the study `compare` of a finished run in `folder`.
 ///
-/// Throws core::Error (where = the folder or the file) for a folder that is not there, one without
-/// rows.csv, a run that is not finished (rows.csv.part), a table that is not one of rows or has
-/// none, and for a run in which a method has several settings on one view: charts have one marker a
-/// method.
-[[nodiscard]] std::vector<harness::Row> read_run(const std::filesystem::path& folder);
+/// Throws core::Error (where = the folder or the file) for a folder that is not there or holds no
+/// run, a run that is not finished or has no such row, and for one in which a method has several
+/// settings on one view: charts have one marker a method.
+[[nodiscard]] std::vector<harness::Row> rows_to_draw(const std::filesystem::path& folder);
 
 /// Built-in scenes of `rows`, at most so many, at even distances in their order: those that can be
 /// drawn anew without a file.

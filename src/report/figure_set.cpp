@@ -8,6 +8,7 @@
 #include "core/whole_file.h"
 #include "experiment/summary_csv.h"
 #include "harness/out_folder.h"
+#include "harness/row_table.h"
 #include "image_io/image_file.h"
 #include "report/charts.h"
 #include "report/error_time_chart.h"
@@ -26,9 +27,10 @@ struct Entry {
 };
 
 std::string rows_csv(const std::vector<harness::Row>& rows) {
-    std::string text = fmt::format("{}\n", fmt::join(harness::row_columns(), ","));
+    std::string text = harness::heading(harness::rows_table());
+    std::int64_t cell = 0;
     for (const harness::Row& row : rows)
-        text += to_csv(row) + "\n";
+        text += harness::row_line(++cell, harness::Study::compare, row);
     return text;
 }
 

@@ -9,6 +9,7 @@
 #include "core/provenance.h"
 #include "core/text_table.h"
 #include "experiment/summary.h"
+#include "experiment/unscored.h"
 #include "report/cause_chart.h"
 #include "report/charts.h"
 #include "report/page_about.h"
@@ -109,25 +110,52 @@ std::string facts_html(const Material& m) {
     return fmt::format("<dl class=\"facts\">{}</dl>", facts);
 }
 
-/// Bracket rows that did not come out as they must make the whole run void.
-std::string void_html(const std::vector<harness::Row>& rows) {
+std::string warning(std::string_view title, const std::string& text, const std::string& items) {
+    return fmt::format(
+        "<div class=\"warning\" role=\"alert\"><strong>{}</strong> {}<ul>{}</ul></div>",
+        title,
+        text,
+        items);
+}
+
+/// What must hold of every run and did not, in the run's own words.
+std::string invalid_html(const std::vector<std::string>& faults) {
     std::string items;
-    for (const harness::Row& row : rows) {
-        if (!row.is_ok() || !row.f_2px) continue;
-        const bool is_wrong_oracle = row.method == "oracle" && *row.f_2px != 1;
-        const bool is_wrong_none = row.method == "none" && row.n_truth > 0 && *row.f_2px != 0;
-        if (!is_wrong_oracle && !is_wrong_none) continue;
-        items += fmt::format("<li>{} has F {} on {}, view {}</li>",
-                             row.method,
-                             core::format_share(row.f_2px),
-                             core::escape(row.scene),
-                             core::escape(row.view));
+    for (const std::string& fault : faults)
+        items += fmt::format("<li>{}</li>", core::escape(fault));
+    if (items.empty()) return "";
+    return warning("This run is invalid.", "What must hold of every run does not:", items);
+}
+
+/// An interrupted run says what is missing, so that nobody takes the part for the whole.
+std::string missing_html(const ReportData& data) {
+    if (data.missing.empty()) return "";
+    constexpr std::size_t kMostNamed = 20;
+    std::string items;
+    for (std::size_t i = 0; i < std::min(kMostNamed, data.missing.size()); ++i)
+        items += fmt::format("<li>{}</li>", core::escape(data.missing[i]));
+    if (data.missing.size() > kMostNamed)
+        items += fmt::format("<li>and {} more</li>", data.missing.size() - kMostNamed);
+    return warning("This run is not finished.",
+                   fmt::format("{} of {} parts are missing, and every number below is of the rest. "
+                               "The same command goes on where it stopped. Missing:",
+                               data.missing.size(),
+                               data.blocks),
+                   items);
+}
+
+std::string unscored_html(const std::vector<harness::Row>& rows) {
+    std::string items;
+    for (const experiment::Unscored& cell : experiment::unscored_cells(rows)) {
+        items += fmt::format("<li><strong>{} {}</strong>{}: {}<br>Try: {}</li>",
+                             core::escape(cell.scene),
+                             core::escape(cell.view),
+                             cell.method.empty() ? "" : ", " + core::escape(cell.method),
+                             core::escape(cell.reason),
+                             core::escape(cell.remedy));
     }
     if (items.empty()) return "";
-    return fmt::format(
-        "<div class=\"warning\" role=\"alert\"><strong>This run is void.</strong> "
-        "Its brackets do not come out as they must:<ul>{}</ul></div>",
-        items);
+    return warning("Some views have no score.", "They enter no number here:", items);
 }
 
 std::string header_html(const Material& m) {
@@ -139,8 +167,8 @@ std::string header_html(const Material& m) {
         core::escape(verdict_headline(m.verdict)),
         core::escape(verdict_details(m.data.rows, m.summaries)),
         context_sentences(m),
-        facts_html(m),
-        void_html(m.data.rows));
+        missing_html(m.data) + invalid_html(m.data.faults) + unscored_html(m.data.rows),
+        facts_html(m));
 }
 
 std::string nav_html(const Material& m) {

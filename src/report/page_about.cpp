@@ -32,7 +32,8 @@ is not looked at for either.</p>)html";
 }
 
 std::string provenance_html(const ReportData& data) {
-    const core::Provenance& p = core::provenance();
+    const bool has_own = !data.rows.empty() && data.rows.front().provenance != nullptr;
+    const core::Provenance& p = has_own ? *data.rows.front().provenance : core::provenance();
     std::string list;
     const auto add = [&list](std::string_view name, const std::string& value) {
         list += fmt::format("<dt>{}</dt><dd>{}</dd>", core::escape(name), core::escape(value));

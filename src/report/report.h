@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiment/cost_model.h"
+#include "experiment/run_data.h"
 #include "harness/row.h"
 #include "harness/shown_view.h"
 #include "linear_code/cancellation.h"
@@ -31,8 +32,14 @@ struct ReportData {
     std::vector<studies::MotionRow> motion = {};      ///< of sequences, if that was asked
     std::vector<studies::RollCurve> rolls = {};       ///< of the cube roll, with them
     std::vector<linear_code::CancellationRow> cancellation =
-        {};  ///< of methods that declare a code
+        {};                                 ///< of methods that declare a code
+    std::vector<std::string> missing = {};  ///< blocks of the run that are not there
+    int blocks = 0;                         ///< of the whole run
+    std::vector<std::string> faults = {};   ///< why the run is invalid
 };
+
+/// What a page says of a run. A run over several sizes or numbers of threads is shown at its first.
+[[nodiscard]] ReportData report_data(experiment::RunData run);
 
 /// Writes a self-contained page: verdict table, error against time, per-class bars, truth and
 /// method side by side with the errors in colour, every row, provenance. No file beside it, no

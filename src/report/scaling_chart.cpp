@@ -88,7 +88,7 @@ std::vector<Line> lines_of(studies::ScalingAxis axis,
                              {}});
             at = lines.end() - 1;
         }
-        if (point.axis == axis) at->points.push_back(point);
+        if (point.axis == axis && point.is_timed()) at->points.push_back(point);
     }
     for (Line& line : lines) {
         std::stable_sort(line.points.begin(),

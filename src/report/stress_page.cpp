@@ -6,8 +6,9 @@
 #include <set>
 
 #include "core/escape.h"
-#include "core/provenance.h"
+#include "core/whole_file.h"
 #include "experiment/summary.h"
+#include "harness/out_folder.h"
 #include "report/page_assets.h"
 #include "report/stress_chart.h"
 
@@ -18,32 +19,56 @@ std::string fact(std::string_view name, const std::string& value) {
     return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value);
 }
 
-std::string headline(const experiment::StressResult& result) {
-    if (result.is_interrupted) return "Stopped before its end; what was finished is here";
-    if (result.counts.is_clean()) {
+std::string headline(const experiment::RunData& run, const studies::StressCounts& counts) {
+    if (!run.record.missing.empty()) return "Stopped before its end; what was finished is here";
+    if (counts.is_clean()) {
         return "Nothing crashed, nothing overflowed, every number is finite, every picture is the "
                "same that must be";
     }
     return "Something went wrong that must not: see the counts";
 }
 
-std::string facts_html(const experiment::StressOptions& options,
-                       const experiment::StressResult& result) {
-    const studies::StressCounts& counts = result.counts;
+/// The axes that have rows, in the order of the design.
+std::vector<const studies::StressAxis*> axes_of(const std::vector<studies::StressRow>& rows) {
+    std::set<std::string> names;
+    for (const studies::StressRow& row : rows)
+        names.insert(row.axis);
+    std::vector<const studies::StressAxis*> axes;
+    for (const studies::StressAxis& axis : studies::stress_axes())
+        if (names.contains(axis.name)) axes.push_back(&axis);
+    return axes;
+}
+
+std::string facts_html(const std::vector<studies::StressRow>& rows,
+                       const studies::StressCounts& counts) {
+    std::set<std::string> methods;
+    for (const studies::StressRow& row : rows)
+        if (!harness::is_bracket(row.row.method)) methods.insert(row.row.method);
     return fmt::format("<dl class=\"facts\">{}{}{}{}{}{}{}</dl>",
-                       fact("methods", std::to_string(options.entrants.size())),
-                       fact("axes", std::to_string(options.axes.size())),
-                       fact("cells", std::to_string(result.rows.size())),
+                       fact("methods", std::to_string(methods.size())),
+                       fact("axes", std::to_string(axes_of(rows).size())),
+                       fact("cells", std::to_string(rows.size())),
                        fact("non-finite", std::to_string(counts.non_finite)),
                        fact("overflow", std::to_string(counts.overflow)),
                        fact("lost cells", std::to_string(counts.lost)),
                        fact("differing", std::to_string(counts.differing)));
 }
 
+/// An interrupted run says how much is missing.
+std::string missing_html(const experiment::RunRecord& record) {
+    if (record.missing.empty()) return "";
+    return fmt::format(
+        "<div class=\"warning\" role=\"alert\"><strong>This run is not finished.</strong> {} of {} "
+        "parts are missing, the first is {}. The same command goes on where it stopped.</div>",
+        record.missing.size(),
+        record.blocks,
+        core::escape(record.missing.front()));
+}
+
 /// Every cell that failed, once with its reason.
-std::string lost_html(const experiment::StressResult& result) {
+std::string lost_html(const std::vector<studies::StressRow>& rows) {
     std::set<std::string> items;
-    for (const studies::StressRow& row : result.rows) {
+    for (const studies::StressRow& row : rows) {
         if (row.counts.lost == 0) continue;
         items.insert(fmt::format("<li>{} on {} {}: {}</li>",
                                  core::escape(row.row.method),
@@ -117,18 +142,17 @@ std::string axis_html(const studies::StressAxis& axis,
     return fmt::format(
         "<section id=\"{0}\"><h2>{0}</h2><p class=\"soft\">{1}</p>"
         "<div class=\"scroll chart\">{2}</div><p><strong>Measured.</strong> {3}</p>"
-        "<p><strong>Why.</strong> {4}</p><p class=\"note\">{5}</p>{6}</section>\n",
+        "<p class=\"note\">{4}</p>{5}</section>\n",
         core::escape(axis.name),
         core::escape(axis.sentence),
         stress_chart(axis, curves).inline_element("Error against " + axis.title),
         core::escape(experiment::stress_sentence(axis, curves)),
-        core::escape(axis.reason),
         core::escape(counts_sentence(curves)),
         table_html(axis, curves));
 }
 
-std::string about_html(const experiment::StressOptions& options) {
-    const core::Provenance& p = core::provenance();
+std::string about_html(const experiment::RunData& run) {
+    const harness::Row& first = run.tables.stress.front().row;
     return fmt::format(
         "<section id=\"about\"><h2>How to read this</h2><p>Error is 1 − F at 2 px, counts pooled "
         "over the cases of a point: two to four scenes, the same along an axis. Whiskers are 95 % "
@@ -141,23 +165,25 @@ std::string about_html(const experiment::StressOptions& options) {
         "pixels at which a packed code that is made to fit its bits comes out otherwise "
         "when it may wrap. Rows are in <code>stress.csv</code>, points in "
         "<code>stress_summary.csv</code>.</p><dl class=\"terms\"><dt>command</dt><dd><code>{}"
-        "</code></dd> <dt>version</dt><dd>{} ({})</dd> <dt>compiler</dt><dd>{}</dd></dl></section>",
-        options.size.width_px,
-        options.size.height_px,
-        core::escape(options.command),
-        core::escape(p.version),
-        core::escape(p.commit),
-        core::escape(p.compiler));
+        "</code></dd> <dt>build</dt><dd>{}</dd></dl></section>",
+        first.width,
+        first.height,
+        core::escape(run.record.command),
+        core::escape(run.record.build));
 }
 
 }  // namespace
 
-std::string stress_page(const experiment::StressOptions& options,
-                        const experiment::StressResult& result) {
+std::string stress_page(const experiment::RunData& run) {
+    const std::vector<studies::StressRow>& rows = run.tables.stress;
+    const std::uint64_t seed = rows.empty() ? 0 : rows.front().row.seed;
+    const std::vector<experiment::StressPointSummary> points =
+        experiment::summarise_stress(rows, seed);
+    const studies::StressCounts counts = experiment::total_counts(rows);
     std::string links;
     std::string body;
-    for (const studies::StressAxis* axis : options.axes) {
-        const std::string html = axis_html(*axis, result.points);
+    for (const studies::StressAxis* axis : axes_of(rows)) {
+        const std::string html = axis_html(*axis, points);
         if (html.empty()) continue;
         links += fmt::format("<a href=\"#{0}\">{0}</a>", core::escape(axis->name));
         body += html;
@@ -167,17 +193,37 @@ std::string stress_page(const experiment::StressOptions& options,
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>Inkbench: stress</title>\n<style>{}</style></head>\n<body>\n"
         "<header><div class=\"wrap\"><div class=\"brand\">{}<span><strong>Inkbench</strong> · "
-        "one difficulty at a time</span></div><h1>{}</h1>{}{}</div></header>\n"
+        "one difficulty at a time</span></div><h1>{}</h1>{}{}{}</div></header>\n"
         "<nav aria-label=\"Axes\"><div class=\"wrap\">{}<a href=\"#about\">How to read "
         "this</a></div></nav>\n<main class=\"wrap\">\n{}{}</main>\n</body></html>\n",
         page_style(),
         page_mark(),
-        headline(result),
-        facts_html(options, result),
-        lost_html(result),
+        headline(run, counts),
+        missing_html(run.record),
+        facts_html(rows, counts),
+        lost_html(rows),
         links,
         body,
-        about_html(options));
+        rows.empty() ? "" : about_html(run));
+}
+
+std::filesystem::path write_stress_page(const experiment::RunData& run,
+                                        const std::filesystem::path& folder) {
+    const std::vector<studies::StressRow>& rows = run.tables.stress;
+    const std::uint64_t seed = rows.empty() ? 0 : rows.front().row.seed;
+    const std::vector<experiment::StressPointSummary> points =
+        experiment::summarise_stress(rows, seed);
+    harness::make_out_folder(folder / "figures");
+    for (const studies::StressAxis* axis : axes_of(rows)) {
+        const std::vector<experiment::StressCurve> curves =
+            experiment::stress_curves(points, axis->name);
+        if (curves.empty()) continue;
+        core::write_whole_file(folder / "figures" / fmt::format("stress_{}.svg", axis->name),
+                               stress_chart(*axis, curves).file(axis->title));
+    }
+    const std::filesystem::path page = folder / "stress.html";
+    core::write_whole_file(page, stress_page(run));
+    return page;
 }
 
 }  // namespace ink::report

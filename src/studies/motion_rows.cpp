@@ -5,19 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "harness/csv.h"
-
 namespace ink::studies {
 namespace {
-
-constexpr std::string_view kColumns =
-    "scene,path,method,params,status,width,height,threads,frames,frames_per_s,step_px,flicker,"
-    "appeared_px,disappeared_px,excused_px,counted_px,pops_per_s,pops,feature_runs,feature_steps,"
-    "false_lines,false_lines_cut,median_life_frames,lives,images_hash";
-
-std::string or_nothing(const std::optional<double>& value) {
-    return value ? fmt::format("{}", *value) : "";
-}
 
 void add(const std::vector<std::int64_t>& lives, std::vector<std::int64_t>& sum) {
     if (sum.size() < lives.size()) sum.resize(lives.size());
@@ -27,24 +16,6 @@ void add(const std::vector<std::int64_t>& lives, std::vector<std::int64_t>& sum)
 
 std::int64_t total(const std::vector<std::int64_t>& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-}
-
-std::string scores_csv(const MotionRow& row) {
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                       or_nothing(row.flicker.share()),
-                       row.flicker.appeared,
-                       row.flicker.disappeared,
-                       row.flicker.excused,
-                       row.flicker.n_counted,
-                       or_nothing(row.pops.per_second(row.frames_per_s)),
-                       row.pops.pops,
-                       row.pops.runs,
-                       row.pops.steps,
-                       total(row.lives),
-                       row.lives_cut,
-                       or_nothing(score::median_life(row.lives)),
-                       fmt::join(row.lives, ";"),
-                       row.images_hash);
 }
 
 }  // namespace
@@ -94,28 +65,6 @@ std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows) {
                         row.path));
     }
     return faults;
-}
-
-std::string motion_csv(const std::vector<MotionRow>& rows) {
-    std::string text = fmt::format("{}\n", kColumns);
-    for (const MotionRow& row : rows) {
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},",
-                            harness::csv_field(row.scene),
-                            row.path,
-                            harness::csv_field(row.method),
-                            harness::csv_field(row.params),
-                            harness::csv_field(row.status),
-                            row.width_px,
-                            row.height_px,
-                            row.threads,
-                            row.frames,
-                            row.frames_per_s,
-                            row.step_px);
-        // A cell that failed has no scores; commas keep its columns.
-        text += row.is_ok() ? scores_csv(row) : std::string(13, ',');
-        text += '\n';
-    }
-    return text;
 }
 
 }  // namespace ink::studies

@@ -26,6 +26,8 @@ struct MotionRow {
     std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
     std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
     std::string images_hash = {};          ///< of all its pictures
+    std::string split = {};                ///< of the scene: train | heldout
+    std::int64_t triangles = 0;            ///< of the scene, instances counted
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
@@ -50,8 +52,5 @@ struct MotionTotal {
 /// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
 /// with one is void.
 [[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);
-
-/// motion.csv, heading and line breaks included.
-[[nodiscard]] std::string motion_csv(const std::vector<MotionRow>& rows);
 
 }  // namespace ink::studies

@@ -12,7 +12,6 @@
 #include "catalogue/catalogue.h"
 #include "core/hash.h"
 #include "core/parallel.h"
-#include "core/progress.h"
 #include "harness/interrupt.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
@@ -22,9 +21,6 @@ namespace ink::studies {
 namespace {
 
 constexpr double kStep_px = 0.25;
-constexpr int kFrames = 24;
-constexpr int kWidth_px = 640;
-constexpr int kHeight_px = 360;
 
 /// One method's pictures of a sequence as they are scored.
 struct Record {
@@ -146,7 +142,9 @@ class Run {
                 .threads = options_.measure.threads,
                 .frames = path.frame_count,
                 .frames_per_s = path.frames_per_s,
-                .step_px = sequence_.step_px};
+                .step_px = sequence_.step_px,
+                .split = sequence_.scene.split == scene::Split::train ? "train" : "heldout",
+                .triangles = static_cast<std::int64_t>(scene::triangle_count(sequence_.scene))};
     }
 
     static void fill(const Record& record, MotionRow& row) {
@@ -253,22 +251,6 @@ std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_cou
     for (Sequence& sequence : sequences)
         sequence.path.frame_count = frame_count;
     return sequences;
-}
-
-std::vector<MotionRow> study_motion(const std::vector<harness::Entrant>& entrants,
-                                    const MotionOptions& options) {
-    std::vector<Sequence> sequences = study_sequences(kWidth_px, kHeight_px, kFrames);
-    core::Progress progress("motion", static_cast<int>(sequences.size()));
-    std::vector<MotionRow> rows;
-    int done = 0;
-    for (Sequence& sequence : sequences) {
-        if (harness::is_interrupted()) break;
-        progress.report(done++,
-                        fmt::format("{} {}", sequence.scene.name, scene::name(sequence.path.kind)));
-        auto of_sequence = study_sequence(entrants, sequence, options);
-        std::move(of_sequence.begin(), of_sequence.end(), std::back_inserter(rows));
-    }
-    return rows;
 }
 
 }  // namespace ink::studies

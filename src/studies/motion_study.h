@@ -47,8 +47,4 @@ struct MotionOptions {
 /// slowly before a camera that stands still.
 [[nodiscard]] std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count);
 
-/// The study: all of study_sequences(). Ends early on Ctrl-C.
-[[nodiscard]] std::vector<MotionRow> study_motion(const std::vector<harness::Entrant>& entrants,
-                                                  const MotionOptions& options);
-
 }  // namespace ink::studies

@@ -66,19 +66,21 @@ std::optional<glm::dvec3> flat_normal(const scene::Surface& surface,
 
 /// One method on its way through the roll: what is known of each crease, and what was seen of it.
 struct Entry {
+    RollCurve failed;  ///< instead of the curves, once its status is not ok
     std::vector<RollCurve> curves;
     std::vector<std::optional<linear_code::RollPrediction>> predictions;
-    bool has_failed = false;
+
+    [[nodiscard]] bool has_failed() const { return failed.status != "ok"; }
 };
 
 Entry make_entry(harness::PreparedMethod& prepared,
                  const scene::Scene& scene,
                  const std::vector<Crease>& creases,
                  const scene::Camera& start) {
-    Entry entry;
-    entry.has_failed = !prepared.failure().empty();
-    if (entry.has_failed) return entry;
     const harness::Row row = prepared.row();
+    Entry entry;
+    entry.failed = {.method = row.method, .params = row.params, .status = row.status};
+    if (entry.has_failed()) return entry;
     const std::optional<method::LinearCode> code = prepared.method().code();
     scene::Surface surface;
     if (code) surface = scene::flatten(scene, code->inputs.normals, code->inputs.crease_rad);
@@ -171,7 +173,10 @@ class Roll {
     [[nodiscard]] std::vector<RollCurve> curves() const {
         std::vector<RollCurve> curves;
         for (const Entry& entry : entries_) {
-            if (entry.has_failed) continue;
+            if (entry.has_failed()) {
+                curves.push_back(entry.failed);
+                continue;
+            }
             curves.insert(curves.end(), entry.curves.begin(), entry.curves.end());
         }
         return curves;
@@ -203,8 +208,9 @@ class Roll {
             harness::draw_in_turns(methods_, view_at(roll_rad), options_.measure, pictures);
         core::parallel_for(entries_.size(), core::hardware_threads(), [&](std::size_t m) {
             Entry& entry = entries_[m];
-            entry.has_failed = entry.has_failed || !times[m].failure.empty();
-            if (entry.has_failed) return;
+            if (!entry.has_failed() && !times[m].failure.empty())
+                entry.failed.status = times[m].failure;
+            if (entry.has_failed()) return;
             const int threshold = methods_[m]->threshold();
             auto samples = see_creases(pictures[m], threshold, truth, creases_);
             for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -39,6 +39,7 @@ struct Vanishing {
 struct RollCurve {
     std::string method;
     std::string params;
+    std::string status = "ok";              ///< or why there are no samples
     int crease = 0;                         ///< 0, 1, 2: by the number of its edge
     bool is_predicted = false;              ///< the method declares a code
     std::vector<RollSample> samples = {};   ///< by angle, evenly over a whole turn
@@ -61,7 +62,8 @@ struct RollOptions {
 [[nodiscard]] scene::Scene roll_scene();
 [[nodiscard]] scene::CameraPath roll_path(const scene::Scene& scene, const RollOptions& options);
 
-/// Draws the roll with every entrant: a curve per method and crease. A method that fails has none.
+/// Draws the roll with every entrant: a curve per method and crease. A method that fails has one,
+/// without samples, that says why.
 /// Predictions come from declared codes and the cube's geometry alone
 /// (linear_code/roll_prediction.h). On Ctrl-C there are no curves.
 [[nodiscard]] std::vector<RollCurve> study_roll(const std::vector<harness::Entrant>& entrants,
@@ -71,10 +73,5 @@ struct RollOptions {
 /// turn, whose recall is below one half, of those rows that come within 15 degrees the nearest.
 [[nodiscard]] std::optional<double> measured_vanishing(const std::vector<RollSample>& samples,
                                                        double predicted_rad);
-
-/// roll.csv, a line per method, crease and angle, and vanishing.csv, one per predicted angle;
-/// headings and line breaks included.
-[[nodiscard]] std::string roll_csv(const std::vector<RollCurve>& curves);
-[[nodiscard]] std::string vanishing_csv(const std::vector<RollCurve>& curves);
 
 }  // namespace ink::studies

@@ -11,7 +11,6 @@
 #include "catalogue/shapes.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/csv.h"
 #include "harness/interrupt.h"
 
 namespace ink::studies {
@@ -136,18 +135,19 @@ class PreparedSphere {
                                                    int threads) const {
         std::vector<ScalingPoint> points;
         for (std::size_t i = 0; i < methods_.size(); ++i) {
-            if (times[i].all.draw_ns.empty() || !times[i].all.failure.empty()) continue;
             harness::Row row = methods_[i]->row();
-            harness::fill_times(times[i].all.draw_ns, row);
+            const std::string& failure = times[i].all.failure;
+            if (failure.empty()) harness::fill_times(times[i].all.draw_ns, row);
             ScalingPoint point{.method = row.method,
                                .params = row.params,
                                .width_px = station.width_px,
                                .height_px = station.height_px,
                                .covered_share = station.covered_share,
                                .threads = threads,
-                               .draw_ns_min = row.draw_ns_min.value(),
+                               .draw_ns_min = row.draw_ns_min.value_or(0),
                                .draw_n = row.draw_n,
-                               .noise = times[i].noise()};
+                               .noise = times[i].noise(),
+                               .status = failure.empty() ? "ok" : failure};
             point.triangles = static_cast<std::int64_t>(scene::triangle_count(scene_));
             for (const ScalingAxis axis : station.axes) {
                 point.axis = axis;
@@ -197,55 +197,23 @@ const std::array<ScalingAxisInfo, 3>& scaling_axes() {
     return kAxes;
 }
 
-std::vector<ScalingPoint> study_scaling(const std::vector<harness::Entrant>& entrants,
-                                        const ScalingOptions& options) {
-    harness::CsvFile file(options.out / "scaling.csv", scaling_columns());
-    const std::vector<std::vector<Station>> all = stations();
-    core::Progress progress("scaling", static_cast<int>(all.size()));
-    std::vector<ScalingPoint> points;
-    int done = 0;
-    for (const std::vector<Station>& of_sphere : all) {
-        if (harness::is_interrupted()) break;
-        progress.report(done++, fmt::format("{} triangles", of_sphere.front().triangles));
-        for (ScalingPoint& point : measure(entrants, of_sphere, options)) {
-            file.write(scaling_csv(point));
-            points.push_back(std::move(point));
+std::vector<ScalingSphere> scaling_spheres() {
+    std::vector<ScalingSphere> spheres;
+    for (const std::vector<Station>& of_sphere : stations()) {
+        ScalingSphere sphere{of_sphere.front().triangles, 0, 0};
+        for (const Station& station : of_sphere) {
+            sphere.points += static_cast<int>(station.axes.size());
+            sphere.mpx += 1e-6 * station.width_px * station.height_px;
         }
+        spheres.push_back(sphere);
     }
-    file.finish();
-    return points;
+    return spheres;
 }
 
-const std::vector<std::string>& scaling_columns() {
-    static const std::vector<std::string> kColumns = {"axis",
-                                                      "method",
-                                                      "params",
-                                                      "x",
-                                                      "width",
-                                                      "height",
-                                                      "triangles",
-                                                      "covered_share",
-                                                      "threads",
-                                                      "draw_ns_min",
-                                                      "draw_n",
-                                                      "noise"};
-    return kColumns;
-}
-
-std::string scaling_csv(const ScalingPoint& point) {
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.3g}",
-                       scaling_axes()[static_cast<std::size_t>(point.axis)].name,
-                       harness::csv_field(point.method),
-                       harness::csv_field(point.params),
-                       point.x,
-                       point.width_px,
-                       point.height_px,
-                       point.triangles,
-                       point.covered_share,
-                       point.threads,
-                       point.draw_ns_min,
-                       point.draw_n,
-                       point.noise);
+std::vector<ScalingPoint> time_sphere(const std::vector<harness::Entrant>& entrants,
+                                      std::size_t sphere,
+                                      const ScalingOptions& options) {
+    return measure(entrants, stations().at(sphere), options);
 }
 
 }  // namespace ink::studies

@@ -43,26 +43,35 @@ struct ScalingPoint {
     std::int64_t draw_ns_min = 0;
     int draw_n = 0;             ///< timed frames
     double noise = kTimeNoise;  ///< what draw_ns_min may be off by, as a share of it
+    std::string status = "ok";  ///< or why nothing was timed
+
+    [[nodiscard]] bool is_timed() const { return draw_ns_min > 0; }
 };
 
-/// How large the study is.
+/// How a sphere is timed.
 struct ScalingOptions {
     int threads = 1;
-    double budget_s = 0.4;      ///< a method at a point stops repeating after this much drawing
-    std::filesystem::path out;  ///< folder of scaling.csv
+    double budget_s = 0.4;  ///< a method at a point stops repeating after this much drawing
 };
 
-/// Draws spheres made by code with every entrant, in turns, and takes the least times: 10^2 to 10^6
-/// triangles, 0.3 to 33 million pixels, a thousandth to all of the picture covered.
+/// One of the spheres of the study.
+struct ScalingSphere {
+    std::int64_t triangles = 0;
+    int points = 0;  ///< of a method, over all axes
+    double mpx = 0;  ///< of all its pictures
+};
+
+/// The spheres made by code that are drawn: 10^2 to 10^6 triangles, 0.3 to 33 million pixels, a
+/// thousandth to all of the picture covered.
+[[nodiscard]] std::vector<ScalingSphere> scaling_spheres();
+
+/// Draws the n-th sphere with every entrant, in turns, and takes the least times.
 ///
 /// A point's noise is what its three rounds say: how far the second of their least times lies above
-/// the first, kTimeNoise at least. Points are in scaling.csv as soon as their sphere is done. A
-/// method that fails at a point has none there. Ctrl-C ends it after a round.
-[[nodiscard]] std::vector<ScalingPoint> study_scaling(const std::vector<harness::Entrant>& entrants,
-                                                      const ScalingOptions& options);
-
-/// The columns of scaling.csv, and one of its lines.
-[[nodiscard]] const std::vector<std::string>& scaling_columns();
-[[nodiscard]] std::string scaling_csv(const ScalingPoint& point);
+/// the first, kTimeNoise at least. A method that fails at a point has one there without
+/// times, which says why. Ctrl-C ends it after a round, without points.
+[[nodiscard]] std::vector<ScalingPoint> time_sphere(const std::vector<harness::Entrant>& entrants,
+                                                    std::size_t sphere,
+                                                    const ScalingOptions& options);
 
 }  // namespace ink::studies

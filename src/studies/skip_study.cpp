@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 #include "core/hash.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/csv.h"
 #include "harness/interrupt.h"
 #include "harness/skip_switches.h"
 
@@ -17,8 +15,6 @@ namespace ink::studies {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::array<std::string_view, 3> kArmNames = {"on", "one_off", "all_off"};
 
 bool knows(const method::MethodInfo& info, const std::string& key) {
     return std::any_of(info.params.begin(), info.params.end(), [&](const core::Param& param) {
@@ -183,19 +179,23 @@ std::vector<SkipTime> time_skips(const harness::Entrant& entrant,
     return times;
 }
 
-std::vector<SkipTime> study_skips(const std::vector<harness::Entrant>& entrants,
-                                  const SkipStudyOptions& options) {
+std::size_t skip_scene_count() {
+    return kSceneCount;
+}
+
+std::string skip_scene_name(std::size_t n) {
+    return nth_scene(n, 2).name;
+}
+
+std::vector<SkipTime> study_skip_scene(const std::vector<harness::Entrant>& entrants,
+                                       std::size_t n,
+                                       const SkipStudyOptions& options) {
     std::vector<SkipTime> study;
-    core::Progress progress("skips", static_cast<int>(kSceneCount));
-    for (std::size_t n = 0; n < kSceneCount; ++n) {
+    const SkipScene scene = nth_scene(n, options.levels);
+    for (const harness::Entrant& entrant : entrants) {
         if (harness::is_interrupted()) break;
-        const SkipScene scene = nth_scene(n, options.levels);
-        progress.report(static_cast<int>(n), scene.name);
-        for (const harness::Entrant& entrant : entrants) {
-            if (harness::is_interrupted()) break;
-            std::vector<SkipTime> times = time_skips(entrant, scene, options);
-            std::move(times.begin(), times.end(), std::back_inserter(study));
-        }
+        std::vector<SkipTime> times = time_skips(entrant, scene, options);
+        std::move(times.begin(), times.end(), std::back_inserter(study));
     }
     return study;
 }
@@ -207,39 +207,6 @@ std::vector<std::string> skip_differences(const std::vector<SkipTime>& study) {
         found.push_back(fmt::format("{} on {} {}", time.method, time.scene, time.status));
     }
     return found;
-}
-
-std::string skip_study_csv(const std::vector<SkipTime>& study, const SkipStudyOptions& options) {
-    std::string text =
-        "scene,skip,method,params,arm,skips_off,width,height,threads,triangles,status,draw_ns,"
-        "draw_ns_min,draw_n,image_hash";
-    for (const raster::SkipInfo& info : raster::skip_infos())
-        text += fmt::format(",skip_{0},skip_{0}_of", info.name);
-    const auto number = [](const std::optional<std::int64_t>& value) {
-        return value ? fmt::format("{}", *value) : "";
-    };
-    for (const SkipTime& t : study) {
-        const std::size_t skip = t.skip ? static_cast<std::size_t>(*t.skip) : 0;
-        text += fmt::format("\n{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                            harness::csv_field(t.scene),
-                            t.skip ? raster::skip_infos()[skip].name : "",
-                            harness::csv_field(t.method),
-                            harness::csv_field(t.params),
-                            kArmNames[static_cast<std::size_t>(t.arm)],
-                            harness::forbidden_skips(t.allowed),
-                            options.width_px,
-                            options.height_px,
-                            options.threads,
-                            t.triangles,
-                            harness::csv_field(t.status),
-                            number(t.draw_ns),
-                            number(t.draw_ns_min),
-                            t.draw_n,
-                            t.image_hash);
-        for (const raster::SkipCount& count : t.counts)
-            text += fmt::format(",{},{}", count.skipped, count.of);
-    }
-    return text + "\n";
 }
 
 }  // namespace ink::studies

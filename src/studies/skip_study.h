@@ -58,15 +58,16 @@ struct SkipTime {
                                                const SkipScene& scene,
                                                const SkipStudyOptions& options);
 
-/// The study: every scene of studies/skip_scenes.h with every entrant. Ends early on Ctrl-C.
-[[nodiscard]] std::vector<SkipTime> study_skips(const std::vector<harness::Entrant>& entrants,
-                                                const SkipStudyOptions& options);
+/// How many scenes studies/skip_scenes.h has, and the name of the n-th.
+[[nodiscard]] std::size_t skip_scene_count();
+[[nodiscard]] std::string skip_scene_name(std::size_t n);
+
+/// Times the n-th scene with every entrant, one after the other. Ends early on Ctrl-C.
+[[nodiscard]] std::vector<SkipTime> study_skip_scene(const std::vector<harness::Entrant>& entrants,
+                                                     std::size_t n,
+                                                     const SkipStudyOptions& options);
 
 /// A sentence for each line whose picture differs: a run with one is void.
 [[nodiscard]] std::vector<std::string> skip_differences(const std::vector<SkipTime>& study);
-
-/// The study as CSV, heading and line breaks included; provenance stands in rows.csv beside it.
-[[nodiscard]] std::string skip_study_csv(const std::vector<SkipTime>& study,
-                                         const SkipStudyOptions& options);
 
 }  // namespace ink::studies

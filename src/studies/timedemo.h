@@ -7,6 +7,7 @@
 
 #include "harness/entrants.h"
 #include "harness/suite.h"
+#include "harness/table.h"
 #include "raster/skips.h"
 
 namespace ink::studies {
@@ -56,6 +57,9 @@ struct DemoFrame {
 /// What is shown, in a line: scene, seconds, stored frames, size, threads.
 [[nodiscard]] std::string timedemo_heading(const harness::Subject& subject,
                                            const TimedemoOptions& options);
+
+/// The columns of timedemo.csv.
+[[nodiscard]] const harness::TableInfo& timedemo_frames_table();
 
 /// Writes timedemo.csv: a line per frame, pass, path and method.
 void write_timedemo(const harness::Subject& subject,

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "core/text_table.h"
-#include "harness/csv.h"
+#include "core/whole_file.h"
+#include "harness/table_of.h"
 #include "scene/animation.h"
 #include "studies/timedemo.h"
 
@@ -60,6 +61,50 @@ std::string rate_text(const std::vector<DemoFrame>& frames, const DemoRow& row, 
     };
     return fmt::format(
         "{:.0f} [{:.0f}, {:.0f}]", rate(range.median), rate(range.high), rate(range.low));
+}
+
+/// A frame and what it is of.
+struct FrameLine {
+    const harness::Subject& subject;
+    const DemoFrame& frame;
+};
+
+harness::TableOf<FrameLine> make_frames_table() {
+    harness::TableOf<FrameLine> table(
+        "timedemo.csv",
+        "A line per frame, pass, path and method of `inkbench timedemo`, which "
+        "writes this file alone.");
+    const auto add = [&table](harness::Column column, auto value_of) {
+        table.add_derived(std::move(column), value_of);
+    };
+    const auto add_time = [&table](std::string name, std::int64_t DemoFrame::*ns, std::string doc) {
+        table.add_derived({std::move(name), "ns", std::move(doc), true},
+                          [ns](const FrameLine& l) { return l.frame.*ns; });
+    };
+    using L = FrameLine;
+    add({"scene", "", "that moves"}, [](const L& l) { return l.subject.scene.name; });
+    add({"width", "px", "of the picture"},
+        [](const L& l) { return l.subject.views.front().width_px; });
+    add({"height", "px", "of the picture"},
+        [](const L& l) { return l.subject.views.front().height_px; });
+    add({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
+        [](const L& l) { return l.frame.path; });
+    add({"method", "", "as registered"}, [](const L& l) { return l.frame.method; });
+    add({"pass", "", "0: every frame for the first time"}, [](const L& l) { return l.frame.pass; });
+    add({"frame", "", "of the path, from 0"}, [](const L& l) { return l.frame.frame; });
+    add({"time_s", "s", "of the animation"}, [](const L& l) { return l.frame.time_s; });
+    add_time("fill_ns", &DemoFrame::fill_ns, "the surface moved and filled with one tone");
+    add_time("shade_ns", &DemoFrame::shade_ns, "shading, its own rasterization included");
+    add_time("pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
+    add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
+    add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
+    add({"image_hash", "", "of the strengths"}, [](const L& l) { return l.frame.image_hash; });
+    return table;
+}
+
+const harness::TableOf<FrameLine>& frames_table() {
+    static const harness::TableOf<FrameLine> kTable = make_frames_table();
+    return kTable;
 }
 
 }  // namespace
@@ -124,43 +169,17 @@ std::string timedemo_heading(const harness::Subject& subject, const TimedemoOpti
         options.threads == 1 ? "" : "s");
 }
 
+const harness::TableInfo& timedemo_frames_table() {
+    return frames_table().info();
+}
+
 void write_timedemo(const harness::Subject& subject,
                     const std::vector<DemoFrame>& frames,
                     const std::filesystem::path& path) {
-    harness::CsvFile file(path,
-                          {"scene",
-                           "width",
-                           "height",
-                           "path",
-                           "method",
-                           "pass",
-                           "frame",
-                           "time_s",
-                           "fill_ns",
-                           "shade_ns",
-                           "pose_ns",
-                           "draw_ns",
-                           "compose_ns",
-                           "image_hash"});
-    const scene::View& view = subject.views.front();
-    for (const DemoFrame& f : frames) {
-        file.write(fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                               harness::csv_field(subject.scene.name),
-                               view.width_px,
-                               view.height_px,
-                               f.path,
-                               f.method,
-                               f.pass,
-                               f.frame,
-                               f.time_s,
-                               f.fill_ns,
-                               f.shade_ns,
-                               f.pose_ns,
-                               f.draw_ns,
-                               f.compose_ns,
-                               f.image_hash));
-    }
-    file.finish();
+    std::string text = harness::heading(timedemo_frames_table());
+    for (const DemoFrame& frame : frames)
+        text += frames_table().line({subject, frame});
+    core::write_whole_file(path, text);
 }
 
 }  // namespace ink::studies

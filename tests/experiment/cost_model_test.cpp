@@ -177,16 +177,5 @@ TEST(PredictCosts, LeavesBracketsAndUndeclaredMethodsEmpty) {
     EXPECT_TRUE(sweep.front().predicted_ns) << "rows of sweeps are predicted too";
 }
 
-TEST(CostColumns, StandInTheRowsOnceAndAreEmptyUntilPredicted) {
-    const auto& names = harness::row_columns();
-    for (const char* name : {"predicted_ns", "cost_residual"})
-        EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
-    harness::Row row;
-    EXPECT_EQ(to_csv(row).find("123456789"), std::string::npos);
-    row.predicted_ns = 123456789;
-    row.cost_residual = -0.25;
-    EXPECT_NE(to_csv(row).find(",123456789,-0.25,"), std::string::npos) << to_csv(row);
-}
-
 }  // namespace
 }  // namespace ink::experiment

@@ -6,6 +6,7 @@
 
 #include "experiment/scaling_steps.h"
 #include "report/scaling_chart.h"
+#include "tests/harness/skipping_method.h"
 #include "tests/report/markup.h"
 
 namespace ink::experiment {
@@ -35,6 +36,25 @@ TEST(ScalingSteps, AreTheSlopesBetweenNeighbours) {
     EXPECT_NEAR(steps[0].tolerance, std::log10(1.1 * 1.1), 1e-12);
     EXPECT_FALSE(steps[0].is_worse_than_linear());
     EXPECT_TRUE(steps[1].is_worse_than_linear());
+}
+
+TEST(ScalingSteps, LeaveOutPointsWithoutATime) {
+    const std::vector<ScalingStep> steps =
+        scaling_steps({point("a", 1, 100), point("a", 2, 0), point("a", 4, 400)});
+    ASSERT_EQ(steps.size(), 1U);
+    EXPECT_EQ(steps[0].to, 4);
+    EXPECT_NEAR(steps[0].exponent, 1, 1e-12);
+}
+
+TEST(TimeSphere, AMethodThatFailsHasAPointThatSaysWhy) {
+    harness::SkipScript script;
+    script.failure = "out of ink";
+    const auto info = harness::skipping_info(script);
+    const auto points = studies::time_sphere({{&info, {}}}, 0, {});
+    ASSERT_EQ(points.size(), 1U) << "the smallest sphere lies on one axis";
+    EXPECT_EQ(points[0].status, "failed: out of ink");
+    EXPECT_EQ(points[0].triangles, 120);
+    EXPECT_FALSE(points[0].is_timed());
 }
 
 TEST(ScalingSteps, TolerateWhatRoundsOfOnePointDifferBy) {
@@ -79,22 +99,6 @@ TEST(FormatScalingX, HasThreeDigitsThatCount) {
     EXPECT_EQ(format_scaling_x(studies::ScalingAxis::triangles, 10200), "10.2 k");
     EXPECT_EQ(format_scaling_x(studies::ScalingAxis::pixels, 33177600), "33.2 M");
     EXPECT_EQ(format_scaling_x(studies::ScalingAxis::covered, 0.004), "0.4 %");
-}
-
-TEST(ScalingCsv, HasAFieldPerColumn) {
-    studies::ScalingPoint p = point("mote4", 921600, 1234);
-    p.axis = studies::ScalingAxis::pixels;
-    p.params = "a=1;b=2";
-    p.width_px = 1280;
-    p.height_px = 720;
-    p.triangles = 10200;
-    p.covered_share = 0.25;
-    p.draw_n = 7;
-    EXPECT_EQ(studies::scaling_csv(p),
-              "pixels,mote4,a=1;b=2,921600,1280,720,10200,0.25,1,1234,7,0.1");
-    const std::string line = studies::scaling_csv(p);
-    EXPECT_EQ(static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1,
-              studies::scaling_columns().size());
 }
 
 TEST(ScalingChart, HasALinePerMethodAndAGuide) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/stress.h"
+#include "lab/stress.h"
 #include "report/stress_chart.h"
 #include "report/stress_page.h"
 #include "tests/report/markup.h"

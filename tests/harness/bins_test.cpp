@@ -135,21 +135,6 @@ TEST(Bins, AreMatchedEachAlone) {
     EXPECT_EQ(wide[wide.size() - 2].k, 10);
 }
 
-TEST(Bins, AreLinesOfAFile) {
-    Row row;
-    row.method = "mote4";
-    row.scene = "cube";
-    row.view = "front";
-    row.width = 8;
-    row.height = 6;
-    row.params = "a=1";
-    EXPECT_EQ(bin_csv(row, {{1, 0.03, 0.1, 4, 5}, {1, kInfinity, kInfinity, 0, 2}}),
-              "mote4,cube,front,8,6,a=1,relative_gap,0.03,0.1,4,5\n"
-              "mote4,cube,front,8,6,a=1,relative_gap,inf,inf,0,2");
-    EXPECT_EQ(bin_csv(row, {}), "");
-    EXPECT_EQ(bin_columns().size(), 11U);
-}
-
 TEST(Bins, HaveRisingEdges) {
     ASSERT_EQ(line_attributes().size(), 4U);
     for (const LineAttribute& a : line_attributes()) {

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "harness/cell.h"
-#include "harness/csv.h"
+#include "harness/row_table.h"
 #include "harness/skip_switches.h"
 #include "tests/harness/skipping_method.h"
 #include "tests/scene/small_meshes.h"
@@ -20,12 +20,9 @@ using raster::SkipSet;
 using testing::HasSubstr;
 
 std::string field(const Row& row, const std::string& column) {
-    const auto& names = row_columns();
-    const auto at = std::find(names.begin(), names.end(), column) - names.begin();
-    std::string line = to_csv(row);  // no field of these rows is quoted
-    for (long i = 0; i < at; ++i)
-        line.erase(0, line.find(',') + 1);
-    return line.substr(0, line.find(','));
+    const CsvTable table =
+        split_csv(heading(rows_table()) + row_line(1, Study::compare, row), "rows.csv");
+    return table.records.at(0).at(table.find(column));
 }
 
 TEST(WithoutSkips, TakesNamesAwayAndAllTakesEverything) {
@@ -105,13 +102,13 @@ TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
     EXPECT_EQ(field(row, "skip_hidden_of"), "");
 }
 
-TEST(RowColumns, HaveTwoForEverySkipWithWhatTheyMean) {
-    const auto described = described_columns();
+TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
+    const auto& columns = rows_table().columns;
     for (const raster::SkipInfo& info : raster::skip_infos()) {
         const std::string name = "skip_" + std::string(info.name);
         const auto has = [&](const std::string& column) {
-            return std::count_if(described.begin(), described.end(), [&](const auto& d) {
-                return d.first == column && d.second.find(info.unit) != std::string::npos;
+            return std::count_if(columns.begin(), columns.end(), [&](const Column& c) {
+                return c.name == column && c.unit == info.unit;
             });
         };
         EXPECT_EQ(has(name), 1) << name;
@@ -121,13 +118,6 @@ TEST(RowColumns, HaveTwoForEverySkipWithWhatTheyMean) {
     bracket.method = "oracle";
     EXPECT_EQ(field(bracket, "skip_hidden"), "");
     EXPECT_EQ(field(bracket, "skips_off"), "");
-}
-
-TEST(CellKey, DoesNotKnowSkipsForTheyChangeNoPicture) {
-    Row one;
-    Row other;
-    other.skips_off = "hidden";
-    EXPECT_EQ(cell_key(one), cell_key(other));
 }
 
 }  // namespace

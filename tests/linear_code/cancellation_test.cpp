@@ -10,6 +10,7 @@
 #include "catalogue/catalogue.h"
 #include "linear_code/cancellation_law.h"
 #include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation_table.h"
 #include "tests/linear_code/crease_fan.h"
 
 namespace ink::linear_code {
@@ -215,12 +216,11 @@ CancellationRow made_up_row(const std::string& method, LineKind kind, std::int64
     return row;
 }
 
-TEST(CancellationCsv, HasAFieldPerColumnAndNoBinForBoundaries) {
-    EXPECT_EQ(cancellation_csv(made_up_row("mote4", {LineClass::crease, 40}, 9)),
-              "mote4,\"knot, tied\",front,train,640,360,7.250,crease,40,50,9,3,2,2,1,1");
-    EXPECT_EQ(cancellation_csv(made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
-              "mote4,\"knot, tied\",front,train,640,360,7.250,boundary,,,9,3,2,2,1,1");
-    EXPECT_EQ(cancellation_columns().size(), 16U);
+TEST(CancellationTable, HasNoBinForBoundaries) {
+    EXPECT_EQ(cancellation_line(3, made_up_row("mote4", {LineClass::crease, 40}, 9)),
+              "3,7.25,crease,40,50,9,3,2,2,1,1\n");
+    EXPECT_EQ(cancellation_line(3, made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
+              "3,7.25,boundary,,,9,3,2,2,1,1\n");
 }
 
 TEST(CancellationTotals, PoolViewsByKindAndByClass) {

@@ -161,13 +161,13 @@ TEST(Figures, AFolderThatIsNoRunIsRefused) {
     };
     EXPECT_THAT(refusal({"--from", "nowhere"}), HasSubstr("nowhere: there is no such folder"));
     std::filesystem::create_directories(desk.work() / "empty");
-    EXPECT_THAT(refusal({"--from", "empty"}), HasSubstr("empty: it has no rows.csv"));
+    EXPECT_THAT(refusal({"--from", "empty"}), HasSubstr("empty: there is no run in it"));
     std::filesystem::create_directories(desk.work() / "half");
-    desk.write("half/rows.csv.part", "method\n");
+    desk.write("half/run.toml", "identity = \"0\"\n[progress]\nstate = \"unfinished\"\n[asked]\n");
     EXPECT_THAT(refusal({"--from", "half"}), HasSubstr("its run is not finished"));
     std::filesystem::create_directories(desk.work() / "foreign");
-    desk.write("foreign/rows.csv", "name,price\npears,3\n");
-    EXPECT_THAT(refusal({"--from", "foreign"}), HasSubstr("foreign/rows.csv"));
+    desk.write("foreign/run.toml", "[pears]\nprice = 3\n");
+    EXPECT_THAT(refusal({"--from", "foreign"}), HasSubstr("foreign/run.toml"));
     EXPECT_THAT(refusal({"--from", "empty", "--set", "threshold=3"}), HasSubstr("inkbench: "));
 }
 

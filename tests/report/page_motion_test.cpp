@@ -7,6 +7,7 @@
 
 #include "report/motion_chart.h"
 #include "report/page.h"
+#include "studies/motion_table.h"
 #include "tests/report/made_up_report.h"
 #include "tests/report/markup.h"
 
@@ -40,17 +41,12 @@ std::vector<studies::MotionRow> some_rows() {
     return rows;
 }
 
-TEST(MotionCsv, HasAFieldPerColumnAlsoWhereACellFailed) {
-    const std::string csv = studies::motion_csv({made_up_row("mote4", "torus")});
-    EXPECT_THAT(csv,
-                HasSubstr("\ntorus,orbit,mote4,k=1,ok,640,360,1,10,60,0.25,0.005,30,20,7,10000,2,2,"
-                          "5,60,6,2,1,4;0;1;1,abc\n"));
-    studies::MotionRow failed = made_up_row("mote4", "torus");
-    failed.status = "failed";
-    for (const std::string& text : {csv, studies::motion_csv({failed})}) {
-        const auto second = text.begin() + static_cast<std::ptrdiff_t>(text.find('\n'));
-        EXPECT_EQ(std::count(text.begin(), second, ','), std::count(second, text.end(), ','));
-    }
+TEST(MotionTable, IsEmptyBehindTheSequenceWhereACellFailed) {
+    studies::MotionRow row = made_up_row("mote4", "torus");
+    EXPECT_EQ(studies::motion_line(4, row), "4,10,60,0.25,0.005,30,20,7,10000,2,2,5,60,6,2,1\n");
+    EXPECT_EQ(studies::life_lines(4, row), "4,1,4\n4,3,1\n4,4,1\n");
+    row.status = "failed";
+    EXPECT_EQ(studies::motion_line(4, row), "4,10,60,0.25,,,,,,,,,,,,\n");
 }
 
 TEST(MotionTotals, PoolCountsAndLeaveFailuresOut) {

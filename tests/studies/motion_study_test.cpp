@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "catalogue/catalogue.h"
+#include "studies/motion_table.h"
 
 namespace ink::studies {
 namespace {
@@ -154,7 +155,13 @@ TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
         std::vector<MotionRow> again = study_sequence(entrants, sequence, options);
         for (MotionRow& row : again)
             row.threads = 1;
-        EXPECT_EQ(motion_csv(again), motion_csv(rows));
+        ASSERT_EQ(again.size(), rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            EXPECT_EQ(motion_line(1, again[i]), motion_line(1, rows[i]));
+            EXPECT_EQ(life_lines(1, again[i]), life_lines(1, rows[i]));
+            EXPECT_EQ(harness::row_line(1, harness::Study::motion, motion_row(again[i])),
+                      harness::row_line(1, harness::Study::motion, motion_row(rows[i])));
+        }
     }
 }
 

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "report/motion_chart.h"
+#include "studies/roll_table.h"
+#include "tests/harness/skipping_method.h"
 #include "tests/report/markup.h"
 
 namespace ink::studies {
@@ -96,8 +98,24 @@ TEST(StudyRoll, WhoDeclaresNoCodeIsNotPredictedAndThreadsChangeNothing) {
     EXPECT_GT(curves[0].mean_recall(), 0.9);
     options.measure.threads = 3;
     const auto again = study_roll(entrants, options);
-    EXPECT_EQ(roll_csv(again), roll_csv(curves));
-    EXPECT_EQ(vanishing_csv(again), vanishing_csv(curves));
+    ASSERT_EQ(again.size(), curves.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        EXPECT_EQ(roll_lines(1, again[i]), roll_lines(1, curves[i]));
+        EXPECT_EQ(vanishing_lines(1, again[i]), vanishing_lines(1, curves[i]));
+    }
+}
+
+TEST(StudyRoll, AMethodThatFailsSaysWhyInItsRow) {
+    harness::SkipScript script;
+    script.failure = "out of ink";
+    const auto info = harness::skipping_info(script);
+    const RollOptions options{.frame_count = 4, .size_px = 40};
+    const auto curves = study_roll({{&info, {}}}, options);
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_EQ(curves[0].status, "failed: out of ink");
+    EXPECT_EQ(roll_row(curves[0], options).status, curves[0].status);
+    EXPECT_EQ(roll_row(curves[0], options).method, "puppet");
+    EXPECT_EQ(roll_lines(1, curves[0]) + vanishing_lines(1, curves[0]), "");
 }
 
 /// A made-up curve of method `a<b` that must vanish at 45 degrees.
@@ -120,20 +138,15 @@ TEST(RollCurve, KnowsItsLeastAndItsMean) {
     EXPECT_EQ(RollCurve{}.mean_recall(), 1);
 }
 
-TEST(RollCsv, HasALinePerAngleAndOnePerPrediction) {
+TEST(RollTable, HasALinePerAngleAndOnePerPrediction) {
+    const std::string roll = roll_lines(3, made_up_curve());
+    EXPECT_EQ(std::count(roll.begin(), roll.end(), '\n'), 8);
+    EXPECT_THAT(roll, HasSubstr("\n3,1,45,20,1,0,true\n"));
     RollCurve unpredicted = made_up_curve();
     unpredicted.is_predicted = false;
     unpredicted.samples.resize(1);
-    unpredicted.vanishing.clear();
-    const std::vector<RollCurve> curves = {made_up_curve(), unpredicted};
-    const std::string roll = roll_csv(curves);
-    EXPECT_EQ(std::count(roll.begin(), roll.end(), '\n'), 1 + 8 + 1);
-    EXPECT_THAT(roll, HasSubstr("\na<b,k=1,1,45,20,1,0,1\n"));
-    EXPECT_THAT(roll, HasSubstr("\na<b,k=1,1,0,20,20,,\n"));
-    EXPECT_EQ(vanishing_csv(curves),
-              "method,params,crease,predicted_deg,measured_deg,error_deg,recall_there\n"
-              "a<b,k=1,1,45,46,1,0.05\n"
-              "a<b,k=1,1,225,,,\n");
+    EXPECT_EQ(roll_lines(3, unpredicted), "3,1,0,20,20,,\n");
+    EXPECT_EQ(vanishing_lines(3, made_up_curve()), "3,1,45,46,1,0.05\n3,1,225,,,\n");
 }
 
 TEST(RollChart, MarksPredictionsAndHasAPanelPerCode) {

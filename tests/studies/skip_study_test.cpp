@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "harness/skip_switches.h"
+#include "studies/skips_table.h"
 #include "tests/harness/skipping_method.h"
 
 namespace ink::studies {
@@ -186,31 +187,25 @@ TEST(TimeSkips, AMethodThatFailsSaysSoInEveryLine) {
     EXPECT_THAT(skip_differences(times), IsEmpty());
 }
 
-TEST(StudySkips, IsEverySceneWithEveryEntrantAndALineOfCsvEach) {
+TEST(StudySkips, IsEverySceneWithEveryEntrantAndARowEach) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);
     const auto study = study_skips({{&info, {}}}, kQuick);
     EXPECT_EQ(study.size(), 9U * 3 + 3 * 2);
-    std::istringstream csv(skip_study_csv(study, kQuick));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(csv, line);)
-        lines.push_back(line);
-    ASSERT_EQ(lines.size(), 1 + study.size());
-    for (const std::string& line : lines)
-        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 14 + 2 * 9) << line;
-    EXPECT_THAT(lines[0], HasSubstr("arm,skips_off,width,height,threads"));
-    EXPECT_THAT(lines[0], HasSubstr(",skip_attributes,skip_attributes_of,skip_frustum,"));
-    EXPECT_THAT(
-        lines[1],
-        HasSubstr("no_normals,attributes,puppet,range_nx=0;threshold=100,on,still_tiles,16,9,"
-                  "2,80,ok,"));
-    EXPECT_THAT(lines[1], HasSubstr(",10,100,20,100,30,100,"));
-    EXPECT_THAT(lines.back(), HasSubstr("view_full,,puppet,"));
-}
-
-TEST(SkipStudyCsv, WithoutAStudyIsTheHeadingAlone) {
-    const std::string text = skip_study_csv({}, kQuick);
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+    const harness::Row first = skip_row(study.front(), kQuick);
+    EXPECT_EQ(first.scene, "no_normals");
+    EXPECT_EQ(first.method, "puppet");
+    EXPECT_EQ(first.params, "range_nx=0;threshold=100");
+    EXPECT_EQ(first.skips_off, "still_tiles");
+    EXPECT_EQ(first.width, 16);
+    EXPECT_EQ(first.height, 9);
+    EXPECT_EQ(first.threads, 2);
+    EXPECT_EQ(first.triangles, 80);
+    ASSERT_TRUE(first.skips);
+    EXPECT_EQ((*first.skips)[1].skipped, 20U);
+    EXPECT_EQ((*first.skips)[1].of, 100U);
+    EXPECT_EQ(skip_line(1, study.front()), "1,attributes,on\n");
+    EXPECT_EQ(skip_line(2, study.back()), "2,,all_off\n") << "of a view, made for no skip";
 }
 
 }  // namespace

@@ -61,7 +61,6 @@ struct StressAxis {
     std::vector<double> values;                 ///< ascending, distinct; eight at least
     std::vector<std::string> value_names = {};  ///< one per value if the scale is `named`
     std::string sentence;                       ///< what is varied, and what stays
-    std::string reason;                         ///< why the curves run as they do
     /// Nothing that a picture shows may depend on the value: pictures that differ are faults.
     bool same_pictures = false;
     /// The cases of a value; any value between the least and the greatest will do, of named axes

@@ -15,16 +15,10 @@ void add_knob_axes(std::vector<StressAxis>& axes) {
     StressAxis depth = make_axis(
         {"depth", "encoding of depth, format of the depth test", "", AxisScale::named},
         {},
-        {"How a method writes depth (depth_encoding) and what the depth test stores "
-         "(depth_format): q32 is a float of 1/w, z24 and z16 are whole steps; on scenes of great "
-         "depth, far 1e5 times as far as near, and depth scaled to these (depth_range = camera). A "
-         "method without a knob keeps its own.",
-         "How depth is written hardly matters: distance itself, its logarithm or 16-bit steps move "
-         "no "
-         "filter by more than .02, for most lines are steps far above any rounding, or normals. "
-         "What "
-         "tests lines and hulls against the depth buffer does need its bits: with z16 they lose "
-         ".05 to .10."},
+        "How a method writes depth (depth_encoding) and what the depth test stores "
+        "(depth_format): q32 is a float of 1/w, z24 and z16 are whole steps; on scenes of great "
+        "depth, far 1e5 times as far as near, and depth scaled to these (depth_range = camera). A "
+        "method without a knob keeps its own.",
         depth_cases);
     depth.value_names = depth_names();
     for (std::size_t i = 0; i < depth.value_names.size(); ++i)
@@ -33,46 +27,31 @@ void add_knob_axes(std::vector<StressAxis>& axes) {
     axes.push_back(make_axis(
         {"code_bits", "bits of the packed code", "bits", AxisScale::linear},
         evenly(3, 16, 1),
-        {"Ranges of packed codes shrink by powers of two and the response is scaled up by as many "
-         "bits. The 16 fractional bits of the rasterizer's code planes are a constant: this is how "
-         "few whole ones a code does with. Methods that pack nothing are level lines.",
-         "A code rounded once has a response of up to 2 units on any plane. As long as the "
-         "threshold is above these, bits do not matter; with one bit less every facet is full of "
-         "specks."},
+        "Ranges of packed codes shrink by powers of two and the response is scaled up by as many "
+        "bits. The 16 fractional bits of the rasterizer's code planes are a constant: this is how "
+        "few whole ones a code does with. Methods that pack nothing are level lines.",
         code_bits_cases));
     axes.push_back(make_axis(
         {"saturate", "sum of the ranges over what they are by default"},
         {0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4},
-        {"All ranges of packed codes and their threshold times a factor, as far as the knobs "
-         "reach; beyond 1 codes overflow by intent and saturate.",
-         "Up to 1.4 nothing is lost, for few pixels have every channel at its end; beyond, large "
-         "parts of the picture stand at the end of the code, where both sides of a line are "
-         "equal."},
+        "All ranges of packed codes and their threshold times a factor, as far as the knobs "
+        "reach; beyond 1 codes overflow by intent and saturate.",
         saturate_cases));
-    axes.push_back(make_axis(
-        {"wrap", "sum of the ranges over what they are by default"},
-        {0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4},
-        {"The same, but codes wrap and are filtered modulo their range.",
-         "A wrapped step is missed only where it comes near a whole turn, so packed sums go on "
-         "gaining from range where saturation ruined them; mote2 loses more, whose one normal "
-         "channel makes whole turns of its own."},
-        wrap_cases));
-    StressAxis threads = make_axis(
-        {"threads", "threads", "", AxisScale::linear},
-        evenly(1, 8, 1),
-        {"The same pictures by 1 to 8 threads.",
-         "A picture does not depend on who draws it: what must be 0 is the number of pictures that "
-         "differ from those of one thread."},
-        thread_cases);
+    axes.push_back(make_axis({"wrap", "sum of the ranges over what they are by default"},
+                             {0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4},
+                             "The same, but codes wrap and are filtered modulo their range.",
+                             wrap_cases));
+    StressAxis threads = make_axis({"threads", "threads", "", AxisScale::linear},
+                                   evenly(1, 8, 1),
+                                   "The same pictures by 1 to 8 threads.",
+                                   thread_cases);
     threads.same_pictures = true;
     axes.push_back(std::move(threads));
     StressAxis simd = make_axis(
         {"simd", "instruction set x threads", "", AxisScale::named},
         {},
-        {"The same pictures by every instruction set that the kernels were compiled for and this "
-         "machine runs, each on one thread and on four; the points depend on the machine.",
-         "Every target gives the bits of the plain one: what must be 0 is the number of pictures "
-         "that differ from those of the best."},
+        "The same pictures by every instruction set that the kernels were compiled for and this "
+        "machine runs, each on one thread and on four; the points depend on the machine.",
         simd_cases);
     simd.value_names = simd_names();
     for (std::size_t i = 0; i < simd.value_names.size(); ++i)
@@ -83,49 +62,35 @@ void add_knob_axes(std::vector<StressAxis>& axes) {
 
 void add_defect_axes(std::vector<StressAxis>& axes) {
     const auto defect =
-        [&](std::string name, std::string what, StressWords words, StressMaker make) {
+        [&](std::string name, std::string what, std::string sentence, StressMaker make) {
             axes.push_back(make_axis(
                 {std::move(name), "share of triangles " + std::move(what), "%", AxisScale::linear},
                 shares(),
-                std::move(words),
+                std::move(sentence),
                 make));
         };
-    defect(
-        "duplicates",
-        "that are there twice",
-        {"Some triangles of a ring, a cube and a drum are listed twice.",
-         "Whoever joins faces over edges of just two finds none at a double: edge_list draws such "
-         "an edge until all are doubled and pair up again, and a patch ends there, so that its "
-         "normals break and facets show in buffers of normals. edge_hash and ids drop doubles."},
-        duplicate_cases);
-    defect(
-        "t_junctions",
-        "that are cut at an edge their neighbour does not share",
-        {"Some triangles of a ring, a cube and a drum are halved at the middle of a side, which "
-         "their neighbours know nothing of.",
-         "Nothing is to be seen, but three edges then have one face each: what draws lone edges, "
-         "borders of patches or steps of patch normals draws them all."},
-        t_junction_cases);
+    defect("duplicates",
+           "that are there twice",
+           "Some triangles of a ring, a cube and a drum are listed twice.",
+           duplicate_cases);
+    defect("t_junctions",
+           "that are cut at an edge their neighbour does not share",
+           "Some triangles of a ring, a cube and a drum are halved at the middle of a side, which "
+           "their neighbours know nothing of.",
+           t_junction_cases);
     defect("cracks",
            "that are torn off by a hairline",
-           {"Some triangles get vertices of their own, each off by up to a millionth of a unit: "
-            "less than the truth's weld tolerance, so nothing of it is a line.",
-            "What welds equal positions only finds lone edges everywhere (edge_list) or ends its "
-            "patches there (normals, and all that filter them); edge_hash and ids weld with a "
-            "tolerance, and auto plans without normals once it counts too many."},
+           "Some triangles get vertices of their own, each off by up to a millionth of a unit: "
+           "less than the truth's weld tolerance, so nothing of it is a line.",
            crack_cases);
     defect("orientation",
            "that are turned inside out",
-           {"Some triangles run the other way round; the truth does not care.",
-            "Facing told by the order of vertices is wrong for them: back_faces and inverted_hull "
-            "show them inside out, edge_list takes their borders for contours, and a patch does "
-            "not join them. At 100 % all agree again; only a hull that grows inwards is gone."},
+           "Some triangles run the other way round; the truth does not care.",
            orientation_cases);
     defect("soup",
            "without shared vertices",
-           {"Some triangles get vertices of their own at the same places, and a place of their own "
-            "in the list.",
-            "Everyone welds equal positions first, so nothing changes."},
+           "Some triangles get vertices of their own at the same places, and a place of their own "
+           "in the list.",
            soup_cases);
 }
 

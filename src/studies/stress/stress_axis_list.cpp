@@ -24,77 +24,48 @@ void add_places(std::vector<StressAxis>& axes) {
     axes.push_back(make_axis(
         {"near_far", "far distance over near distance"},
         decades(1, 9),
-        {"The camera's near plane moves towards the eye while far stays behind the scene; a small "
-         "pyramid stands 2.5 near distances before the eye, so that the range is used, and depth "
-         "is scaled to near and far (depth_range = camera).",
-         "Steps of a z24 buffer stand close before the eye: from 1e6 on whole scenes share a step, "
-         "hidden lines show through, and the methods that test against it lose up to half of what "
-         "they had. A float of 1/w keeps 24 bits at any distance, so all that test against it stay "
-         "level; what they pack or filter has lost its depth already at 10 and lives on normals."},
+        "The camera's near plane moves towards the eye while far stays behind the scene; a small "
+        "pyramid stands 2.5 near distances before the eye, so that the range is used, and depth "
+        "is scaled to near and far (depth_range = camera).",
         near_far_cases));
     axes.push_back(make_axis(
         {"grazing", "angle at which the gaze meets a floor", "deg"},
         {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
-        {"A flat floor fills the frame of a long lens (0.2 degrees, 1000 units away); things stand "
-         "on it. The eye sinks; below 0.2 degrees the floor's far end comes into the picture.",
-         "1/w is flat on a plane, so nobody draws the floor at any angle. What is lost are the "
-         "feet "
-         "of things: the steeper the view, the less depth bends there, and between 1 and 10 "
-         "degrees "
-         "the sum of a floor's normal is about that of the sides that stand on it, so that packed "
-         "codes cancel. Object-space methods draw no intersections at all, and open floors have no "
-         "back faces."},
+        "A flat floor fills the frame of a long lens (0.2 degrees, 1000 units away); things stand "
+        "on it. The eye sinks; below 0.2 degrees the floor's far end comes into the picture.",
         grazing_cases));
     axes.push_back(make_axis(
         {"grazing_linear", "angle at which the gaze meets a floor", "deg"},
         {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
-        {"The same floor, but depth is written as distance itself (depth_encoding = linear) and "
-         "nothing guards against slopes (guard = none), for methods that have these knobs.",
-         "The guard against slopes is what saves Roberts' cross: without it the floor is a line at "
-         "every pixel below half a degree. Filters with a threshold in shares of the scene's whole "
-         "depth do not notice: from pixel to pixel the floor changes by a thousandth of that."},
+        "The same floor, but depth is written as distance itself (depth_encoding = linear) and "
+        "nothing guards against slopes (guard = none), for methods that have these knobs.",
         grazing_linear_cases));
-    axes.push_back(make_axis(
-        {"origin", "distance of scene and camera from the origin", "units"},
-        decades(0, 8),
-        {"Scene and camera move together away from the origin, by transforms in double.",
-         "Everything is made eye-relative in double before it is rounded, so nothing changes."},
-        origin_cases));
+    axes.push_back(
+        make_axis({"origin", "distance of scene and camera from the origin", "units"},
+                  decades(0, 8),
+                  "Scene and camera move together away from the origin, by transforms in double.",
+                  origin_cases));
     axes.push_back(make_axis(
         {"fp32", "distance of scene and camera from the origin", "units"},
         decades(0, 8),
-        {"As the axis before, but methods are given world positions rounded to floats, as a "
-         "renderer holds them that works in fp32 throughout; the truth is of the exact scene.",
-         "A float has 24 bits: at 1e6 units its steps are 1/16 of a unit, at 1e8 they are 8, and "
-         "the scene is gone. Nobody is better off than another: it is the vertices that are lost."},
+        "As the axis before, but methods are given world positions rounded to floats, as a "
+        "renderer holds them that works in fp32 throughout; the truth is of the exact scene.",
         fp32_cases));
-    axes.push_back(make_axis(
-        {"scale", "size of the model over its own"},
-        powers_of_two(-30, 30, 6),
-        {"Scene, camera, near and far grow together by powers of two, 9e-10 to 1e9.",
-         "No length in the world means anything to a picture: what changed here would have an "
-         "absolute tolerance somewhere. Nothing has."},
-        scale_cases));
+    axes.push_back(
+        make_axis({"scale", "size of the model over its own"},
+                  powers_of_two(-30, 30, 6),
+                  "Scene, camera, near and far grow together by powers of two, 9e-10 to 1e9.",
+                  scale_cases));
     axes.push_back(make_axis(
         {"zoom", "magnification"},
         powers_of_two(-5, 6, 1),
-        {"The focal length grows, aimed at the vertex nearest the eye: from a scene of a few "
-         "pixels to one corner of it.",
-         "Far away, lines crowd below a pixel: even the ceiling drops, and a response of 4 px "
-         "closes "
-         "up what it borders. Close by, only creases are left: methods that draw contours only "
-         "have "
-         "none to draw, and packed codes err by the few creases that cancel."},
+        "The focal length grows, aimed at the vertex nearest the eye: from a scene of a few "
+        "pixels to one corner of it.",
         zoom_cases));
     axes.push_back(make_axis(
         {"cube_roll", "roll of the camera", "deg", AxisScale::linear},
         evenly(0, 350, 10),
-        {"The camera turns about its gaze before a cube, a wedge and a solid of twenty faces.",
-         "A sum of depth and normal has no step across a crease where the channels' changes "
-         "cancel: "
-         "for each crease at two angles a turn, a few degrees wide, so that packed codes' errors "
-         "jump while those of channels kept apart lie still. mote2 sees z alone, which a roll does "
-         "not change: its waves are those of slanted lines on a grid."},
+        "The camera turns about its gaze before a cube, a wedge and a solid of twenty faces.",
         roll_cases));
 }
 
@@ -102,33 +73,20 @@ void add_shapes(std::vector<StressAxis>& axes) {
     axes.push_back(make_axis(
         {"gap", "distance between surfaces", "units"},
         {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1},
-        {"Coplanar things come apart by a gap: a sheet above another, slits between tiles, a step "
-         "between two boxes, the thickness of a plate; each about 2 units wide, 5 units away.",
-         "The true lines are there at any gap. What compares depths loses them when the step falls "
-         "below its threshold, a hundredth of the distance or so, and is level from there on; "
-         "adjacency, ids and object numbers do not care how wide a gap is. Slits below the weld "
-         "tolerance are no lines in the truth either."},
+        "Coplanar things come apart by a gap: a sheet above another, slits between tiles, a step "
+        "between two boxes, the thickness of a plate; each about 2 units wide, 5 units away.",
         gap_cases));
     axes.push_back(make_axis(
         {"sliver", "length over width of the thinnest triangles"},
         decades(0, 7),
-        {"A cube cut by thin strips, a ring each of whose triangles has one sliver, and free "
-         "needles.",
-         "Needles thinner than a pixel are missed by all that look at pixel centres, ceiling "
-         "included, and found by those that draw edges; edge_hash welds them away from 1e5 on. "
-         "Slivers inside flat faces change nothing until 1e6; at 1e7 a float does not hold them "
-         "any "
-         "more, and their normals point anywhere."},
+        "A cube cut by thin strips, a ring each of whose triangles has one sliver, and free "
+        "needles.",
         sliver_cases));
     axes.push_back(make_axis(
         {"facets", "triangles"},
         {8, 32, 128, 512, 2048, 8192, 32768, 131072, 1048576},
-        {"A ball, a ring and a rolling sheet from a handful of triangles to a million, far below a "
-         "pixel.",
-         "Hard in the middle: with some hundred facets bends lie about the crease angle, and who "
-         "measures them instead of knowing them draws too many or too few. From 2000 on faces are "
-         "smooth and errors lie still, also where a pixel holds twenty triangles. polygon_offset "
-         "alone gets worse again: lines of ever smaller triangles slip through their fills."},
+        "A ball, a ring and a rolling sheet from a handful of triangles to a million, far below a "
+        "pixel.",
         facet_cases));
 }
 
@@ -145,7 +103,7 @@ std::vector<StressAxis> make_axes() {
 
 StressAxis make_axis(StressHeading heading,
                      std::vector<double> values,
-                     StressWords words,
+                     std::string sentence,
                      StressMaker make) {
     StressAxis axis;
     axis.name = std::move(heading.name);
@@ -153,8 +111,7 @@ StressAxis make_axis(StressHeading heading,
     axis.unit = std::move(heading.unit);
     axis.scale = heading.scale;
     axis.values = std::move(values);
-    axis.sentence = std::move(words.sentence);
-    axis.reason = std::move(words.reason);
+    axis.sentence = std::move(sentence);
     axis.cases = [name = axis.name, make](double value, const StressSize& size) {
         return make({name, value, size});
     };

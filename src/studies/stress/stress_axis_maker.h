@@ -21,15 +21,9 @@ struct StressHeading {
     AxisScale scale = AxisScale::log;
 };
 
-/// What is varied, and why the curves run as they do.
-struct StressWords {
-    std::string sentence;
-    std::string reason;
-};
-
 [[nodiscard]] StressAxis make_axis(StressHeading heading,
                                    std::vector<double> values,
-                                   StressWords words,
+                                   std::string sentence,
                                    StressMaker make);
 
 /// From `low` to `high`, both included.

@@ -18,10 +18,6 @@
 namespace ink::studies {
 namespace {
 
-std::string number(double value) {
-    return fmt::format("{}", value);
-}
-
 /// The truth of a case; without one, why.
 struct StressTruth {
     std::optional<harness::ViewTruth> truth;
@@ -147,29 +143,6 @@ void note_differences(std::vector<StressRow>& rows) {
         const auto [known, is_new] = first.try_emplace(key, row.row.image_hash);
         row.counts.differing = known->second == row.row.image_hash ? 0 : 1;
     }
-}
-
-const std::vector<std::string>& stress_columns() {
-    static const std::vector<std::string> columns = [] {
-        std::vector<std::string> names = {"axis", "value", "unit"};
-        names.insert(names.end(), harness::row_columns().begin(), harness::row_columns().end());
-        for (const char* count : {"non_finite", "overflow", "lost_cell", "differing"})
-            names.emplace_back(count);
-        return names;
-    }();
-    return columns;
-}
-
-std::string to_csv(const StressRow& row) {
-    return fmt::format("{},{},{},{},{},{},{},{}",
-                       row.axis,
-                       number(row.value),
-                       row.unit,
-                       to_csv(row.row),
-                       row.counts.non_finite,
-                       row.counts.overflow,
-                       row.counts.lost,
-                       row.counts.differing);
 }
 
 }  // namespace ink::studies

@@ -52,10 +52,4 @@ struct StressRow {
 /// value (of its scene and method). Other rows stay.
 void note_differences(std::vector<StressRow>& rows);
 
-/// The columns of stress.csv: axis, value, unit, those of rows.csv, then the counts.
-[[nodiscard]] const std::vector<std::string>& stress_columns();
-
-/// One CSV line without its line break.
-[[nodiscard]] std::string to_csv(const StressRow& row);
-
 }  // namespace ink::studies

@@ -1,0 +1,111 @@
+#include "cli/run_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include "cli/run_result.h"
+#include "core/error.h"
+#include "experiment/experiment_plan.h"
+#include "experiment/experiment_run.h"
+
+namespace ink::cli {
+namespace {
+
+/// At once, also into a pipe: whoever waits wants to know how long.
+void say(const std::string& line) {
+    fmt::print(stderr, "{}\n", line);
+    std::fflush(stderr);
+}
+
+void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
+    double work_s = 0;
+    for (const std::size_t i : experiment::shard_blocks(plan, shard.i, shard.n)) {
+        fmt::print("{:6} cells  {:8.1f} s  {}\n",
+                   plan.blocks[i].cells,
+                   plan.blocks[i].work,
+                   plan.blocks[i].key);
+        work_s += plan.blocks[i].work;
+    }
+    fmt::print("{}: {} cells in {} blocks, about {:.0f} s on two idle cores\n",
+               plan.name,
+               plan.cells(),
+               plan.blocks.size(),
+               work_s);
+}
+
+}  // namespace
+
+void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
+    auto* out = command.add_option("--out", options.out, "Folder of the run");
+    if (!options.out.empty()) out->capture_default_str();
+    command.add_option("--shard", options.shard, "i/n: only this share; see inkbench merge")
+        ->capture_default_str();
+    command.add_flag(
+        "--force", options.is_forced, "Throw away the run that is in the folder, whatever it is");
+    command.add_flag("--no-times",
+                     options.no_times,
+                     "Leave columns of times empty: the same bytes on every run");
+    command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
+    command.add_flag("--quiet", options.is_quiet, "No progress on stderr");
+    command.add_flag("--json", options.is_json, "Print the result as JSON");
+}
+
+experiment::KeptImages kept_images(const std::string& word) {
+    constexpr std::array<std::string_view, 3> kWords = {"none", "first", "all"};
+    const auto found = std::find(kWords.begin(), kWords.end(), word);
+    if (found == kWords.end()) {
+        throw core::Error("--images", fmt::format("'{}' is no choice", word), "none | first | all");
+    }
+    return static_cast<experiment::KeptImages>(found - kWords.begin());
+}
+
+std::string command_line(const CLI::App& command) {
+    constexpr std::array<std::string_view, 6> kLeftOut = {
+        "--out", "--shard", "--force", "--quiet", "--json", "--dry-run"};
+    std::string line = "inkbench " + command.get_name();
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_name();
+        const bool is_left_out =
+            std::find(kLeftOut.begin(), kLeftOut.end(), name) != kLeftOut.end();
+        if (option->count() == 0 || is_left_out) continue;
+        for (const std::string& value : option->results()) {
+            const bool is_flag = option->get_expected_max() == 0;
+            if (!option->get_positional()) line += " " + name;
+            if (!is_flag) line += " " + value;
+        }
+    }
+    return line;
+}
+
+void run_to_end(experiment::Experiment experiment,
+                const RunFolderOptions& options,
+                const CacheOptions& cache) {
+    if (options.no_times) experiment.times = false;
+    experiment::RunOptions run;
+    run.shard = experiment::parse_shard(options.shard);
+    run.out = options.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
+                                  : std::filesystem::path(options.out);
+    run.is_forced = options.is_forced;
+    if (!options.is_quiet) run.say = say;
+    const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
+    if (options.is_dry) {
+        list_blocks(plan, run.shard);
+        return;
+    }
+    const experiment::RunOutcome outcome = run_experiment(plan, run);
+    if (run.shard.is_all()) {
+        conclude(outcome, run.out, {.has_page = true, .is_json = options.is_json});
+        return;
+    }
+    if (outcome.is_interrupted) {
+        fmt::print(stderr, "inkbench: interrupted; the same command goes on\n");
+        throw CLI::RuntimeError(kInterrupted);
+    }
+    fmt::print("shard {} is in {}: inkbench merge joins them\n", options.shard, run.out.string());
+}
+
+}  // namespace ink::cli

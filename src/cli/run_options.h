@@ -1,0 +1,39 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "cli/options.h"
+#include "experiment/experiment.h"
+
+namespace ink::cli {
+
+/// Where a run goes and what is shown of it.
+struct RunFolderOptions {
+    std::string out = {};
+    std::string shard = "1/1";
+    bool is_forced = false;
+    bool no_times = false;
+    bool is_quiet = false;
+    bool is_json = false;
+    bool is_dry = false;
+};
+
+/// Adds --out, --shard, --force, --no-times, --quiet, --json and --dry-run to a command.
+void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
+
+/// "none", "first" or "all"; throws core::Error (where = "--images") for another word.
+[[nodiscard]] experiment::KeptImages kept_images(const std::string& word);
+
+/// What the user typed after `command`'s name, less what says where results go and how they are
+/// shown: the same for a run, its shards and its continuation.
+[[nodiscard]] std::string command_line(const CLI::App& command);
+
+/// Computes an experiment into its folder and shows what came of it, as conclude() does; lists the
+/// blocks alone if --dry-run asks for that. Ends the program by CLI::RuntimeError where its exit
+/// code is not 0.
+void run_to_end(experiment::Experiment experiment,
+                const RunFolderOptions& options,
+                const CacheOptions& cache);
+
+}  // namespace ink::cli

@@ -1,0 +1,151 @@
+#include "cli/run_result.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/options.h"
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "experiment/run_data.h"
+#include "experiment/stress_summary.h"
+#include "experiment/summary.h"
+#include "experiment/unscored.h"
+#include "linear_code/linear_bound_study.h"
+#include "report/best_settings.h"
+#include "report/figures.h"
+#include "report/report.h"
+#include "report/statistics.h"
+#include "report/stress_page.h"
+#include "report/verdict.h"
+
+namespace ink::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kInvalid = 1;
+constexpr int kUnscored = 3;
+
+template <class T>
+json json_of(const std::optional<T>& value) {
+    return value ? json(*value) : json(nullptr);
+}
+
+json methods_json(const std::vector<harness::Row>& rows) {
+    json methods = json::array();
+    for (const experiment::MethodSummary& s : experiment::summarise(rows)) {
+        methods.push_back({{"method", s.method},
+                           {"views", s.views},
+                           {"failed", s.failed},
+                           {"f_2px", json_of(s.f_2px)},
+                           {"f_train", json_of(s.f_train)},
+                           {"f_heldout", json_of(s.f_heldout)},
+                           {"f_1px", json_of(s.f_1px)},
+                           {"precision_2px", json_of(s.precision)},
+                           {"recall_2px", json_of(s.recall)},
+                           {"draw_ms", json_of(s.draw_ms)}});
+    }
+    return methods;
+}
+
+std::string state_text(const experiment::RunRecord& record) {
+    if (!record.missing.empty()) return "unfinished";
+    return record.faults.empty() ? "finished" : "invalid";
+}
+
+json result_json(const experiment::RunData& run, const fs::path& folder, const fs::path& page) {
+    json unscored = json::array();
+    for (const experiment::Unscored& cell : experiment::unscored_cells(run.tables.rows)) {
+        unscored.push_back({{"scene", cell.scene},
+                            {"view", cell.view},
+                            {"method", cell.method},
+                            {"reason", cell.reason},
+                            {"remedy", cell.remedy}});
+    }
+    return {{"run", folder.string()},
+            {"kind", run.record.kind},
+            {"state", state_text(run.record)},
+            {"page", page.string()},
+            {"methods", methods_json(run.tables.rows)},
+            {"unscored", unscored},
+            {"missing", run.record.missing},
+            {"faults", run.record.faults}};
+}
+
+void print_result(const experiment::RunData& run) {
+    const experiment::RunTables& tables = run.tables;
+    if (!tables.rows.empty()) {
+        fmt::print("{}\n", report::verdict_table(tables.rows, tables.curves));
+        fmt::print("{}", report::threshold_lines(tables.rows, tables.curves));
+        fmt::print("{}", report::best_settings_table(tables.rows, tables.sweep));
+    }
+    if (!tables.stress.empty()) {
+        const auto points =
+            experiment::summarise_stress(tables.stress, tables.stress.front().row.seed);
+        fmt::print("{}", experiment::stress_table(points));
+    }
+    if (!tables.bounds.empty()) fmt::print("{}", linear_code::bound_table(tables.bounds));
+}
+
+void print_warnings(const experiment::RunData& run, const fs::path& folder) {
+    const experiment::RunRecord& record = run.record;
+    fmt::print(
+        stderr, "{}", experiment::unscored_text(experiment::unscored_cells(run.tables.rows)));
+    for (const std::string& fault : record.faults)
+        fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);
+    if (record.missing.empty()) return;
+    fmt::print(stderr,
+               "inkbench: {} of {} parts are missing; what is finished is in {}, the same command "
+               "goes on\n",
+               record.missing.size(),
+               record.blocks,
+               folder.string());
+}
+
+}  // namespace
+
+fs::path write_page(const experiment::RunData& run, const fs::path& folder, const fs::path& page) {
+    if (!run.tables.stress.empty()) {
+        if (page.empty()) return report::write_stress_page(run, folder);
+        core::write_whole_file(page, report::stress_page(run));
+        return page;
+    }
+    const bool has_page = run.record.kind == "compare" || run.record.kind == "animation";
+    if (!has_page) {
+        throw core::Error(folder.string(),
+                          fmt::format("a run of kind {} has no page", run.record.kind),
+                          "a run of compare, stress or animation");
+    }
+    const fs::path target = page.empty() ? folder / "report.html" : page;
+    report::write_report(report::report_data(run), target);
+    return target;
+}
+
+void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, const RunShow& show) {
+    experiment::RunData run = experiment::read_run(folder);
+    fs::path page;
+    if (show.has_page && run.record.kind != "bound") page = write_page(run, folder, {});
+    if (!run.tables.rows.empty()) {
+        const report::ReportData data = report::report_data(run);
+        core::write_whole_file(folder / "verdict.md",
+                               report::verdict_markdown(data.rows, data.curves) + "\n");
+        if (show.has_page) report::write_figures(data, folder);
+    }
+    if (show.is_json) {
+        fmt::print("{}\n", result_json(run, folder, page).dump(2));
+    } else {
+        print_result(run);
+        fmt::print("run: {}\n", folder.string());
+        if (!page.empty()) fmt::print("report: {}\n", page.string());
+    }
+    std::fflush(stdout);
+    print_warnings(run, folder);
+    if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
+    if (!run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
+    if (!experiment::unscored_cells(run.tables.rows).empty()) throw CLI::RuntimeError(kUnscored);
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,123 @@
+#include "experiment/dictionary.h"
+
+#include <fmt/format.h>
+
+#include "experiment/stress_summary.h"
+#include "experiment/summary_csv.h"
+#include "harness/cost_tables.h"
+#include "harness/row_table.h"
+#include "harness/score_tables.h"
+#include "harness/sweep_table.h"
+#include "linear_code/bound_tables.h"
+#include "linear_code/cancellation_table.h"
+#include "studies/motion_table.h"
+#include "studies/roll_table.h"
+#include "studies/scaling_table.h"
+#include "studies/skips_table.h"
+#include "studies/stress_table.h"
+#include "studies/timedemo.h"
+
+namespace ink::experiment {
+namespace {
+
+harness::TableInfo run_record() {
+    return {
+        "run.toml",
+        "What was asked of the run, and which build and machine answered. Not a table: these are "
+        "its keys.",
+        {{"name", "", "of the run"},
+         {"kind", "", "compare, stress, animation, bound or tune"},
+         {"command", "", "as it was typed, less what says where results go"},
+         {"identity", "", "hash of all that rows depend on, the build included"},
+         {"build", "", "version and commit of the program"},
+         {"times", "", "false: fields of times are left empty"},
+         {"one_place", "", "true: one size and one number of threads"},
+         {"progress",
+          "",
+          "state (unfinished, finished, invalid), blocks and cells done, what is "
+          "missing, why it is invalid"},
+         {"built", "", "version, commit, compiler, flags and libraries of the program"},
+         {"machine", "", "cpu, and the instruction set that the kernels ran on"},
+         {"tables", "", "the files of the run and their headings"},
+         {"asked", "", "every option and, under methods, every parameter of every method"}}};
+}
+
+harness::TableInfo methods() {
+    return {"methods.csv",
+            "A line per method of the run, baselines first: what the program says of it.",
+            {{"method", "", "as in rows.csv"},
+             {"role", "", "method, floor, ceiling or exact"},
+             {"family", "", "methods of one family share a colour"},
+             {"marker", "", "of its points in charts"},
+             {"tunables", "", "name:low..high;... between which it is tuned, name:a|b of choices"},
+             {"bytes_per_px", "B/px", "of its buffers, depth included; empty if scenes decide"},
+             {"preset_of", "", "the method whose settings a preset changes"},
+             {"source", "", "where the method comes from"},
+             {"params", "", "every parameter, key=value;key=value"}}};
+}
+
+/// Its columns differ from run to run: one stands here for all swept parameters.
+harness::TableInfo sweep() {
+    harness::TableInfo table = harness::sweep_table({"PARAMETER"});
+    for (harness::Column& column : table.columns) {
+        if (column.name == "PARAMETER")
+            column.doc =
+                "one column per swept parameter, under its own name; empty if the method "
+                "has none of that name";
+    }
+    return table;
+}
+
+}  // namespace
+
+std::vector<harness::TableInfo> dictionary() {
+    return {run_record(),
+            methods(),
+            harness::rows_table(),
+            summary_table(),
+            harness::curves_table(),
+            harness::tolerances_table(),
+            harness::bins_table(),
+            sweep(),
+            harness::cost_table(),
+            linear_code::cancellation_table(),
+            stress_table(),
+            stress_summary_table(),
+            studies::motion_table(),
+            studies::lives_table(),
+            studies::roll_table(),
+            studies::vanishing_table(),
+            studies::scaling_table(),
+            studies::skips_table(),
+            linear_code::bound_table(),
+            studies::timedemo_frames_table()};
+}
+
+std::string dictionary_markdown() {
+    std::string text =
+        "# The tables of a run folder\n\n"
+        "Made by `inkbench list columns --markdown`; a test holds this page against the "
+        "program.\n\n"
+        "`rows.csv` has a line per cell and is complete in itself; every other table names a cell "
+        "of "
+        "it by its number in `cell`. Files are CSV (RFC 4180, UTF-8, \"\\n\"), numbers in the "
+        "shortest form that reads back to the same value, empty where nothing was measured. Two "
+        "runs "
+        "of one plan differ in columns marked *time* and in no others.\n";
+    for (const harness::TableInfo& table : dictionary())
+        text += fmt::format("\n{}", harness::dictionary_section(table));
+    return text;
+}
+
+std::string dictionary_text() {
+    std::string text = "columns (of the files of a run folder; --markdown for a page)\n";
+    for (const harness::TableInfo& table : dictionary()) {
+        text += fmt::format("  {}\n", table.file);
+        for (const harness::Column& column : table.columns) {
+            text += fmt::format("    {:<22} {:<12} {}\n", column.name, column.unit, column.doc);
+        }
+    }
+    return text;
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,150 @@
+#include "experiment/run_data.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "core/error.h"
+#include "experiment/block_store.h"
+#include "experiment/run_tables.h"
+#include "experiment/summary.h"
+#include "harness/cost_tables.h"
+#include "harness/score_tables.h"
+#include "harness/sweep_table.h"
+#include "harness/view_images.h"
+#include "linear_code/bound_tables.h"
+#include "linear_code/cancellation_table.h"
+#include "studies/motion_table.h"
+#include "studies/roll_table.h"
+#include "studies/scaling_table.h"
+#include "studies/skips_table.h"
+#include "studies/stress_table.h"
+
+namespace ink::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+using Texts = std::map<std::string, std::string>;
+
+/// The tables by name, split.
+class Tables {
+  public:
+    Tables(const Texts& texts, const std::string& where) : texts_(texts), where_(where) {}
+
+    [[nodiscard]] bool has(const std::string& name) const { return texts_.contains(name); }
+    [[nodiscard]] harness::CsvTable split(const std::string& name) const {
+        return harness::split_csv(texts_.at(name), (fs::path(where_) / name).string());
+    }
+
+  private:
+    const Texts& texts_;
+    std::string where_;
+};
+
+void read_studies(const Tables& tables, const harness::RowIndex& index, RunTables& run) {
+    if (tables.has("cancellation.csv"))
+        run.cancellation = linear_code::read_cancellation(tables.split("cancellation.csv"), index);
+    if (tables.has("motion.csv")) {
+        run.motion =
+            studies::read_motion(tables.split("motion.csv"), tables.split("lives.csv"), index);
+    }
+    if (tables.has("roll.csv"))
+        run.rolls =
+            studies::read_rolls(tables.split("roll.csv"), tables.split("vanishing.csv"), index);
+    if (tables.has("scaling.csv"))
+        run.scaling = studies::read_scaling(tables.split("scaling.csv"), index);
+    if (tables.has("skips.csv"))
+        run.skip_study = studies::read_skips(tables.split("skips.csv"), index);
+    if (tables.has("stress.csv"))
+        run.stress = studies::read_stress(tables.split("stress.csv"), index);
+    if (tables.has("bound.csv"))
+        run.bounds = linear_code::read_bounds(tables.split("bound.csv"), index);
+}
+
+std::string read_file(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw core::Error(path.string(), "it cannot be read", "a table of a run folder");
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+RunTables parse_tables(const Texts& texts, const std::string& where) {
+    RunTables run;
+    const Tables tables(texts, where);
+    if (!tables.has("rows.csv")) return run;
+    std::vector<harness::RowRecord> records = harness::read_rows(tables.split("rows.csv"));
+    if (tables.has("tolerances.csv"))
+        harness::join_tolerances(tables.split("tolerances.csv"), records);
+    if (tables.has("bins.csv")) harness::join_bins(tables.split("bins.csv"), records);
+    if (tables.has("cost.csv")) harness::join_costs(tables.split("cost.csv"), records);
+    const harness::RowIndex index(records);
+    if (tables.has("curves.csv")) {
+        for (harness::CurveRecord& record : harness::read_curves(tables.split("curves.csv"), index))
+            if (!harness::is_bracket(record.curve.method))
+                run.curves.push_back(std::move(record.curve));
+    }
+    if (tables.has("sweep.csv")) {
+        for (harness::SweepRecord& record : harness::read_sweep(tables.split("sweep.csv"), index)) {
+            run.sweep.push_back(std::move(record.row));
+            run.sweep_places.push_back({record.cell, record.setting});
+        }
+    }
+    read_studies(tables, index, run);
+    for (harness::RowRecord& record : records) {
+        if (record.study != harness::Study::compare) continue;
+        run.rows.push_back(std::move(record.row));
+        run.cells.push_back(record.cell);
+    }
+    return run;
+}
+
+void write_costs(const RunTables& run, Texts& texts) {
+    if (texts.contains("cost.csv")) {
+        std::string text = harness::heading(harness::cost_table());
+        for (std::size_t i = 0; i < run.rows.size(); ++i)
+            text += harness::cost_line(run.cells[i], run.rows[i]);
+        texts["cost.csv"] = std::move(text);
+    }
+    if (texts.contains("sweep.csv")) {
+        const auto swept =
+            harness::swept_parameters(harness::split_csv(texts["sweep.csv"], "sweep.csv"));
+        std::string text = harness::heading(harness::sweep_table(swept));
+        for (std::size_t i = 0; i < run.sweep.size(); ++i) {
+            const SettingPlace& place = run.sweep_places[i];
+            text += harness::sweep_line(place.cell, place.setting, swept, run.sweep[i]);
+        }
+        texts["sweep.csv"] = std::move(text);
+    }
+}
+
+RunData read_run(const fs::path& folder) {
+    const auto record = read_record(folder);
+    if (!record) {
+        throw core::Error(
+            folder.string(), "there is no run in it", "a folder with a run.toml of inkbench");
+    }
+    RunData run;
+    run.record = *record;
+    const BlockStore store(folder);
+    const std::vector<std::size_t> blocks = store.indices();
+    Texts texts;
+    if (record->state == RunState::unfinished && !blocks.empty()) {
+        // Its tables may be older than its blocks, or not there.
+        for (FinishedTable& table : finished_tables(*record, store))
+            texts[table.name] = std::move(table.text);
+        for (const std::size_t block : blocks)
+            if (const auto kept = store.read(block)) std::erase(run.record.missing, kept->key);
+    } else {
+        for (const RecordedTable& table : record->tables)
+            texts[table.name] = read_file(folder / table.name);
+    }
+    run.tables = parse_tables(texts, folder.string());
+    if (record->times) run.cost_fit = predict_costs(run.tables.rows, run.tables.sweep);
+    run.views = harness::read_shown_views(folder, run.tables.rows);
+    return run;
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiment/cost_model.h"
+#include "experiment/run_record.h"
+#include "harness/row.h"
+#include "harness/shown_view.h"
+#include "linear_code/cancellation.h"
+#include "linear_code/linear_bound_study.h"
+#include "statistics/ods.h"
+#include "studies/motion_rows.h"
+#include "studies/roll_study.h"
+#include "studies/scaling.h"
+#include "studies/skip_study.h"
+#include "studies/stress/stress_rows.h"
+
+namespace ink::experiment {
+
+/// Where a line of sweep.csv belongs.
+struct SettingPlace {
+    std::int64_t cell = 0;
+    int setting = 0;
+};
+
+/// What the tables of a run hold, read back. What a run has no table of is empty.
+struct RunTables {
+    std::vector<harness::Row> rows;             ///< of the study `compare`: one a method and view
+    std::vector<statistics::CellCurve> curves;  ///< of the methods among them
+    std::vector<std::int64_t> cells;            ///< the number of each of `rows`
+    std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
+    std::vector<SettingPlace> sweep_places;     ///< of each of `sweep`
+    std::vector<studies::ScalingPoint> scaling;
+    std::vector<studies::SkipTime> skip_study;
+    std::vector<studies::MotionRow> motion;
+    std::vector<studies::RollCurve> rolls;
+    std::vector<linear_code::CancellationRow> cancellation;
+    std::vector<studies::StressRow> stress;
+    std::vector<linear_code::BoundRow> bounds;
+};
+
+/// Reads tables from their texts, by file name, headings included. Throws core::Error (where =
+/// `where`, table and line) for text that no such table holds.
+[[nodiscard]] RunTables parse_tables(const std::map<std::string, std::string>& texts,
+                                     const std::string& where);
+
+/// Writes what predict_costs found out into the texts of cost.csv and sweep.csv.
+void write_costs(const RunTables& tables, std::map<std::string, std::string>& texts);
+
+/// A run folder, read back whole: all that a page or a figure needs.
+struct RunData {
+    RunRecord record;
+    RunTables tables;
+    CostFit cost_fit;                       ///< what the predicted times were made from
+    std::vector<harness::ShownView> views;  ///< those of which the folder holds images
+};
+
+/// Reads the run in `folder`; of one that was killed, what its finished blocks hold. Throws
+/// core::Error (where = the folder) if there is no run in it, or one that cannot be read.
+[[nodiscard]] RunData read_run(const std::filesystem::path& folder);
+
+}  // namespace ink::experiment

@@ -1,0 +1,199 @@
+#include "experiment/run_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "core/error.h"
+#include "core/provenance.h"
+#include "core/whole_file.h"
+#include "experiment/toml_reader.h"
+
+namespace ink::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFile = "run.toml";
+
+std::string_view state_name(RunState state) {
+    switch (state) {
+        case RunState::unfinished:
+            return "unfinished";
+        case RunState::finished:
+            return "finished";
+        case RunState::invalid:
+            return "invalid";
+    }
+    return "";
+}
+
+std::optional<RunState> state_called(const std::string& name) {
+    for (const RunState state : {RunState::unfinished, RunState::finished, RunState::invalid})
+        if (state_name(state) == name) return state;
+    return std::nullopt;
+}
+
+toml::array array_of(const std::vector<std::string>& texts) {
+    toml::array array;
+    for (const std::string& text : texts)
+        array.push_back(text);
+    return array;
+}
+
+std::vector<std::string> texts_of(const toml::node_view<const toml::node>& node) {
+    std::vector<std::string> texts;
+    if (const toml::array* array = node.as_array()) {
+        for (const toml::node& text : *array)
+            texts.push_back(text.value_or(std::string()));
+    }
+    return texts;
+}
+
+toml::table built() {
+    const core::Provenance& p = core::provenance();
+    toml::table libraries;
+    for (const auto& [name, version] : p.libraries)
+        libraries.insert(name, version);
+    return toml::table{{"version", p.version},
+                       {"commit", p.commit},
+                       {"changed", p.dirty},
+                       {"compiler", p.compiler},
+                       {"flags", p.flags},
+                       {"libraries", std::move(libraries)}};
+}
+
+toml::table machine() {
+    const core::Provenance& p = core::provenance();
+    return toml::table{{"cpu", p.cpu}, {"simd", p.simd}};
+}
+
+toml::table progress_of(const RunRecord& record) {
+    toml::table progress{{"state", state_name(record.state)},
+                         {"blocks", record.blocks},
+                         {"blocks_done", record.blocks_done},
+                         {"cells", record.cells}};
+    if (record.times) progress.insert("work_s", record.work_s);
+    if (!record.missing.empty()) progress.insert("missing", array_of(record.missing));
+    if (!record.faults.empty()) progress.insert("faults", array_of(record.faults));
+    return progress;
+}
+
+/// The first line in which two documents differ, "a" against "b"; "" if none does.
+std::string first_difference(const std::string& there, const std::string& mine) {
+    std::istringstream a(there);
+    std::istringstream b(mine);
+    std::string of_a;
+    std::string of_b;
+    while (true) {
+        const bool has_a = static_cast<bool>(std::getline(a, of_a));
+        const bool has_b = static_cast<bool>(std::getline(b, of_b));
+        if (!has_a && !has_b) return "";
+        if (!has_a) of_a = "nothing";
+        if (!has_b) of_b = "nothing";
+        if (of_a != of_b) return fmt::format("there {}, here {}", of_a, of_b);
+    }
+}
+
+}  // namespace
+
+RunRecord record_of(const Plan& plan) {
+    RunRecord record;
+    record.name = plan.name;
+    record.kind = plan.kind;
+    record.command = plan.command;
+    record.identity = plan.identity;
+    record.build = plan.build;
+    record.asked = plan.asked;
+    record.times = plan.times;
+    record.one_place = plan.one_place;
+    for (const PlannedTable& table : plan.tables)
+        record.tables.push_back({table.name, table.heading});
+    record.blocks = static_cast<int>(plan.blocks.size());
+    record.cells = plan.cells();
+    return record;
+}
+
+std::optional<RunRecord> read_record(const fs::path& folder) {
+    const fs::path file = folder / kFile;
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) return std::nullopt;
+    const std::string text{std::istreambuf_iterator<char>(stream),
+                           std::istreambuf_iterator<char>()};
+    const toml::table root = parse_toml(text, file);
+    const toml::node_view<const toml::node> view(root);
+    RunRecord record;
+    record.name = view["name"].value_or(std::string());
+    record.kind = view["kind"].value_or(std::string());
+    record.command = view["command"].value_or(std::string());
+    record.identity = view["identity"].value_or(std::string());
+    record.build = view["build"].value_or(std::string());
+    record.times = view["times"].value_or(true);
+    record.one_place = view["one_place"].value_or(true);
+    const auto names = texts_of(view["tables"]["names"]);
+    const auto headings = texts_of(view["tables"]["headings"]);
+    const auto progress = view["progress"];
+    const auto state = state_called(progress["state"].value_or(std::string()));
+    record.blocks = progress["blocks"].value_or(0);
+    record.blocks_done = progress["blocks_done"].value_or(0);
+    record.cells = progress["cells"].value_or(0);
+    record.work_s = progress["work_s"].value_or(0.0);
+    record.missing = texts_of(progress["missing"]);
+    record.faults = texts_of(progress["faults"]);
+    const toml::table* asked = root["asked"].as_table();
+    if (record.identity.empty() || !state || asked == nullptr || names.size() != headings.size()) {
+        throw core::Error(
+            file.string(), "this is no record of a run", "an unchanged file of inkbench");
+    }
+    record.state = *state;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        record.tables.push_back({names[i], headings[i]});
+    std::ostringstream asked_text;
+    asked_text << *asked;
+    record.asked = asked_text.str();
+    return record;
+}
+
+void write_record(const RunRecord& record, const fs::path& folder) {
+    toml::array names;
+    toml::array headings;
+    for (const RecordedTable& table : record.tables) {
+        names.push_back(table.name);
+        headings.push_back(table.heading);
+    }
+    toml::table root{{"name", record.name},
+                     {"kind", record.kind},
+                     {"command", record.command},
+                     {"identity", record.identity},
+                     {"build", record.build},
+                     {"times", record.times},
+                     {"one_place", record.one_place},
+                     {"progress", progress_of(record)},
+                     {"built", built()},
+                     {"machine", machine()},
+                     {"tables", toml::table{{"names", names}, {"headings", headings}}},
+                     {"asked", parse_toml(record.asked, folder / kFile)}};
+    std::ostringstream text;
+    text << "# What was asked of this run, and what answered. Written and read by inkbench.\n"
+         << root << '\n';
+    core::write_whole_file(folder / kFile, text.str());
+}
+
+void refuse_other_run(const fs::path& folder, const RunRecord& there, const RunRecord& mine) {
+    if (there.identity == mine.identity) return;
+    std::string what;
+    if (there.build != mine.build) {
+        what = fmt::format(
+            "it holds a run of another build ({}; this is {})", there.build, mine.build);
+    } else {
+        std::string difference = first_difference(there.asked, mine.asked);
+        if (difference.empty()) difference = "a model file has changed";
+        what = fmt::format("it holds another run, '{}': {}", there.name, difference);
+    }
+    throw core::Error(folder.string(), what, "another --out, or --force to throw that run away");
+}
+
+}  // namespace ink::experiment

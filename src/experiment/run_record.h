@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment_plan.h"
+
+namespace ink::experiment {
+
+/// How far a run came.
+enum class RunState {
+    unfinished,  ///< blocks are missing: it was interrupted or killed, or is at work
+    finished,
+    invalid,  ///< all is there, but what must hold does not: see RunRecord::faults
+};
+
+/// A table of a run folder.
+struct RecordedTable {
+    std::string name;     ///< "rows.csv"
+    std::string heading;  ///< the columns, joined by commas
+
+    friend bool operator==(const RecordedTable&, const RecordedTable&) = default;
+};
+
+/// What a run folder says of itself in run.toml: what was asked, and which build and machine
+/// answered. Enough to write its tables from finished blocks without the plan.
+struct RunRecord {
+    std::string name;
+    std::string kind;      ///< "compare", "stress", "animation", "bound", "tune"
+    std::string command;   ///< as the user typed it, less what says where results go
+    std::string identity;  ///< hash of all that rows depend on, the build included
+    std::string build;     ///< version and commit, for messages
+    std::string asked;     ///< a TOML document: every option, method and parameter
+    bool times = true;
+    bool one_place = true;  ///< one size and one number of threads
+    std::vector<RecordedTable> tables;
+    int blocks = 0;  ///< of the whole run
+    int cells = 0;
+
+    RunState state = RunState::unfinished;
+    int blocks_done = 0;
+    double work_s = 0;  ///< that the finished blocks took; 0 if times are left out
+    std::vector<std::string> missing = {};  ///< keys of the blocks that are not done
+    std::vector<std::string> faults = {};   ///< why the run is invalid
+};
+
+/// The record of a run of `plan` that has not begun.
+[[nodiscard]] RunRecord record_of(const Plan& plan);
+
+/// The record in `folder`/run.toml; nothing if there is no such file. Throws core::Error (where =
+/// the file) for one that is no record of a run.
+[[nodiscard]] std::optional<RunRecord> read_record(const std::filesystem::path& folder);
+
+/// Writes `folder`/run.toml whole. Throws core::Error if it cannot be written.
+void write_record(const RunRecord& record, const std::filesystem::path& folder);
+
+/// Throws core::Error (where = the folder) unless `there`, the record of its results, is of the
+/// same run as `mine`; says what differs.
+void refuse_other_run(const std::filesystem::path& folder,
+                      const RunRecord& there,
+                      const RunRecord& mine);
+
+}  // namespace ink::experiment

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "experiment/experiment.h"
+#include "harness/miss_prediction.h"
+#include "harness/view_cells.h"
+
+namespace ink::experiment {
+
+/// The scenes of an experiment, and what is kept of the one that is being worked on from block to
+/// block: its model, its methods made ready, the truth of the last view.
+class ViewBench {
+  public:
+    /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_subjects
+    /// does.
+    ViewBench(const Experiment& experiment, harness::TraceOptions trace);
+
+    [[nodiscard]] const Experiment& experiment() const { return experiment_; }
+    [[nodiscard]] const std::vector<harness::Entrant>& entrants() const { return entrants_; }
+    [[nodiscard]] const std::vector<scene::Scene>& scenes() const { return scenes_; }
+    [[nodiscard]] std::size_t view_count(std::size_t scene, const PictureSize& size) const;
+    [[nodiscard]] const scene::View& view(std::size_t scene,
+                                          const PictureSize& size,
+                                          std::size_t n) const;
+    [[nodiscard]] harness::CellOptions cell_options(int threads) const;
+
+    /// The truth of a view; that of the last view asked for is at hand.
+    const harness::TracedView& traced(std::size_t scene, const scene::View& view);
+    harness::MissPredictor& predictor(std::size_t scene);
+    /// All methods at their own settings, ready for the scene.
+    std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene);
+    /// Some methods made ready for the scene; they are not kept.
+    [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
+        const std::vector<harness::Entrant>& entrants, std::size_t scene) const;
+
+  private:
+    void turn_to(std::size_t scene);
+
+    Experiment experiment_;
+    harness::TraceOptions trace_;
+    std::vector<harness::Entrant> entrants_;
+    raster::SkipSet skips_;
+    std::vector<scene::Scene> scenes_;
+    std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;
+    std::size_t scene_ = 0;
+    std::unique_ptr<truth::SceneModel> model_;
+    std::unique_ptr<harness::MissPredictor> predictor_;
+    std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
+    const scene::View* traced_view_ = nullptr;
+    harness::TracedView traced_;
+};
+
+}  // namespace ink::experiment

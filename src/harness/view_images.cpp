@@ -1,0 +1,197 @@
+#include "harness/view_images.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <utility>
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "harness/sweep_table.h"
+#include "image_io/image_file.h"
+#include "truth/truth.h"
+
+namespace ink::harness {
+namespace {
+
+namespace fs = std::filesystem;
+using Gray = core::Image<std::uint8_t>;
+using Rgb = core::Image<glm::u8vec3>;
+
+constexpr const char* kTruth = "truth.png";
+
+std::string file_name(const std::string& text) {
+    std::string name = text;
+    for (char& c : name) {
+        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
+                              c == '-' || c == '_' || c == '+';
+        if (!is_plain) c = '_';
+    }
+    return name;
+}
+
+template <class Image>
+std::string png(const Image& image) {
+    const std::vector<std::uint8_t> bytes = image_io::encode_png(image);
+    return {bytes.begin(), bytes.end()};
+}
+
+Gray errors_of(const Shot& shot) {
+    Gray errors(shot.picture.width_px(), shot.picture.height_px());
+    for (const score::WrongPixel& wrong : shot.scored.attribution.pixels) {
+        errors.at(wrong.pixel.x_px, wrong.pixel.y_px) =
+            static_cast<std::uint8_t>(1 + static_cast<int>(wrong.cause));
+    }
+    return errors;
+}
+
+/// A colour that tells a number from its neighbours; sky is white.
+glm::u8vec3 colour_of(std::uint32_t number) {
+    if (number == truth::kNoTriangle) return {255, 255, 255};
+    std::uint32_t mixed = (number + 1) * 2654435761u;  // Knuth's multiplicative hash
+    mixed ^= mixed >> 15;
+    return {static_cast<std::uint8_t>(64 + mixed % 160),
+            static_cast<std::uint8_t>(64 + (mixed >> 8) % 160),
+            static_cast<std::uint8_t>(64 + (mixed >> 16) % 160)};
+}
+
+/// The object of every global triangle.
+std::vector<std::uint32_t> objects_of(const scene::Scene& scene) {
+    std::vector<std::uint32_t> objects;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const std::size_t triangles = scene.meshes[scene.instances[i].mesh].triangles.size();
+        objects.insert(objects.end(), triangles, static_cast<std::uint32_t>(i));
+    }
+    return objects;
+}
+
+Rgb object_layer(const truth::Layers& layers, const scene::Scene& scene) {
+    const std::vector<std::uint32_t> objects = objects_of(scene);
+    Rgb image(layers.triangle.width_px(), layers.triangle.height_px());
+    std::transform(layers.triangle.data(),
+                   layers.triangle.data() + layers.triangle.size(),
+                   image.data(),
+                   [&](std::uint32_t triangle) {
+                       return colour_of(triangle < objects.size() ? objects[triangle] : triangle);
+                   });
+    return image;
+}
+
+Rgb patch_layer(const truth::Layers& layers) {
+    Rgb image(layers.patch.width_px(), layers.patch.height_px());
+    std::transform(
+        layers.patch.data(), layers.patch.data() + layers.patch.size(), image.data(), colour_of);
+    return image;
+}
+
+Gray facing_layer(const truth::Layers& layers) {
+    Gray image(layers.n_dot_v.width_px(), layers.n_dot_v.height_px());
+    std::transform(
+        layers.n_dot_v.data(),
+        layers.n_dot_v.data() + layers.n_dot_v.size(),
+        image.data(),
+        [](float n_dot_v) {
+            return static_cast<std::uint8_t>(std::lround(255 * std::clamp(n_dot_v, 0.0f, 1.0f)));
+        });
+    return image;
+}
+
+/// none and oracle are blank and the truth itself.
+bool is_kept(const Row& row) {
+    return row.is_ok() && row.method != "none" && row.method != "oracle";
+}
+
+Gray read_sized(const fs::path& file, const Gray& truth) {
+    Gray image = image_io::read_gray(file);
+    if (image.width_px() == truth.width_px() && image.height_px() == truth.height_px())
+        return image;
+    throw core::Error(
+        file.string(),
+        fmt::format("it is {}x{} px", image.width_px(), image.height_px()),
+        fmt::format("{}x{} px, as its truth.png", truth.width_px(), truth.height_px()));
+}
+
+std::vector<score::WrongPixel> wrong_pixels(const fs::path& file, const Gray& truth) {
+    std::vector<score::WrongPixel> wrong;
+    const Gray errors = read_sized(file, truth);
+    for (int y = 0; y < errors.height_px(); ++y) {
+        for (int x = 0; x < errors.width_px(); ++x) {
+            const int code = errors.at(x, y);
+            if (code == 0) continue;
+            if (code > static_cast<int>(score::kCauseCount)) {
+                throw core::Error(file.string(),
+                                  fmt::format("pixel {},{} holds {}", x, y, code),
+                                  fmt::format("0..{}", score::kCauseCount));
+            }
+            wrong.push_back({{x, y}, static_cast<score::Cause>(code - 1)});
+        }
+    }
+    return wrong;
+}
+
+int threshold_of(const Row& row) {
+    for (const auto& [name, value] : split_params(row.params))
+        if (name == "threshold") return std::stoi(value);
+    return 128;
+}
+
+}  // namespace
+
+fs::path image_folder(const std::string& scene, const std::string& view) {
+    return fs::path("images") / file_name(scene) / file_name(view);
+}
+
+std::map<std::string, std::string> image_files(const ViewTruth& truth,
+                                               const scene::Scene& scene,
+                                               const std::vector<Shot>& shots) {
+    if (shots.empty()) return {};
+    const fs::path folder = image_folder(shots.front().row.scene, shots.front().row.view);
+    const truth::Layers& layers = truth.traced.layers;
+    std::vector<std::pair<std::string, std::function<std::string()>>> jobs = {
+        {kTruth, [&] { return png(truth.traced.labels); }},
+        {"layer_object.png", [&] { return png(object_layer(layers, scene)); }},
+        {"layer_patch.png", [&] { return png(patch_layer(layers)); }},
+        {"layer_facing.png", [&] { return png(facing_layer(layers)); }},
+    };
+    for (const Shot& shot : shots) {
+        if (!is_kept(shot.row)) continue;
+        const std::string name = file_name(shot.row.method);
+        jobs.emplace_back(name + ".png", [&shot] { return png(shot.picture); });
+        jobs.emplace_back(name + ".errors.png", [&shot] { return png(errors_of(shot)); });
+    }
+    std::vector<std::string> bytes(jobs.size());
+    core::parallel_for(
+        jobs.size(), core::hardware_threads(), [&](std::size_t i) { bytes[i] = jobs[i].second(); });
+    std::map<std::string, std::string> files;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+        files[(folder / jobs[i].first).string()] = std::move(bytes[i]);
+    return files;
+}
+
+std::vector<ShownView> read_shown_views(const fs::path& run, const std::vector<Row>& rows) {
+    std::vector<ShownView> views;
+    for (const Row& row : rows) {
+        if (!is_kept(row)) continue;
+        const fs::path folder = run / image_folder(row.scene, row.view);
+        const fs::path file = folder / (file_name(row.method) + ".png");
+        if (!fs::exists(folder / kTruth) || !fs::exists(file)) continue;
+        const bool is_new =
+            views.empty() || views.back().scene != row.scene || views.back().view != row.view;
+        if (is_new) {
+            views.push_back({row.scene, row.view, image_io::read_gray(folder / kTruth), {}});
+        }
+        const Gray& labels = views.back().labels;
+        views.back().pictures.push_back(
+            {row.method,
+             read_sized(file, labels),
+             threshold_of(row),
+             wrong_pixels(folder / (file_name(row.method) + ".errors.png"), labels)});
+    }
+    return views;
+}
+
+}  // namespace ink::harness

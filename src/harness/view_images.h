@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "harness/row.h"
+#include "harness/shots.h"
+#include "harness/shown_view.h"
+#include "harness/tracing.h"
+
+namespace ink::harness {
+
+/// The images of one view as PNG files: path inside the run folder, and bytes.
+///
+/// In `images/<scene>/<view>/`: `truth.png` holds the label of each pixel (0 none, 1 contour, ...,
+/// 7 ignore), `<method>.png` the edge response of a method (0..255) and `<method>.errors.png` why
+/// each wrong pixel is wrong (0: it is not wrong; else 1 + score::Cause), both for `sampled` too;
+/// `layer_object.png`, `layer_patch.png` and `layer_facing.png` what the truth sees at pixel
+/// centres: a colour for each object and smooth patch, |n.v| as grey. Cells that failed have none.
+[[nodiscard]] std::map<std::string, std::string> image_files(const ViewTruth& truth,
+                                                             const scene::Scene& scene,
+                                                             const std::vector<Shot>& shots);
+
+/// The folder of a view's images inside the run folder; characters that do not belong in a file's
+/// name become '_'.
+[[nodiscard]] std::filesystem::path image_folder(const std::string& scene, const std::string& view);
+
+/// The views of which the run folder `run` holds images, in the order of `rows`, which say
+/// thresholds. Throws core::Error (where = the file) for an image that cannot be read or has not
+/// the size of its truth.
+[[nodiscard]] std::vector<ShownView> read_shown_views(const std::filesystem::path& run,
+                                                      const std::vector<Row>& rows);
+
+}  // namespace ink::harness

@@ -1,0 +1,78 @@
+// Rows as a run makes them: every score, of methods, a preset and baselines.
+
+#include <gtest/gtest.h>
+
+#include "catalogue/catalogue.h"
+#include "harness/cost_tables.h"
+#include "harness/line_scores.h"
+#include "harness/score_tables.h"
+#include "harness/view_cells.h"
+#include "tests/harness/random_rows.h"
+
+namespace ink::experiment {
+namespace {
+
+/// The shots of one small view of a scene, scored in full.
+std::vector<harness::Shot> scored_shots(const std::string& name) {
+    const scene::Scene scene = catalogue::make_catalogue_scene(name);
+    const scene::View view{scene.cameras.front(), 160, 90};
+    harness::CellOptions options;
+    options.measure.max_repetitions = 1;
+    options.seed = 18446744073709551615ULL;
+    truth::SceneModel model(scene, options.trace.truth);
+    std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
+    for (const harness::Entrant& entrant :
+         harness::make_entrants("mote4,decaudin,edge_list,auto", {}))
+        methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene));
+    std::vector<harness::Shot> shots = harness::method_shots(methods, view, options.measure);
+    const harness::TracedView traced = harness::trace_with_facts(model, scene, view, options.trace);
+    harness::finish_shots(scene, view, traced, options, shots);
+    return shots;
+}
+
+TEST(RealRows, GoThroughTheirFilesUnchanged) {
+    std::string rows, tolerances, bins, costs;
+    std::int64_t cell = 0;
+    for (const char* scene : {"cube", "teapot"}) {
+        for (const harness::Shot& shot : scored_shots(scene)) {
+            ASSERT_EQ(shot.row.status, "ok");
+            rows += harness::row_line(++cell, harness::Study::compare, shot.row);
+            tolerances += harness::tolerance_lines(cell, shot.row.ladder);
+            bins += harness::bin_lines(cell, shot.row.lines->bins);
+            costs += harness::cost_line(cell, shot.row);
+        }
+    }
+    std::vector<harness::RowRecord> read =
+        harness::read_rows(harness::file_of(harness::rows_table(), rows));
+    ASSERT_EQ(read.size(), 14U) << "2 scenes of 4 methods and 3 baselines";
+    harness::join_tolerances(harness::file_of(harness::tolerances_table(), tolerances), read);
+    harness::join_bins(harness::file_of(harness::bins_table(), bins), read);
+    harness::join_costs(harness::file_of(harness::cost_table(), costs), read);
+    std::string rows_again, tolerances_again, bins_again, costs_again;
+    for (const harness::RowRecord& record : read) {
+        rows_again += harness::row_line(record.cell, record.study, record.row);
+        tolerances_again += harness::tolerance_lines(record.cell, record.row.ladder);
+        bins_again += harness::bin_lines(record.cell, record.row.lines->bins);
+        costs_again += harness::cost_line(record.cell, record.row);
+    }
+    EXPECT_EQ(rows_again, rows);
+    EXPECT_EQ(tolerances_again, tolerances);
+    EXPECT_EQ(bins_again, bins);
+    EXPECT_EQ(costs_again, costs);
+    EXPECT_GT(costs.size(), 0U);
+}
+
+TEST(RealRows, HoldTheMatchesThatRecallOfAClassIsMadeFrom) {
+    for (const harness::Shot& shot : scored_shots("cube")) {
+        ASSERT_FALSE(shot.row.recall_by_class.empty());
+        for (const auto& [name, recall] : shot.row.recall_by_class) {
+            EXPECT_EQ(recall,
+                      static_cast<double>(shot.row.k_by_class.at(name)) /
+                          static_cast<double>(shot.row.truth_px_by_class.at(name)))
+                << shot.row.method << " " << name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ink::experiment

@@ -1,0 +1,127 @@
+#include "harness/sweep_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.h"
+#include "harness/cost_tables.h"
+#include "tests/harness/random_rows.h"
+
+namespace ink::harness {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+TEST(SplitParams, GivesPairsInOrder) {
+    EXPECT_THAT(split_params("b=2;a=x=y;c="),
+                ElementsAre(Pair("b", "2"), Pair("a", "x=y"), Pair("c", "")));
+    EXPECT_TRUE(split_params("").empty());
+}
+
+TEST(ChangedParameters, AreThoseThatAnySettingChanges) {
+    EXPECT_THAT(changed_parameters("a=1;b=2;c=3", {"a=1;b=2;c=3", "a=1;b=5;c=3", "a=0;b=2;c=3"}),
+                ElementsAre("a", "b"));
+    EXPECT_TRUE(changed_parameters("a=1", {}).empty());
+}
+
+/// A row of a setting of `own` that says what sweep.csv can hold.
+Row random_setting(RandomValues& any, const Row& own, const std::string& params) {
+    Row row;
+    row.method = own.method;
+    row.scene = own.scene;
+    row.params = params;
+    if (any.coin()) row.status = "failed: " + any.text();
+    Row scores;
+    fill_random_scores(any, scores);
+    if (row.is_ok() && any.coin()) {
+        row.f_2px = scores.f_2px;
+        row.precision_2px = scores.precision_2px;
+        row.k_2px = scores.k_2px;
+        row.n_pred = scores.n_pred;
+        row.n_truth = scores.n_truth;
+        row.missing = scores.missing;
+    }
+    fill_random_times(any, row);
+    row.image_hash = any.text();
+    if (any.coin()) {
+        row.cost = random_cost(any);
+        row.predicted_ns = any.maybe([&] { return any.count(); });
+        row.cost_residual = any.maybe([&] { return any.real(); });
+    }
+    return row;
+}
+
+TEST(SweepTable, ReadsAndWritesTheSameBytes) {
+    RandomValues any(5);
+    std::vector<RowRecord> rows(2);
+    rows[0] = {4, Study::compare, random_row(any)};
+    rows[1] = {9, Study::compare, random_row(any)};
+    rows[0].row.params = "a=1;b=x;c=3";
+    rows[1].row.params = "b=y;d=0.5";
+    const std::vector<std::string> swept = {"a", "b"};
+    for (int trial = 0; trial < 50; ++trial) {
+        const Row first = random_setting(any, rows[0].row, "a=2;b=x, y;c=3");
+        const Row second = random_setting(any, rows[1].row, "b=z;d=0.5");
+        const std::string lines =
+            sweep_line(4, 1, swept, first) + sweep_line(9, trial + 1, swept, second);
+        const CsvTable csv = file_of(sweep_table(swept), lines);
+        EXPECT_EQ(swept_parameters(csv), swept);
+        const std::vector<SweepRecord> read = read_sweep(csv, RowIndex(rows));
+        ASSERT_EQ(read.size(), 2U);
+        EXPECT_EQ(read[0].row.params, first.params) << "its own c, the setting's a and b";
+        EXPECT_EQ(read[1].row.params, second.params) << "it has no a";
+        EXPECT_EQ(read[0].row.scene, rows[0].row.scene);
+        EXPECT_EQ(read[0].row.triangles, rows[0].row.triangles);
+        EXPECT_EQ(read[1].setting, trial + 1);
+        EXPECT_EQ(sweep_line(4, 1, swept, read[0].row) +
+                      sweep_line(read[1].cell, read[1].setting, swept, read[1].row),
+                  lines);
+    }
+}
+
+TEST(SweepTable, RefusesUnknownCellsAndParametersCalledAsColumns) {
+    const std::vector<RowRecord> rows = {{4, Study::compare, {}}};
+    const CsvTable csv = file_of(sweep_table({"a"}), sweep_line(5, 1, {"a"}, Row()));
+    try {
+        (void)read_sweep(csv, RowIndex(rows));
+        FAIL() << "there is no cell 5";
+    } catch (const core::Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "sweep.csv, line 2: column cell holds '5' (accepted: the number of a cell of "
+                     "rows.csv)");
+    }
+    EXPECT_THROW((void)sweep_table({"n_pred"}), core::Error);
+    CsvTable short_one = csv;
+    short_one.columns.pop_back();
+    EXPECT_THROW((void)read_sweep(short_one, RowIndex(rows)), core::Error);
+}
+
+TEST(CostTable, GoesBackIntoTheRowsAsItWas) {
+    RandomValues any(6);
+    std::vector<RowRecord> rows = random_rows(any, 20);
+    std::string lines;
+    for (RowRecord& row : rows) {
+        if (any.coin()) continue;
+        row.row.cost = random_cost(any);
+        row.row.predicted_ns = any.maybe([&] { return any.count(); });
+        row.row.cost_residual = any.maybe([&] { return any.real(); });
+        lines += cost_line(row.cell, row.row);
+    }
+    std::vector<RowRecord> joined = rows;
+    for (RowRecord& row : joined) {
+        row.row.cost.reset();
+        row.row.predicted_ns.reset();
+        row.row.cost_residual.reset();
+    }
+    join_costs(file_of(cost_table(), lines), joined);
+    std::string again;
+    for (const RowRecord& row : joined)
+        again += cost_line(row.cell, row.row);
+    EXPECT_EQ(again, lines);
+    EXPECT_EQ(cost_line(1, Row()), "") << "a baseline has no cost";
+    EXPECT_THROW(join_costs(file_of(cost_table(), lines), joined), core::Error) << "twice";
+}
+
+}  // namespace
+}  // namespace ink::harness
