@@ -206,7 +206,8 @@ method::MethodInfo preset_method(const Preset& preset,
     const method::MethodInfo& base = *find_base(bases, preset.method);
     method::MethodInfo info = base;
     info.name = preset.name;
-    info.source = fmt::format("{}, with settings found by inkbench tune", base.name);
+    info.preset_of = base.name;
+    info.source = fmt::format("{}; settings found by inkbench tune", base.source);
     info.summary = fmt::format("{}: {}", base.name, base.summary);
     for (core::Param& param : info.params) {
         const auto tuned = preset.settings.find(param.name);

@@ -1,6 +1,7 @@
 """How figures look: vector, a journal's two widths, colours of Okabe and Ito, labels at the lines.
 
-A family of methods has a colour, a method of it a marker; a tuned row is its method's, hollow.
+A family of methods has a colour, a method of it a marker, both as the run's methods.csv says; a
+tuned row is its method's, hollow.
 `save` writes the SVG and returns it for the notebook: the same bytes for the same rows.
 """
 
@@ -19,6 +20,8 @@ from matplotlib.patheffects import withStroke  # noqa: E402
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
+import runs  # noqa: E402
+
 FOLDER = Path(os.environ.get("INKBENCH_FIGURES", "figures"))
 NARROW, WIDE = 3.4, 7.0  # inches: one column of a paper, both
 
@@ -36,18 +39,16 @@ CAUSE_COLOURS = {
     "missing_undeclared": "#d98a3a",
 }
 
-# As src/report/method_looks.cpp has them, so that a method looks alike here and in the report; the
-# markers go by place.
-FAMILIES = {
-    "packed": (BLUE, ["mote2", "mote4", "mote16", "auto", "canny"]),
-    "full buffers": (VERMILION, ["decaudin", "roberts", "sobel", "plane_distance"]),
-    "ids": (GREEN, ["ids", "jump_flood"]),
-    "edges, hulls": (PURPLE, ["edge_list", "edge_hash", "polygon_offset", "back_faces",
-                              "inverted_hull"]),
-}
+# A family in methods.csv: its word in legends, and its colour as the report has it.
 OTHERS = "other"
+FAMILIES = {"packed": ("packed", BLUE), "full_buffers": ("full buffers", VERMILION),
+            "ids": ("ids", GREEN), "edges_and_hulls": ("edges, hulls", PURPLE),
+            "other": (OTHERS, INK)}
+# A marker there, and what Matplotlib calls it; within a family methods stand in this order.
+SHAPES = {"circle": "o", "square": "s", "diamond": "D", "up": "^", "down": "v", "plus": "P",
+          "cross": "X", "left": "<", "right": ">"}
+MARKERS = list(SHAPES.values())
 BRACKETS = ["none", "sampled", "oracle"]
-MARKERS = ["o", "s", "D", "^", "v", "P", "X", "<", ">"]
 
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 7.5, "axes.titlesize": 8, "axes.labelsize": 7.5,
@@ -63,55 +64,58 @@ STYLE = {
 plt.rcParams.update(STYLE)
 
 
+def _fact(method, column):
+    """A field of methods.csv; "" for a method that no run and no program lists."""
+    known = runs.methods()
+    return known.at[method, column] if method in known.index else ""
+
+
 def base(method):
-    """The method whose settings a tuned row changes; else the method itself."""
-    return method[: -len("_tuned")] if method.endswith("_tuned") else method
+    """The method whose settings a preset changes; else the method itself."""
+    return _fact(method, "preset_of") or method.removesuffix("_tuned")
+
+
+def _family(method):
+    return _fact(method, "family") or _fact(base(method), "family") or "other"
+
+
+def _place(method):
+    """Where the method stands in its family, by its marker."""
+    return list(SHAPES).index(_fact(method, "marker") or _fact(base(method), "marker") or "circle")
 
 
 def family(method):
-    for name, (_, members) in FAMILIES.items():
-        if base(method) in members:
-            return name
-    return OTHERS
+    """The word for the method's family in legends."""
+    return FAMILIES[_family(method)][0]
 
 
 def colour(method):
     """The colour of the method's family."""
-    if method in BRACKETS:
-        return FAINT
-    return FAMILIES[family(method)][0] if family(method) in FAMILIES else INK
+    return FAINT if method in BRACKETS else FAMILIES[_family(method)][1]
 
 
 def shade(method):
     """The method's own, darker or lighter, so that neighbours in a family differ in grey too."""
-    members = FAMILIES[family(method)][1] if family(method) in FAMILIES else [base(method)]
     towards, share = [(INK, 0), (INK, 0.55), ("#ffffff", 0.35), (INK, 0.3), ("#ffffff", 0.55)][
-        members.index(base(method)) % 5]
+        _place(method) % 5]
     mixed = [a + share * (b - a) for a, b in zip(to_rgb(colour(method)), to_rgb(towards))]
     return to_hex(mixed)
 
 
 def look(method, is_shaded=False):
     """Keywords of `plot` that tell a method from the others; shaded where a family has a panel."""
-    members = FAMILIES[family(method)][1] if family(method) in FAMILIES else [base(method)]
     tone = shade(method) if is_shaded else colour(method)
-    hollow = method.endswith("_tuned")
-    return {"color": tone, "marker": MARKERS[members.index(base(method)) % len(MARKERS)],
+    hollow = base(method) != method
+    return {"color": tone, "marker": MARKERS[_place(method)],
             "markerfacecolor": "white" if hollow else tone, "markeredgewidth": 0.9,
             "linestyle": "--" if hollow else "-"}
 
 
 def by_family(methods):
-    """The methods (brackets left out) in the order of families, tuned rows behind their own."""
-    order = [m for _, members in FAMILIES.values() for m in members]
+    """The methods (brackets left out) in the order of families, presets behind their own."""
     methods = [m for m in dict.fromkeys(methods) if m not in BRACKETS]
-
-    def place(method):
-        known = base(method) in order
-        return (order.index(base(method)) if known else len(order), base(method) if not known
-                else "", method.endswith("_tuned"))
-
-    return sorted(methods, key=place)
+    order = list(FAMILIES)
+    return sorted(methods, key=lambda m: (order.index(_family(m)), _place(m), base(m), base(m) != m))
 
 
 def families_of(methods):

@@ -8,12 +8,16 @@ three lines:
     curves = curves.merge(rows[["cell", "method", "scene", "view"]], on="cell")
 """
 
+import functools
+import io
 import os
+import subprocess
 from pathlib import Path
 
 import pandas as pd
 
 ROOT = Path(os.environ.get("INKBENCH_RUNS", "../inkbench-out"))
+PROGRAM = Path(os.environ.get("INKBENCH", "../build/release/inkbench"))
 
 # What writes the files of a folder. `notebooks/execute` runs those that are missing.
 COMMANDS = {
@@ -109,6 +113,29 @@ def table_if_any(name, *folders):
         print(f"Nothing to draw: {_advice(name, folders)}.")
         return None
     return table(name, *folders)
+
+
+def _listed_methods():
+    """methods.csv as the program itself has it, for runs without one."""
+    try:
+        return subprocess.run([PROGRAM, "list", "methods", "--csv"], check=True, text=True,
+                              stdout=subprocess.PIPE).stdout
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise MissingTable("methods.csv is in no folder under INKBENCH_RUNS, and the program that "
+                           f"would list its methods fails ({error}); ./bootstrap build makes it, "
+                           "INKBENCH names another") from error
+
+
+@functools.cache
+def methods():
+    """What is known of each method, by its name: family, marker, preset_of and more, all as text.
+
+    From methods.csv of all runs that have it (the first line of a name counts), else from the
+    program.
+    """
+    tables = sorted(ROOT.glob("**/methods.csv")) or [io.StringIO(_listed_methods())]
+    frames = [pd.read_csv(table, dtype=str, keep_default_na=False) for table in tables]
+    return pd.concat(frames).drop_duplicates("method").set_index("method")
 
 
 def with_settings(frame):

@@ -113,6 +113,9 @@ method::MethodInfo auto_method() {
         "auto",
         "new here; a code in MOTE's manner, planned for the scene",
         "one or two bytes of what the scene's ledger says can make a line");
+    info.family = method::Family::packed;
+    info.marker = method::Marker::up;
+    info.is_planned = true;
     info.sweep = sweep();
     return info;
 }

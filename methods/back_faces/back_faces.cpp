@@ -3,8 +3,6 @@
 
 #include "methods/back_faces/back_faces.h"
 
-#include "buffers/line_cost.h"
-
 namespace ink::methods {
 namespace {
 
@@ -60,23 +58,16 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
 }
 
 BackFaces::BackFaces(const Params& params)
-    : params_(params), scene_(params.edges), filled_lines_(params.depth_format) {}
+    : buffers::FilledLinesMethod(params.edges, params.depth_format), params_(params) {}
 
-void BackFaces::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    out.fill(0);
-    if (scene_.is_empty() || out.is_empty()) return;
-    raster::MeshInput fills = scene_.mesh_input(frame);
+void BackFaces::choose(const method::Frame& frame,
+                       buffers::TriangleEdges& scene,
+                       raster::MeshInput& fills,
+                       raster::LineInput& lines) const {
     fills.cull = raster::Cull::back;
-    raster::LineInput lines;
-    lines.lines = scene_.lines_of_side(-1, frame);
+    lines.lines = scene.lines_of_side(-1, frame);
     lines.width_px = params_.width_px;
     lines.offset = {0, params_.units};
-    skip_counts_ = filled_lines_.draw(frame, scene_, fills, lines, out);
-}
-
-method::Cost BackFaces::cost() const {
-    return buffers::filled_lines_cost(filled_lines_.format());
 }
 
 method::MethodInfo back_faces() {
@@ -84,6 +75,8 @@ method::MethodInfo back_faces() {
         "back_faces",
         "CoRgi, after Lander, Under the Shade of the Rendering Tree, Game Developer 2000",
         "back faces as thick wireframe, front faces filled over it; no adjacency");
+    info.family = method::Family::edges_and_hulls;
+    info.marker = method::Marker::up;
     info.sweep = sweep();
     return info;
 }

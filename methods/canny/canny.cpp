@@ -202,6 +202,8 @@ method::MethodInfo canny() {
         method::method_info<Canny>("canny",
                                    "Canny 1986, as OpenCV has it, on the buffer of mote4",
                                    "OpenCV's Canny on depth and normal summed in one byte");
+    info.family = method::Family::packed;
+    info.marker = method::Marker::down;
     info.sweep = sweep();
     return info;
 }

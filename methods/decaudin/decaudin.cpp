@@ -4,30 +4,11 @@
 
 #include <array>
 
-#include "buffers/packed_sink.h"
-
 namespace ink::methods {
 namespace {
 
-class DecaudinSink : public raster::TileSink {
-  public:
-    DecaudinSink(const Decaudin::Params& params,
-                 const method::DepthCarrier& carrier,
-                 edge::EdgeImage& out)
-        : params_(params), carrier_(carrier), out_(out) {}
-
-    void finish(const raster::Tile& tile) override;
-
-  private:
-    [[nodiscard]] edge::DecaudinJoin join() const;
-
-    const Decaudin::Params& params_;
-    const method::DepthCarrier& carrier_;
-    edge::EdgeImage& out_;
-};
-
-edge::DecaudinJoin DecaudinSink::join() const {
-    switch (params_.join) {
+edge::DecaudinJoin join_of(Decaudin::Join join) {
+    switch (join) {
         case Decaudin::Join::max:
             return edge::DecaudinJoin::max;
         case Decaudin::Join::either:
@@ -36,27 +17,6 @@ edge::DecaudinJoin DecaudinSink::join() const {
             break;
     }
     return edge::DecaudinJoin::length;
-}
-
-void DecaudinSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return buffers::clear_tile(tile, out_);
-    buffers::TileFloats depth_buffer;
-    std::array<buffers::TileFloats, 3> normal_buffers;
-    const buffers::TilePlane depth = buffers::encoded_depth(
-        tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
-    const std::array<buffers::TilePlane, 3> normals =
-        buffers::view_normals(tile, params_.renormalise, normal_buffers);
-    const edge::DecaudinK k_depth{static_cast<float>(params_.k_depth), params_.k_place};
-    const edge::DecaudinK k_normal{static_cast<float>(params_.k_normal), params_.k_place};
-    const std::array<edge::DecaudinChannel, 4> channels = {
-        edge::DecaudinChannel{depth.origin, depth.stride, k_depth},
-        {normals[0].origin, normals[0].stride, k_normal},
-        {normals[1].origin, normals[1].stride, k_normal},
-        {normals[2].origin, normals[2].stride, k_normal}};
-    edge::decaudin(
-        channels,
-        join(),
-        {out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()});
 }
 
 /// From the fastest to the most exact, the method as it comes among them. Thresholds go with their
@@ -124,14 +84,29 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
                 "Strength from which on a pixel is a line.");
 }
 
-Decaudin::Decaudin(const Params& params) : params_(params), buffers_(params, 2) {}
+Decaudin::Decaudin(const Params& params)
+    : buffers::FullBufferMethod(params, 2, static_cast<float>(params.sky)), params_(params) {}
 
-void Decaudin::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (buffers_.is_empty()) return out.fill(0);
-    const method::DepthCarrier carrier = buffers_.see(frame);
-    DecaudinSink sink(params_, carrier, out);
-    skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
+void Decaudin::filter(const buffers::FullBufferFrame& frame,
+                      const raster::Tile& tile,
+                      edge::EdgeImage& out) const {
+    buffers::TileFloats depth_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    const buffers::TilePlane depth = buffers::encoded_depth(
+        tile, frame.carrier, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
+    const std::array<buffers::TilePlane, 3> normals =
+        buffers::view_normals(tile, params_.renormalise, normal_buffers);
+    const edge::DecaudinK k_depth{static_cast<float>(params_.k_depth), params_.k_place};
+    const edge::DecaudinK k_normal{static_cast<float>(params_.k_normal), params_.k_place};
+    const std::array<edge::DecaudinChannel, 4> channels = {
+        edge::DecaudinChannel{depth.origin, depth.stride, k_depth},
+        {normals[0].origin, normals[0].stride, k_normal},
+        {normals[1].origin, normals[1].stride, k_normal},
+        {normals[2].origin, normals[2].stride, k_normal}};
+    edge::decaudin(
+        channels,
+        join_of(params_.join),
+        {out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()});
 }
 
 method::MethodInfo decaudin() {
@@ -139,6 +114,9 @@ method::MethodInfo decaudin() {
         "decaudin",
         "Decaudin, Cartoon-looking rendering of 3D-scenes, INRIA RR-2919, 1996",
         "two nonlinear operators over full depth and normal buffers: the reference");
+    info.family = method::Family::full_buffers;
+    info.marker = method::Marker::circle;
+    info.tunables = {{"k_depth", {{0.001, 1}}}, {"k_normal", {{0.01, 2}}}, {"join"}, {"threshold"}};
     info.sweep = sweep();
     return info;
 }

@@ -2,14 +2,13 @@
 
 #include <vector>
 
-#include "buffers/full_buffers.h"
+#include "buffers/full_buffer_method.h"
 #include "edge/decaudin_filter.h"
-#include "method/method.h"
 
 namespace ink::methods {
 
 /// Decaudin's outlines from full depth and normal buffers: the reference of the seeds' line.
-class Decaudin : public method::Method {
+class Decaudin : public buffers::FullBufferMethod {
   public:
     enum class Join {
         max,     ///< the largest p
@@ -29,21 +28,13 @@ class Decaudin : public method::Method {
 
     explicit Decaudin(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return buffers_.layers(frame);
-    }
-    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    void filter(const buffers::FullBufferFrame& frame,
+                const raster::Tile& tile,
+                edge::EdgeImage& out) const override;
+    [[nodiscard]] method::PixelWork filter_work() const override;
+
     Params params_;
-    buffers::FullBuffers buffers_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo decaudin();

@@ -30,20 +30,12 @@ double join_operations(Decaudin::Join join) {
 
 }  // namespace
 
-method::Cost Decaudin::cost() const {
-    method::Cost cost = buffers_.cost();
-    method::PixelWork depth = method::encode_work(params_.depth_encoding, params_.interpolation);
-    if (params_.depth_sign == buffers::DepthSign::far_high) depth.operations += 1;
-    if (depth.operations > 0) depth = depth + method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    method::PixelWork normals;
-    if (params_.renormalise) {
-        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    }
+method::PixelWork Decaudin::filter_work() const {
     const method::PixelWork join{0, 0, join_operations(params_.join)};
     method::PixelWork write{0, 1, 4};  // at most 1, times 255, plus a half, to a byte
     if (params_.join == Join::length) write.operations += method::kSlowOperations;
-    cost.filter = depth + normals + kChannels * (kG + kP + join) + write;
-    return cost;
+    return buffers::encoded_depth_work(params_) + buffers::view_normals_work(params_.renormalise) +
+           kChannels * (kG + kP + join) + write;
 }
 
 }  // namespace ink::methods

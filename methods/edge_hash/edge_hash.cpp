@@ -185,6 +185,8 @@ method::MethodInfo edge_hash() {
         "edge_hash",
         "TechnicalQuake, a project of technical illustration in Quake, about 2004",
         "edges found in polygon soup through a hash of model, frame and edge; cached");
+    info.family = method::Family::edges_and_hulls;
+    info.marker = method::Marker::square;
     info.sweep = sweep();
     return info;
 }

@@ -101,6 +101,8 @@ method::MethodInfo edge_list() {
         "edge_list",
         "CoRgi's comic renderer, a master's project, about 2000",
         "a list of edges; contours thick, creases thin, hidden by the depth buffer");
+    info.family = method::Family::edges_and_hulls;
+    info.marker = method::Marker::circle;
     info.sweep = sweep();
     return info;
 }

@@ -127,6 +127,8 @@ method::MethodInfo ids() {
         "ids",
         "item buffers: Weghorst, Hooper and Greenberg 1984; borders of ids as engines draw them",
         "a line wherever neighbours belong to other objects or smooth patches");
+    info.family = method::Family::ids;
+    info.marker = method::Marker::circle;
     info.sweep = sweep();
     return info;
 }

@@ -191,6 +191,8 @@ method::MethodInfo inverted_hull() {
         "inverted_hull",
         "Rossignac and van Emmerik 1992, Raskar and Cohen 1999; as engines do it today",
         "back faces moved out along their normals, black; front faces over them");
+    info.family = method::Family::edges_and_hulls;
+    info.marker = method::Marker::down;
     info.sweep = sweep();
     return info;
 }

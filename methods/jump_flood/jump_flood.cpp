@@ -153,6 +153,8 @@ method::MethodInfo jump_flood() {
         "jump_flood",
         "Rong and Tan, Jump flooding in GPU, I3D 2006; wide outlines as engines draw them",
         "borders of ids and depth, spread to any width by jump flooding");
+    info.family = method::Family::ids;
+    info.marker = method::Marker::square;
     info.sweep = sweep();
     return info;
 }

@@ -126,6 +126,10 @@ method::MethodInfo mote16() {
         method::method_info<Mote16>("mote16",
                                     "Mononen, MOTE engine 1.1 (about 1999); bit layout guessed",
                                     "depth and normal in 16 bits, 4-neighbour Laplacian");
+    info.family = method::Family::packed;
+    info.marker = method::Marker::diamond;
+    info.tunables = {{"range_depth"}, {"range_nx"}, {"range_ny"}, {"range_nz"}, {"threshold"}};
+    info.sum_limits = {{{"range_depth", "range_nx", "range_ny", "range_nz"}, 65535}};
     info.sweep = sweep();
     return info;
 }

@@ -79,6 +79,10 @@ method::MethodInfo mote2() {
         method::method_info<Mote2>("mote2",
                                    "Mononen, MOTE engine, first version (about 1998)",
                                    "depth and normal z in one byte, 4-neighbour Laplacian");
+    info.family = method::Family::packed;
+    info.marker = method::Marker::circle;
+    info.tunables = {{"range_depth"}, {"range_normal"}, {"threshold", {{1, 64}}}};
+    info.sum_limits = {{{"range_depth", "range_normal"}, 255}};
     info.sweep = sweep();
     return info;
 }

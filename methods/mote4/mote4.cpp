@@ -80,6 +80,11 @@ method::MethodInfo mote4() {
         "mote4",
         "Mononen, MOTE engine, second version (about 1998)",
         "depth and normal x, y, z summed in one byte, 4-neighbour Laplacian");
+    info.family = method::Family::packed;
+    info.marker = method::Marker::square;
+    info.tunables = {
+        {"range_depth"}, {"range_nx"}, {"range_ny"}, {"range_nz"}, {"threshold", {{1, 64}}}};
+    info.sum_limits = {{{"range_depth", "range_nx", "range_ny", "range_nz"}, 255}};
     info.sweep = sweep();
     return info;
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "buffers/full_buffers.h"
+#include "buffers/full_buffer_method.h"
 
 namespace ink::methods {
 
 /// Roberts' cross on the distance of each pixel's plane from the eye, n . p, and on the normal:
 /// nothing changes within a face, however it is seen.
-class PlaneDistance : public method::Method {
+class PlaneDistance : public buffers::FullBufferMethod {
   public:
     struct Params : buffers::InputParams {
         // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
@@ -18,21 +18,13 @@ class PlaneDistance : public method::Method {
 
     explicit PlaneDistance(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return buffers_.layers(frame);
-    }
-    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    void filter(const buffers::FullBufferFrame& frame,
+                const raster::Tile& tile,
+                edge::EdgeImage& out) const override;
+    [[nodiscard]] method::PixelWork filter_work() const override;
+
     Params params_;
-    buffers::FullBuffers buffers_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo plane_distance();

@@ -2,8 +2,6 @@
 
 #include "methods/polygon_offset/polygon_offset.h"
 
-#include "buffers/line_cost.h"
-
 namespace ink::methods {
 namespace {
 
@@ -82,25 +80,18 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
 }
 
 PolygonOffsetInk::PolygonOffsetInk(const Params& params)
-    : params_(params), scene_(params.edges), filled_lines_(params.depth_format) {}
+    : buffers::FilledLinesMethod(params.edges, params.depth_format), params_(params) {}
 
-void PolygonOffsetInk::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    out.fill(0);
-    if (scene_.is_empty() || out.is_empty()) return;
+void PolygonOffsetInk::choose(const method::Frame& frame,
+                              buffers::TriangleEdges& scene,
+                              raster::MeshInput& fills,
+                              raster::LineInput& lines) const {
     const bool is_culled = params_.faces == Faces::front;
-    raster::MeshInput fills = scene_.mesh_input(frame);
     fills.cull = is_culled ? raster::Cull::back : raster::Cull::none;
     // The page's width is a whole number; a factor of a width that is rounded must not be another.
     fills.offset = {params_.factor * raster::line_width_px(params_.width_px), params_.units};
-    raster::LineInput lines;
-    lines.lines = is_culled ? scene_.lines_of_side(1, frame) : scene_.lines();
+    lines.lines = is_culled ? scene.lines_of_side(1, frame) : scene.lines();
     lines.width_px = params_.width_px;
-    skip_counts_ = filled_lines_.draw(frame, scene_, fills, lines, out);
-}
-
-method::Cost PolygonOffsetInk::cost() const {
-    return buffers::filled_lines_cost(filled_lines_.format());
 }
 
 method::MethodInfo polygon_offset() {
@@ -108,6 +99,9 @@ method::MethodInfo polygon_offset() {
         "polygon_offset",
         "\"Inked\", a page on drawing outlines with polygon offset",
         "a fat black wireframe, fills pulled over it by polygon offset");
+    info.family = method::Family::edges_and_hulls;
+    info.marker = method::Marker::diamond;
+    info.tunables = {{"factor", {{-4, 0}}}, {"units", {{-65536, 0}}}};
     info.sweep = sweep();
     return info;
 }

@@ -1,13 +1,11 @@
 #pragma once
 
 #include "buffers/filled_lines.h"
-#include "buffers/triangle_edges.h"
-#include "method/method.h"
 
 namespace ink::methods {
 
 /// Ink by polygon offset: a fat black wireframe, and fills pulled towards the eye over it.
-class PolygonOffsetInk : public method::Method {
+class PolygonOffsetInk : public buffers::FilledLinesMethod {
   public:
     enum class Faces {
         both,   ///< nothing is culled
@@ -26,20 +24,13 @@ class PolygonOffsetInk : public method::Method {
 
     explicit PolygonOffsetInk(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { scene_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { scene_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    [[nodiscard]] int bytes_per_px() const override {
-        return filled_lines_.format().bytes_per_px();
-    }
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    void choose(const method::Frame& frame,
+                buffers::TriangleEdges& scene,
+                raster::MeshInput& fills,
+                raster::LineInput& lines) const override;
+
     Params params_;
-    buffers::TriangleEdges scene_;
-    buffers::FilledLines filled_lines_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo polygon_offset();

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "buffers/full_buffers.h"
+#include "buffers/full_buffer_method.h"
 
 namespace ink::methods {
 
 /// Roberts' cross on depth and normals with a guard against grazing angles, as engines run it.
-class Roberts : public method::Method {
+class Roberts : public buffers::FullBufferMethod {
   public:
     /// How the threshold on depth grows where a surface is seen at a grazing angle.
     enum class Guard {
@@ -26,21 +26,14 @@ class Roberts : public method::Method {
 
     explicit Roberts(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return buffers_.layers(frame);
-    }
-    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    void filter(const buffers::FullBufferFrame& frame,
+                const raster::Tile& tile,
+                edge::EdgeImage& out) const override;
+    [[nodiscard]] method::PixelWork filter_work() const override;
+    [[nodiscard]] float guarded(float step, float facing, float per_px) const;
+
     Params params_;
-    buffers::FullBuffers buffers_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo roberts();

@@ -5,40 +5,11 @@
 
 #include <algorithm>
 
-#include "buffers/packed_sink.h"
 #include "edge/decaudin_filter.h"
 #include "edge/sobel.h"
 
 namespace ink::methods {
 namespace {
-
-using Order = Sobel::Order;
-
-/// Sensitivities of one channel.
-struct Limits {
-    float first;
-    float second;
-};
-
-class SobelSink : public raster::TileSink {
-  public:
-    SobelSink(const Sobel::Params& params,
-              const method::DepthCarrier& carrier,
-              edge::EdgeImage& out)
-        : params_(params), carrier_(carrier), out_(out) {}
-
-    void finish(const raster::Tile& tile) override;
-
-  private:
-    void add_channel(const raster::Tile& tile,
-                     const buffers::TilePlane& plane,
-                     const Limits& limits,
-                     buffers::TileFloats& joined) const;
-
-    const Sobel::Params& params_;
-    const method::DepthCarrier& carrier_;
-    edge::EdgeImage& out_;
-};
 
 /// Joins the profile p = min((gmax - gmin) / k, 1)^2 of one plane, extremes over 3 x 3 pixels, by
 /// the larger. Saito and Takahashi's p is Decaudin's of another g.
@@ -80,40 +51,6 @@ void join_internal(const raster::Tile& tile,
             const float e = std::min(strength[x] / k, 1.0F);
             row[x] = std::max(row[x], e * e);
         }
-    }
-}
-
-void SobelSink::add_channel(const raster::Tile& tile,
-                            const buffers::TilePlane& plane,
-                            const Limits& limits,
-                            buffers::TileFloats& joined) const {
-    if (params_.order != Order::second) join_profile(tile, plane, limits.first, joined);
-    if (params_.order != Order::first) join_internal(tile, plane, limits.second, joined);
-}
-
-void SobelSink::finish(const raster::Tile& tile) {
-    if (tile.is_empty) return buffers::clear_tile(tile, out_);
-    buffers::TileFloats depth_buffer;
-    std::array<buffers::TileFloats, 3> normal_buffers;
-    buffers::TileFloats joined;
-    for (int y = 0; y < tile.height_px; ++y)
-        std::fill_n(joined.row(y), tile.width_px, 0.0F);
-    const buffers::TilePlane depth = buffers::encoded_depth(
-        tile, carrier_, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
-    const Limits depth_limits{static_cast<float>(params_.k_first),
-                              static_cast<float>(params_.k_second)};
-    add_channel(tile, depth, depth_limits, joined);
-    if (params_.uses_normals) {
-        const auto k = static_cast<float>(params_.k_normal);
-        for (const buffers::TilePlane& normal :
-             buffers::view_normals(tile, params_.renormalise, normal_buffers))
-            add_channel(tile, normal, {k, k}, joined);
-    }
-    for (int y = 0; y < tile.height_px; ++y) {
-        std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
-        const float* row = joined.row(y);
-        for (int x = 0; x < tile.width_px; ++x)
-            to[x] = static_cast<std::uint8_t>(row[x] * 255 + 0.5F);
     }
 }
 
@@ -180,25 +117,46 @@ core::ParamTable<Sobel::Params> Sobel::table() {
                 "Strength from which on a pixel is a line.");
 }
 
-Sobel::Sobel(const Params& params) : params_(params), buffers_(params, 2) {}
+Sobel::Sobel(const Params& params)
+    : buffers::FullBufferMethod(params, 2, static_cast<float>(params.sky)), params_(params) {}
 
-void Sobel::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (buffers_.is_empty()) return out.fill(0);
-    const method::DepthCarrier carrier = buffers_.see(frame);
-    SobelSink sink(params_, carrier, out);
-    skip_counts_ = buffers_.draw(frame, carrier, static_cast<float>(params_.sky), sink, out);
+void Sobel::add_channel(const raster::Tile& tile,
+                        const buffers::TilePlane& plane,
+                        double k_first,
+                        double k_second,
+                        buffers::TileFloats& joined) const {
+    if (params_.order != Order::second)
+        join_profile(tile, plane, static_cast<float>(k_first), joined);
+    if (params_.order != Order::first)
+        join_internal(tile, plane, static_cast<float>(k_second), joined);
 }
 
-method::Cost Sobel::cost() const {
+void Sobel::filter(const buffers::FullBufferFrame& frame,
+                   const raster::Tile& tile,
+                   edge::EdgeImage& out) const {
+    buffers::TileFloats depth_buffer;
+    std::array<buffers::TileFloats, 3> normal_buffers;
+    buffers::TileFloats joined;
+    for (int y = 0; y < tile.height_px; ++y)
+        std::fill_n(joined.row(y), tile.width_px, 0.0F);
+    const buffers::TilePlane depth = buffers::encoded_depth(
+        tile, frame.carrier, params_.depth_sign, static_cast<float>(params_.sky), depth_buffer);
+    add_channel(tile, depth, params_.k_first, params_.k_second, joined);
+    if (params_.uses_normals) {
+        for (const buffers::TilePlane& normal :
+             buffers::view_normals(tile, params_.renormalise, normal_buffers))
+            add_channel(tile, normal, params_.k_normal, params_.k_normal, joined);
+    }
+    for (int y = 0; y < tile.height_px; ++y) {
+        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
+        const float* row = joined.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            to[x] = static_cast<std::uint8_t>(row[x] * 255 + 0.5F);
+    }
+}
+
+method::PixelWork Sobel::filter_work() const {
     constexpr double kFloat_bytes = sizeof(float);
-    method::Cost cost = buffers_.cost();
-    method::PixelWork depth = method::encode_work(params_.depth_encoding, params_.interpolation);
-    if (params_.depth_sign == buffers::DepthSign::far_high) depth.operations += 1;
-    if (depth.operations > 0) depth = depth + method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
-    method::PixelWork normals;
-    if (params_.uses_normals && params_.renormalise)
-        normals = method::renormalise_work() + 3 * method::PixelWork{kFloat_bytes, kFloat_bytes, 0};
     method::PixelWork channel;
     if (params_.order != Order::second) {
         // g: four sums of three with the middle doubled, two differences and sizes, a sum, over 8;
@@ -212,8 +170,9 @@ method::Cost Sobel::cost() const {
                   method::PixelWork{kFloat_bytes, 0, 1 + 8 + 1 + 2 * method::kSlowOperations + 3};
     }
     const method::PixelWork write{0, 1, 3};
-    cost.filter = depth + normals + (params_.uses_normals ? 4.0 : 1.0) * channel + write;
-    return cost;
+    return buffers::encoded_depth_work(params_) +
+           buffers::view_normals_work(params_.uses_normals && params_.renormalise) +
+           (params_.uses_normals ? 4.0 : 1.0) * channel + write;
 }
 
 method::MethodInfo sobel() {
@@ -221,6 +180,8 @@ method::MethodInfo sobel() {
         "sobel",
         "Saito and Takahashi, Comprehensible rendering of 3-D shapes, SIGGRAPH 1990",
         "first and second differentials of depth: profiles and internal edges");
+    info.family = method::Family::full_buffers;
+    info.marker = method::Marker::diamond;
     info.sweep = sweep();
     return info;
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "buffers/full_buffers.h"
+#include "buffers/full_buffer_method.h"
 
 namespace ink::methods {
 
 /// Saito and Takahashi's edges of G-buffers: a first-order differential whose spread makes
 /// profiles, and a second-order one for edges within them.
-class Sobel : public method::Method {
+class Sobel : public buffers::FullBufferMethod {
   public:
     enum class Order {
         first,   ///< profiles alone
@@ -27,21 +27,18 @@ class Sobel : public method::Method {
 
     explicit Sobel(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
-    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    /// `depth` and `normal`, see FullBuffers.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return buffers_.layers(frame);
-    }
-    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    void filter(const buffers::FullBufferFrame& frame,
+                const raster::Tile& tile,
+                edge::EdgeImage& out) const override;
+    [[nodiscard]] method::PixelWork filter_work() const override;
+    void add_channel(const raster::Tile& tile,
+                     const buffers::TilePlane& plane,
+                     double k_first,
+                     double k_second,
+                     buffers::TileFloats& joined) const;
+
     Params params_;
-    buffers::FullBuffers buffers_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo sobel();

@@ -8,32 +8,39 @@
 
 namespace ink::buffers {
 
-/// A frame of fills and of the lines that show over them: what wireframe methods draw.
+/// A method that draws a wireframe and fills the triangles over it: all but which lines and fills.
 ///
-/// Their sources draw lines first. What is seen in the end is the nearest, and the line where both
-/// are equal: under GL_LESS the fill does not replace it, and here, after the fills, the line
-/// passes.
-class FilledLines {
+/// The shell of polygon_offset and back_faces. Their sources draw lines first. What is seen in the
+/// end is the nearest, and the line where both are equal: under GL_LESS the fill does not replace
+/// it, and here, after the fills, the line passes.
+class FilledLinesMethod : public method::Method {
   public:
-    explicit FilledLines(raster::DepthFormat depth_format) { format_.depth = depth_format; }
+    void prepare(const scene::Scene& scene) override { scene_.prepare(scene); }
+    void pose(const scene::Scene& scene) override { scene_.pose(scene); }
+    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
+    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
+    [[nodiscard]] method::Cost cost() const override;
+    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
-    [[nodiscard]] const raster::PassFormat& format() const { return format_; }
+  protected:
+    FilledLinesMethod(WireEdges edges, raster::DepthFormat depth_format) : scene_(edges) {
+        format_.depth = depth_format;
+    }
 
-    /// Draws `fills`, which says what is culled and how it is pulled, into a depth buffer of the
-    /// frame's size, and `lines`, which says which lines, how wide and how pulled, into `out`: 255
-    /// where a line is seen, else as it was. View, threads and skips are the frame's, points those
-    /// of `scene`. Returns what was skipped, lines behind fills with what is hidden.
-    [[nodiscard]] raster::SkipCounts draw(const method::Frame& frame,
-                                          const TriangleEdges& scene,
-                                          const raster::MeshInput& fills,
-                                          raster::LineInput lines,
-                                          edge::EdgeImage& out);
+    /// Says of `fills` what is culled and how it is pulled, and of `lines` which, how wide and how
+    /// pulled. View, threads, skips and points are the frame's and the scene's.
+    virtual void choose(const method::Frame& frame,
+                        TriangleEdges& scene,
+                        raster::MeshInput& fills,
+                        raster::LineInput& lines) const = 0;
 
   private:
+    TriangleEdges scene_;
     raster::PassFormat format_;
     raster::MeshPass fills_;
     raster::LinePass lines_;
     raster::DepthImage depth_;
+    raster::SkipCounts skip_counts_{};
 };
 
 }  // namespace ink::buffers

@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "buffers/full_buffers.h"
+#include "edge/edge_image.h"
+#include "method/cost.h"
 #include "scene/camera.h"
 
 namespace ink::buffers {
@@ -29,6 +31,9 @@ class PixelRays {
     float center_y_px_;
     float per_px_;
 };
+
+/// `params` with depth as the interpolation carries it, 1/w or w: both tell the distance.
+[[nodiscard]] InputParams with_distances(InputParams params);
 
 /// |n . v| of every pixel and its halo, v the unit direction to the eye: 1 seen face-on, 0 on edge
 /// and where nothing is.
@@ -65,5 +70,37 @@ struct CrossRange {
     if (!(ratio >= 1)) return 0;
     return ratio >= 4 ? 255 : static_cast<std::uint8_t>(ratio * 64);
 }
+
+/// Writes a tile's strengths: the larger of `step_ratio(x, y, range)`, by how much a step exceeds
+/// its threshold where 1/distance has that range, and of the normal's turn over `normal_step`.
+/// Against the sky, which is at no distance and has no plane, a line is full.
+template <class StepRatio>
+void write_cross(const raster::Tile& tile,
+                 const TilePlane& q,
+                 TileFloats& turn,
+                 double normal_step,
+                 const StepRatio& step_ratio,
+                 edge::EdgeImage& out) {
+    const float per_turn = 1 / static_cast<float>(normal_step);
+    for (int y = 0; y < tile.height_px; ++y) {
+        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
+        for (int x = 0; x < tile.width_px; ++x) {
+            const CrossRange near = cross_range(q.row(y) + x, q.row(y + 1) + x);
+            if (near.least == 0) {
+                to[x] = near.most > 0 ? 255 : 0;
+                continue;
+            }
+            const float step = step_ratio(x, y, near);
+            const float turned = turn.row(y)[x] * per_turn;
+            to[x] = strength_of_ratio(step < turned ? turned : step);
+        }
+    }
+}
+
+/// What inverse_distance() does at a pixel.
+[[nodiscard]] method::PixelWork inverse_distance_work(raster::Interpolation interpolation);
+
+/// What half_cross() does at a pixel.
+[[nodiscard]] method::PixelWork half_cross_work();
 
 }  // namespace ink::buffers

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image.h"
@@ -13,6 +14,7 @@
 #include "edge/laplacian.h"
 #include "method/cost.h"
 #include "method/depth_code.h"
+#include "method/family.h"
 #include "raster/depth/depth.h"
 #include "raster/pass/pass.h"
 #include "raster/skips.h"
@@ -111,12 +113,36 @@ class Method {
     [[nodiscard]] virtual std::vector<PlanLine> plan() const { return {}; }
 };
 
-/// A row of the registry: all that is known of a method before it is made.
+/// A parameter in which a method is worth tuning. The search starts at its default.
+struct Tunable {
+    std::string param;
+    /// Low and high end: narrower than what the parameter accepts, where the rest is known to be of
+    /// no use. Else all that it accepts is searched.
+    std::optional<std::pair<double, double>> range = {};
+};
+
+/// Parameters whose sum has a limit: the ranges of a packed code, which must not overflow.
+struct SumLimit {
+    std::vector<std::string> params;
+    double limit = 0;
+};
+
+/// A row of the registry: all that is known of a method before it is made. Charts, tables, tuner
+/// and notebooks read this and keep no lists of their own.
 struct MethodInfo {
     std::string name;                 ///< = folder = TOML key = value in rows = legend
     std::string source;               ///< who described it, and where
     std::string summary;              ///< one line for `inkbench list`
     std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
+    Family family = Family::other;    ///< its colour and panel; every registered method has one
+    Marker marker = Marker::circle;   ///< its own within its family
+    /// What `inkbench tune` searches unless told otherwise, in this order; none: the threshold.
+    std::vector<Tunable> tunables = {};
+    std::vector<SumLimit> sum_limits = {};
+    /// The method whose settings this one changes; "" for a method of its own.
+    std::string preset_of = "";
+    /// It plans by the scene: its bytes and its code are not known without one.
+    bool is_planned = false;
     /// Settings that span what the method can do, from its fastest to its most exact: over these
     /// its Pareto front is drawn. Eight at least; each is complete()d with the defaults.
     std::vector<core::ParamValues> sweep = {};
@@ -125,14 +151,22 @@ struct MethodInfo {
     std::function<std::unique_ptr<Method>(const core::ParamValues&)> make;
     /// The given settings and all defaults as text: what a row records.
     std::function<core::ParamValues(const core::ParamValues&)> complete;
+
+    /// Bytes a pixel of its buffers takes with these settings; nothing if that is planned.
+    [[nodiscard]] std::optional<int> bytes_per_px(const core::ParamValues& settings) const {
+        return is_planned ? std::nullopt : std::optional(make(settings)->bytes_per_px());
+    }
 };
 
 /// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its knobs and a
 /// constructor from `Params`.
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
-    MethodInfo info{
-        std::move(name), std::move(source), std::move(summary), M::table().params(), {}, {}, {}};
+    MethodInfo info;
+    info.name = std::move(name);
+    info.source = std::move(source);
+    info.summary = std::move(summary);
+    info.params = M::table().params();
     info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
         return std::make_unique<M>(M::table().read(values, name));
     };

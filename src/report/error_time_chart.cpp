@@ -143,14 +143,14 @@ void draw_families(Svg& svg, const std::vector<Look>& looks) {
         svg.text(x + 16, 24.5, words, {"start", look.colour().hex, 12});
         x += 16 + text_width(words, 12) * 0.92 + 12;
     };
-    for (const Family family : kFamilies) {
+    for (const method::Family family : method::kFamilies) {
         const bool is_there = std::any_of(
             looks.begin(), looks.end(), [&](const Look& look) { return look.family == family; });
-        if (is_there) put({family, Shape::circle, false}, label_of(family));
+        if (is_there) put({family, method::Marker::circle, false}, experiment::label_of(family));
     }
     const bool has_tuned =
         std::any_of(looks.begin(), looks.end(), [](const Look& look) { return look.is_hollow; });
-    if (has_tuned) put({Family::other, Shape::circle, true}, "tuned");
+    if (has_tuned) put({method::Family::other, method::Marker::circle, true}, "tuned");
 }
 
 void draw_labels(Svg& svg,

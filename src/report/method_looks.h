@@ -1,40 +1,33 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 
 #include "draw/palette.h"
+#include "method/family.h"
 #include "report/svg.h"
 
 namespace ink::report {
 
-/// What a method works on: what its colour says on charts.
-enum class Family { packed, full_buffers, ids, edges, other };
-
-inline constexpr std::array kFamilies = {
-    Family::packed, Family::full_buffers, Family::ids, Family::edges, Family::other};
-
-enum class Shape { circle, square, diamond, up, down };
-
-/// How a method is told from all others: the family by colour, the method by shape, a tuned variant
+/// How a method is told from all others: the family by colour, the method by marker, a preset of it
 /// by being hollow.
 struct Look {
-    Family family = Family::other;
-    Shape shape = Shape::circle;
+    method::Family family = method::Family::other;
+    method::Marker marker = method::Marker::circle;
     bool is_hollow = false;
 
     [[nodiscard]] draw::Colour colour() const;
     [[nodiscard]] bool operator==(const Look&) const = default;
 };
 
-[[nodiscard]] draw::Colour colour_of(Family family);
+[[nodiscard]] draw::Colour colour_of(method::Family family);
 
-/// "packed", "full buffers", ...: a word or two for a legend.
-[[nodiscard]] std::string_view label_of(Family family);
+/// The method whose settings `method` changes, by the registry, or for a name that is not there by
+/// its ending `_tuned`, which `inkbench tune` gives; else `method` itself.
+[[nodiscard]] std::string_view base_of(std::string_view method);
 
-/// The look of `method`. `<name>_tuned` is `<name>`, hollow. One that is in no table is of the
-/// family `other`, its shape by its place `nth` on the chart.
+/// The look of `method` as the registry has it, hollow for a preset. One whose base is not there is
+/// of the family `other`, its marker by its place `nth` on the chart.
 [[nodiscard]] Look look_of(std::string_view method, std::size_t nth = 0);
 
 /// A marker round (x, y), as large as a circle of `radius`, on a white rim.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "core/escape.h"
 #include "draw/palette.h"
 #include "experiment/summary.h"
+#include "report/method_looks.h"
 #include "report/stress_scale.h"
 
 namespace ink::report {
@@ -28,23 +28,6 @@ constexpr double kLabelStep = 15;
 constexpr std::string_view kFaint = "#5b6470";
 constexpr std::string_view kGrid = R"(stroke="#e6e8eb" stroke-width="1")";
 
-constexpr std::array<std::pair<StressFamily, std::string_view>, 4> kPanels = {{
-    {StressFamily::full_buffers, "full buffers"},
-    {StressFamily::packed, "packed codes"},
-    {StressFamily::object_space, "object space"},
-    {StressFamily::ids, "ids and others"},
-}};
-
-std::string_view base_of(std::string_view method) {
-    constexpr std::string_view kTuned = "_tuned";
-    if (method.ends_with(kTuned)) method.remove_suffix(kTuned.size());
-    return method;
-}
-
-bool is_one_of(std::string_view method, std::initializer_list<std::string_view> names) {
-    return std::find(names.begin(), names.end(), method) != names.end();
-}
-
 /// A method's line in its panel.
 struct Line {
     const experiment::StressCurve* curve;
@@ -52,12 +35,12 @@ struct Line {
     bool is_tuned;
 };
 
-std::vector<Line> lines_of(StressFamily family,
+std::vector<Line> lines_of(method::Family family,
                            const std::vector<experiment::StressCurve>& curves) {
     std::vector<Line> lines;
     std::vector<std::string_view> bases;
     for (const experiment::StressCurve& curve : curves) {
-        if (harness::is_bracket(curve.method) || stress_family(curve.method) != family) continue;
+        if (harness::is_bracket(curve.method) || look_of(curve.method).family != family) continue;
         if (curve.best() == nullptr) continue;
         const std::string_view base = base_of(curve.method);
         auto at = std::find(bases.begin(), bases.end(), base);
@@ -197,31 +180,29 @@ void draw_names(Svg& svg, const StressScale& scale, const std::vector<Line>& lin
 
 }  // namespace
 
-StressFamily stress_family(const std::string& method) {
-    const std::string_view base = base_of(method);
-    if (is_one_of(base, {"decaudin", "roberts", "sobel", "plane_distance"}))
-        return StressFamily::full_buffers;
-    if (is_one_of(base, {"mote2", "mote4", "mote16", "canny", "auto", "label_plane", "two_sums"}))
-        return StressFamily::packed;
-    if (is_one_of(base,
-                  {"polygon_offset", "edge_list", "back_faces", "edge_hash", "inverted_hull"}))
-        return StressFamily::object_space;
-    return StressFamily::ids;
-}
-
 Svg stress_chart(const studies::StressAxis& axis,
                  const std::vector<experiment::StressCurve>& curves) {
+    struct Panel {
+        method::Family family;
+        std::vector<Line> lines;
+    };
+    std::vector<Panel> panels;
+    for (const method::Family family : method::kFamilies) {
+        std::vector<Line> lines = lines_of(family, curves);
+        if (family == method::Family::other && lines.empty()) continue;
+        panels.push_back({family, std::move(lines)});
+    }
     const double row_height =
         kPanelHeight + (axis.scale == studies::AxisScale::named ? kNamedFoot : 0);
-    Svg svg(kWidth, 2 * row_height);
-    for (std::size_t i = 0; i < kPanels.size(); ++i) {
+    Svg svg(kWidth, static_cast<double>((panels.size() + 1) / 2) * row_height);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
         const Box plot{kLeft + kPanelWidth * static_cast<double>(i % 2),
                        kTop + row_height * static_cast<double>(i / 2),
                        kPlotWidth,
                        kPlotHeight};
         const StressScale scale(axis, curves, plot);
-        const std::vector<Line> lines = lines_of(kPanels[i].first, curves);
-        draw_axes(svg, scale, axis, kPanels[i].second);
+        const auto& [family, lines] = panels[i];
+        draw_axes(svg, scale, axis, experiment::label_of(family));
         draw_ceiling(svg, scale, curves);
         for (const Line& line : lines)
             draw_line(svg, scale, axis, line);

@@ -17,8 +17,7 @@ constexpr std::size_t kBytesPerPixel = 4 * sizeof(float) + 1;
 
 /// The code of these settings, if every scene has the same.
 std::optional<method::LinearCode> code_of(const harness::Entrant& entrant) {
-    // `auto` plans another for each scene.
-    if (entrant.info->name == "auto") return std::nullopt;
+    if (entrant.info->is_planned) return std::nullopt;
     return entrant.info->make(entrant.settings)->code();
 }
 

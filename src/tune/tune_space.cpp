@@ -19,28 +19,6 @@ constexpr double kSymLogWidth = 1000;
 /// Of a flag or choice, so that the last one has as much room as the others.
 constexpr double kAlmostOne = 1 - 1e-9;
 
-/// What is worth tuning in a method, and between which ends: narrower than what it accepts, where
-/// the rest is known to be of no use. Others are tuned in their threshold.
-struct Defaults {
-    std::string_view method;
-    std::string_view knobs;
-};
-constexpr Defaults kDefaults[] = {
-    {"decaudin", "k_depth=0.001..1,k_normal=0.01..2,join,threshold"},
-    {"mote2", "range_depth,range_normal,threshold=1..64"},
-    {"mote4", "range_depth,range_nx,range_ny,range_nz,threshold=1..64"},
-    {"mote16", "range_depth,range_nx,range_ny,range_nz,threshold"},
-    {"polygon_offset", "factor=-4..0,units=-65536..0"},
-    {"roberts", "depth_step=0.0001..0.1,normal_step=0.02..1,threshold=64..255"},
-};
-
-/// The ranges of MOTE's codes, and the largest code there is.
-struct Limits {
-    std::string_view method;
-    double limit;
-};
-constexpr Limits kLimits[] = {{"mote2", 255}, {"mote4", 255}, {"mote16", 65535}};
-
 const core::Param& find_param(const method::MethodInfo& method, const std::string& name) {
     core::check_known_params(method.params, {{name, ""}}, "--params");
     return *std::find_if(method.params.begin(), method.params.end(), [&](const auto& param) {
@@ -137,24 +115,20 @@ double point_at(const TunedKnob& knob, double value) {
 }  // namespace
 
 std::string default_knobs(const method::MethodInfo& method) {
-    for (const Defaults& entry : kDefaults) {
-        if (entry.method == method.name) return std::string(entry.knobs);
+    std::string knobs;
+    for (const method::Tunable& tunable : method.tunables) {
+        knobs += (knobs.empty() ? "" : ",") + tunable.param;
+        if (tunable.range)
+            knobs += fmt::format("={}..{}", tunable.range->first, tunable.range->second);
     }
-    return "threshold";
+    return knobs.empty() ? "threshold" : knobs;
 }
 
-TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& knobs) {
-    for (const Limits& entry : kLimits) {
-        if (entry.method != method.name) continue;
-        SumLimit limit{{}, entry.limit};
-        for (const core::Param& param : method.params) {
-            if (param.name.starts_with("range_")) limit.knobs.push_back(param.name);
-        }
-        limits_.push_back(limit);
-    }
+TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& knobs)
+    : limits_(method.sum_limits) {
     const auto is_limited = [&](const std::string& name) {
-        return std::any_of(limits_.begin(), limits_.end(), [&](const SumLimit& limit) {
-            return std::count(limit.knobs.begin(), limit.knobs.end(), name) > 0;
+        return std::any_of(limits_.begin(), limits_.end(), [&](const method::SumLimit& limit) {
+            return std::count(limit.params.begin(), limit.params.end(), name) > 0;
         });
     };
     for (const std::string& text :
@@ -183,9 +157,9 @@ core::ParamValues TuneSpace::settings_at(const std::vector<double>& point) const
     std::vector<double> values;
     for (std::size_t i = 0; i < knobs_.size(); ++i)
         values.push_back(value_at(knobs_[i], point[i]));
-    for (const SumLimit& limit : limits_) {
+    for (const method::SumLimit& limit : limits_) {
         const auto is_in = [&](std::size_t i) {
-            return std::count(limit.knobs.begin(), limit.knobs.end(), knobs_[i].param.name) > 0;
+            return std::count(limit.params.begin(), limit.params.end(), knobs_[i].param.name) > 0;
         };
         double sum = 0;
         for (std::size_t i = 0; i < knobs_.size(); ++i)

@@ -24,12 +24,6 @@ struct TunedKnob {
     KnobScale scale = KnobScale::linear;
 };
 
-/// Knobs whose sum has a limit: the ranges of a packed code, which must not overflow.
-struct SumLimit {
-    std::vector<std::string> knobs;
-    double limit = 0;
-};
-
 /// The settings among which a method is tuned: points of the unit cube, an axis per knob.
 ///
 /// Reals are linear, logarithmic or both ways logarithmic over their range and come rounded to four
@@ -57,10 +51,11 @@ class TuneSpace {
 
   private:
     std::vector<TunedKnob> knobs_;
-    std::vector<SumLimit> limits_;
+    std::vector<method::SumLimit> limits_;
 };
 
-/// The knobs that a method is tuned in unless somebody says otherwise, as a list for TuneSpace.
+/// The knobs that a method is tuned in unless somebody says otherwise, as a list for TuneSpace: its
+/// tunables, its threshold if it has none.
 [[nodiscard]] std::string default_knobs(const method::MethodInfo& method);
 
 }  // namespace ink::tune

@@ -1,9 +1,11 @@
 #include "experiment/stress_summary.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "lab/stress.h"
+#include "method/family.h"
 #include "report/stress_chart.h"
 #include "report/stress_page.h"
 #include "tests/report/markup.h"
@@ -82,11 +84,19 @@ TEST(StressTable, HasALinePerAxisThatRan) {
     EXPECT_THAT(table, Not(HasSubstr("cube_roll")));
 }
 
-TEST(StressChart, EveryMethodHasAFamilyAndAName) {
-    EXPECT_EQ(report::stress_family("decaudin_tuned"), report::StressFamily::full_buffers);
-    EXPECT_EQ(report::stress_family("mote16"), report::StressFamily::packed);
-    EXPECT_EQ(report::stress_family("edge_hash"), report::StressFamily::object_space);
-    EXPECT_EQ(report::stress_family("a_new_one"), report::StressFamily::ids);
+TEST(StressChart, HasAPanelPerFamilyAndOneMoreForStrangers) {
+    std::vector<StressCurve> curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
+    const studies::StressAxis& axis = studies::find_stress_axis("grazing");
+    const std::string svg = report::stress_chart(axis, curves).file("x");
+    for (const method::Family family : method::kFamilies)
+        EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", label_of(family))));
+    std::erase_if(curves, [](const StressCurve& curve) { return curve.method == "steady"; });
+    EXPECT_THAT(
+        report::stress_chart(axis, curves).file("x"),
+        testing::AllOf(HasSubstr(">packed<"), HasSubstr(">mote4<"), Not(HasSubstr(">other<"))));
+}
+
+TEST(StressChart, NamesEveryMethod) {
     const auto curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
     const std::string svg =
         report::stress_chart(studies::find_stress_axis("grazing"), curves).file("x");

@@ -248,6 +248,54 @@ TEST_P(Contract, ShipsAThresholdAndCountsItsBytes) {
     EXPECT_GT(info().make({})->bytes_per_px(), 0);
 }
 
+const core::Param* find_param(const method::MethodInfo& info, const std::string& name) {
+    const auto found = std::find_if(info.params.begin(), info.params.end(), [&](const auto& param) {
+        return param.name == name;
+    });
+    return found == info.params.end() ? nullptr : &*found;
+}
+
+TEST_P(Contract, HasAFamilyAndAMarkerThatNoOtherOfItHas) {
+    EXPECT_NE(info().family, method::Family::other);
+    for (const method::MethodInfo& other : registry()) {
+        const bool is_alike = other.family == info().family && other.marker == info().marker &&
+                              other.preset_of.empty() == info().preset_of.empty();
+        EXPECT_EQ(is_alike, other.name == info().name) << other.name;
+    }
+    EXPECT_FALSE(info().source.empty());
+}
+
+TEST_P(Contract, TunablesAreItsOwnAndTheSearchCanStartAtTheirDefaults) {
+    for (const method::Tunable& tunable : info().tunables) {
+        SCOPED_TRACE(tunable.param);
+        const core::Param* param = find_param(info(), tunable.param);
+        ASSERT_NE(param, nullptr);
+        if (!tunable.range) continue;
+        EXPECT_TRUE(param->kind == core::ParamKind::real ||
+                    param->kind == core::ParamKind::integer);
+        EXPECT_GE(tunable.range->first, param->min);
+        EXPECT_LE(tunable.range->second, param->max);
+        EXPECT_LE(tunable.range->first, param->default_value);
+        EXPECT_GE(tunable.range->second, param->default_value);
+    }
+    for (const method::SumLimit& limit : info().sum_limits) {
+        double sum = 0;
+        for (const std::string& name : limit.params) {
+            ASSERT_NE(find_param(info(), name), nullptr) << name;
+            sum += find_param(info(), name)->default_value;
+        }
+        EXPECT_LE(sum, limit.limit);
+    }
+}
+
+TEST_P(Contract, BytesAreKnownOfSettingsUnlessTheSceneDecides) {
+    const auto bytes = info().bytes_per_px({});
+    EXPECT_EQ(bytes.has_value(), info().make({})->plan().empty());
+    if (bytes) {
+        EXPECT_EQ(*bytes, info().make({})->bytes_per_px());
+    }
+}
+
 TEST_P(Contract, IsSweptOverEightSettingsThatDiffer) {
     std::set<core::ParamValues> settings;
     for (const core::ParamValues& setting : info().sweep)

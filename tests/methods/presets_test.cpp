@@ -87,6 +87,12 @@ TEST(Presets, AMethodOfAPresetDrawsAsItsMethodWithThoseSettings) {
     const method::MethodInfo info =
         preset_method(parse_preset(kText, "mine.toml", registry()), registry());
     EXPECT_EQ(info.name, "mine");
+    EXPECT_EQ(info.preset_of, "mote4");
+    const method::MethodInfo& base = find_method("mote4");
+    EXPECT_EQ(info.family, base.family);
+    EXPECT_EQ(info.marker, base.marker);
+    EXPECT_EQ(info.tunables.size(), base.tunables.size());
+    EXPECT_EQ(info.sum_limits.size(), base.sum_limits.size());
     const core::ParamValues all = info.complete({{"fatten", "false"}});
     EXPECT_EQ(all.at("range_depth"), "80.5");
     EXPECT_EQ(all.at("threshold"), "7");

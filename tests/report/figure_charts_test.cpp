@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "methods/registry.h"
 #include "report/charts.h"
@@ -43,21 +45,59 @@ std::vector<TimedError> many_points() {
 }
 
 TEST(MethodLooks, NoTwoRegisteredMethodsLookAlike) {
-    std::set<std::tuple<Family, Shape, bool>> looks;
+    std::set<std::tuple<method::Family, method::Marker, bool>> looks;
     for (const method::MethodInfo& info : methods::registry()) {
         const Look look = look_of(info.name);
-        EXPECT_NE(look.family, Family::other) << info.name << " is in no family: report/method_looks";
-        EXPECT_TRUE(looks.insert({look.family, look.shape, look.is_hollow}).second) << info.name;
+        EXPECT_EQ(look.family, info.family) << info.name;
+        EXPECT_EQ(look.marker, info.marker) << info.name;
+        EXPECT_TRUE(looks.insert({look.family, look.marker, look.is_hollow}).second) << info.name;
     }
 }
 
-TEST(MethodLooks, ATunedMethodIsItsHollowSelf) {
-    const Look base = look_of("mote4");
-    const Look tuned = look_of("mote4_tuned");
-    EXPECT_EQ(tuned.family, base.family);
-    EXPECT_EQ(tuned.shape, base.shape);
+TEST(MethodLooks, APresetIsItsMethodHollow) {
+    const Look base = look_of("mote2");
     EXPECT_FALSE(base.is_hollow);
-    EXPECT_TRUE(tuned.is_hollow);
+    for (const std::string name : {"mote4_tuned", "mote2_tuned"}) {  // shipped; made by a user
+        const Look tuned = look_of(name);
+        EXPECT_EQ(tuned.family, method::Family::packed) << name;
+        EXPECT_TRUE(tuned.is_hollow) << name;
+    }
+    EXPECT_EQ(look_of("mote2_tuned").marker, base.marker);
+    EXPECT_EQ(base_of("mote4_tuned"), "mote4");
+    EXPECT_EQ(base_of("mote2_tuned"), "mote2");
+    EXPECT_EQ(base_of("mote4"), "mote4");
+}
+
+TEST(MethodLooks, AStrangerIsOfNoFamilyAndGoesByItsPlace) {
+    EXPECT_EQ(look_of("a_new_one", 3).family, method::Family::other);
+    EXPECT_NE(look_of("a_new_one", 3).marker, look_of("another", 4).marker);
+}
+
+/// The attributes of the second shape of a drawing: the first is the rim of the marker.
+std::string shape_of(method::Marker marker) {
+    Svg svg(40, 40);
+    draw_marker(svg, 20, 20, 10, {method::Family::packed, marker, false});
+    const std::string text = svg.file("marker");
+    const auto at = text.rfind('<', text.find(R"(fill="#0072b2")"));
+    return text.substr(at, text.find('>', at) - at);
+}
+
+TEST(MethodLooks, EveryMarkerIsAShapeOfItsOwnRoundItsPlace) {
+    std::set<std::string> shapes;
+    for (const method::Marker marker : method::kMarkers) {
+        const std::string shape = shape_of(marker);
+        EXPECT_TRUE(shapes.insert(shape).second) << name_of(marker) << ": " << shape;
+        if (marker == method::Marker::circle) continue;
+        const auto begin = shape.find("points=\"") + 8;
+        std::istringstream points(std::regex_replace(
+            shape.substr(begin, shape.find('"', begin) - begin), std::regex(","), " "));
+        std::vector<double> xy{std::istream_iterator<double>(points), {}};
+        ASSERT_GE(xy.size(), 6U) << shape;
+        for (const double value : xy) {
+            EXPECT_GE(value, 20 - 14) << name_of(marker);
+            EXPECT_LE(value, 20 + 14) << name_of(marker);
+        }
+    }
 }
 
 TEST(LabelPlaces, CoverNeitherEachOtherNorMarkersNorTheEdge) {
@@ -124,7 +164,7 @@ TEST(ErrorTimeChart, NamesEveryMethodInsideThePicture) {
 TEST(ErrorTimeChart, DrawsInTheColoursOfThePalette) {
     const std::string svg = error_time_chart(many_points(), std::nullopt).file("e");
     std::set<std::string> known = {"#ffffff", "#d3d7dd", "#e6e8eb", "#8a919c", "#4b535e"};
-    for (const Family family : kFamilies)
+    for (const method::Family family : method::kFamilies)
         known.insert(std::string(colour_of(family).hex));
     const std::regex colour("#[0-9a-f]{6}");
     for (std::sregex_iterator it(svg.begin(), svg.end(), colour), end; it != end; ++it)

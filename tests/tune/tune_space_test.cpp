@@ -84,6 +84,27 @@ TEST(TuneSpace, EveryMethodHasKnobsToTune) {
     }
 }
 
+TEST(TuneSpace, UnlessToldOtherwiseItIsTheTunablesOfTheRegistry) {
+    EXPECT_EQ(default_knobs(methods::find_method("decaudin")),
+              "k_depth=0.001..1,k_normal=0.01..2,join,threshold");
+    EXPECT_EQ(default_knobs(methods::find_method("polygon_offset")),
+              "factor=-4..0,units=-65536..0");
+    EXPECT_EQ(default_knobs(methods::find_method("ids")), "threshold") << "it names none";
+    method::MethodInfo info = methods::find_method("ids");
+    info.tunables = {{"crease_deg", {{10, 60}}}};
+    const TuneSpace space(info, "");
+    ASSERT_EQ(space.size(), 1U);
+    EXPECT_EQ(space.knobs()[0].low, 10);
+    EXPECT_EQ(space.knobs()[0].high, 60);
+}
+
+TEST(TuneSpace, APresetIsTunedAsItsMethodIs) {
+    EXPECT_EQ(default_knobs(methods::find_method("mote4_tuned")),
+              default_knobs(methods::find_method("mote4")));
+    const TuneSpace space = space_of("mote4_tuned", "range_depth,range_nx");
+    EXPECT_EQ(space.settings_at({1, 1}).at("range_nx"), "127.5") << "within its largest code";
+}
+
 TEST(TuneSpace, BadKnobsAreNamed) {
     EXPECT_THAT(message_of("mote4", "range_nq"), HasSubstr("did you mean range_n"));
     EXPECT_THAT(message_of("mote4", "range_nx,range_nx"), HasSubstr("named twice"));
