@@ -3,17 +3,20 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 
 namespace ink::cli {
 namespace {
 
+constexpr const char* kMethod = "mote4";  // unless one is named
+
 struct BoundArgs {
-    std::vector<std::string> models;
-    std::string scenes;
-    std::string method = "mote4";
+    SceneOptions scenes;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     ViewOptions views;
     TruthSettings truth;
@@ -42,15 +45,13 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
     experiment.where = "inkbench bound";
     experiment.name = "bound";
     experiment.kind = experiment::ExperimentKind::bound;
-    const auto entrants = harness::make_entrants(args.method, args.settings);
-    if (entrants.size() != 1) {
-        throw core::Error("--method", fmt::format("'{}' is not one method", args.method), "mote4");
-    }
-    experiment.methods = {entrants.front().info->name};
+    const std::string method = one_method(args.methods, kMethod);
+    (void)harness::make_entrants(method, args.settings);  // refuses settings that it does not know
+    experiment.methods = {method};
     experiment.settings = args.settings;
     check(args.bound);
     experiment.bound = args.bound;
-    experiment.scenes = scene_names(args.scenes, args.models);
+    experiment.scenes = scene_names(args.scenes);
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
     experiment.view_request = view_request(args.views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
@@ -68,10 +69,9 @@ void add_bound_command(CLI::App& app) {
     auto args = std::make_shared<BoundArgs>();
     auto* command = app.add_subcommand(
         "bound", "Bound from above what any four weights of a packed code could score");
-    command->add_option("models", args->models, "Model files, or built-in scenes");
-    command->add_option("--scenes", args->scenes, "Scenes a,b (default: the whole catalogue)");
-    command->add_option("--method,--methods", args->method, "A method whose code is a linear sum")
-        ->capture_default_str();
+    add_scene_options(
+        *command, args->scenes, "Built-in scenes or model files (default: the catalogue)");
+    add_one_method_option(*command, args->methods, kMethod, "A method whose code is a linear sum");
     add_set_option(*command, args->settings);
     command->add_flag("--signed", args->bound.is_signed, "Weights below 0 too");
     command
@@ -86,7 +86,7 @@ void add_bound_command(CLI::App& app) {
     add_view_options(*command, args->views);
     add_truth_settings(*command, args->truth);
     add_cache_options(*command, args->cache);
-    command->add_option("--threads", args->threads, "Threads")->capture_default_str();
+    add_threads_option(*command, args->threads, "Threads that search and trace");
     add_run_folder_options(*command, args->folder);
     command->footer(
         "F upper: no weights can exceed it. F found: reached by some weights. F: the method's own "
@@ -95,7 +95,7 @@ void add_bound_command(CLI::App& app) {
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = command_line(*command);
+        experiment.command = run_command_text(*command);
         run_to_end(experiment, args->folder, args->cache);
     });
 }

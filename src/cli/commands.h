@@ -15,6 +15,8 @@ void add_truth_command(CLI::App& app);
 void add_score_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_figures_command(CLI::App& app);
+void add_completions_command(CLI::App& app);
+void add_help_command(CLI::App& app);
 void add_list_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
 void add_run_command(CLI::App& app);

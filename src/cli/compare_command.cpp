@@ -4,10 +4,12 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
-#include "harness/skip_switches.h"
+#include "harness/cell.h"
 
 namespace ink::cli {
 namespace {
@@ -19,9 +21,8 @@ constexpr const char* kQuickSize = "640x360";
 constexpr int kQuickRepetitions = 3;
 
 struct CompareArgs {
-    std::vector<std::string> models;
-    std::string scenes;
-    std::string methods;
+    SceneOptions scenes;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     std::vector<std::string> presets;
     ViewOptions views;
@@ -35,7 +36,7 @@ struct CompareArgs {
     std::string seed = "0";
     bool no_witness = false;
     bool scaling = false;
-    std::string no_skip;
+    std::vector<std::string> no_skip;
     bool skip_study = false;
     bool motion = false;
     bool quick = false;
@@ -51,15 +52,6 @@ int checked(int value, const char* option) {
     return value;
 }
 
-/// The scenes of the list and the models; the whole catalogue if there are none.
-std::vector<std::string> scenes_of(const CompareArgs& args) {
-    std::vector<std::string> scenes;
-    for (const std::string& name : scene_names(args.scenes, args.models))
-        for (std::string& scene : experiment::scenes_called(name))
-            scenes.push_back(std::move(scene));
-    return scenes.empty() ? experiment::scenes_called("catalogue") : scenes;
-}
-
 void apply_quick(CompareArgs& args, const CLI::App& command) {
     if (command.count("--size") == 0) args.views.size = kQuickSize;
     if (command.count("--repetitions") == 0) args.repetitions = kQuickRepetitions;
@@ -73,22 +65,22 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
     experiment.name = "compare";
     experiment.kind = experiment::ExperimentKind::compare;
     experiment.seed = parse_seed(args.seed);
+    const std::string methods = method_list(args.methods);
     for (const harness::Entrant& entrant :
-         harness::make_entrants(args.methods, args.settings, args.presets))
-        if (!args.methods.empty() && !entrant.owned)
-            experiment.methods.push_back(entrant.info->name);
+         harness::make_entrants(methods, args.settings, args.presets))
+        if (!methods.empty() && !entrant.owned) experiment.methods.push_back(entrant.info->name);
     experiment.settings = args.settings;
     experiment.presets = args.presets;
     experiment.view_request = view_request(args.views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.threads = {checked_threads(args.threads)};
-    experiment.scenes = scenes_of(args);
+    experiment.scenes = scene_names(args.scenes);
+    if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
     if (args.quick && args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     experiment.repetitions = checked(args.repetitions, "--repetitions");
     experiment.budget_s = harness::MeasureOptions{}.budget_s;
     experiment.own_sweep_views = args.no_sweep ? 0 : checked(args.sweep_views, "--sweep-views");
-    experiment.skips_off = harness::split_list(args.no_skip);
-    (void)harness::without_skips({}, args.no_skip);
+    experiment.skips_off = harness::split_list(skip_list(args.no_skip));
     if (args.skip_study && !args.no_skip.empty()) {
         throw core::Error(
             "--skip-study", "it switches every skip itself", "no --no-skip beside it");
@@ -128,12 +120,9 @@ void add_compare_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "compare",
         "Draw, trace, score and time methods on scenes; write a run folder with a report");
-    command->add_option("models",
-                        args->models,
-                        "Model files or built-in scenes; none and no "
-                        "--scenes: the catalogue");
-    command->add_option("--scenes", args->scenes, "Built-in scenes a,b (see inkbench list scenes)");
-    command->add_option("--methods", args->methods, "Methods a,b (default: all)");
+    add_scene_options(
+        *command, args->scenes, "Built-in scenes or model files (default: the catalogue)");
+    add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     add_preset_option(*command, args->presets, "beside the methods");
     add_view_options(*command, args->views);
@@ -143,8 +132,7 @@ void add_compare_command(CLI::App& app) {
                       "A first look: 640x360, one view a scene, few repetitions, no sweep, no "
                       "check of the truth");
     add_truth_settings(*command, args->truth);
-    command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
-        ->capture_default_str();
+    add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
     command
@@ -153,10 +141,8 @@ void add_compare_command(CLI::App& app) {
         ->capture_default_str();
     command->add_flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
-    command
-        ->add_option(
-            "--seed", args->seed, "Of chance pictures and of intervals; recorded in the rows")
-        ->capture_default_str();
+    add_seed_option(
+        *command, args->seed, "Of chance pictures and of intervals; recorded in the rows");
     command->add_flag(
         "--no-witness", args->no_witness, "Do not hold the truth against its witness");
     command
@@ -164,10 +150,7 @@ void add_compare_command(CLI::App& app) {
                      args->images,
                      "Of which views images are kept: none, the first of each scene, or all")
         ->capture_default_str();
-    command->add_option("--no-skip",
-                        args->no_skip,
-                        "Skips a,b to do without, or all (see inkbench list skips): other times, "
-                        "the same pictures");
+    add_no_skip_option(*command, args->no_skip);
     add_study_options(*command, *args);
     add_cache_options(*command, args->cache);
     command->footer(
@@ -178,7 +161,7 @@ void add_compare_command(CLI::App& app) {
     command->callback([args, command] {
         if (args->quick) apply_quick(*args, *command);
         experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = command_line(*command);
+        experiment.command = run_command_text(*command);
         run_to_end(experiment, args->folder, args->cache);
     });
 }

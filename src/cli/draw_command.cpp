@@ -4,7 +4,9 @@
 
 #include "cli/commands.h"
 #include "cli/draw_options.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
@@ -15,9 +17,9 @@ namespace ink::cli {
 namespace {
 
 struct DrawArgs {
-    std::string scene;
+    SceneOptions scene;
     std::string view;
-    std::string method;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     std::vector<std::string> presets;
     ViewOptions views;
@@ -27,22 +29,16 @@ struct DrawArgs {
     bool no_lines = false;
     std::string layer;
     int threads = 1;
-    std::string no_skip;
+    std::vector<std::string> no_skip;
 };
 
 constexpr const char* kMethod = "mote4";  // unless one is named
 
 harness::Entrant entrant_of(const DrawArgs& args) {
     if (args.presets.empty()) {
-        const std::string method = args.method.empty() ? kMethod : args.method;
-        if (harness::split_list(method).size() != 1) {
-            throw core::Error("--method",
-                              fmt::format("'{}' is not one method", method),
-                              "one name of inkbench list methods");
-        }
-        return harness::make_entrants(method, args.settings).front();
+        return harness::make_entrants(one_method(args.methods, kMethod), args.settings).front();
     }
-    if (args.presets.size() > 1 || !args.method.empty()) {
+    if (args.presets.size() > 1 || !args.methods.empty()) {
         throw core::Error("--preset", "a picture is of one method", "one file, no --method");
     }
     std::vector<harness::Entrant> entrants = {harness::preset_entrant(args.presets.front())};
@@ -78,7 +74,7 @@ void write_layer(const DrawArgs& args,
 void run_draw(const DrawArgs& args) {
     draw::DrawOptions options = drawing_looks(args.looks);
     const harness::Entrant entrant = entrant_of(args);
-    options.skips = harness::without_skips({}, args.no_skip);
+    options.skips = harness::without_skips({}, skip_list(args.no_skip));
     options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
     const std::filesystem::path path = args.file;
@@ -90,7 +86,7 @@ void run_draw(const DrawArgs& args) {
         refuse_with_layer(args.looks != LookOptions{}, "no option of the drawing's looks");
     }
     const harness::Subject subject =
-        harness::load_one_view(args.scene, args.view, view_request(args.views));
+        harness::load_one_view(one_scene(args.scene, "draw"), args.view, view_request(args.views));
     if (!args.layer.empty()) return write_layer(args, subject, entrant, options);
     const draw::Drawing drawing = draw::make_drawing(subject, entrant, options);
     if (path.extension() == ".exr") {
@@ -111,13 +107,15 @@ void run_draw(const DrawArgs& args) {
 void add_draw_command(CLI::App& app) {
     auto args = std::make_shared<DrawArgs>();
     auto* command = app.add_subcommand("draw", "Draw one picture with one method");
-    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
-    command->add_option("-o,--output", args->file, "PNG or EXR file to write")->required();
-    command->add_option(
-        "--method,--methods", args->method, fmt::format("Method ({} unless given)", kMethod));
+    add_one_scene_options(*command, args->scene);
+    command->add_option("-o,--output", args->file, "PNG or EXR file to write")
+        ->type_name("FILE")
+        ->required();
+    add_method_options(*command, args->methods, fmt::format("one (default: {})", kMethod));
     add_set_option(*command, args->settings, "A parameter of the method: key=value");
     add_preset_option(*command, args->presets, "instead of --method");
-    command->add_option("--view", args->view, "Name of the view (the first unless given)");
+    command->add_option("--view", args->view, "Name of the view (default: the first)")
+        ->type_name("NAME");
     add_view_options(*command, args->views);
     add_look_options(*command, args->looks);
     command->add_flag(
@@ -126,17 +124,17 @@ void add_draw_command(CLI::App& app) {
         "Write the strengths (grey) instead of the picture, for inkbench score; an EXR "
         "has both anyway");
     command->add_flag("--no-lines", args->no_lines, "Write the shading alone");
-    command->add_option("--layer",
-                        args->layer,
-                        "Write what the method has inside instead: packed, filtered, depth, "
-                        "normal, ids, edges, as it has them; an EXR has all of them");
-    command->add_option("--threads", args->threads, "Threads")->capture_default_str();
-    command->add_option("--no-skip",
-                        args->no_skip,
-                        "Skips a,b to do without, or all (see inkbench list skips); the picture "
-                        "is the same");
+    command
+        ->add_option("--layer",
+                     args->layer,
+                     "Write what the method has inside instead, if it has that; an EXR has all "
+                     "of them")
+        ->type_name("packed|filtered|depth|normal|ids|edges");
+    add_threads_option(*command, args->threads, "Threads of the method");
+    add_no_skip_option(*command, args->no_skip);
     command->footer(
-        "Example: inkbench draw torus --method decaudin --shading toon --antialias 4 -o torus.png");
+        "Example: inkbench draw torus --method decaudin --shading toon --antialias 4 -o torus.png\n"
+        "Exit codes: 0 done, 2 bad input.");
     command->callback([args] { run_draw(*args); });
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "cli/name_list.h"
 #include "cli/options.h"
 #include "core/error.h"
 #include "harness/entrants.h"
@@ -101,40 +102,45 @@ shade::DitherFormat parse_dither(const std::string& text) {
 }  // namespace
 
 void add_look_options(CLI::App& command, LookOptions& options) {
-    const auto add_settings = [&](const char* name, std::vector<std::string>& to, const char* doc) {
-        command.add_option(name, to, doc)
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    };
     std::string names = "none";
     for (const shade::ShadingInfo& info : shade::shadings())
-        names += ", " + info.name;
-    command.add_option("--shading", options.shading, "Under the lines: " + names)
+        names += "|" + info.name;
+    command.add_option("--shading", options.shading, "What is under the lines")
+        ->type_name(names)
         ->capture_default_str();
-    add_settings("--set-shade",
-                 options.shade_settings,
-                 "A knob of the shading: key=value (see inkbench list shadings)");
-    const char* color_doc = ", R,G,B or #rrggbb";
-    command.add_option("--ink", options.ink, std::string("Colour of the lines") + color_doc);
-    command.add_option(
-        "--paper", options.paper, std::string("Colour where nothing is") + color_doc);
-    command.add_option(
-        "--surface", options.surface, std::string("Colour of shaded surfaces") + color_doc);
-    command.add_option("--line-width",
-                       options.line_width_px,
-                       "Thin the lines and draw them this wide, px; 0 leaves them as the method "
-                       "draws them (by hand: 2)");
+    add_repeatable_option(command,
+                          "--set-shade",
+                          options.shade_settings,
+                          "A knob of the shading; may be given again (see inkbench list shadings)",
+                          "KEY=VALUE");
+    const auto add_color = [&](const char* name, std::string& to, const char* doc) {
+        command.add_option(name, to, doc)->type_name("R,G,B|#RRGGBB");
+    };
+    add_color("--ink", options.ink, "Colour of the lines (default: near black)");
+    add_color("--paper", options.paper, "Colour where nothing is (default: white)");
+    add_color("--surface",
+              options.surface,
+              "Colour of shaded surfaces, with --shading (default: light grey)");
+    command
+        .add_option("--line-width",
+                    options.line_width_px,
+                    "Thin the lines and draw them this wide; 0 leaves them as the method draws "
+                    "them, and 2 px wide by hand")
+        ->type_name("PX")
+        ->capture_default_str();
     command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines again by hand");
-    add_settings("--set-hand",
-                 options.hand_settings,
-                 "A knob of the hand: key=value (see inkbench list shadings)");
-    command.add_option("--seed", options.seed, "Seed of the hand, a whole number (0)");
+    add_repeatable_option(command,
+                          "--set-hand",
+                          options.hand_settings,
+                          "A knob of the hand; may be given again (see inkbench list shadings)",
+                          "KEY=VALUE");
+    command.add_option("--seed", options.seed, "Seed of the hand (default: 0)")->type_name("N");
     command
         .add_option("--antialias", options.antialias, "Draw at N x N the size and average, 1..8")
+        ->type_name("N")
         ->capture_default_str();
-    command
-        .add_option(
-            "--dither", options.dither, "Ordered dither to a frame buffer's bits: none, 565, 332")
+    command.add_option("--dither", options.dither, "Ordered dither to a frame buffer's bits")
+        ->type_name("none|565|332")
         ->capture_default_str();
 }
 

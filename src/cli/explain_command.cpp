@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "draw/explain.h"
 
@@ -15,9 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ExplainArgs {
-    std::string scene;
+    SceneOptions scene;
     std::string view;
-    std::string methods;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     ViewOptions views;
     double crease_deg = 40;
@@ -63,16 +65,17 @@ Json json_of(const draw::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
-    const auto entrants = harness::make_entrants(args.methods, args.settings);
+    const auto entrants = harness::make_entrants(method_list(args.methods), args.settings);
     if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
         throw core::Error("--crease",
                           fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
                           "0..180");
     }
     const harness::ViewRequest request = view_request(args.views);
+    const std::string scene = one_scene(args.scene, "explain");
     const harness::Subject subject =
-        args.view.empty() ? harness::make_subject(harness::load_scene(args.scene), request)
-                          : harness::load_one_view(args.scene, args.view, request);
+        args.view.empty() ? harness::make_subject(harness::load_scene(scene), request)
+                          : harness::load_one_view(scene, args.view, request);
     const draw::Explanation explanation = draw::explain(subject, entrants, args.crease_deg);
     if (args.json) {
         fmt::print("{}\n", json_of(explanation).dump(2));
@@ -87,15 +90,18 @@ void add_explain_command(CLI::App& app) {
     auto args = std::make_shared<ExplainArgs>();
     auto* command = app.add_subcommand(
         "explain", "Say what a scene has, what each method may leave out there, and why");
-    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
-    command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
+    add_one_scene_options(*command, args->scene);
+    add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    command->add_option("--view", args->view, "Name of a view (all unless given)");
+    command->add_option("--view", args->view, "Name of a view (default: all)")->type_name("NAME");
     add_view_options(*command, args->views);
-    command->add_option("--crease", args->crease_deg, "Crease angle of the ledger, degrees")
+    command->add_option("--crease", args->crease_deg, "Crease angle of the ledger")
+        ->type_name("DEGREES")
         ->capture_default_str();
-    command->add_flag("--json", args->json, "Print JSON");
-    command->footer("Example: inkbench explain torus --methods mote4,auto");
+    command->add_flag("--json", args->json, "Print JSON instead of text");
+    command->footer(
+        "Example: inkbench explain torus --methods mote4,auto\n"
+        "Exit codes: 0 done, 2 bad input.");
     command->callback([args] { run_explain(*args); });
 }
 

@@ -5,7 +5,10 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
+#include "cli/name_list.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "experiment/summary.h"
@@ -20,9 +23,8 @@ namespace {
 constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
 
 struct FiguresArgs {
-    std::vector<std::string> models;
-    std::string scenes;
-    std::string methods;
+    SceneOptions scenes;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     std::string pair;
     std::string from;
@@ -40,7 +42,7 @@ constexpr std::size_t kScenesOfRun = 4;
 
 /// What is drawn; `run` are the rows that --from names, if it does.
 std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<harness::Row>& run) {
-    std::vector<std::string> names = scene_names(args.scenes, args.models);
+    std::vector<std::string> names = scene_names(args.scenes);
     if (!names.empty()) return names;
     if (run.empty()) return harness::split_list(kUsualScenes);
     names = report::drawable_scenes(run, kScenesOfRun);
@@ -87,13 +89,9 @@ std::vector<harness::Entrant> entrants_of_run(const FiguresArgs& args,
     for (const harness::Entrant& entrant : all)
         names.push_back(entrant.info->name);
     std::vector<harness::Entrant> chosen;
-    for (const std::string& name : harness::split_list(args.methods)) {
+    for (const std::string& name :
+         listed_names(args.methods, {"--methods", "method in the run", names})) {
         const auto at = std::find(names.begin(), names.end(), name);
-        if (at == names.end()) {
-            throw core::Error("--methods",
-                              fmt::format("'{}' is not in the run", name),
-                              core::known_names(names, name));
-        }
         chosen.push_back(all[static_cast<std::size_t>(at - names.begin())]);
     }
     return chosen;
@@ -126,7 +124,7 @@ report::FigureOptions figure_options(const FiguresArgs& args,
                                      const std::vector<harness::Row>& run) {
     report::FigureOptions options;
     if (run.empty()) {
-        options.drawing.entrants = harness::make_entrants(args.methods, args.settings);
+        options.drawing.entrants = harness::make_entrants(method_list(args.methods), args.settings);
     } else {
         options.drawing.entrants = entrants_of_run(args, run);
         options.charts = chart_source(args, run, options.drawing.entrants);
@@ -157,8 +155,7 @@ void run_figures(const FiguresArgs& args, const std::string& command_line) {
     for (const std::string& name : files.names)
         fmt::print("{}\n", (std::filesystem::path(args.out) / name).string());
     if (files.is_interrupted) {
-        fmt::print(stderr, "inkbench: interrupted; the figures show the scenes that were drawn\n");
-        throw CLI::RuntimeError(kInterrupted);
+        end_interrupted("the figures show the scenes that were drawn");
     }
 }
 
@@ -171,50 +168,42 @@ void add_figures_command(CLI::App& app) {
         "figures",
         "Make the comparison figures of a paper: strips, error against time, classes, buffers, "
         "enlarged differences");
-    command->add_option("models", args->models, "Model files, besides --scenes");
-    command->add_option("--scenes",
-                        args->scenes,
-                        fmt::format("Built-in scenes a,b (with no model file: {})", kUsualScenes));
-    command->add_option("--methods", args->methods, "Methods a,b (all unless given)");
+    add_scene_options(*command,
+                      args->scenes,
+                      fmt::format("Built-in scenes or model files (default: {})", kUsualScenes));
+    add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    command->add_option("--pair",
-                        args->pair,
-                        "Two methods a,b to enlarge where they differ most (unless given mote4 and "
-                        "decaudin, or the first two)");
-    command->add_option("--from",
-                        args->from,
-                        "The folder of a finished compare or run: charts come from its rows.csv, "
-                        "pictures are drawn with its methods, settings, size and (up to four) "
-                        "scenes");
-    add_view_options(*command, args->views);
     command
-        ->add_option("--out", args->out, "Folder for the figures and figures.md, which lists them")
-        ->capture_default_str();
+        ->add_option("--pair",
+                     args->pair,
+                     "Two methods a,b to enlarge where they differ most (default: mote4 and "
+                     "decaudin, or the first two)")
+        ->type_name("METHODS");
+    command
+        ->add_option("--from",
+                     args->from,
+                     "The folder of a finished compare or run: charts come from its rows.csv, "
+                     "pictures are drawn with its methods, settings, size and (up to four) "
+                     "scenes")
+        ->type_name("DIR");
+    add_view_options(*command, args->views);
+    add_out_folder_option(
+        *command, args->out, "Folder for the figures and figures.md, which lists them");
     add_truth_settings(*command, args->truth);
-    command->add_option("--threads", args->threads, "Threads a method may use while it is timed")
-        ->capture_default_str();
+    add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
-    command->add_option("--seed", args->seed, "Of intervals and chance pictures")
-        ->capture_default_str();
+    add_seed_option(*command, args->seed, "Of intervals and chance pictures");
     add_cache_options(*command, args->cache);
+    add_quiet_option(*command);
     command->footer(
         "One view of each scene is drawn, its first; --views N draws N round it.\n"
         "Example: inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
         "         inkbench figures --from inkbench-out --out figs\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");
     command->callback([args, command] {
-        std::string line = "inkbench figures";
-        for (const CLI::Option* option : command->get_options()) {
-            if (option->count() == 0) continue;
-            for (const std::string& value : option->results()) {
-                const bool is_flag = option->get_expected_max() == 0;
-                if (!option->get_positional()) line += " " + option->get_name();
-                if (!is_flag) line += " " + value;
-            }
-        }
         args->has_size = command->count("--size") > 0;
-        run_figures(*args, line);
+        run_figures(*args, recorded_command(*command));
     });
 }
 

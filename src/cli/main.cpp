@@ -5,28 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/program.h"
 #include "core/error.h"
 #include "core/param.h"
-#include "core/provenance.h"
 
 namespace {
 
 constexpr int kBadInput = 2;
-
-std::string version_text() {
-    const auto& p = ink::core::provenance();
-    std::string text = fmt::format("inkbench {} ({}{}), {}, {}\n",
-                                   p.version,
-                                   p.commit,
-                                   p.dirty ? ", changed" : "",
-                                   p.compiler,
-                                   p.flags);
-    for (const auto& [name, version] : p.libraries)
-        text += fmt::format("{} {}\n", name, version);
-    text.pop_back();
-    return text;
-}
 
 /// One line, whatever the message holds: scripts read the first line of stderr.
 std::string one_line(std::string message) {
@@ -52,46 +37,23 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
     }
 }
 
-int run(CLI::App& app, int argc, char** argv) {
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto app = ink::cli::make_program();
     try {
-        check_subcommand(app, argc, argv);
-        app.parse(argc, argv);
+        check_subcommand(*app, argc, argv);
+        app->parse(argc, argv);
     } catch (const CLI::RuntimeError& stop) {
         return stop.get_exit_code();
     } catch (const CLI::Success& help) {
-        return app.exit(help);
+        return app->exit(help);
     } catch (const CLI::ParseError& error) {
-        return refuse(fmt::format("{} (see inkbench --help)", error.what()));
+        return refuse(ink::cli::complaint(*app, error));
     } catch (const ink::core::Error& error) {
         return refuse(error.what());
     } catch (const std::bad_alloc&) {
         return refuse("there is not enough memory for this");
     }
     return 0;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    CLI::App app{
-        "Inkbench: which 3D outline method makes the fewest errors on a scene, at a time budget?",
-        "inkbench"};
-    app.set_version_flag("--version", version_text);
-    app.require_subcommand(1);
-    app.footer("Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin");
-    ink::cli::add_compare_command(app);
-    ink::cli::add_draw_command(app);
-    ink::cli::add_truth_command(app);
-    ink::cli::add_score_command(app);
-    ink::cli::add_explain_command(app);
-    ink::cli::add_figures_command(app);
-    ink::cli::add_timedemo_command(app);
-    ink::cli::add_tune_command(app);
-    ink::cli::add_stress_command(app);
-    ink::cli::add_run_command(app);
-    ink::cli::add_report_command(app);
-    ink::cli::add_merge_command(app);
-    ink::cli::add_bound_command(app);
-    ink::cli::add_list_command(app);
-    return run(app, argc, argv);
 }

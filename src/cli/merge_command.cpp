@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "cli/run_result.h"
 #include "experiment/experiment_run.h"
 
@@ -20,7 +21,7 @@ void add_merge_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "merge", "Join the shards of a run to the folder that one run would write");
     command->add_option("folders", args->folders, "Folders of --shard i/n")->required();
-    command->add_option("-o,--out", args->out, "Folder of the joined run")->required();
+    add_out_folder_option(*command, args->out, "Folder of the joined run")->required();
     command->add_flag("--json", args->is_json, "Print the result as JSON");
     command->footer(
         "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"

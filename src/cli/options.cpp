@@ -9,7 +9,9 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "cli/name_list.h"
 #include "core/error.h"
+#include "core/progress.h"
 #include "harness/entrants.h"
 
 namespace ink::cli {
@@ -68,53 +70,91 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
     }
 }
 
+/// As a shell reads it back.
+std::string quoted(const std::string& word) {
+    constexpr const char* kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 }  // namespace
 
-void add_set_option(CLI::App& command, std::vector<std::string>& settings, const char* doc) {
-    command.add_option("--set", settings, doc)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc) {
+    return command.add_option("-o,--out", out, doc)->type_name("DIR")->capture_default_str();
 }
 
-std::vector<std::string> scene_names(const std::string& scenes,
-                                     const std::vector<std::string>& models) {
-    std::vector<std::string> names = harness::split_list(scenes);
-    names.insert(names.end(), models.begin(), models.end());
-    return names;
+void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {
+    command.add_option("--threads", threads, doc)->type_name("N")->capture_default_str();
 }
 
-void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role) {
-    command
-        .add_option("--preset",
-                    presets,
-                    fmt::format("A method with settings of its own, as inkbench tune writes it: a "
-                                "TOML file, {}",
-                                role))
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+void add_seed_option(CLI::App& command, std::string& seed, const std::string& doc) {
+    command.add_option("--seed", seed, doc)->type_name("N")->capture_default_str();
+}
+
+void add_quiet_option(CLI::App& command) {
+    command.add_flag_callback(
+        "-q,--quiet",
+        [] { core::progress_display().is_quiet = true; },
+        "Say nothing of the progress (a line on a terminal, else one every ten seconds)");
+}
+
+void end_interrupted(const std::string& what_is_left) {
+    fmt::print(stderr, "inkbench: interrupted; {}\n", what_is_left);
+    throw CLI::RuntimeError(kInterrupted);
+}
+
+std::string recorded_command(const CLI::App& command, const std::vector<std::string>& left_out) {
+    std::string line = "inkbench " + command.get_name();
+    for (const CLI::Option* option : command.get_options()) {
+        const auto is_it = [&](const std::string& name) { return option->check_name(name); };
+        const bool is_left_out =
+            is_it("--quiet") || std::any_of(left_out.begin(), left_out.end(), is_it);
+        if (option->count() == 0 || is_left_out) continue;
+        const bool is_flag = option->get_expected_max() == 0;
+        for (const std::string& value : option->results()) {
+            if (!option->get_positional()) line += " " + option->get_name();
+            if (!is_flag) line += " " + quoted(value);
+        }
+    }
+    return line;
 }
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
-    command.add_option("--size", options.size, "Picture size in pixels, WIDTHxHEIGHT")
+    command.add_option("--size", options.size, "Picture size in pixels")
+        ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
-    command.add_option(
-        "--views", options.views, "N views round the scene, or 'file' for the model's own cameras");
     command
-        .add_option("--eye", options.eyes, "Eye position X,Y,Z; may be given again for more views")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command
-        .add_option("--target",
-                    options.targets,
-                    "Point looked at, X,Y,Z (the scene's centre unless given); one per --eye")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command.add_option("--up", options.up, "Up direction X,Y,Z")->capture_default_str();
-    command.add_option("--fov", options.fov_deg, "Vertical field of view, degrees, with --eye")
+        .add_option("--views",
+                    options.views,
+                    "N views round the scene, or 'file' for the model's own cameras (default: a "
+                    "built-in scene's own views, three round a model)")
+        ->type_name("N|file");
+    add_repeatable_option(command,
+                          "--eye",
+                          options.eyes,
+                          "Eye position instead of --views; may be given again for more views",
+                          "X,Y,Z");
+    add_repeatable_option(command,
+                          "--target",
+                          options.targets,
+                          "Point looked at, one per --eye (default: the scene's centre)",
+                          "X,Y,Z");
+    command.add_option("--up", options.up, "Up direction, with --eye")
+        ->type_name("X,Y,Z")
         ->capture_default_str();
-    command.add_option(
-        "--time", options.time_s, "Seconds into an animated scene (unless said, as it rests)");
-    command.add_option("--frame", options.frame, "A stored frame's number instead of --time");
+    command.add_option("--fov", options.fov_deg, "Vertical field of view, with --eye")
+        ->type_name("DEGREES")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--time", options.time_s, "Moment of an animated scene (default: its rest pose)")
+        ->type_name("SECONDS");
+    command.add_option("--frame", options.frame, "A stored frame's number, instead of --time")
+        ->type_name("N");
 }
 
 harness::ViewRequest view_request(const ViewOptions& options) {
@@ -159,13 +199,18 @@ std::uint64_t parse_seed(const std::string& text) {
 }
 
 void add_truth_settings(CLI::App& command, TruthSettings& settings) {
-    command.add_option("--crease", settings.crease_deg, "Crease angle of the truth, degrees")
+    command
+        .add_option("--crease",
+                    settings.crease_deg,
+                    "Crease angle of the truth: edges whose faces turn by more are creases")
+        ->type_name("DEGREES")
         ->capture_default_str();
     command
         .add_option("--weld-epsilon",
                     settings.weld_epsilon,
                     "Weld vertices this near to each other, as a share of their part's diagonal "
                     "(0: at the same place only)")
+        ->type_name("SHARE")
         ->capture_default_str();
 }
 
@@ -186,8 +231,13 @@ void apply(const TruthSettings& settings, truth::TruthOptions& options) {
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {
-    command.add_option("--cache", options.folder, "Folder of traced truths (~/.cache/inkbench)");
-    command.add_flag("--no-cache", options.none, "Trace anew and keep nothing");
+    command
+        .add_option("--cache",
+                    options.folder,
+                    "Folder of traced truths (default: $XDG_CACHE_HOME/inkbench, or "
+                    "~/.cache/inkbench)")
+        ->type_name("DIR");
+    command.add_flag("--no-cache", options.none, "Trace every truth anew and keep none");
 }
 
 std::filesystem::path cache_folder(const CacheOptions& options) {

@@ -34,17 +34,25 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.
 [[nodiscard]] harness::ViewRequest view_request(const ViewOptions& options);
 
-/// Adds --set, which may be given again; `doc` says what is set.
-void add_set_option(CLI::App& command,
-                    std::vector<std::string>& settings,
-                    const char* doc = "A parameter: key=value or method.key=value");
+/// Adds --out DIR, or -o DIR: the folder that a command writes; `doc` says what into it.
+CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc);
 
-/// The scenes of a comma list and the model files beside them, in that order.
-[[nodiscard]] std::vector<std::string> scene_names(const std::string& scenes,
-                                                   const std::vector<std::string>& models);
+/// Adds --threads; `doc` says whose.
+void add_threads_option(CLI::App& command, int& threads, const std::string& doc);
 
-/// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
-void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);
+/// Adds --seed; `doc` says of what. `parse_seed` reads it.
+void add_seed_option(CLI::App& command, std::string& seed, const std::string& doc);
+
+/// Adds --quiet, which silences every core::Progress of the process.
+void add_quiet_option(CLI::App& command);
+
+/// Says on stderr "inkbench: interrupted; `what_is_left`" and ends the command with exit code 130.
+[[noreturn]] void end_interrupted(const std::string& what_is_left);
+
+/// The command as it was given, ready for a shell, without options that a name in `left_out` (and
+/// --quiet) is of. To be asked in the command's callback.
+[[nodiscard]] std::string recorded_command(const CLI::App& command,
+                                           const std::vector<std::string>& left_out = {});
 
 /// --threads as given, or an Error unless 1..256.
 [[nodiscard]] int checked_threads(int threads);

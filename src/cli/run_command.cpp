@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "experiment/experiment.h"
 
@@ -15,14 +18,19 @@ constexpr int kMostViews = 360;
 
 struct RunArgs {
     std::string file;
-    experiment::ExperimentOverrides overrides;
+    SceneOptions scenes;
+    std::vector<std::string> methods;
+    std::string size;
     std::string views;
     RunFolderOptions folder;
     CacheOptions cache;
 };
 
 experiment::Experiment experiment_of(const RunArgs& args) {
-    experiment::ExperimentOverrides overrides = args.overrides;
+    experiment::ExperimentOverrides overrides;
+    overrides.size = args.size;
+    overrides.scenes = fmt::format("{}", fmt::join(scene_names(args.scenes), ","));
+    overrides.methods = method_list(args.methods);
     if (!args.views.empty()) {
         ViewOptions views;
         views.views = args.views;
@@ -42,9 +50,9 @@ void add_run_command(CLI::App& app) {
     command->add_option("file", args->file, "An experiment, such as experiments/quality.toml")
         ->required();
     add_run_folder_options(*command, args->folder);
-    command->add_option("--size", args->overrides.size, "WIDTHxHEIGHT instead of the file's sizes");
-    command->add_option("--scenes", args->overrides.scenes, "Scenes a,b instead of the file's");
-    command->add_option("--methods", args->overrides.methods, "Methods a,b instead of the file's");
+    command->add_option("--size", args->size, "WIDTHxHEIGHT instead of the file's sizes");
+    add_scene_options(*command, args->scenes, "Scenes instead of the file's");
+    add_method_options(*command, args->methods, "the file's");
     command->add_option("--views", args->views, "Views of each scene, the first N");
     add_cache_options(*command, args->cache);
     command->footer(
@@ -54,7 +62,7 @@ void add_run_command(CLI::App& app) {
         "score, 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = command_line(*command);
+        experiment.command = run_command_text(*command);
         run_to_end(experiment, args->folder, args->cache);
     });
 }

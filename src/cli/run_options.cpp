@@ -9,6 +9,7 @@
 
 #include "cli/run_result.h"
 #include "core/error.h"
+#include "core/progress.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/experiment_run.h"
 
@@ -40,8 +41,7 @@ void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
 }  // namespace
 
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
-    auto* out = command.add_option("--out", options.out, "Folder of the run");
-    if (!options.out.empty()) out->capture_default_str();
+    add_out_folder_option(command, options.out, "Folder of the run");
     command.add_option("--shard", options.shard, "i/n: only this share; see inkbench merge")
         ->capture_default_str();
     command.add_flag(
@@ -50,7 +50,7 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
                      options.no_times,
                      "Leave columns of times empty: the same bytes on every run");
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
-    command.add_flag("--quiet", options.is_quiet, "No progress on stderr");
+    add_quiet_option(command);
     command.add_flag("--json", options.is_json, "Print the result as JSON");
 }
 
@@ -63,22 +63,8 @@ experiment::KeptImages kept_images(const std::string& word) {
     return static_cast<experiment::KeptImages>(found - kWords.begin());
 }
 
-std::string command_line(const CLI::App& command) {
-    constexpr std::array<std::string_view, 6> kLeftOut = {
-        "--out", "--shard", "--force", "--quiet", "--json", "--dry-run"};
-    std::string line = "inkbench " + command.get_name();
-    for (const CLI::Option* option : command.get_options()) {
-        const std::string name = option->get_name();
-        const bool is_left_out =
-            std::find(kLeftOut.begin(), kLeftOut.end(), name) != kLeftOut.end();
-        if (option->count() == 0 || is_left_out) continue;
-        for (const std::string& value : option->results()) {
-            const bool is_flag = option->get_expected_max() == 0;
-            if (!option->get_positional()) line += " " + name;
-            if (!is_flag) line += " " + value;
-        }
-    }
-    return line;
+std::string run_command_text(const CLI::App& command) {
+    return recorded_command(command, {"--out", "--shard", "--force", "--json", "--dry-run"});
 }
 
 void run_to_end(experiment::Experiment experiment,
@@ -90,7 +76,7 @@ void run_to_end(experiment::Experiment experiment,
     run.out = options.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
                                   : std::filesystem::path(options.out);
     run.is_forced = options.is_forced;
-    if (!options.is_quiet) run.say = say;
+    if (!core::progress_display().is_quiet) run.say = say;
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
     if (options.is_dry) {
         list_blocks(plan, run.shard);
@@ -101,10 +87,7 @@ void run_to_end(experiment::Experiment experiment,
         conclude(outcome, run.out, {.has_page = true, .is_json = options.is_json});
         return;
     }
-    if (outcome.is_interrupted) {
-        fmt::print(stderr, "inkbench: interrupted; the same command goes on\n");
-        throw CLI::RuntimeError(kInterrupted);
-    }
+    if (outcome.is_interrupted) end_interrupted("the same command goes on");
     fmt::print("shard {} is in {}: inkbench merge joins them\n", options.shard, run.out.string());
 }
 

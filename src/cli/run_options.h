@@ -14,7 +14,6 @@ struct RunFolderOptions {
     std::string shard = "1/1";
     bool is_forced = false;
     bool no_times = false;
-    bool is_quiet = false;
     bool is_json = false;
     bool is_dry = false;
 };
@@ -27,7 +26,7 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 
 /// What the user typed after `command`'s name, less what says where results go and how they are
 /// shown: the same for a run, its shards and its continuation.
-[[nodiscard]] std::string command_line(const CLI::App& command);
+[[nodiscard]] std::string run_command_text(const CLI::App& command);
 
 /// Computes an experiment into its folder and shows what came of it, as conclude() does; lists the
 /// blocks alone if --dry-run asks for that. Ends the program by CLI::RuntimeError where its exit

@@ -101,34 +101,40 @@ void add_score_command(CLI::App& app) {
     auto a = std::make_shared<ScoreArguments>();
     command
         ->add_option(
-            "prediction", a->request.prediction, "8-bit image, 0 no line .. 255 the strongest")
+            "prediction", a->request.prediction, "8-bit image: 0 no line .. 255 the strongest")
+        ->type_name("FILE")
         ->required();
     command
         ->add_option(
             "truth",
             a->request.truth,
-            "8-bit image, 0 no line; only 1 or only 255 beside it is a line of no class, else "
-            "every value is a class")
+            "8-bit image of classes, as inkbench truth -o writes it: 0 no line, every other value "
+            "a class; a line of no class where it has nothing beside 0 but 1 or 255")
+        ->type_name("FILE")
         ->required();
     command
-        ->add_option("--tol",
-                     a->request.options.tolerance_px,
-                     "matched pixels are at most this far apart, px")
+        ->add_option(
+            "--tol", a->request.options.tolerance_px, "Matched pixels are at most this far apart")
+        ->type_name("PX")
         ->capture_default_str();
     command
         ->add_option(
-            "--threshold", a->request.options.threshold, "strength of a predicted pixel, 1..255")
+            "--threshold", a->request.options.threshold, "Strength of a predicted pixel, 1..255")
         ->capture_default_str();
-    command->add_flag("--no-thin", a->no_thin, "take the prediction as wide as it is drawn");
+    command->add_flag("--no-thin", a->no_thin, "Take the prediction as wide as it is drawn");
     command
         ->add_option(
-            "--band", a->request.options.band_px, "leave out this many pixels along the frame")
+            "--band", a->request.options.band_px, "Leave out this many pixels along the frame")
+        ->type_name("PX")
         ->capture_default_str();
     command->add_option("--ignore",
                         a->request.options.ignore_label,
-                        "truth value, 1..255, that is neither required nor penalised");
-    command->add_flag("--json", a->as_json, "print JSON instead of a table");
-    command->footer("Example: inkbench score pred.png truth.png --tol 1 --json");
+                        "Truth value, 1..255, that is neither required nor penalised");
+    command->add_flag("--json", a->as_json, "Print JSON instead of a table");
+    command->footer(
+        "Example: inkbench score pred.png truth.png --tol 1 --json\n"
+        "What compare does: --threshold (the method's) --ignore 7 --band 6.\n"
+        "Exit codes: 0 done, 2 bad input.");
     command->callback([a] { run_score(*a); });
 }
 

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
+#include "cli/name_list.h"
 #include "cli/options.h"
 #include "cli/run_options.h"
 #include "core/error.h"
@@ -14,8 +17,8 @@ namespace ink::cli {
 namespace {
 
 struct StressArgs {
-    std::string axes;
-    std::string methods;
+    std::vector<std::string> axes;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     int points = 0;
     ViewOptions views;
@@ -25,10 +28,12 @@ struct StressArgs {
     RunFolderOptions folder{.out = "inkbench-out/stress"};
 };
 
-std::vector<std::string> chosen_axes(const std::string& list) {
+std::vector<std::string> chosen_axes(const std::vector<std::string>& texts) {
+    Names names{"--axes", "axis", {}};
+    for (const studies::StressAxis& axis : studies::stress_axes())
+        names.known.push_back(axis.name);
     std::vector<std::string> axes;
-    for (const std::string& name : harness::split_list(list)) {
-        (void)studies::find_stress_axis(name);
+    for (const std::string& name : listed_names(texts, names)) {
         if (std::find(axes.begin(), axes.end(), name) != axes.end())
             throw core::Error("--axes", fmt::format("'{}' is named twice", name), "each once");
         axes.push_back(name);
@@ -42,8 +47,9 @@ experiment::Experiment experiment_of(const StressArgs& args) {
     experiment.name = "stress";
     experiment.kind = experiment::ExperimentKind::stress;
     experiment.axes = chosen_axes(args.axes);
-    for (const harness::Entrant& entrant : harness::make_entrants(args.methods, args.settings))
-        if (!args.methods.empty()) experiment.methods.push_back(entrant.info->name);
+    const std::string methods = method_list(args.methods);
+    for (const harness::Entrant& entrant : harness::make_entrants(methods, args.settings))
+        if (!methods.empty()) experiment.methods.push_back(entrant.info->name);
     experiment.settings = args.settings;
     experiment.threads = {checked_threads(args.threads)};
     experiment.seed = parse_seed(args.seed);
@@ -63,13 +69,17 @@ void add_stress_command(CLI::App& app) {
     args->views.size = "480x270";
     auto* command =
         app.add_subcommand("stress", "Sweep one difficulty at a time: error curves per method");
-    command->add_option("--axes,--axis", args->axes, "Axes a,b (default: all; see list axes)");
-    command->add_option("--methods,--method", args->methods, "Methods a,b (default: all)");
+    add_repeatable_option(*command,
+                          "--axes,--axis",
+                          args->axes,
+                          "Axes a,b or globs (default: all; see inkbench list axes)",
+                          "AXES");
+    add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     command->add_option("--points", args->points, "Points of an axis at most (default: all)");
     command->add_option("--size", args->views.size, "Size of a picture")->capture_default_str();
-    command->add_option("--threads", args->threads, "Threads of a method")->capture_default_str();
-    command->add_option("--seed", args->seed, "Of the intervals")->capture_default_str();
+    add_threads_option(*command, args->threads, "Threads of a method");
+    add_seed_option(*command, args->seed, "Of the intervals");
     add_cache_options(*command, args->cache);
     add_run_folder_options(*command, args->folder);
     command->footer(
@@ -80,7 +90,7 @@ void add_stress_command(CLI::App& app) {
         "pictures differ that must not; 2 bad input; 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);
-        experiment.command = command_line(*command);
+        experiment.command = run_command_text(*command);
         run_to_end(experiment, args->folder, args->cache);
     });
 }

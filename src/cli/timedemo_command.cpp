@@ -2,9 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "harness/interrupt.h"
 #include "harness/out_folder.h"
@@ -15,23 +18,46 @@ namespace ink::cli {
 namespace {
 
 struct TimedemoArgs {
-    std::string scene;
+    SceneOptions scene;
     std::string view;
-    std::string methods;
+    std::vector<std::string> methods;
     std::vector<std::string> settings;
     ViewOptions views;
     int frames = 60;
     int threads = 1;
     std::string seed = "0";
-    std::string no_skip;
+    std::vector<std::string> no_skip;
     std::string out;
+    bool json = false;
 };
+
+nlohmann::ordered_json rates_json(const harness::Subject& subject,
+                                  const studies::TimedemoOptions& options,
+                                  const std::vector<studies::DemoFrame>& frames) {
+    const scene::View& view = subject.views.front();
+    nlohmann::ordered_json json = {{"scene", subject.scene.name},
+                                   {"width", view.width_px},
+                                   {"height", view.height_px},
+                                   {"threads", options.threads},
+                                   {"frames", options.frames},
+                                   {"rates", nlohmann::ordered_json::array()}};
+    for (const studies::DemoRate& rate : studies::timedemo_rates(frames)) {
+        json["rates"].push_back({{"path", rate.path},
+                                 {"method", rate.method},
+                                 {"drawn", rate.drawn},
+                                 {"cached", rate.is_cached},
+                                 {"fps", rate.fps},
+                                 {"low_fps", rate.low_fps},
+                                 {"high_fps", rate.high_fps}});
+    }
+    return json;
+}
 
 void run_timedemo(const TimedemoArgs& args) {
     studies::TimedemoOptions options;
-    options.entrants = harness::make_entrants(args.methods, args.settings);
+    options.entrants = harness::make_entrants(method_list(args.methods), args.settings);
     options.threads = checked_threads(args.threads);
-    options.skips = harness::without_skips({}, args.no_skip);
+    options.skips = harness::without_skips({}, skip_list(args.no_skip));
     options.seed = parse_seed(args.seed);
     options.frames = args.frames;
     if (args.frames < 2 || args.frames > 10000) {
@@ -42,20 +68,26 @@ void run_timedemo(const TimedemoArgs& args) {
         throw core::Error(
             "--time", "a time demo shows all of an animation", "no --time or --frame");
     }
-    const harness::Subject subject = harness::load_one_view(args.scene, args.view, request);
+    const harness::Subject subject =
+        harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const harness::InterruptGuard guard;
     const auto frames = studies::run_timedemo(subject, options);
     if (harness::is_interrupted()) {
-        fmt::print(stderr, "inkbench: interrupted; nothing is written\n");
-        throw CLI::RuntimeError(kInterrupted);
+        end_interrupted("nothing is written");
     }
-    fmt::print("{}\n", studies::timedemo_heading(subject, options));
-    fmt::print("{}", studies::timedemo_table(frames));
+    if (args.json) {
+        fmt::print("{}\n", rates_json(subject, options, frames).dump(2));
+    } else {
+        fmt::print("{}\n{}\n{}",
+                   studies::timedemo_heading(subject, options),
+                   studies::timedemo_table(frames),
+                   studies::timedemo_legend());
+    }
     if (args.out.empty()) return;
     const auto path = std::filesystem::path(args.out) / "timedemo.csv";
     studies::write_timedemo(subject, frames, path);
-    fmt::print("{}\n", path.string());
+    if (!args.json) fmt::print("{}\n", path.string());
 }
 
 }  // namespace
@@ -64,20 +96,23 @@ void add_timedemo_command(CLI::App& app) {
     auto args = std::make_shared<TimedemoArgs>();
     auto* command = app.add_subcommand(
         "timedemo", "Time an animation: frames per second plain, shaded and with lines");
-    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
-    command->add_option("--methods,--method", args->methods, "Methods a,b (all unless given)");
+    add_one_scene_options(*command, args->scene);
+    add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     command->add_option("--frames", args->frames, "Frames of each camera path")
         ->capture_default_str();
-    command->add_option("--view", args->view, "Where the camera starts (the first unless given)");
+    command->add_option("--view", args->view, "View where the camera starts (default: the first)")
+        ->type_name("NAME");
     add_view_options(*command, args->views);
-    command->add_option("--threads", args->threads, "Threads")->capture_default_str();
-    command->add_option("--seed", args->seed, "Of the shaking camera")->capture_default_str();
-    command->add_option("--no-skip", args->no_skip, "Skips a,b to do without, or all");
-    command->add_option("--out", args->out, "Folder for timedemo.csv");
+    add_threads_option(*command, args->threads, "Threads of a method");
+    add_seed_option(*command, args->seed, "Of the shaking camera");
+    add_no_skip_option(*command, args->no_skip);
+    add_out_folder_option(
+        *command, args->out, "Folder for timedemo.csv (default: it is not written)");
+    command->add_flag("--json", args->json, "Print JSON instead of the table");
+    add_quiet_option(*command);
     command->footer(
-        "Times of the first round and of those after it stand side by side: what a method keeps "
-        "of a frame it has seen counts in 'no edges' and 'full'.\n"
+        "Prints frames per second; what its words mean stands below the table.\n"
         "With --views file, a camera that the model moves is followed first (path 'own').\n"
         "Example: inkbench timedemo gear --methods mote4,edge_hash --frames 30\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
@@ -19,7 +20,7 @@ namespace ink::cli {
 namespace {
 
 struct TruthArgs {
-    std::string scene;
+    SceneOptions scene;
     std::string view;
     ViewOptions views;
     std::optional<std::string> file;
@@ -112,7 +113,7 @@ void run_truth(TruthArgs args) {
         if (file) check_output_path(*file, {".png"});
     }
     const harness::Subject subject =
-        harness::load_one_view(args.scene, args.view, view_request(args.views));
+        harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views));
     harness::report_progress(options.truth);
     truth::SceneModel model(subject.scene, options.truth);
     const harness::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
@@ -137,26 +138,38 @@ void run_truth(TruthArgs args) {
 void add_truth_command(CLI::App& app) {
     auto args = std::make_shared<TruthArgs>();
     auto* command = app.add_subcommand("truth", "Trace the exact outline of one view");
-    command->add_option("scene", args->scene, "A built-in scene or a model file")->required();
-    command->add_option("-o,--output",
-                        args->file,
-                        "By its ending: .png of class numbers (1 contour, 2 boundary, 3 crease, 4 "
-                        "intersection, 5 seam, 7 ignore), .exr of all layers, .svg of the curves");
-    command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes");
-    command->add_option("--picture", args->picture, "PNG with a colour per class");
-    command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres");
+    add_one_scene_options(*command, args->scene);
+    command
+        ->add_option("-o,--output",
+                     args->file,
+                     "By its ending: .png of class numbers (1 contour, 2 boundary, 3 crease, 4 "
+                     "intersection, 5 seam, 7 ignore), .exr of all layers, .svg of the curves")
+        ->type_name("FILE");
+    command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes")
+        ->type_name("FILE");
+    command
+        ->add_option("--picture",
+                     args->picture,
+                     "PNG with a colour per class, for people; score takes the one of -o")
+        ->type_name("FILE");
+    command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres")
+        ->type_name("FILE");
     command->add_flag("--witness",
                       args->witness,
                       "Hold the curves against dense sampling, and the rasterizer against Embree");
-    command->add_option("--disagreement",
-                        args->disagreement,
-                        "PNG of what only one of the two has (with --witness; "
-                        "inkbench-out/witness/SCENE_VIEW.png unless given)");
-    command->add_option("--view", args->view, "Name of the view (the first unless given)");
+    command
+        ->add_option("--disagreement",
+                     args->disagreement,
+                     "PNG of what only one of the two has, with --witness (default: "
+                     "inkbench-out/witness/SCENE_VIEW.png)")
+        ->type_name("FILE");
+    command->add_option("--view", args->view, "Name of the view (default: the first)")
+        ->type_name("NAME");
     add_view_options(*command, args->views);
     add_truth_settings(*command, args->truth);
-    command->add_option("--threads", args->threads, "Threads")->capture_default_str();
+    add_threads_option(*command, args->threads, "Threads that trace (default: all of the machine)");
     add_cache_options(*command, args->cache);
+    add_quiet_option(*command);
     command->footer(
         "Example: inkbench truth staircase -o truth.png --picture lines.png\n"
         "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6\n"

@@ -5,7 +5,10 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/method_options.h"
+#include "cli/name_list.h"
 #include "cli/options.h"
+#include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
@@ -17,7 +20,8 @@ namespace ink::cli {
 namespace {
 
 struct TuneArgs {
-    std::string method;
+    std::string method;                ///< by itself, unless --method is there: a scene then
+    std::vector<std::string> methods;  ///< by --method
     std::string knobs;
     std::vector<std::string> settings;
     std::string objective = "error";
@@ -28,7 +32,7 @@ struct TuneArgs {
     std::string local = "sbplx";
     bool no_random = false;
     bool no_bound = false;
-    std::string scenes;
+    SceneOptions scenes;
     ViewOptions views;
     int more_views = 0;
     std::string name;
@@ -39,24 +43,21 @@ struct TuneArgs {
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
-constexpr const char* kUnrecorded[] = {
+const std::vector<std::string> kUnrecorded = {
     "--no-random", "--no-bound", "--out", "--threads", "--cache", "--no-cache", "--help"};
 
-std::string recorded_command(const CLI::App& command) {
-    std::string line = "inkbench tune";
-    for (const CLI::Option* option : command.get_options()) {
-        const bool is_unrecorded =
-            std::any_of(std::begin(kUnrecorded), std::end(kUnrecorded), [&](const char* name) {
-                return option->check_name(name);
-            });
-        if (option->count() == 0 || is_unrecorded) continue;
-        for (const std::string& value : option->results()) {
-            const bool is_flag = option->get_expected_max() == 0;
-            if (!option->get_positional()) line += " " + option->get_name();
-            if (!is_flag) line += " " + value;
-        }
-    }
-    return line;
+/// `METHOD SCENE...`, or `--method METHOD SCENE...`.
+std::string method_of(const TuneArgs& args) {
+    if (!args.methods.empty()) return one_method(args.methods, "");
+    if (!args.method.empty()) return one_method({args.method}, "", "method");
+    throw core::Error("tune", "the method is missing", "one name of inkbench list methods");
+}
+
+std::vector<std::string> scenes_of(const TuneArgs& args) {
+    SceneOptions scenes = args.scenes;
+    const bool is_scene = !args.methods.empty() && !args.method.empty();
+    if (is_scene) scenes.named.insert(scenes.named.begin(), args.method);
+    return scene_names(scenes);
 }
 
 void check_choice(const char* option,
@@ -69,12 +70,8 @@ void check_choice(const char* option,
 
 tune::TuneOptions tune_options(const TuneArgs& args) {
     tune::TuneOptions options;
-    if (harness::split_list(args.method).size() != 1) {
-        throw core::Error("METHOD",
-                          fmt::format("'{}' is not one method", args.method),
-                          "one name of inkbench list methods");
-    }
-    options.entrant = harness::make_entrants(args.method, args.settings).front();
+    const std::string method = method_of(args);
+    options.entrant = harness::make_entrants(method, args.settings).front();
     options.knobs = args.knobs;
     check_choice("--objective", args.objective, {"error", "scenes", "ap"});
     if (args.objective == "scenes") options.objective = tune::TuneObjective::scenes;
@@ -100,7 +97,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     options.trace.cache = cache_folder(args.cache);
     options.threads = checked_threads(args.threads);
     options.out = args.out;
-    options.name = args.name.empty() ? args.method + "_tuned" : args.name;
+    options.name = args.name.empty() ? method + "_tuned" : args.name;
     if (options.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") !=
         std::string::npos) {
         throw core::Error("--name",
@@ -118,17 +115,15 @@ void run_tune(const TuneArgs& args, const std::string& command) {
             "--more-views", fmt::format("{} is not possible", args.more_views), "0..1000");
     }
     const harness::ViewRequest request = view_request(args.views);
-    std::vector<harness::Subject> subjects =
-        harness::load_subjects(harness::split_list(args.scenes), request);
+    std::vector<harness::Subject> subjects = harness::load_subjects(scenes_of(args), request);
     for (harness::Subject& subject : subjects)
         tune::add_training_views(subject, request, args.more_views);
     const tune::TuneResult result = tune::tune(subjects, options);
     if (result.is_interrupted) {
-        fmt::print(stderr,
-                   "inkbench: interrupted; the finished evaluations are in {}, and the same "
-                   "command goes on from there\n",
-                   (options.out / "evaluations.csv.part").string());
-        throw CLI::RuntimeError(kInterrupted);
+        end_interrupted(
+            fmt::format("the finished evaluations are in {}, and the same command goes on from "
+                        "there",
+                        (options.out / "evaluations.csv.part").string()));
     }
     fmt::print("{}", tune::tune_summary(result, options));
     std::fflush(stdout);
@@ -143,66 +138,72 @@ void add_tune_command(CLI::App& app) {
     auto args = std::make_shared<TuneArgs>();
     auto* command = app.add_subcommand(
         "tune", "Find the settings of a method that make the fewest errors on the training scenes");
-    command->add_option("method", args->method, "Method (see inkbench list methods)")->required();
-    command->add_option("--params",
-                        args->knobs,
-                        "What to tune: knobs a,b or a=low..high,b (unless given: what is worth it "
-                        "in the method, else its threshold)");
+    command
+        ->add_option("method",
+                     args->method,
+                     "Method to tune (see inkbench list methods), if not "
+                     "named by --method")
+        ->type_name("METHOD");
+    add_repeatable_option(
+        *command, "--method,--methods", args->methods, "The same, as an option", "METHOD");
+    command
+        ->add_option("--params",
+                     args->knobs,
+                     "What to tune: parameters a,b or a=low..high,b (default: those that the "
+                     "method marks as tunable, else its threshold)")
+        ->type_name("PARAMS");
     add_set_option(*command, args->settings, "A parameter that stays as it is: key=value");
     command
         ->add_option(
             "--objective",
             args->objective,
-            "error: 1 - F at 2 px, all training views pooled; scenes: (mean root of each "
-            "scene's error) squared, so that no scene speaks for the others; ap: 1 - average "
-            "precision")
+            "What is made small. error: 1 - F at 2 px, all training views pooled; scenes: (mean "
+            "root of each scene's error) squared, so that each scene has its say; ap: 1 - "
+            "average precision")
+        ->type_name("error|scenes|ap")
         ->capture_default_str();
-    command->add_option("--budget-ms",
-                        args->budget_ms,
-                        "Leave out settings whose median drawing takes longer on one thread; "
-                        "measured, so what comes out hangs on the machine");
+    command
+        ->add_option("--budget-ms",
+                     args->budget_ms,
+                     "Leave out settings whose median drawing takes longer on one thread; "
+                     "measured, so results depend on the machine")
+        ->type_name("MS");
     command->add_option("--evaluations", args->evaluations, "Settings to try")
         ->capture_default_str();
-    command->add_option("--seed", args->seed, "Of the search, a whole number")
+    add_seed_option(*command, args->seed, "Of the search");
+    command->add_option("--global", args->global, "Search for the first 60 % of the evaluations")
+        ->type_name(fmt::format("{}", fmt::join(tune::global_searches(), "|")))
         ->capture_default_str();
-    command
-        ->add_option("--global",
-                     args->global,
-                     fmt::format("Search for 60 % of the evaluations: {}",
-                                 fmt::join(tune::global_searches(), ", ")))
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--local",
-            args->local,
-            fmt::format("Search for the rest: {}", fmt::join(tune::local_searches(), ", ")))
+    command->add_option("--local", args->local, "Search for the rest")
+        ->type_name(fmt::format("{}", fmt::join(tune::local_searches(), "|")))
         ->capture_default_str();
     command->add_flag(
         "--no-random", args->no_random, "No random search of as many evaluations beside it");
     command->add_flag(
         "--no-bound", args->no_bound, "No linear bound beside it, for methods that declare a code");
-    command->add_option("--scenes",
-                        args->scenes,
-                        "Scenes a,b or model files that take part (all built-in ones unless "
-                        "given): the training scenes are searched, the others only scored");
+    add_scene_options(*command,
+                      args->scenes,
+                      "Scenes or model files that take part (default: the catalogue): the training "
+                      "scenes are searched, the others only scored");
     add_view_options(*command, args->views);
     command
         ->add_option("--more-views",
                      args->more_views,
-                     "So many views round each training scene beside its own")
+                     "Random views round each training scene, besides its own")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
-    command->add_option("--name", args->name, "Of the preset (METHOD_tuned)");
-    command->add_option("--out", args->out, "Folder for evaluations.csv and NAME.toml")
-        ->capture_default_str();
-    command->add_option("--threads", args->threads, "Threads; nothing but times depends on it")
-        ->capture_default_str();
+    command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
+        ->type_name("NAME");
+    add_out_folder_option(*command, args->out, "Folder for evaluations.csv and NAME.toml");
+    add_threads_option(*command, args->threads, "Threads; nothing but times depends on it");
     add_cache_options(*command, args->cache);
+    add_quiet_option(*command);
     command->footer(
         "Example: inkbench tune mote4 --evaluations 400 --seed 7 --out tuned\n"
         "The preset: inkbench compare --preset tuned/mote4_tuned.toml\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted (the same command goes on).");
-    command->callback([args, command] { run_tune(*args, recorded_command(*command)); });
+    command->callback(
+        [args, command] { run_tune(*args, recorded_command(*command, kUnrecorded)); });
 }
 
 }  // namespace ink::cli

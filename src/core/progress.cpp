@@ -3,31 +3,70 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 
 namespace ink::core {
+namespace {
 
-Progress::Progress(std::string label, int total)
+constexpr auto kRedrawEvery = std::chrono::milliseconds(100);
+constexpr auto kLineEvery = std::chrono::seconds(10);
+constexpr std::size_t kMostChars = 60;  // of what is under way: a line must fit a terminal
+constexpr int kMostSeconds = 100;       // above, minutes are exact enough
+
+}  // namespace
+
+ProgressDisplay& progress_display() {
+    static ProgressDisplay display{.is_terminal = isatty(STDERR_FILENO) != 0};
+    return display;
+}
+
+std::string rough_time(double seconds) {
+    const double s = std::max(seconds, 0.0);
+    if (s < kMostSeconds) return fmt::format("{:.0f} s", s);
+    const auto minutes = static_cast<long long>(std::lround(s / 60));
+    if (minutes < 60) return fmt::format("{} min", minutes);
+    return fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+Progress::Progress(std::string label, int total, ProgressDisplay& display)
     : label_(std::move(label)),
       total_(total),
-      is_terminal_(isatty(STDERR_FILENO) != 0),
-      start_(std::chrono::steady_clock::now()),
-      last_(start_ - std::chrono::seconds(1)) {}
+      display_(display),
+      start_(display.now()),
+      last_drawn_(start_ - kRedrawEvery) {
+    if (display_.last_line == std::chrono::steady_clock::time_point{}) display_.last_line = start_;
+}
 
 Progress::~Progress() {
-    if (is_drawn_) fmt::print(stderr, "\r\033[K");
+    if (is_drawn_) fmt::print(display_.stream, "\r\033[K");
 }
 
 void Progress::report(int done, const std::string& what) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!is_terminal_ || total_ <= 0 || now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    is_drawn_ = true;
+    if (display_.is_quiet || total_ <= 0) return;
+    const auto now = display_.now();
+    auto& last = display_.is_terminal ? last_drawn_ : display_.last_line;
+    if (now - last < (display_.is_terminal ? kRedrawEvery : kLineEvery)) return;
+    last = now;
     const double elapsed_s = std::chrono::duration<double>(now - start_).count();
     const std::string left =
-        done > 0 ? fmt::format(", {:.0f} s left", elapsed_s / done * (total_ - done)) : "";
-    fmt::print(stderr, "\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what.substr(0, 60));
-    std::fflush(stderr);
+        done > 0 ? fmt::format(", {} left", rough_time(elapsed_s / done * (total_ - done))) : "";
+    if (display_.is_terminal) {
+        draw_line(done, left, what.substr(0, kMostChars));
+    } else {
+        write_line(done, left, what);
+    }
+    std::fflush(display_.stream);
+}
+
+void Progress::draw_line(int done, const std::string& left, const std::string& what) {
+    is_drawn_ = true;
+    fmt::print(display_.stream, "\r\033[K{} {}/{}{}  {}", label_, done, total_, left, what);
+}
+
+void Progress::write_line(int done, const std::string& left, const std::string& what) {
+    const char* comma = what.empty() ? "" : ", ";
+    fmt::print(display_.stream, "{}: {}/{}{}{}{}\n", label_, done, total_, left, comma, what);
 }
 
 }  // namespace ink::core

@@ -1,32 +1,57 @@
 #pragma once
 
 #include <chrono>
+#include <cstdio>
+#include <functional>
 #include <string>
 
 namespace ink::core {
 
-/// One line on stderr that says how far long work is and how long it will take.
+/// Where lines of progress go, and when the last one went there.
+struct ProgressDisplay {
+    std::FILE* stream = stderr;
+    bool is_terminal = false;  ///< else a log or a pipe, which gets whole lines, ten seconds apart
+    bool is_quiet = false;     ///< nothing at all is written
+    std::function<std::chrono::steady_clock::time_point()> now = std::chrono::steady_clock::now;
+    /// Of the last line of a log; at first, of the first work that was announced.
+    std::chrono::steady_clock::time_point last_line = {};
+};
+
+/// The display of the process: stderr. The program may make it quiet before work begins; nobody
+/// else changes it.
+[[nodiscard]] ProgressDisplay& progress_display();
+
+/// How far long work is and how long it will take: `compare 12/81, 2 min left  torus view1`.
 ///
-/// Silent unless stderr is a terminal, so logs and pipes stay clean. Draws at most ten times a
-/// second and wipes its line when it goes. Not thread-safe: one thread reports.
+/// On a terminal one line that is drawn again at most ten times a second and wiped when the work is
+/// done. Elsewhere `compare: 12/81, 2 min left, torus view1`, at most one line in ten seconds from
+/// all work of the process together, so that short work says nothing. Lines come only when somebody
+/// reports: a step that takes a minute is silent for so long. Not thread-safe: one thread reports.
 class Progress {
   public:
-    /// `total` steps are to come; `label` says of what ("compare"). 0 steps draw nothing.
-    Progress(std::string label, int total);
+    /// `total` steps are to come; `label` says of what ("compare"). 0 steps draw nothing. The
+    /// display must outlive the work.
+    Progress(std::string label, int total, ProgressDisplay& display = progress_display());
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// `done` steps are finished and `what` is under way.
+    /// `done` steps are finished and `what` is under way ("" for nothing to be named).
     void report(int done, const std::string& what);
 
   private:
+    void draw_line(int done, const std::string& left, const std::string& what);
+    void write_line(int done, const std::string& left, const std::string& what);
+
     std::string label_;
     int total_;
-    bool is_terminal_;
+    ProgressDisplay& display_;
     bool is_drawn_ = false;
     std::chrono::steady_clock::time_point start_;
-    std::chrono::steady_clock::time_point last_;
+    std::chrono::steady_clock::time_point last_drawn_;
 };
+
+/// A time that is left, as people say it: "8 s", "4 min", "2 h 5 min". Negative counts as 0.
+[[nodiscard]] std::string rough_time(double seconds);
 
 }  // namespace ink::core

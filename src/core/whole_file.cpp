@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/system_reason.h"
 
 namespace ink::core {
 namespace {
@@ -34,8 +35,10 @@ void write_whole_file(const std::filesystem::path& path, std::string_view bytes)
     std::error_code ignored;
     std::filesystem::remove(waiting, ignored);
     throw Error(path.string(),
-                "cannot be written: " + failure.message(),
-                "a file name in a folder that can be written to");
+                "cannot be written: " + system_reason(failure.value()),
+                failure == std::errc::no_space_on_device
+                    ? "a disk with room for it"
+                    : "a file name in a folder that can be written to");
 }
 
 }  // namespace ink::core

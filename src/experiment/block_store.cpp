@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/hash.h"
 #include "core/whole_file.h"
 #include "experiment/toml_reader.h"
 
@@ -39,13 +40,31 @@ void on_disk(const fs::path& place, Work work) {
     }
 }
 
-std::string record_text(const KeptBlock& block) {
+std::string record_text(const KeptBlock& block, const BlockResult& result) {
     toml::array faults;
     for (const std::string& fault : block.faults)
         faults.push_back(fault);
+    toml::table hashes;
+    for (const auto& [table, lines] : result.lines)
+        hashes.insert(table, core::Hasher().text(lines).hex());
     std::ostringstream text;
-    text << toml::table{{"key", block.key}, {"seconds", block.seconds}, {"faults", faults}} << '\n';
+    text << toml::table{{"key", block.key},
+                        {"seconds", block.seconds},
+                        {"faults", faults},
+                        {"tables", hashes}}
+         << '\n';
     return text.str();
+}
+
+/// Whether the parts of the tables are there as they were written: after the machine lost power
+/// they may not be.
+bool has_tables(const toml::table& record, const fs::path& place) {
+    const toml::table* tables = record["tables"].as_table();
+    if (tables == nullptr) return false;
+    return std::all_of(tables->begin(), tables->end(), [&](const auto& table) {
+        const auto lines = read_text(place / table.first.str());
+        return lines && core::Hasher().text(*lines).hex() == table.second.value_or(std::string());
+    });
 }
 
 }  // namespace
@@ -79,7 +98,7 @@ void BlockStore::write(std::size_t index, const KeptBlock& block, const BlockRes
                 fs::create_directories((part / file).parent_path());
                 core::write_whole_file(part / file, bytes);
             }
-            core::write_whole_file(part / kRecord, record_text(block));
+            core::write_whole_file(part / kRecord, record_text(block, result));
             fs::remove_all(place);
             fs::rename(part, place);
         } catch (...) {
@@ -95,6 +114,7 @@ std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
     const auto text = read_text(file);
     if (!text) return std::nullopt;
     const toml::table root = parse_toml(*text, file);
+    if (!has_tables(root, place_of(index))) return std::nullopt;
     KeptBlock block;
     block.key = root["key"].value_or(std::string());
     block.seconds = root["seconds"].value_or(0.0);

@@ -29,7 +29,7 @@ class BlockStore {
 
     /// Writes block `index`. Throws core::Error if the disk is full; finished blocks stay.
     void write(std::size_t index, const KeptBlock& block, const BlockResult& result) const;
-    /// The block at `index` if it is there.
+    /// The block at `index` if it is there, with its parts of the tables as they were written.
     [[nodiscard]] std::optional<KeptBlock> read(std::size_t index) const;
     /// Its part of `table`: lines without a heading, "" if it has none.
     [[nodiscard]] std::string lines(std::size_t index, const std::string& table) const;

@@ -18,7 +18,7 @@ struct Entrant {
     std::shared_ptr<const method::MethodInfo> owned = nullptr;
 };
 
-/// "a,b,c" as its parts, empty ones left out.
+/// "a, b,c" as its parts without the blanks round them, empty ones left out.
 [[nodiscard]] std::vector<std::string> split_list(const std::string& text);
 
 /// The entrant that a preset file of the user's describes (methods/presets.h).

@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/progress.h"
 #include "harness/cell.h"
 #include "harness/interrupt.h"
 #include "raster/mesh/mesh_pass.h"
@@ -148,21 +149,30 @@ class Demo {
     Demo(const harness::Subject& subject,
          const scene::CameraPath& path,
          std::optional<std::size_t> camera,
-         const TimedemoOptions& options)
+         const TimedemoOptions& options,
+         core::Progress& progress)
         : scene_(subject.scene),
           path_(path),
           camera_(camera),
           options_(options),
+          progress_(progress),
           players_(make_players(options, path.start)) {}
 
-    void play(std::vector<DemoFrame>& out) {
+    /// `done` frames, of this path and those before, are counted on.
+    void play(std::vector<DemoFrame>& out, int& done) {
         for (int pass = 0; pass <= options_.cached_passes; ++pass) {
-            for (int f = 0; f < options_.frames && !harness::is_interrupted(); ++f)
+            for (int f = 0; f < options_.frames && !harness::is_interrupted(); ++f) {
+                progress_.report(done++, fmt::format("{}, frame {}", path_name(), f));
                 play_frame(pass, f, out);
+            }
         }
     }
 
   private:
+    [[nodiscard]] std::string path_name() const {
+        return std::string(camera_ ? "own" : scene::name(path_.kind));
+    }
+
     /// What is seen in a frame, the scene being posed.
     [[nodiscard]] scene::View view_of(int f) const {
         if (!camera_) return scene::frame_at(path_, f).view;
@@ -174,7 +184,7 @@ class Demo {
 
     void play_frame(int pass, int f, std::vector<DemoFrame>& out) {
         DemoFrame line;
-        line.path = camera_ ? "own" : scene::name(path_.kind);
+        line.path = path_name();
         line.pass = pass;
         line.frame = f;
         line.time_s = demo_time_s(scene_, f, options_.frames);
@@ -227,6 +237,7 @@ class Demo {
     const scene::CameraPath& path_;
     std::optional<std::size_t> camera_;
     const TimedemoOptions& options_;
+    core::Progress& progress_;
     std::vector<Player> players_;
     PlainFill fill_;
     shade::Shader shader_{shade::GouraudParams{}};
@@ -241,12 +252,17 @@ std::vector<DemoFrame> run_timedemo(const harness::Subject& subject,
     const scene::View& start = subject.views.front();
     const scene::Sphere bounds = bounds_of_demo(subject.scene, options.frames);
     std::vector<DemoFrame> frames;
-    if (const auto camera = moving_camera(subject.scene, start)) {
+    const auto camera = moving_camera(subject.scene, start);
+    const std::vector<scene::CameraPath> paths = demo_paths(start, bounds, options);
+    const auto path_count = static_cast<int>(paths.size()) + (camera ? 1 : 0);
+    core::Progress progress("timedemo", path_count * (options.cached_passes + 1) * options.frames);
+    int done = 0;
+    if (camera) {
         const auto own = scene::make_path(scene::PathKind::still, start, bounds, 0);
-        Demo(subject, own, camera, options).play(frames);
+        Demo(subject, own, camera, options, progress).play(frames, done);
     }
-    for (const scene::CameraPath& path : demo_paths(start, bounds, options))
-        Demo(subject, path, std::nullopt, options).play(frames);
+    for (const scene::CameraPath& path : paths)
+        Demo(subject, path, std::nullopt, options, progress).play(frames, done);
     if (harness::is_interrupted()) return {};
     return frames;
 }

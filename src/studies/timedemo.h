@@ -48,11 +48,27 @@ struct DemoFrame {
 [[nodiscard]] std::vector<DemoFrame> run_timedemo(const harness::Subject& subject,
                                                   const TimedemoOptions& options);
 
-/// Frames per second as TechnicalQuake's table has them, a line each for `plain` (fill), `shading`,
-/// `no edges` (shading, and whatever the method does to follow the motion) and `full`, along each
-/// path: the first time and cached, as medians with their 95 % intervals (of order statistics). ""
-/// for no frames.
+/// Frames per second of one kind of frame, the median and its 95 % interval (of order statistics).
+struct DemoRate {
+    std::string path;
+    std::string method;  ///< "" for what is the same for all methods
+    std::string drawn;   ///< plain, shading, no edges, full: see timedemo_legend
+    bool is_cached = false;
+    double fps = 0;
+    double low_fps = 0;
+    double high_fps = 0;
+};
+
+/// The rates of all paths, methods and kinds, as TechnicalQuake's table has them: of every frame's
+/// first time, and of frames that were drawn before. Kinds without frames are not there.
+[[nodiscard]] std::vector<DemoRate> timedemo_rates(const std::vector<DemoFrame>& frames);
+
+/// The rates as a table: a line for each method and kind, two columns for each path. "" for no
+/// frames.
 [[nodiscard]] std::string timedemo_table(const std::vector<DemoFrame>& frames);
+
+/// What the words of the table mean, a line each.
+[[nodiscard]] std::string timedemo_legend();
 
 /// What is shown, in a line: scene, seconds, stored frames, size, threads.
 [[nodiscard]] std::string timedemo_heading(const harness::Subject& subject,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "core/text_table.h"
 #include "core/whole_file.h"
@@ -13,7 +14,7 @@
 namespace ink::studies {
 namespace {
 
-/// A line of the table: what of a frame counts.
+/// A kind of frame: what of it counts.
 struct DemoRow {
     const char* name;
     bool is_of_method;  ///< else the same for all
@@ -38,15 +39,10 @@ std::vector<std::string> seen(const std::vector<DemoFrame>& frames, std::string 
     return values;
 }
 
-/// Which frames a cell of the table is about.
-struct Choice {
-    std::string path;
-    std::string method;
-    bool is_cached = false;
-};
-
-/// "142 [138, 147]" frames a second.
-std::string rate_text(const std::vector<DemoFrame>& frames, const DemoRow& row, const Choice& of) {
+/// The rate of the frames that `of` is about; nothing if there are none.
+std::optional<DemoRate> rate_of(const std::vector<DemoFrame>& frames,
+                                const DemoRow& row,
+                                const DemoRate& of) {
     std::vector<std::int64_t> times_ns;
     for (const DemoFrame& frame : frames) {
         if (frame.path == of.path && frame.method == of.method &&
@@ -54,13 +50,28 @@ std::string rate_text(const std::vector<DemoFrame>& frames, const DemoRow& row, 
             times_ns.push_back(row.frame_ns(frame));
         }
     }
-    if (times_ns.empty()) return "-";
+    if (times_ns.empty()) return std::nullopt;
     const MedianRange range = median_range(std::move(times_ns));
     const auto rate = [](std::int64_t ns) {
         return 1e9 / static_cast<double>(std::max(ns, std::int64_t{1}));
     };
-    return fmt::format(
-        "{:.0f} [{:.0f}, {:.0f}]", rate(range.median), rate(range.high), rate(range.low));
+    DemoRate found = of;
+    found.fps = rate(range.median);
+    found.low_fps = rate(range.high);
+    found.high_fps = rate(range.low);
+    if (!row.is_of_method) found.method.clear();
+    return found;
+}
+
+/// "142 [138, 147]" frames a second, "-" where there is no such rate.
+std::string rate_text(const std::vector<DemoRate>& rates, const DemoRate& of) {
+    for (const DemoRate& rate : rates) {
+        if (rate.path == of.path && rate.method == of.method && rate.drawn == of.drawn &&
+            rate.is_cached == of.is_cached) {
+            return fmt::format("{:.0f} [{:.0f}, {:.0f}]", rate.fps, rate.low_fps, rate.high_fps);
+        }
+    }
+    return "-";
 }
 
 /// A frame and what it is of.
@@ -122,33 +133,60 @@ MedianRange median_range(std::vector<std::int64_t> values) {
             at(std::ceil(n / 2 + reach) - 1)};
 }
 
+std::vector<DemoRate> timedemo_rates(const std::vector<DemoFrame>& frames) {
+    std::vector<DemoRate> rates;
+    const auto methods = seen(frames, &DemoFrame::method);
+    for (const std::string& path : seen(frames, &DemoFrame::path)) {
+        for (const std::string& method : methods) {
+            for (const DemoRow& row : kRows) {
+                // Fill and shading stand in every method's lines: the first will do.
+                if (!row.is_of_method && method != methods.front()) continue;
+                for (const bool is_cached : {false, true}) {
+                    const DemoRate of{path, method, row.name, is_cached};
+                    if (const auto rate = rate_of(frames, row, of)) rates.push_back(*rate);
+                }
+            }
+        }
+    }
+    return rates;
+}
+
 std::string timedemo_table(const std::vector<DemoFrame>& frames) {
     if (frames.empty()) return "";
+    const std::vector<DemoRate> rates = timedemo_rates(frames);
     const auto paths = seen(frames, &DemoFrame::path);
-    const auto methods = seen(frames, &DemoFrame::method);
     core::Cells cells(1);
     cells[0] = {"method", "drawn"};
     for (const std::string& path : paths) {
         cells[0].push_back(path + ", first");
-        cells[0].push_back("cached");
+        cells[0].push_back(path + ", cached");
     }
     const auto add = [&](const DemoRow& row, const std::string& method) {
         std::vector<std::string>& line = cells.emplace_back();
         line = {row.is_of_method ? method : "-", row.name};
         for (const std::string& path : paths) {
             for (const bool is_cached : {false, true})
-                line.push_back(rate_text(frames, row, {path, method, is_cached}));
+                line.push_back(rate_text(rates, {path, method, row.name, is_cached}));
         }
     };
     for (const DemoRow& row : kRows) {
-        if (!row.is_of_method) add(row, methods.front());
+        if (!row.is_of_method) add(row, "");
     }
-    for (const std::string& method : methods) {
+    for (const std::string& method : seen(frames, &DemoFrame::method)) {
         for (const DemoRow& row : kRows) {
             if (row.is_of_method) add(row, method);
         }
     }
     return core::aligned(cells);
+}
+
+std::string timedemo_legend() {
+    return "plain     the surface filled with one tone\n"
+           "shading   Gouraud's shading\n"
+           "no edges  shading, and what the method does to follow the motion; no lines\n"
+           "full      the same with the lines, which are put over the shading\n"
+           "first     every frame for the first time along the path\n"
+           "cached    the same frames again: methods that keep what they have seen are faster\n";
 }
 
 std::string timedemo_heading(const harness::Subject& subject, const TimedemoOptions& options) {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <charconv>
 #include <iterator>
 #include <vector>
 
 #include "core/error.h"
+#include "core/system_reason.h"
 #include "core/whole_file.h"
 
 namespace ink::tune {
@@ -58,7 +60,9 @@ TuneLog::TuneLog(std::filesystem::path path, const std::string& key) : path_(std
     core::write_whole_file(path_, text);
     stream_.open(path_, std::ios::app);
     if (!stream_) {
-        throw core::Error(path_.string(), "it cannot be written", "a file in a writable folder");
+        throw core::Error(path_.string(),
+                          "it cannot be written: " + core::system_reason(errno),
+                          "a file in a writable folder");
     }
     found_ = values_.size();
 }
@@ -90,6 +94,7 @@ std::optional<TuneValue> TuneLog::find(const std::string& settings) const {
 
 void TuneLog::add(const std::string& settings, const TuneValue& value) {
     values_[settings] = value;
+    errno = 0;
     stream_ << fmt::format("{},{},{},{}\n",
                            settings,
                            value.value,
@@ -98,7 +103,8 @@ void TuneLog::add(const std::string& settings, const TuneValue& value) {
             << std::flush;
     if (!stream_) {
         throw core::Error(path_.string(),
-                          "a line could not be written; those before it are there",
+                          fmt::format("a line could not be written: {}; those before it are there",
+                                      core::system_reason(errno)),
                           "room on the disk");
     }
 }

@@ -62,9 +62,10 @@ TEST(ParamTable, WhatIsWrittenIsReadBack) {
 }
 
 TEST(ParamTable, UnknownNameListsTheKnownAndTheNearest) {
-    EXPECT_EQ(message_of({{"siez", "1"}}),
-              "basket: there is no parameter 'siez' (accepted: size, count, is_ripe, fruit; did you "
-              "mean size?)");
+    EXPECT_EQ(
+        message_of({{"siez", "1"}}),
+        "basket: there is no parameter 'siez' (accepted: size, count, is_ripe, fruit; did you "
+        "mean size?)");
 }
 
 TEST(ParamTable, ValuesOutsideTheirRangeNameTheRange) {

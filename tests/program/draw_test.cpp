@@ -22,7 +22,7 @@ std::string draw(const Desk& desk, const Words& more, const std::string& file = 
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = desk.run(words);
     EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
-    EXPECT_EQ(outcome.err, "") << testing::PrintToString(words);
+    EXPECT_EQ(without_progress(outcome.err), "") << testing::PrintToString(words);
     EXPECT_EQ(outcome.out, file + "\n");
     return desk.read(file);
 }

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -105,18 +107,24 @@ Outcome Desk::run(const std::vector<std::string>& arguments) const {
 
 Outcome Desk::run_until(const std::vector<std::string>& arguments,
                         const std::function<bool()>& is_time) const {
-    return run_with_signal(arguments, is_time, SIGINT);
+    return run_with_signal(INK_PROGRAM, arguments, is_time, SIGINT);
 }
 
 Outcome Desk::kill_when(const std::vector<std::string>& arguments,
                         const std::function<bool()>& is_time) const {
-    return run_with_signal(arguments, is_time, SIGKILL);
+    return run_with_signal(INK_PROGRAM, arguments, is_time, SIGKILL);
 }
 
-Outcome Desk::run_with_signal(const std::vector<std::string>& arguments,
+Outcome Desk::run_other(const std::string& program,
+                        const std::vector<std::string>& arguments) const {
+    return run_with_signal(program, arguments, nullptr, SIGINT);
+}
+
+Outcome Desk::run_with_signal(const std::string& program,
+                              const std::vector<std::string>& arguments,
                               const std::function<bool()>& is_time,
                               int signal) const {
-    std::vector<std::string> words = {INK_PROGRAM};
+    std::vector<std::string> words = {program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> settings = {"PATH=/usr/bin:/bin",
                                          "HOME=" + root_.string(),
@@ -156,6 +164,15 @@ std::map<std::string, std::uintmax_t> Desk::inventory() const {
             entry.is_regular_file() ? entry.file_size() : 0;
     }
     return found;
+}
+
+std::string without_progress(const std::string& err) {
+    static const std::regex kProgress(R"(^[^:]+: \d+/\d+(, .*)?$)");
+    std::istringstream lines(err);
+    std::string rest;
+    for (std::string line; std::getline(lines, line);)
+        if (!std::regex_match(line, kProgress)) rest += line + "\n";
+    return rest;
 }
 
 Table parse_csv(const std::string& text) {

@@ -29,6 +29,10 @@ class Desk {
     /// Runs the built `inkbench` with these arguments and waits. It is killed after five minutes.
     [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
 
+    /// Runs another program (a path) as `run` does, in the same place and surroundings.
+    [[nodiscard]] Outcome run_other(const std::string& program,
+                                    const std::vector<std::string>& arguments) const;
+
     /// As `run`, but sends SIGINT (Ctrl-C) as soon as `is_time` says so; asked every few
     /// milliseconds.
     [[nodiscard]] Outcome run_until(const std::vector<std::string>& arguments,
@@ -47,12 +51,17 @@ class Desk {
     [[nodiscard]] std::map<std::string, std::uintmax_t> inventory() const;
 
   private:
-    [[nodiscard]] Outcome run_with_signal(const std::vector<std::string>& arguments,
+    [[nodiscard]] Outcome run_with_signal(const std::string& program,
+                                          const std::vector<std::string>& arguments,
                                           const std::function<bool()>& is_time,
                                           int signal) const;
 
     std::filesystem::path root_;
 };
+
+/// `err` without the lines of progress that long work leaves in a log, "compare: 3/9, 8 s left,
+/// ...".
+[[nodiscard]] std::string without_progress(const std::string& err);
 
 /// The rows of a CSV file (RFC 4180), each from column to field.
 using Table = std::vector<std::map<std::string, std::string>>;

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/program/run_program.h"
 
 // `inkbench timedemo` as a user runs it.
@@ -23,10 +25,27 @@ TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
                                       "--out",
                                       "demo"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const char* row : {"plain", "shading", "no edges", "full", "orbit, first", "cached"})
+    for (const char* row :
+         {"plain", "shading", "no edges", "full", "orbit, first", "dolly, cached"})
         EXPECT_THAT(outcome.out, HasSubstr(row));
     EXPECT_EQ(parse_csv(desk.read("demo/timedemo.csv")).size(), 3U * 3 * 2)
         << "paths, passes, frames";
+}
+
+TEST(Timedemo, TellsItsRatesAsJson) {
+    const Outcome outcome = Desk().run(
+        {"timedemo", "gear", "--method", "mote4", "--frames", "2", "--size", "64x48", "--json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json.at("scene"), "gear");
+    ASSERT_EQ(json.at("rates").size(), 3U * 4 * 2) << "paths, kinds of frame, first and cached";
+    for (const auto& rate : json.at("rates")) {
+        EXPECT_GT(rate.at("fps"), 0);
+        EXPECT_LE(rate.at("low_fps"), rate.at("fps"));
+        EXPECT_GE(rate.at("high_fps"), rate.at("fps"));
+        const bool is_of_all = rate.at("drawn") == "plain" || rate.at("drawn") == "shading";
+        EXPECT_EQ(rate.at("method"), is_of_all ? "" : "mote4");
+    }
 }
 
 TEST(Timedemo, RefusesAMomentAndAbsurdNumbersOfFrames) {

@@ -1,0 +1,170 @@
+#include "cli/list_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "cli/help_format.h"
+#include "core/error.h"
+#include "core/param.h"
+#include "harness/row.h"
+#include "methods/registry.h"
+#include "raster/skips.h"
+#include "shade/shading.h"
+#include "studies/stress/stress_axes.h"
+
+namespace ink::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWidth = 80;
+
+Json params_json(const std::vector<core::Param>& params) {
+    Json list = Json::array();
+    for (const core::Param& param : params) {
+        list.push_back({{"name", param.name},
+                        {"default", core::format_param(param, param.default_value)},
+                        {"accepted", core::accepted_values(param)},
+                        {"min", param.min},
+                        {"max", param.max},
+                        {"unit", param.unit},
+                        {"doc", param.doc}});
+    }
+    return list;
+}
+
+Json methods_json() {
+    Json list = Json::array();
+    for (const method::MethodInfo& info : methods::registry()) {
+        list.push_back({{"name", info.name},
+                        {"summary", info.summary},
+                        {"source", info.source},
+                        {"cost", method::cost_sentence(info.make({})->cost())}});
+    }
+    return list;
+}
+
+Json scenes_json() {
+    Json list = Json::array();
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
+        const scene::Scene made = entry.make();
+        list.push_back({{"name", entry.name},
+                        {"split", entry.split == scene::Split::train ? "train" : "heldout"},
+                        {"triangles", scene::triangle_count(made)},
+                        {"views", made.cameras.size()},
+                        {"summary", entry.summary}});
+    }
+    return list;
+}
+
+Json method_params_json() {
+    Json list = Json::array();
+    for (const method::MethodInfo& info : methods::registry())
+        list.push_back({{"method", info.name}, {"params", params_json(info.params)}});
+    return list;
+}
+
+Json columns_json() {
+    Json list = Json::array();
+    for (const auto& [name, doc] : lab::described_columns())
+        list.push_back({{"name", name}, {"doc", doc}});
+    return list;
+}
+
+Json skips_json() {
+    Json list = Json::array();
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        list.push_back({{"name", info.name}, {"unit", info.unit}, {"summary", info.summary}});
+    return list;
+}
+
+Json shadings_json() {
+    Json list = Json::array();
+    for (const shade::ShadingInfo& info : shade::shadings()) {
+        list.push_back({{"name", info.name},
+                        {"summary", info.summary},
+                        {"source", info.source},
+                        {"params", params_json(info.params)}});
+    }
+    return list;
+}
+
+Json axes_json() {
+    Json list = Json::array();
+    for (const studies::StressAxis& axis : studies::stress_axes()) {
+        list.push_back({{"name", axis.name},
+                        {"title", axis.title},
+                        {"unit", axis.unit},
+                        {"values", axis.values},
+                        {"sentence", axis.sentence}});
+    }
+    return list;
+}
+
+struct Topic {
+    const char* name;
+    const char* title;
+    Json (*list)();
+};
+constexpr Topic kTopics[] = {
+    {"methods", "Methods", methods_json},
+    {"scenes", "Scenes", scenes_json},
+    {"params", "Parameters of methods", method_params_json},
+    {"metrics", "Columns of rows.csv", columns_json},
+    {"skips", "Skips", skips_json},
+    {"shadings", "Shadings", shadings_json},
+    {"axes", "Axes of difficulty", axes_json},
+};
+
+/// Every name of a topic once, in order.
+std::vector<std::string> names_of(const Json& list) {
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    const auto add = [&](const Json& entry) {
+        if (auto name = entry.at("name").get<std::string>(); known.insert(name).second)
+            names.push_back(std::move(name));
+    };
+    for (const Json& entry : list) {
+        if (!entry.contains("method")) {
+            add(entry);
+            continue;
+        }
+        for (const Json& param : entry.at("params"))
+            add(param);
+    }
+    return names;
+}
+
+}  // namespace
+
+Json listing_json(const std::string& what) {
+    Json json = Json::object();
+    std::vector<std::string> known = {"all"};
+    for (const Topic& topic : kTopics) {
+        if (what == "all" || what == topic.name) json[topic.name] = topic.list();
+        known.emplace_back(topic.name);
+    }
+    if (!json.empty()) return json;
+    throw core::Error(
+        "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
+}
+
+std::string list_overview() {
+    std::string text;
+    for (const Topic& topic : kTopics) {
+        const auto names = names_of(topic.list());
+        text += fmt::format("{}, {} (inkbench list {})\n  {}\n\n",
+                            topic.title,
+                            names.size(),
+                            topic.name,
+                            wrapped(fmt::format("{}", fmt::join(names, ", ")), kWidth, 2));
+    }
+    return text + "inkbench list all: everything with units, ranges and defaults\n";
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,90 @@
+#include "cli/method_options.h"
+
+#include <fmt/format.h>
+
+#include "cli/name_list.h"
+#include "core/error.h"
+#include "methods/registry.h"
+#include "raster/skips.h"
+
+namespace ink::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
+}  // namespace
+
+void add_method_options(CLI::App& command,
+                        std::vector<std::string>& texts,
+                        const std::string& doc) {
+    add_repeatable_option(
+        command,
+        "--methods,--method",
+        texts,
+        fmt::format("Methods a,b or globs such as 'mote*' (see inkbench list methods); {}", doc),
+        "METHODS");
+}
+
+std::vector<std::string> method_words() {
+    std::vector<std::string> names;
+    for (const method::MethodInfo& info : methods::registry())
+        names.push_back(info.name);
+    return names;
+}
+
+std::string method_list(const std::vector<std::string>& texts) {
+    return joined(listed_names(texts, {"--methods", "method", method_words()}));
+}
+
+std::string one_method(const std::vector<std::string>& texts,
+                       const std::string& usual,
+                       const std::string& option) {
+    if (texts.empty()) return usual;
+    const auto names = listed_names(texts, {option, "method", method_words()});
+    if (names.size() == 1) return names.front();
+    throw core::Error(option,
+                      fmt::format("'{}' is not one method", joined(names)),
+                      "one name of inkbench list methods");
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& settings, const std::string& doc) {
+    add_repeatable_option(command,
+                          "--set",
+                          settings,
+                          doc + "; may be given again (see inkbench list params)",
+                          "KEY=VALUE");
+}
+
+void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role) {
+    add_repeatable_option(command,
+                          "--preset",
+                          presets,
+                          fmt::format("A method with settings of its own, as inkbench tune writes "
+                                      "it: a TOML file, {}; may be given again",
+                                      role),
+                          "FILE");
+}
+
+void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts) {
+    add_repeatable_option(command,
+                          "--no-skip",
+                          texts,
+                          "Skips a,b to do without, or all (see inkbench list skips): other times, "
+                          "the same picture",
+                          "SKIPS");
+}
+
+std::vector<std::string> skip_words() {
+    std::vector<std::string> names;
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        names.emplace_back(info.name);
+    return names;
+}
+
+std::string skip_list(const std::vector<std::string>& texts) {
+    return joined(listed_names(texts, {"--no-skip", "skip", skip_words()}));
+}
+
+}  // namespace ink::cli

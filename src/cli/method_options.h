@@ -1,0 +1,49 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ink::cli {
+
+/// Adds --methods (or --method), which may be given again, to a command; `doc` says what it takes
+/// when there are none. `method_list` or `one_method` reads the texts.
+void add_method_options(CLI::App& command,
+                        std::vector<std::string>& texts,
+                        const std::string& doc = "all unless given");
+
+/// The registered methods that comma lists and globs mean, as one list a,b; "" for no texts.
+///
+/// Throws core::Error (where = "--methods") that lists the methods for an unknown name, a glob that
+/// no method fits, and a list that names nothing.
+[[nodiscard]] std::string method_list(const std::vector<std::string>& texts);
+
+/// The one method that the texts mean, `usual` for no texts. Throws core::Error (where = `option`)
+/// unless it is one.
+[[nodiscard]] std::string one_method(const std::vector<std::string>& texts,
+                                     const std::string& usual,
+                                     const std::string& option = "--method");
+
+/// The names of all registered methods.
+[[nodiscard]] std::vector<std::string> method_words();
+
+/// Adds --set, which may be given again; `doc` says what is set.
+void add_set_option(CLI::App& command,
+                    std::vector<std::string>& settings,
+                    const std::string& doc = "A parameter: key=value or method.key=value");
+
+/// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
+void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);
+
+/// Adds --no-skip, which may be given again; `skip_list` reads the texts.
+void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts);
+
+/// The skips that comma lists and globs mean, as one list a,b; "" for no texts. Throws core::Error
+/// (where = "--no-skip") as `method_list` does.
+[[nodiscard]] std::string skip_list(const std::vector<std::string>& texts);
+
+/// The names of all skips.
+[[nodiscard]] std::vector<std::string> skip_words();
+
+}  // namespace ink::cli

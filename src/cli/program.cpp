@@ -1,0 +1,101 @@
+#include "cli/program.h"
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/help_format.h"
+#include "core/param.h"
+#include "core/provenance.h"
+
+namespace ink::cli {
+namespace {
+
+std::string version_text() {
+    const auto& p = core::provenance();
+    std::string text = fmt::format("inkbench {} ({}{}), {}, {}\n",
+                                   p.version,
+                                   p.commit,
+                                   p.dirty ? ", changed" : "",
+                                   p.compiler,
+                                   p.flags);
+    for (const auto& [name, version] : p.libraries)
+        text += fmt::format("{} {}\n", name, version);
+    text.pop_back();
+    return text;
+}
+
+/// "; did you mean --methods?", or "" if no option is near to `wrong`.
+std::string nearest_option(const CLI::App& command, const std::string& wrong) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    }
+    const std::string known = core::known_names(names, wrong.substr(0, wrong.find('=')));
+    const auto hint = known.find("; did you mean");
+    return hint == std::string::npos ? "" : known.substr(hint);
+}
+
+/// The first of the words that belong nowhere that looks like an option, or "".
+std::string unknown_option(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word.starts_with("-") && word != "--") return word;
+    }
+    return "";
+}
+
+/// What is wrong, without the help to see. A misspelt option is told before what is missing without
+/// it.
+std::string what_is_wrong(const CLI::App& command, const CLI::ParseError& error) {
+    const std::vector<std::string> words = command.remaining();
+    const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const std::string option = unknown_option(words);
+    if ((is_extra || is_missing) && !option.empty())
+        return fmt::format("there is no option {}{}", option, nearest_option(command, option));
+    if (is_extra && !words.empty()) return fmt::format("nothing takes '{}'", fmt::join(words, " "));
+    return error.what();
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> make_program() {
+    auto app = std::make_unique<CLI::App>(
+        "Inkbench: which 3D outline method makes the fewest errors on a scene, at a time budget?",
+        "inkbench");
+    app->formatter(std::make_shared<HelpFormatter>());  // commands inherit it
+    app->set_version_flag("--version", version_text, "Print the version, and those of libraries");
+    app->set_help_flag("-h,--help", "Print this help");
+    app->require_subcommand(1);
+    app->footer(
+        "inkbench COMMAND --help says more of each.\n"
+        "Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin\n"
+        "Exit codes: 0 done, 1 a check failed, 2 bad input, 3 some views have no score (compare, "
+        "run), 130 interrupted.");
+    add_compare_command(*app);
+    add_draw_command(*app);
+    add_truth_command(*app);
+    add_score_command(*app);
+    add_explain_command(*app);
+    add_figures_command(*app);
+    add_timedemo_command(*app);
+    add_tune_command(*app);
+    add_stress_command(*app);
+    add_run_command(*app);
+    add_report_command(*app);
+    add_merge_command(*app);
+    add_bound_command(*app);
+    add_list_command(*app);
+    add_completions_command(*app);
+    add_help_command(*app);
+    return app;
+}
+
+std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
+    const auto commands = program.get_subcommands();
+    const CLI::App& at = commands.empty() ? program : *commands.back();
+    const std::string command = commands.empty() ? "" : at.get_name() + " ";
+    return fmt::format("{} (see inkbench {}--help)", what_is_wrong(at, error), command);
+}
+
+}  // namespace ink::cli

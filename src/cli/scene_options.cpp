@@ -1,0 +1,129 @@
+#include "cli/scene_options.h"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "catalogue/catalogue.h"
+#include "cli/name_list.h"
+#include "core/error.h"
+#include "experiment/experiment.h"
+
+namespace ink::cli {
+namespace {
+
+constexpr const char* kGroups[] = {"train", "heldout", "catalogue"};
+constexpr const char* kType = "SCENES";
+constexpr const char* kOneType = "SCENE";
+
+std::vector<std::string> built_in() {
+    std::vector<std::string> names;
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
+        names.push_back(entry.name);
+    return names;
+}
+
+bool is_file(const std::string& text) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(text, ignored);
+}
+
+std::vector<std::string> files_fitting(const std::string& pattern) {
+    glob_t found{};
+    std::vector<std::string> files;
+    if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
+        files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    globfree(&found);
+    return files;
+}
+
+/// Adds what one part of a list means.
+void add_part(const std::string& part, const Names& names, NameList& list) {
+    if (is_glob(part)) {
+        std::vector<std::string> found = fitting(part, built_in());
+        if (found.empty()) found = files_fitting(part);
+        if (found.empty()) refuse_name(names, part);
+        for (const std::string& name : found)
+            list.add_implied(name);
+        return;
+    }
+    const auto meant = experiment::scenes_called(part);
+    if (meant != std::vector{part}) {
+        for (const std::string& name : meant)
+            list.add_implied(name);
+        return;
+    }
+    // A path that leads nowhere is told when it is opened, with the formats that can be read.
+    const bool is_path = part.find_first_of("./") != std::string::npos;
+    const auto& known = names.known;
+    const bool is_known = std::find(known.begin(), known.end(), part) != known.end();
+    if (!is_known && !is_path && !std::filesystem::exists(part)) refuse_name(names, part);
+    list.add(part);
+}
+
+void add_texts(const std::vector<std::string>& texts, const Names& names, NameList& list) {
+    for (const std::string& text : texts) {
+        const auto parts = is_file(text) ? std::vector<std::string>{text} : list_parts({text});
+        for (const std::string& part : parts) {
+            if (is_file(part)) {
+                list.add(part);
+            } else {
+                add_part(part, names, list);
+            }
+        }
+        if (parts.empty()) {
+            throw core::Error(names.option,
+                              fmt::format("'{}' names no scene", text),
+                              "built-in scenes (see inkbench list scenes) or model files");
+        }
+    }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& doc) {
+    command.add_option("scenes", options.named, doc + "; the same as --scenes")->type_name(kType);
+    add_repeatable_option(command,
+                          "--scenes,--scene",
+                          options.listed,
+                          "Built-in scenes and model files a,b; train, heldout or catalogue; globs "
+                          "such as 'c*' (see inkbench list scenes)",
+                          kType);
+}
+
+void add_one_scene_options(CLI::App& command, SceneOptions& options) {
+    // As a list, so that a second scene is refused in our own words.
+    command.add_option("scene", options.named, "A built-in scene or a model file")
+        ->type_name(kOneType)
+        ->option_text(kOneType);
+    add_repeatable_option(
+        command, "--scene,--scenes", options.listed, "The same, as an option", kOneType);
+}
+
+std::vector<std::string> scene_words() {
+    std::vector<std::string> words = built_in();
+    words.insert(words.end(), std::begin(kGroups), std::end(kGroups));
+    return words;
+}
+
+std::vector<std::string> scene_names(const SceneOptions& options) {
+    NameList list;
+    add_texts(options.listed, {"--scenes", "scene", scene_words()}, list);
+    add_texts(options.named, {"scenes", "scene", scene_words()}, list);
+    return list.names();
+}
+
+std::string one_scene(const SceneOptions& options, const std::string& command) {
+    const std::vector<std::string> names = scene_names(options);
+    if (names.size() == 1) return names.front();
+    throw core::Error(command,
+                      names.empty() ? std::string("the scene is missing")
+                                    : fmt::format("it takes one scene, these are {}: {}",
+                                                  names.size(),
+                                                  fmt::join(names, ", ")),
+                      "one built-in scene (see inkbench list scenes) or model file");
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/program/run_program.h"
+
+// What the program says of itself, and of a command line that it does not understand.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kCommands[] = {"compare",
+                                     "draw",
+                                     "truth",
+                                     "score",
+                                     "explain",
+                                     "figures",
+                                     "timedemo",
+                                     "tune",
+                                     "stress",
+                                     "run",
+                                     "merge",
+                                     "bound",
+                                     "list",
+                                     "completions",
+                                     "help"};
+
+std::string expect_done(const Words& words) {
+    const Outcome outcome = Desk().run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.err, "") << testing::PrintToString(words);
+    return outcome.out;
+}
+
+/// The one line on stderr of a command line that is refused.
+std::string refused(const Words& words) {
+    const Outcome outcome = Desk().run(words);
+    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(words);
+    EXPECT_EQ(outcome.out, "") << testing::PrintToString(words);
+    EXPECT_EQ(outcome.err.find('\n') + 1, outcome.err.size()) << outcome.err;
+    return outcome.err;
+}
+
+TEST(Help, OfEveryCommandHasAnExampleAndExitCodesAndFitsATerminal) {
+    for (const char* command : kCommands) {
+        SCOPED_TRACE(command);
+        const std::string help = expect_done({command, "--help"});
+        EXPECT_THAT(help,
+                    AllOf(HasSubstr("Example"),
+                          HasSubstr(std::string("inkbench ") + command),
+                          HasSubstr("Exit codes: 0 done")));
+        std::istringstream lines(help);
+        for (std::string line; std::getline(lines, line);) {
+            if (line.find("inkbench ") != std::string::npos) continue;
+            EXPECT_LE(line.size(), 80U) << line;
+        }
+    }
+}
+
+TEST(Help, IsACommandToo) {
+    for (const char* command : kCommands)
+        EXPECT_EQ(expect_done({"help", command}), expect_done({command, "--help"})) << command;
+    const std::string all = expect_done({"--help"});
+    EXPECT_EQ(expect_done({"help"}), all);
+    for (const char* command : kCommands)
+        EXPECT_THAT(all, HasSubstr(std::string("\n  ") + command + " ")) << command;
+    EXPECT_THAT(refused({"help", "compair"}), HasSubstr("did you mean compare?"));
+}
+
+TEST(Help, ShowsDefaults) {
+    EXPECT_THAT(expect_done({"draw", "--help"}),
+                AllOf(HasSubstr("(default: 1280x720)"), HasSubstr("(default: mote4)")));
+}
+
+TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
+    const std::string compare = expect_done({"compare", "--help"});
+    for (const char* option : {"--size",
+                               "--out",
+                               "--methods",
+                               "--scenes",
+                               "--set",
+                               "--threads",
+                               "--seed",
+                               "--views",
+                               "--eye",
+                               "--target",
+                               "--up",
+                               "--fov"})
+        EXPECT_THAT(compare, HasSubstr(option));
+    EXPECT_THAT(expect_done({"draw", "--help"}), HasSubstr("-o"));
+    const std::string score = expect_done({"score", "--help"});
+    for (const char* option : {"--tol", "--threshold", "--no-thin", "--band", "--ignore", "--json"})
+        EXPECT_THAT(score, HasSubstr(option));
+}
+
+TEST(Help, LongWorkCanBeQuiet) {
+    for (const char* command :
+         {"compare", "truth", "figures", "timedemo", "tune", "stress", "run", "bound"})
+        EXPECT_THAT(expect_done({command, "--help"}), HasSubstr("-q,--quiet")) << command;
+}
+
+TEST(Complaint, EndsWithTheHelpOfItsCommand) {
+    for (const char* command : kCommands) {
+        EXPECT_THAT(refused({command, "--no-such-option"}),
+                    AllOf(HasSubstr("--no-such-option"),
+                          EndsWith(std::string("(see inkbench ") + command + " --help)\n")));
+    }
+    EXPECT_THAT(refused({"draw", "torus", "--size"}), EndsWith("(see inkbench draw --help)\n"));
+    EXPECT_THAT(refused({"compare", "--threads", "two"}),
+                EndsWith("(see inkbench compare --help)\n"));
+    EXPECT_THAT(refused({"--nothing"}), EndsWith("(see inkbench --help)\n"));
+}
+
+TEST(Complaint, NamesTheNearestOption) {
+    EXPECT_THAT(refused({"compare", "--metods", "mote4"}), HasSubstr("did you mean --methods?"));
+    EXPECT_THAT(refused({"draw", "--sice=64x36"}), HasSubstr("did you mean --size?"));
+    EXPECT_THAT(refused({"draw", "--zzzzzz"}), Not(HasSubstr("did you mean")));
+}
+
+}  // namespace
+}  // namespace ink::program
