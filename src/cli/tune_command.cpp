@@ -36,7 +36,8 @@ struct TuneArgs {
     ViewOptions views;
     int more_views = 0;
     std::string name;
-    std::string out = "inkbench-out";
+    std::string out = "inkbench-out/tune";
+    bool is_forced = false;
     CacheOptions cache;
     TruthSettings truth;
     int threads = core::hardware_threads();
@@ -44,7 +45,7 @@ struct TuneArgs {
 
 /// Options that change no result, and so are no part of the command that a preset records.
 const std::vector<std::string> kUnrecorded = {
-    "--no-random", "--no-bound", "--out", "--threads", "--cache", "--no-cache", "--help"};
+    "--no-random", "--no-bound", "--out", "--force", "--threads", "--cache", "--no-cache", "--help"};
 
 /// `METHOD SCENE...`, or `--method METHOD SCENE...`.
 std::string method_of(const TuneArgs& args) {
@@ -97,6 +98,7 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     options.trace.cache = cache_folder(args.cache);
     options.threads = checked_threads(args.threads);
     options.out = args.out;
+    options.is_forced = args.is_forced;
     options.name = args.name.empty() ? method + "_tuned" : args.name;
     if (options.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") !=
         std::string::npos) {
@@ -194,7 +196,9 @@ void add_tune_command(CLI::App& app) {
     add_truth_settings(*command, args->truth);
     command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
         ->type_name("NAME");
-    add_out_folder_option(*command, args->out, "Folder for evaluations.csv and NAME.toml");
+    add_out_folder_option(*command, args->out, "Folder of the run, with NAME.toml");
+    command->add_flag(
+        "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
     add_threads_option(*command, args->threads, "Threads; nothing but times depends on it");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);

@@ -4,6 +4,7 @@
 
 #include "experiment/stress_summary.h"
 #include "experiment/summary_csv.h"
+#include "experiment/unscored.h"
 #include "harness/cost_tables.h"
 #include "harness/row_table.h"
 #include "harness/score_tables.h"
@@ -56,6 +57,18 @@ harness::TableInfo methods() {
              {"params", "", "every parameter, key=value;key=value"}}};
 }
 
+/// Its parameters differ from run to run: one stands here for all that are searched.
+harness::TableInfo evaluations() {
+    return {"evaluations.csv",
+            "A line per evaluation of the tuner, in the order in which it asked for them.",
+            {{"evaluation", "", "its number within the search; the random one counts anew"},
+             {"phase", "", "start, global, local or random"},
+             {"PARAMETER", "", "one column per searched parameter, under its own name"},
+             {"e_train", "0..1", "what the search lowers, over training views"},
+             {"drawn_by", "", "method, or planes: drawn from planes made once a view"},
+             {"draw_ms", "ms", "median, where there is a time budget", true}}};
+}
+
 /// Its columns differ from run to run: one stands here for all swept parameters.
 harness::TableInfo sweep() {
     harness::TableInfo table = harness::sweep_table({"PARAMETER"});
@@ -75,13 +88,14 @@ std::vector<harness::TableInfo> dictionary() {
             methods(),
             harness::rows_table(),
             summary_table(),
+            unscored_table(),
             harness::curves_table(),
             harness::tolerances_table(),
             harness::bins_table(),
             sweep(),
             harness::cost_table(),
             linear_code::cancellation_table(),
-            stress_table(),
+            studies::stress_table(),
             stress_summary_table(),
             studies::motion_table(),
             studies::lives_table(),
@@ -90,6 +104,7 @@ std::vector<harness::TableInfo> dictionary() {
             studies::scaling_table(),
             studies::skips_table(),
             linear_code::bound_table(),
+            evaluations(),
             studies::timedemo_frames_table()};
 }
 

@@ -137,21 +137,6 @@ bool holds_unknown_results(const fs::path& folder) {
     return false;
 }
 
-/// Makes sure that `out` is empty of other runs, or refuses.
-void take_folder(const fs::path& out, const RunRecord& mine, bool is_forced) {
-    if (is_forced) {
-        clear_run_folder(out);
-        return;
-    }
-    if (const auto there = read_record(out)) {
-        refuse_other_run(out, *there, mine);
-    } else if (holds_unknown_results(out)) {
-        throw core::Error(out.string(),
-                          "it holds results without a run.toml",
-                          "another --out, or --force to throw them away");
-    }
-}
-
 bool is_complete(const RunRecord& record, const fs::path& folder) {
     return record.state != RunState::unfinished &&
            std::all_of(record.tables.begin(), record.tables.end(), [&](const RecordedTable& table) {
@@ -194,6 +179,20 @@ void clear_run_folder(const fs::path& folder) {
         if (entry.path().extension() == ".csv") tables.push_back(entry.path());
     for (const fs::path& table : tables)
         fs::remove(table, ignored);
+}
+
+void take_folder(const fs::path& out, const RunRecord& mine, bool is_forced) {
+    if (is_forced) {
+        clear_run_folder(out);
+        return;
+    }
+    if (const auto there = read_record(out)) {
+        refuse_other_run(out, *there, mine);
+    } else if (holds_unknown_results(out)) {
+        throw core::Error(out.string(),
+                          "it holds results without a run.toml",
+                          "another --out, or --force to throw them away");
+    }
 }
 
 RunOutcome write_run(const BlockStore& store,

@@ -60,6 +60,10 @@ struct RunOutcome {
                                    RunRecord record,
                                    const std::vector<std::string>& missing);
 
+/// Makes sure that `out` holds no other run than `mine`: with `is_forced` by throwing it away, else
+/// by core::Error (where = the folder), also for results without a run.toml.
+void take_folder(const std::filesystem::path& out, const RunRecord& mine, bool is_forced);
+
 /// What every run folder may hold: removed before another run takes the folder.
 void clear_run_folder(const std::filesystem::path& folder);
 

@@ -94,7 +94,7 @@ void plan_stress(const Experiment& experiment, const harness::TraceOptions& trac
     stage->trace.truth.threads = core::hardware_threads();
     stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
     plan.add_table(harness::rows_table());
-    plan.add_table(stress_table());
+    plan.add_table(studies::stress_table());
     const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
     const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
     for (const studies::StressAxis* axis : axes_of(experiment)) {

@@ -7,6 +7,7 @@
 #include "experiment/run_data.h"
 #include "experiment/stress_summary.h"
 #include "experiment/summary_csv.h"
+#include "experiment/unscored.h"
 
 namespace ink::experiment {
 namespace {
@@ -37,6 +38,8 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     // Over several sizes or numbers of threads no one time of a method means anything.
     if (record.one_place && record.kind == "compare")
         tables.push_back({"summary.csv", summary_csv(data.rows, data.curves)});
+    if (record.kind == "compare")
+        tables.push_back({"unscored.csv", unscored_csv(unscored_cells(data.rows))});
     if (!data.stress.empty()) {
         const std::uint64_t seed = data.stress.front().row.seed;
         tables.push_back(

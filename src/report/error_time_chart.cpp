@@ -146,7 +146,7 @@ void draw_families(Svg& svg, const std::vector<Look>& looks) {
     for (const method::Family family : method::kFamilies) {
         const bool is_there = std::any_of(
             looks.begin(), looks.end(), [&](const Look& look) { return look.family == family; });
-        if (is_there) put({family, method::Marker::circle, false}, experiment::label_of(family));
+        if (is_there) put({family, method::Marker::circle, false}, method::label_of(family));
     }
     const bool has_tuned =
         std::any_of(looks.begin(), looks.end(), [](const Look& look) { return look.is_hollow; });

@@ -14,10 +14,10 @@
 #include "harness/cell.h"
 #include "harness/csv.h"
 #include "harness/interrupt.h"
-#include "harness/out_folder.h"
 #include "methods/preset.h"
 #include "statistics/ods.h"
 #include "tune/tune_bench.h"
+#include "tune/tune_folder.h"
 #include "tune/tune_report.h"
 
 namespace ink::tune {
@@ -181,13 +181,13 @@ void set_best_threshold(const harness::Entrant& entrant, TuneBench& bench, Tuned
 }
 
 void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
-    core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
     methods::PresetFile file{options.name, options.entrant.info, options.entrant.settings, {}};
     for (const auto& [name, value] : result.tuned.settings)
         file.settings[name] = value;
     file.provenance = provenance_lines(result, options);
     result.preset = options.out / (options.name + ".toml");
     core::write_whole_file(result.preset, methods::preset_toml(file));
+    finish_folder(result, options, space);
 }
 
 }  // namespace
@@ -226,9 +226,13 @@ TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& optio
                           "none of them is a training scene",
                           "one or more of those that inkbench list scenes calls training");
     }
-    harness::make_out_folder(options.out);
+    begin_folder(options, space);
 
     TuneResult result;
+    for (const harness::Subject& subject : train)
+        result.train_scenes.push_back(subject.scene.name);
+    for (const harness::Subject& subject : heldout)
+        result.heldout_scenes.push_back(subject.scene.name);
     TuneBench bench(train, options.trace, options.threads);
     if (harness::is_interrupted()) {
         result.is_interrupted = true;

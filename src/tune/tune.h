@@ -44,7 +44,8 @@ struct TuneOptions {
     bool random = true;  ///< also a random search of as many evaluations and the same seed
     harness::TraceOptions trace;
     int threads = 1;
-    std::filesystem::path out;  ///< evaluations.csv and <name>.toml
+    std::filesystem::path out;  ///< run folder, with the preset <name>.toml
+    bool is_forced = false;     ///< another run in `out` is thrown away
     std::string name;           ///< of the preset
     std::string command;        ///< that makes the same preset again
 };
@@ -75,6 +76,8 @@ struct TuneResult {
     std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
     std::size_t resumed = 0;                  ///< evaluations that were found on disk
     bool is_interrupted = false;
+    std::vector<std::string> train_scenes;    ///< those of TunedSettings::train, in that order
+    std::vector<std::string> heldout_scenes;  ///< those of TunedSettings::heldout
     std::size_t train_views = 0;
     std::size_t heldout_views = 0;
     std::string inputs_hash;
@@ -95,7 +98,7 @@ void add_training_views(harness::Subject& subject, const harness::ViewRequest& r
 /// threshold alone. All errors of `defaults`, `tuned` and `random` are the method's own. Everything
 /// but times is the same for every thread count. Finished evaluations are kept in
 /// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
-/// if no training scene takes part, or `out` cannot be written.
+/// if no training scene takes part, or `out` holds another run or cannot be written.
 [[nodiscard]] TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& options);
 
 }  // namespace ink::tune

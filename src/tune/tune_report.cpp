@@ -7,6 +7,7 @@
 #include "experiment/leads.h"
 #include "methods/preset.h"
 #include "statistics/bootstrap.h"
+#include "tune/tune_folder.h"
 
 namespace ink::tune {
 namespace {
@@ -118,12 +119,7 @@ std::string settings_lines(const TuneResult& result, const TuneOptions& options)
 }  // namespace
 
 std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
-    std::string text = "evaluation,phase";
-    for (const TunedKnob& knob : space.knobs())
-        text += "," + knob.param.name;
-    text += ",e_train,drawn_by";
-    const bool has_times = !result.steps.empty() && result.steps.front().found.draw_ms;
-    text += has_times ? ",draw_ms\n" : "\n";
+    std::string text = harness::heading(evaluations_table(space));
     for (const auto* steps : {&result.steps, &result.random_steps}) {
         for (std::size_t i = 0; i < steps->size(); ++i) {
             const TuneStep& step = (*steps)[i];
@@ -132,7 +128,7 @@ std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
                 text += "," + step.settings.at(knob.param.name);
             text += fmt::format(
                 ",{},{}", step.found.error, step.found.is_by_planes ? "planes" : "method");
-            text += has_times ? fmt::format(",{}\n", step.found.draw_ms.value_or(0)) : "\n";
+            text += step.found.draw_ms ? fmt::format(",{}\n", *step.found.draw_ms) : ",\n";
         }
     }
     return text;

@@ -8,9 +8,7 @@
 
 namespace ink::tune {
 
-/// A line per evaluation: its number within the search (the random one counts anew), phase, knobs,
-/// e_train as the search saw it, drawn_by (method | planes), and draw_ms where there was a time
-/// budget.
+/// evaluations.csv, heading included (tune_folder.h has its columns).
 [[nodiscard]] std::string evaluations_csv(const TuneResult& result, const TuneSpace& space);
 
 /// What a preset says of how it came about.

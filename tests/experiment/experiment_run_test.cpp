@@ -25,6 +25,8 @@ Plan counting_plan(int blocks, std::vector<int>& runs) {
     runs.assign(static_cast<std::size_t>(blocks), 0);
     Plan plan;
     plan.name = "counting";
+    plan.kind = "counting";
+    plan.asked = "blocks = " + std::to_string(blocks) + "\n";
     plan.identity = "plan-of-" + std::to_string(blocks);
     plan.build = "test";
     plan.tables = {{"t.csv", "block,draw_ns"}};
@@ -33,7 +35,7 @@ Plan counting_plan(int blocks, std::vector<int>& runs) {
         plan.blocks.push_back(
             {"block " + name, 2, i + 1.0, false, [&runs, i, name] {
                  ++runs[static_cast<std::size_t>(i)];
-                 return BlockResult{{{"t.csv", name + ",5\n" + name + ",6\n"}}, {}};
+                 return BlockResult{{{"t.csv", name + ",5\n" + name + ",6\n"}}, {}, {}};
              }});
     }
     return plan;
@@ -43,6 +45,15 @@ std::string text_of(const fs::path& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
+}
+
+/// What run.toml says but for how long the blocks took.
+std::string text_of_asked(const fs::path& folder) {
+    std::istringstream lines(text_of(folder / "run.toml"));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+        if (line.find("work_s") == std::string::npos) text += line + "\n";
+    return text;
 }
 
 /// What the error of `work` says; "" if there is none.
@@ -80,7 +91,7 @@ TEST_F(ExperimentRun, WritesItsTablesInPlanOrderAndLeavesOnlyThose) {
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_ / "a"))
         names.insert(entry.path().filename());
-    EXPECT_EQ(names, (std::set<std::string>{"plan.toml", "t.csv"}));
+    EXPECT_EQ(names, (std::set<std::string>{"run.toml", "t.csv"}));
 }
 
 TEST_F(ExperimentRun, DoesNothingAgainWhenAllIsDone) {
@@ -91,9 +102,9 @@ TEST_F(ExperimentRun, DoesNothingAgainWhenAllIsDone) {
     fs::remove(folder_ / "a" / "t.csv");
     (void)run_experiment(plan, into("a"));
     EXPECT_EQ(runs_, (std::vector<int>{2, 2, 2})) << "somebody took the table away";
-    RunOptions fresh = into("a");
-    fresh.is_fresh = true;
-    (void)run_experiment(plan, fresh);
+    RunOptions forced = into("a");
+    forced.is_forced = true;
+    (void)run_experiment(plan, forced);
     EXPECT_EQ(runs_, (std::vector<int>{3, 3, 3}));
 }
 
@@ -107,31 +118,83 @@ TEST_F(ExperimentRun, GoesOnAfterABlockThatThrew) {
     EXPECT_EQ(runs_, (std::vector<int>{1, 1, 1})) << "the first block must not run twice";
 }
 
-TEST_F(ExperimentRun, ComputesATornBlockAgain) {
+TEST_F(ExperimentRun, ComputesADamagedBlockAgain) {
     const Plan plan = counting_plan(2, runs_);
-    (void)run_experiment(plan, into("a", {1, 1}));
-    const std::string whole = text_of(folder_ / "a" / "t.csv");
-    // A shard keeps its blocks: tear one of them.
+    // A shard keeps its blocks: cut a part of one of them short, as a machine without power may.
     const Shard shard{1, 2};
     (void)run_experiment(plan, into("b", shard));
     const BlockStore store(folder_ / "b");
     ASSERT_EQ(store.indices().size(), 1U);
     const std::size_t i = store.indices().front();
-    const fs::path file = folder_ / "b" / "blocks" / ("00000" + std::to_string(i) + ".block");
-    fs::resize_file(file, fs::file_size(file) - 3);
-    EXPECT_FALSE(store.read(i, plan.blocks[i].key));
+    ASSERT_TRUE(store.read(i));
+    const fs::path part = folder_ / "b" / "blocks" / ("00000" + std::to_string(i)) / "t.csv";
+    fs::resize_file(part, fs::file_size(part) - 3);
+    EXPECT_FALSE(store.read(i));
     const int before = runs_[i];
     (void)run_experiment(plan, into("b", shard));
     EXPECT_EQ(runs_[i], before + 1);
-    EXPECT_TRUE(store.read(i, plan.blocks[i].key));
-    EXPECT_FALSE(store.read(i, "another block"));
+    EXPECT_TRUE(store.read(i));
+}
+
+TEST_F(ExperimentRun, MovesTheImagesOfItsBlocksToTheFolder) {
+    Plan plan = counting_plan(2, runs_);
+    plan.blocks[1].run = [] {
+        return BlockResult{{{"t.csv", "1,5\n"}}, {{"images/s/v/truth.png", "png"}}, {}};
+    };
+    (void)run_experiment(plan, into("a"));
+    EXPECT_EQ(text_of(folder_ / "a" / "images" / "s" / "v" / "truth.png"), "png");
+    EXPECT_FALSE(fs::exists(folder_ / "a" / "blocks"));
+}
+
+TEST_F(ExperimentRun, ForcedRunLeavesNothingOfTheOneBefore) {
+    Plan plan = counting_plan(2, runs_);
+    plan.blocks[0].run = [] {
+        return BlockResult{{{"t.csv", "0,5\n"}}, {{"images/s/v/truth.png", "png"}}, {}};
+    };
+    (void)run_experiment(plan, into("a"));
+    std::ofstream(folder_ / "a" / "report.html") << "old";
+    std::ofstream(folder_ / "a" / "notes.txt") << "the user's own";
+    RunOptions forced = into("a");
+    forced.is_forced = true;
+    (void)run_experiment(counting_plan(3, runs_), forced);
+    EXPECT_FALSE(fs::exists(folder_ / "a" / "images"));
+    EXPECT_FALSE(fs::exists(folder_ / "a" / "report.html"));
+    EXPECT_EQ(text_of(folder_ / "a" / "notes.txt"), "the user's own");
+}
+
+TEST_F(ExperimentRun, RefusesResultsThatItCannotTellApart) {
+    fs::create_directories(folder_ / "a");
+    std::ofstream(folder_ / "a" / "rows.csv") << "method\n";
+    EXPECT_THAT(error_of([&] { (void)run_experiment(counting_plan(1, runs_), into("a")); }),
+                testing::AllOf(HasSubstr("without a run.toml"), HasSubstr("--force")));
+    EXPECT_EQ(text_of(folder_ / "a" / "rows.csv"), "method\n");
+}
+
+TEST_F(ExperimentRun, RecordsWhatIsMissingWhenItIsCutShort) {
+    Plan plan = counting_plan(3, runs_);
+    plan.blocks[1].run = [] {
+        std::raise(SIGINT);
+        return BlockResult{{{"t.csv", "1,5\n"}}, {}, {}};
+    };
+    const RunOutcome outcome = run_experiment(plan, into("a"));
+    EXPECT_TRUE(outcome.is_interrupted);
+    EXPECT_THAT(outcome.record.missing, testing::ElementsAre("block 2"));
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n");
+    const auto record = read_record(folder_ / "a");
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->state, RunState::unfinished);
+    EXPECT_EQ(record->blocks_done, 2);
+    EXPECT_THAT(record->missing, testing::ElementsAre("block 2"));
+    const RunOutcome next = run_experiment(plan, into("a"));
+    EXPECT_EQ(next.record.state, RunState::finished);
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n2,5\n2,6\n");
 }
 
 TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
     (void)run_experiment(counting_plan(2, runs_), into("a"));
     const Plan other = counting_plan(3, runs_);
     EXPECT_THAT(error_of([&] { (void)run_experiment(other, into("a")); }),
-                testing::AllOf(HasSubstr("another experiment"), HasSubstr("--fresh")));
+                testing::AllOf(HasSubstr("blocks = 2, here blocks = 3"), HasSubstr("--force")));
     EXPECT_EQ(runs_, (std::vector<int>{0, 0, 0}));
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n");
     const FolderLock lock(folder_ / "a", false);
@@ -139,18 +202,11 @@ TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
                 HasSubstr("another run"));
 }
 
-TEST_F(ExperimentRun, LeavesTimesOutIfThePlanSaysSo) {
-    Plan plan = counting_plan(1, runs_);
-    plan.times = false;
-    (void)run_experiment(plan, into("a"));
-    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,\n0,\n");
-}
-
 TEST_F(ExperimentRun, KeepsWhatIsFinishedWhenTheDiskIsFull) {
     Plan plan = counting_plan(3, runs_);
     const auto good = plan.blocks[1].run;
     plan.blocks[1].run = [] {
-        return BlockResult{{{"t.csv", std::string(1 << 20, 'x') + ",1\n"}}, {}};
+        return BlockResult{{{"t.csv", std::string(1 << 20, 'x') + ",1\n"}}, {}, {}};
     };
     rlimit before{};
     getrlimit(RLIMIT_FSIZE, &before);
@@ -168,11 +224,11 @@ TEST_F(ExperimentRun, KeepsWhatIsFinishedWhenTheDiskIsFull) {
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n2,5\n2,6\n");
 }
 
-TEST_F(ExperimentRun, AVoidRunSaysSoAgain) {
+TEST_F(ExperimentRun, AnInvalidRunSaysSoAgain) {
     Plan plan = counting_plan(1, runs_);
-    plan.blocks[0].run = [] { return BlockResult{{{"t.csv", "0,1\n"}}, {"a, b", "c"}}; };
+    plan.blocks[0].run = [] { return BlockResult{{{"t.csv", "0,1\n"}}, {}, {"a, b", "c"}}; };
     for (int i = 0; i < 2; ++i) {
-        EXPECT_THAT(run_experiment(plan, into("a")).faults, testing::ElementsAre("a, b", "c"));
+        EXPECT_THAT(run_experiment(plan, into("a")).record.faults, testing::ElementsAre("a, b", "c"));
     }
 }
 
@@ -187,7 +243,7 @@ TEST_F(ExperimentRun, MergesShardsToTheBytesOfOneRun) {
     }
     (void)merge_shards(parts, folder_ / "merged");
     EXPECT_EQ(text_of(folder_ / "merged" / "t.csv"), text_of(folder_ / "whole" / "t.csv"));
-    EXPECT_EQ(text_of(folder_ / "merged" / "plan.toml"), text_of(folder_ / "whole" / "plan.toml"));
+    EXPECT_EQ(text_of_asked(folder_ / "merged"), text_of_asked(folder_ / "whole"));
 }
 
 TEST_F(ExperimentRun, MergeRefusesWhatDoesNotFit) {

@@ -1,0 +1,143 @@
+#include "tune/tune_folder.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <sstream>
+
+#include "core/error.h"
+#include "core/hash.h"
+#include "core/provenance.h"
+#include "core/whole_file.h"
+#include "experiment/experiment_run.h"
+#include "harness/cell.h"
+#include "harness/methods_table.h"
+#include "harness/out_folder.h"
+#include "harness/row_table.h"
+#include "tune/tune_report.h"
+
+namespace ink::tune {
+namespace {
+
+std::string asked_text(const TuneOptions& options, const TuneSpace& space) {
+    toml::table parameters;
+    for (const auto& [name, value] : options.entrant.info->complete(options.entrant.settings))
+        parameters.insert(name, value);
+    toml::table searched;
+    for (const TunedKnob& knob : space.knobs())
+        searched.insert(knob.param.name, toml::array{knob.low, knob.high});
+    std::ostringstream text;
+    text << toml::table{
+        {"methods", toml::table{{options.entrant.info->name, std::move(parameters)}}},
+        {"search",
+         toml::table{{"parameters", std::move(searched)},
+                     {"evaluations", options.plan.evaluations},
+                     {"seed", static_cast<std::int64_t>(options.plan.seed)},
+                     {"global", options.plan.global},
+                     {"local", options.plan.local},
+                     {"random", options.random}}}};
+    return text.str();
+}
+
+std::string heading_of(const harness::TableInfo& table) {
+    std::string columns = harness::heading(table);
+    columns.pop_back();  // its line break
+    return columns;
+}
+
+experiment::RunRecord record_of(const TuneOptions& options, const TuneSpace& space) {
+    const core::Provenance& p = core::provenance();
+    experiment::RunRecord record;
+    record.name = options.name;
+    record.kind = "tune";
+    record.command = options.command;
+    record.build = fmt::format("{} {}{}", p.version, p.commit, p.dirty ? ", changed" : "");
+    record.asked = asked_text(options, space);
+    record.identity =
+        core::Hasher().text(record.build).text(record.command).text(record.asked).hex();
+    record.tables = {{"rows.csv", heading_of(harness::rows_table())},
+                     {"evaluations.csv", heading_of(evaluations_table(space))}};
+    record.blocks = 1;
+    record.cells = options.plan.evaluations * (options.random ? 2 : 1);
+    return record;
+}
+
+/// One setting of the method on one scene, all its views taken together.
+struct SceneRow {
+    const TunedSettings& settings;
+    const std::string& scene;
+    const score::CurveCount& count;
+    bool is_train = false;
+};
+
+std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
+    core::ParamValues all = options.entrant.settings;
+    for (const auto& [name, value] : of.settings.settings)
+        all[name] = value;
+    harness::Row row;
+    row.method = of.settings.name;
+    row.scene = of.scene;
+    row.view = "(all)";
+    row.split = of.is_train ? "train" : "heldout";
+    row.threads = options.threads;
+    row.seed = options.plan.seed;
+    row.params = harness::join_params(options.entrant.info->complete(all));
+    row.k_2px = of.count.k;
+    row.n_pred = of.count.n_pred;
+    row.n_truth = of.count.n_truth;
+    row.f_2px = of.count.f();
+    row.precision_2px = of.count.precision();
+    row.recall_2px = of.count.recall();
+    return harness::row_line(cell, harness::Study::tune, row);
+}
+
+std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
+    std::string text = harness::heading(harness::rows_table());
+    std::vector<const TunedSettings*> all = {&result.defaults, &result.tuned};
+    if (result.random) all.push_back(&*result.random);
+    std::int64_t cell = 0;
+    for (const TunedSettings* each : all) {
+        for (std::size_t i = 0; i < each->train.size(); ++i)
+            text += line_of(
+                cell++, {*each, result.train_scenes[i], each->train[i], true}, options);
+        for (std::size_t i = 0; i < each->heldout.size(); ++i)
+            text += line_of(
+                cell++, {*each, result.heldout_scenes[i], each->heldout[i], false}, options);
+    }
+    return text;
+}
+
+}  // namespace
+
+harness::TableInfo evaluations_table(const TuneSpace& space) {
+    harness::TableInfo table{
+        "evaluations.csv",
+        "A line per evaluation of the tuner, in the order in which it asked for them.",
+        {{"evaluation", "", "its number within the search; the random one counts anew"},
+         {"phase", "", "start, global, local or random"}}};
+    for (const TunedKnob& knob : space.knobs())
+        table.columns.push_back({knob.param.name, knob.param.unit, "the parameter's value"});
+    table.columns.push_back({"e_train", "0..1", "what the search lowers, over training views"});
+    table.columns.push_back({"drawn_by", "", "the method itself, or planes made once a view"});
+    table.columns.push_back({"draw_ms", "ms", "median, where there is a time budget", true});
+    return table;
+}
+
+void begin_folder(const TuneOptions& options, const TuneSpace& space) {
+    harness::make_out_folder(options.out);
+    const experiment::RunRecord mine = record_of(options, space);
+    experiment::take_folder(options.out, mine, options.is_forced);
+    experiment::write_record(mine, options.out);
+}
+
+void finish_folder(const TuneResult& result, const TuneOptions& options, const TuneSpace& space) {
+    core::write_whole_file(options.out / "rows.csv", rows_csv(result, options));
+    core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
+    core::write_whole_file(options.out / "methods.csv", harness::methods_csv({options.entrant}));
+    experiment::RunRecord record = record_of(options, space);
+    record.state = experiment::RunState::finished;
+    record.blocks_done = record.blocks;
+    experiment::write_record(record, options.out);
+}
+
+}  // namespace ink::tune
