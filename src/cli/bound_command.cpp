@@ -71,7 +71,8 @@ void add_bound_command(CLI::App& app) {
         "bound", "Bound from above what any four weights of a packed code could score");
     add_scene_options(
         *command, args->scenes, "Built-in scenes or model files (default: the catalogue)");
-    add_one_method_option(*command, args->methods, kMethod, "A method whose code is a linear sum");
+    add_method_options(
+        *command, args->methods, fmt::format("{}; one whose code is a linear sum", kMethod));
     add_set_option(*command, args->settings);
     command->add_flag("--signed", args->bound.is_signed, "Weights below 0 too");
     command

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "experiment/experiment_run.h"
+#include "experiment/run_data.h"
 
 namespace ink::cli {
 

@@ -202,7 +202,7 @@ Svg stress_chart(const studies::StressAxis& axis,
                        kPlotHeight};
         const StressScale scale(axis, curves, plot);
         const auto& [family, lines] = panels[i];
-        draw_axes(svg, scale, axis, experiment::label_of(family));
+        draw_axes(svg, scale, axis, method::label_of(family));
         draw_ceiling(svg, scale, curves);
         for (const Line& line : lines)
             draw_line(svg, scale, axis, line);

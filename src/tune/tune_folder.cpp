@@ -86,8 +86,12 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
     row.n_pred = of.count.n_pred;
     row.n_truth = of.count.n_truth;
     row.f_2px = of.count.f();
-    row.precision_2px = of.count.precision();
-    row.recall_2px = of.count.recall();
+    const auto share = [&](std::int64_t of_px) -> std::optional<double> {
+        if (of_px == 0) return std::nullopt;
+        return static_cast<double>(of.count.k) / static_cast<double>(of_px);
+    };
+    row.precision_2px = share(of.count.n_pred);
+    row.recall_2px = share(of.count.n_truth);
     return harness::row_line(cell, harness::Study::tune, row);
 }
 
