@@ -111,7 +111,7 @@ void add_draw_command(CLI::App& app) {
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")
         ->type_name("FILE")
         ->required();
-    add_method_options(*command, args->methods, fmt::format("one (default: {})", kMethod));
+    add_one_method_option(*command, args->methods, kMethod);
     add_set_option(*command, args->settings, "A parameter of the method: key=value");
     add_preset_option(*command, args->presets, "instead of --method");
     command->add_option("--view", args->view, "Name of the view (default: the first)")

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/method_options.h"
 #include "cli/options.h"
+#include "cli/place.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "draw/explain.h"
@@ -78,9 +79,11 @@ void run_explain(const ExplainArgs& args) {
                           : harness::load_one_view(scene, args.view, request);
     const draw::Explanation explanation = draw::explain(subject, entrants, args.crease_deg);
     if (args.json) {
-        fmt::print("{}\n", json_of(explanation).dump(2));
+        Json json = json_of(explanation);
+        json["place"] = as_json(place_of(subject));
+        fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}", draw::as_text(explanation));
+        fmt::print("{}\n{}", as_text(place_of(subject)), draw::as_text(explanation));
     }
 }
 
@@ -89,7 +92,8 @@ void run_explain(const ExplainArgs& args) {
 void add_explain_command(CLI::App& app) {
     auto args = std::make_shared<ExplainArgs>();
     auto* command = app.add_subcommand(
-        "explain", "Say what a scene has, what each method may leave out there, and why");
+        "explain",
+        "Say where a scene is, what it has, what each method may leave out there, and why");
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);

@@ -20,7 +20,9 @@ void add_merge_command(CLI::App& app) {
     auto args = std::make_shared<MergeArgs>();
     auto* command = app.add_subcommand(
         "merge", "Join the shards of a run to the folder that one run would write");
-    command->add_option("folders", args->folders, "Folders of --shard i/n")->required();
+    command->add_option("folders", args->folders, "Folders of --shard i/n")
+        ->type_name("DIR")
+        ->required();
     add_out_folder_option(*command, args->out, "Folder of the joined run")->required();
     command->add_flag("--json", args->is_json, "Print the result as JSON");
     command->footer(

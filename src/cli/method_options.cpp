@@ -18,13 +18,22 @@ std::string joined(const std::vector<std::string>& names) {
 
 void add_method_options(CLI::App& command,
                         std::vector<std::string>& texts,
-                        const std::string& doc) {
+                        const std::string& usual) {
     add_repeatable_option(
         command,
         "--methods,--method",
         texts,
-        fmt::format("Methods a,b or globs such as 'mote*' (see inkbench list methods); {}", doc),
+        fmt::format(
+            "Methods a,b or globs such as 'mote*' (see inkbench list methods) (default: {})",
+            usual),
         "METHODS");
+}
+
+void add_one_method_option(CLI::App& command,
+                           std::vector<std::string>& texts,
+                           const std::string& usual,
+                           const std::string& doc) {
+    add_repeatable_option(command, "--method,--methods", texts, doc, "METHOD")->default_str(usual);
 }
 
 std::vector<std::string> method_words() {

@@ -7,11 +7,17 @@
 
 namespace ink::cli {
 
-/// Adds --methods (or --method), which may be given again, to a command; `doc` says what it takes
-/// when there are none. `method_list` or `one_method` reads the texts.
+/// Adds --methods (or --method), which may be given again, to a command; `usual` says in words
+/// what it takes when there are none. `method_list` or `one_method` reads the texts.
 void add_method_options(CLI::App& command,
                         std::vector<std::string>& texts,
-                        const std::string& doc = "all unless given");
+                        const std::string& usual = "all");
+
+/// The same for a command that takes one method, `usual` if none is named; `one_method` reads it.
+void add_one_method_option(CLI::App& command,
+                           std::vector<std::string>& texts,
+                           const std::string& usual,
+                           const std::string& doc = "Method (see inkbench list methods)");
 
 /// The registered methods that comma lists and globs mean, as one list a,b; "" for no texts.
 ///

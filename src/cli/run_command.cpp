@@ -48,12 +48,14 @@ void add_run_command(CLI::App& app) {
     auto* command = app.add_subcommand(
         "run", "Compute an experiment from its file; a run that was killed goes on where it was");
     command->add_option("file", args->file, "An experiment, such as experiments/quality.toml")
+        ->type_name("FILE")
         ->required();
     add_run_folder_options(*command, args->folder);
-    command->add_option("--size", args->size, "WIDTHxHEIGHT instead of the file's sizes");
+    command->add_option("--size", args->size, "Image size instead of the file's sizes")
+        ->type_name("WIDTHxHEIGHT");
     add_scene_options(*command, args->scenes, "Scenes instead of the file's");
     add_method_options(*command, args->methods, "the file's");
-    command->add_option("--views", args->views, "Views of each scene, the first N");
+    command->add_option("--views", args->views, "Views of each scene, the first N")->type_name("N");
     add_cache_options(*command, args->cache);
     command->footer(
         "The folder is inkbench-out/NAME unless --out says another.\n"

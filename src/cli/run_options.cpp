@@ -42,7 +42,8 @@ void list_blocks(const experiment::Plan& plan, const experiment::Shard& shard) {
 
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     add_out_folder_option(command, options.out, "Folder of the run");
-    command.add_option("--shard", options.shard, "i/n: only this share; see inkbench merge")
+    command.add_option("--shard", options.shard, "Only this share; see inkbench merge")
+        ->type_name("I/N")
         ->capture_default_str();
     command.add_flag(
         "--force", options.is_forced, "Throw away the run that is in the folder, whatever it is");

@@ -167,7 +167,7 @@ void add_truth_command(CLI::App& app) {
         ->type_name("NAME");
     add_view_options(*command, args->views);
     add_truth_settings(*command, args->truth);
-    add_threads_option(*command, args->threads, "Threads that trace (default: all of the machine)");
+    add_threads_option(*command, args->threads, "Threads that trace");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

@@ -53,8 +53,8 @@ struct Row {
     std::optional<score::CauseCounts> causes = {};
     std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
     std::optional<std::int64_t> n_pred_1px;
-    /// Counts at each of kLadder_px (harness/cell.h): lines of ladder.csv, not columns here. Empty
-    /// where they were not asked for.
+    /// Counts at each of kLadder_px (harness/cell.h): lines of tolerances.csv, not columns here.
+    /// Empty where they were not asked for.
     std::vector<score::CurveCount> ladder = {};
     /// Counts at 2 px of a random picture of n_pred pixels (score/chance.h); nothing where it was
     /// not asked for.

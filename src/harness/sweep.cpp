@@ -9,6 +9,7 @@
 namespace ink::harness {
 
 std::vector<Entrant> sweep_entrants(const Entrant& entrant) {
+    if (entrant.info->sweep.empty()) return {entrant};
     std::vector<Entrant> entrants;
     std::set<core::ParamValues> known;
     for (const core::ParamValues& setting : entrant.info->sweep) {

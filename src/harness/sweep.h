@@ -18,8 +18,8 @@ struct SweepOptions {
 };
 
 /// The settings over which `entrant` is swept, each as an entrant: what the user set, with a line
-/// of MethodInfo::sweep on top. Settings that come out equal appear once; none if the method has no
-/// sweep.
+/// of MethodInfo::sweep on top. Settings that come out equal appear once. A method without a sweep
+/// is the entrant alone, so that fronts have it.
 [[nodiscard]] std::vector<Entrant> sweep_entrants(const Entrant& entrant);
 
 /// Draws `view` with every setting of the sweep of `entrant` in turns, and scores each at 2 px and

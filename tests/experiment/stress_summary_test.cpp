@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lab/stress.h"
 #include "method/family.h"
 #include "report/stress_chart.h"
 #include "report/stress_page.h"
@@ -89,7 +88,7 @@ TEST(StressChart, HasAPanelPerFamilyAndOneMoreForStrangers) {
     const studies::StressAxis& axis = studies::find_stress_axis("grazing");
     const std::string svg = report::stress_chart(axis, curves).file("x");
     for (const method::Family family : method::kFamilies)
-        EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", label_of(family))));
+        EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", method::label_of(family))));
     std::erase_if(curves, [](const StressCurve& curve) { return curve.method == "steady"; });
     EXPECT_THAT(
         report::stress_chart(axis, curves).file("x"),
@@ -107,16 +106,12 @@ TEST(StressChart, NamesEveryMethod) {
 }
 
 TEST(StressPage, TellsOfLostCellsAndNeedsNoOtherFile) {
-    StressOptions options;
-    options.axes = {&studies::find_stress_axis("grazing")};
-    StressResult result;
-    result.rows = some_rows();
-    result.points = summarise_stress(result.rows, 1);
-    EXPECT_THAT(report::stress_page(options, result), HasSubstr("Nothing crashed"));
-    result.rows[2].counts.lost = 1;
-    result.rows[2].row.status = "failed: <no ink>";
-    result.counts = total_counts(result.rows);
-    const std::string page = report::stress_page(options, result);
+    RunData run;
+    run.tables.stress = some_rows();
+    EXPECT_THAT(report::stress_page(run), HasSubstr("Nothing crashed"));
+    run.tables.stress[2].counts.lost = 1;
+    run.tables.stress[2].row.status = "failed: <no ink>";
+    const std::string page = report::stress_page(run);
     EXPECT_THAT(page, HasSubstr("failed: &lt;no ink&gt;"));
     EXPECT_THAT(page, Not(HasSubstr("Nothing crashed")));
     EXPECT_THAT(page, Not(HasSubstr("src=")));

@@ -55,10 +55,12 @@ TEST(SweepEntrants, PutTheSweepOnTopOfWhatTheUserSet) {
                                      core::ParamValues{{"strength", "13"}, {"tip", "flat"}}));
 }
 
-TEST(SweepEntrants, OfAMethodWithoutASweepAreNone) {
+TEST(SweepEntrants, OfAMethodWithoutASweepIsTheMethodAsItTakesPart) {
     auto info = stroke_info();
     info.sweep.clear();
-    EXPECT_TRUE(sweep_entrants({&info, {}}).empty());
+    const auto entrants = sweep_entrants({&info, {{"tip", "flat"}}});
+    ASSERT_EQ(entrants.size(), 1U);
+    EXPECT_EQ(entrants[0].settings, (core::ParamValues{{"tip", "flat"}}));
 }
 
 TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {

@@ -17,7 +17,7 @@ TEST(Bound, PrintsItsTableAndWritesTheSame) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* text : {"F upper", "cube", "gem", "tiles", "(training)", "(all)"})
         EXPECT_THAT(outcome.out, HasSubstr(text));
-    const Table rows = parse_csv(desk.read("bounds/bound.csv"));
+    const Table rows = table_of_run(desk, "bounds", "bound.csv");
     ASSERT_EQ(rows.size(), 5U) << "a held-out pool of one scene would be that scene again";
     EXPECT_EQ(rows[1].at("scene"), "gem");
     EXPECT_EQ(rows[1].at("split"), "heldout");

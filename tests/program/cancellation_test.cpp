@@ -30,7 +30,7 @@ TEST(CompareCancellation, WritesCountsOfMethodsThatDeclareACodeAndTheSection) {
                   .exit_code,
               0);
     std::set<std::string> classes;
-    for (const auto& line : parse_csv(desk.read("out/cancellation.csv"))) {
+    for (const auto& line : table_of_run(desk, "out", "cancellation.csv")) {
         EXPECT_EQ(line.at("method"), "mote4") << "ids declares no code";
         EXPECT_EQ(line.at("scene"), "cube");
         EXPECT_EQ(line.at("dihedral_low_deg"), "90") << "a cube has no other angle";

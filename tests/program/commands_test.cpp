@@ -91,6 +91,19 @@ TEST(List, TellsTheSameAsJson) {
     EXPECT_EQ(desk.run({"list", "nothing", "--json"}).exit_code, 2);
 }
 
+TEST(List, GivesMethodsAsATableToo) {
+    const Desk desk;
+    const Table table = parse_csv(expect_done(desk, {"list", "methods", "--csv"}));
+    const Table tuned = only(table, "mote4_tuned");
+    ASSERT_EQ(tuned.size(), 1U);
+    EXPECT_EQ(tuned[0].at("family"), "packed");
+    EXPECT_EQ(tuned[0].at("preset_of"), "mote4");
+    EXPECT_EQ(only(table, "sampled").at(0).at("role"), "ceiling");
+    const Outcome other = desk.run({"list", "scenes", "--csv"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, HasSubstr("inkbench list methods --csv"));
+}
+
 TEST(Compare, WritesRowsCurvesAndAReport) {
     const Desk desk;
     const std::string out = expect_done(desk,
@@ -132,7 +145,7 @@ TEST(Compare, WritesRowsCurvesAndAReport) {
               99 * rows.size() + 1);
 }
 
-TEST(Compare, WritesLadderAndSweepUnlessToldNotTo) {
+TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     const Desk desk;
     Words words = {
         "compare", "--scenes", "torus,staircase", "--size", "320x180", "--repetitions", "1"};
@@ -140,20 +153,18 @@ TEST(Compare, WritesLadderAndSweepUnlessToldNotTo) {
     const std::string out = expect_done(desk, words);
     EXPECT_THAT(out, AllOf(HasSubstr("chance"), HasSubstr("ODS"), HasSubstr("OIS")));
     const Table rows = rows_of(desk, "out");
-    const Table ladder = parse_csv(desk.read("out/ladder.csv"));
-    EXPECT_EQ(ladder.size(), 5 * rows.size());
-    for (const char* column :
-         {"method", "scene", "view", "params", "tolerance_px", "k", "n_pred", "n_truth"})
-        EXPECT_THAT(ladder.front(), Contains(Key(column)));
-    const Table sweep = parse_csv(desk.read("out/sweep.csv"));
+    const Table tolerances = parse_csv(desk.read("out/tolerances.csv"));
+    EXPECT_EQ(tolerances.size(), 5 * rows.size());
+    for (const char* column : {"cell", "tolerance_px", "k", "n_pred", "n_truth"})
+        EXPECT_THAT(tolerances.front(), Contains(Key(column)));
     std::map<std::string, std::set<std::string>> settings;
-    for (const auto& row : sweep) {
-        EXPECT_EQ(row.size(), rows.front().size()) << "the columns of rows.csv";
-        EXPECT_EQ(row.at("status"), "ok");
-        EXPECT_NE(row.at("f_2px"), "");
-        EXPECT_EQ(row.at("f_1px"), "");
-        settings[row.at("method")].insert(row.at("params"));
+    for (const auto& setting : parse_csv(desk.read("out/sweep.csv"))) {
+        EXPECT_EQ(setting.at("status"), "ok");
+        EXPECT_NE(setting.at("f_2px"), "");
+        EXPECT_THAT(setting, Contains(Key("threshold"))) << "every method's sweep varies it";
     }
+    for (const auto& setting : table_of_run(desk, "out", "sweep.csv"))
+        settings[setting.at("method")].insert(setting.at("setting"));
     std::set<std::string> methods;
     for (const auto& row : rows) {
         if (row.at("draw_ns") != "") methods.insert(row.at("method"));

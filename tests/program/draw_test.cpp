@@ -159,7 +159,7 @@ TEST(Draw, HelpNamesTheLooks) {
                                "--seed",
                                "--antialias",
                                "--dither",
-                               "none, gouraud, toon, gooch, strokes"})
+                               "none|gouraud|toon|gooch|strokes"})
         EXPECT_THAT(help, HasSubstr(option));
 }
 

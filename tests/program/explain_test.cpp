@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/program/run_program.h"
 
@@ -34,6 +36,31 @@ TEST(Explain, JsonHoldsTheSame) {
     EXPECT_EQ(json.at("views").size(), 3U);
     EXPECT_EQ(json.at("methods").at("mote4").at("skips").at("flat_tiles").at("may"), true);
     EXPECT_FALSE(json.at("methods").at("auto").at("plan").empty());
+}
+
+TEST(Explain, TellsWhereACameraWouldStand) {
+    const Desk desk;
+    desk.write("box.obj",
+               "v -1 0 0\nv 3 0 0\nv 3 2 0\nv -1 2 0\nv -1 0 5\nf 1 2 3\nf 1 3 4\nf 1 2 5\n");
+    const Outcome outcome = desk.run({"explain", "box.obj", "--method", "auto", "--views", "2"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("box -1,0,0 .. 3,2,5 (4 x 2 x 5)"));
+    // The options that it prints for a view draw that view.
+    const auto draw = [&](const std::vector<std::string>& camera, const char* file) {
+        std::vector<std::string> words = {"draw", "box.obj", "--size", "160x90", "-o", file};
+        words.insert(words.end(), camera.begin(), camera.end());
+        EXPECT_EQ(desk.run(words).exit_code, 0);
+        return desk.read(file);
+    };
+    std::string line = outcome.out.substr(outcome.out.find("--eye"));
+    line.resize(line.find('\n'));
+    std::istringstream words(line);
+    const std::vector<std::string> camera{std::istream_iterator<std::string>(words), {}};
+    ASSERT_EQ(camera.size(), 8U);
+    EXPECT_EQ(draw(camera, "a.png"), draw({"--views", "2"}, "b.png"));
+    const auto json = nlohmann::json::parse(desk.run({"explain", "box.obj", "--json"}).out);
+    EXPECT_EQ(json.at("place").at("box").at("high"), nlohmann::json({3, 2, 5}));
+    EXPECT_EQ(json.at("place").at("cameras").size(), 3U);
 }
 
 TEST(Explain, ExplainsAModelFileToo) {

@@ -20,7 +20,7 @@ TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     ASSERT_EQ(desk.run(words).exit_code, 0);
 
     std::set<std::string> scenes;
-    for (const auto& line : parse_csv(desk.read("out/motion.csv"))) {
+    for (const auto& line : table_of_run(desk, "out", "motion.csv")) {
         EXPECT_EQ(line.at("status"), "ok");
         scenes.insert(line.at("scene"));
         if (line.at("method") != "oracle") continue;

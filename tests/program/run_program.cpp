@@ -192,4 +192,19 @@ Table parse_csv(const std::string& text) {
     return table;
 }
 
+Table table_of_run(const Desk& desk, const std::string& folder, const std::string& name) {
+    std::map<std::string, std::map<std::string, std::string>> cells;
+    for (auto& row : parse_csv(desk.read(folder + "/rows.csv"))) {
+        const std::string cell = row.at("cell");
+        cells.emplace(cell, std::move(row));
+    }
+    Table table = parse_csv(desk.read(folder + "/" + name));
+    for (auto& line : table) {
+        const auto found = cells.find(line.at("cell"));
+        if (found == cells.end()) throw std::runtime_error(name + " names no cell of rows.csv");
+        line.insert(found->second.begin(), found->second.end());
+    }
+    return table;
+}
+
 }  // namespace ink::program

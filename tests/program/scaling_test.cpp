@@ -19,7 +19,7 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     words.emplace_back("--scaling");
     ASSERT_EQ(desk.run(words).exit_code, 0);
     std::map<std::string, std::set<double>> places;
-    for (const auto& line : parse_csv(desk.read("out/scaling.csv"))) {
+    for (const auto& line : table_of_run(desk, "out", "scaling.csv")) {
         EXPECT_EQ(line.at("method"), "mote2");
         EXPECT_GT(std::stoll(line.at("draw_ns_min")), 0);
         places[line.at("axis")].insert(std::stod(line.at("x")));
@@ -54,17 +54,18 @@ TEST(CompareCost, IsPredictedForMethodsAndEmptyForBrackets) {
                         "out"})
                   .exit_code,
               0);
-    int predicted = 0;
-    for (const char* file : {"out/rows.csv", "out/sweep.csv"}) {
-        for (const auto& row : parse_csv(desk.read(file))) {
-            const std::string& method = row.at("method");
-            const bool is_bracket = method == "none" || method == "sampled" || method == "oracle";
-            EXPECT_EQ(row.at("predicted_ns").empty(), is_bracket) << method;
-            EXPECT_EQ(row.at("cost_residual").empty(), is_bracket) << method;
-            predicted += is_bracket ? 0 : 1;
+    std::set<std::string> methods;
+    for (const char* name : {"cost.csv", "sweep.csv"}) {
+        for (const auto& line : table_of_run(desk, "out", name)) {
+            EXPECT_NE(line.at("predicted_ns"), "") << line.at("method");
+            EXPECT_NE(line.at("cost_residual"), "") << line.at("method");
+            EXPECT_GT(std::stod(line.at("frame_px")), 0) << line.at("method");
+            methods.insert(line.at("method"));
         }
     }
-    EXPECT_GT(predicted, 0);
+    EXPECT_GT(methods.size(), 10U);
+    for (const char* baseline : {"none", "sampled", "oracle"})
+        EXPECT_FALSE(methods.contains(baseline)) << "it does no work";
     EXPECT_THAT(desk.read("out/report.html"), HasSubstr("<section id=\"cost\">"));
 }
 

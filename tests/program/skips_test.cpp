@@ -71,7 +71,7 @@ TEST(NoSkip, RefusesWhatIsNoSkip) {
 TEST(SkipStudy, WritesItsTableAndStandsInTheReport) {
     const Desk desk;
     (void)compared(desk, {"--skip-study"});
-    const Table study = parse_csv(desk.read("out/skips.csv"));
+    const Table study = table_of_run(desk, "out", "skips.csv");
     EXPECT_EQ(study.size(), 9U * 3 + 3 * 2) << "a line per scene and arm";
     std::map<std::string, std::string> hashes;
     for (const auto& line : study) {

@@ -30,7 +30,7 @@ TEST(Stress, WritesRowsSummaryPageAndFigures) {
     const Outcome outcome = desk.run(small_run("out"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("grazing"));
-    const Table rows = parse_csv(desk.read("out/stress.csv"));
+    const Table rows = table_of_run(desk, "out", "stress.csv");
     // Three values of three and of four cases, each with three brackets and two methods.
     EXPECT_EQ(rows.size(), 3U * (3 + 4) * 5);
     std::set<std::string> values;
@@ -51,7 +51,7 @@ TEST(Stress, GivesTheSameBytesAgain) {
     const Desk desk;
     ASSERT_EQ(desk.run(small_run("a")).exit_code, 0);
     ASSERT_EQ(desk.run(small_run("b")).exit_code, 0);
-    for (const char* file : {"/stress.csv", "/stress_summary.csv", "/stress.html"})
+    for (const char* file : {"/rows.csv", "/stress.csv", "/stress_summary.csv", "/stress.html"})
         EXPECT_EQ(desk.read(std::string("a") + file), desk.read(std::string("b") + file)) << file;
 }
 

@@ -1,0 +1,95 @@
+#include "cli/place.h"
+
+#include <fmt/format.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "scene/scene.h"
+#include "scene/surface.h"
+
+namespace ink::cli {
+namespace {
+
+constexpr double kDegPerRad = 180 / std::numbers::pi;
+
+std::string text_of(const glm::dvec3& p) {
+    return fmt::format("{:.9g},{:.9g},{:.9g}", p.x, p.y, p.z);
+}
+
+nlohmann::ordered_json json_of(const glm::dvec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// A row of the rotation into view space: right, up or back.
+glm::dvec3 axis(const scene::Camera& camera, int row) {
+    const glm::dmat3& m = camera.view_from_world;
+    return {m[0][row], m[1][row], m[2][row]};
+}
+
+}  // namespace
+
+Place place_of(const harness::Subject& subject) {
+    const scene::Surface surface = scene::flatten(subject.scene);
+    const scene::Sphere sphere = scene::bounding_sphere(subject.scene);
+    Place place;
+    place.center_world = sphere.center_world;
+    place.radius = sphere.radius;
+    place.low_world = place.high_world = surface.p_world.front();
+    for (const auto& p : surface.p_world) {
+        place.low_world = glm::min(place.low_world, glm::dvec3(p));
+        place.high_world = glm::max(place.high_world, glm::dvec3(p));
+    }
+    for (const scene::View& view : subject.views) {
+        const scene::Camera& camera = view.camera;
+        const double away = glm::distance(camera.eye_world, sphere.center_world);
+        const double reach = away > 0 ? away : sphere.radius;
+        place.cameras.push_back({camera.name,
+                                 camera.eye_world,
+                                 camera.eye_world - reach * axis(camera, 2),
+                                 axis(camera, 1),
+                                 camera.fov_y_rad * kDegPerRad});
+    }
+    return place;
+}
+
+std::string as_text(const Place& place) {
+    const glm::dvec3 size = place.high_world - place.low_world;
+    std::string text = fmt::format(
+        "box {} .. {} ({:.9g} x {:.9g} x {:.9g}), centre {}, radius "
+        "{:.9g}\nviews, as options of a camera of your own:\n",
+        text_of(place.low_world),
+        text_of(place.high_world),
+        size.x,
+        size.y,
+        size.z,
+        text_of(place.center_world),
+        place.radius);
+    for (const Place::Camera& camera : place.cameras) {
+        text += fmt::format("  {}  --eye {} --target {} --up {} --fov {:.9g}\n",
+                            camera.name,
+                            text_of(camera.eye_world),
+                            text_of(camera.target_world),
+                            text_of(camera.up_world),
+                            camera.fov_deg);
+    }
+    return text;
+}
+
+nlohmann::ordered_json as_json(const Place& place) {
+    nlohmann::ordered_json json = {
+        {"box", {{"low", json_of(place.low_world)}, {"high", json_of(place.high_world)}}},
+        {"centre", json_of(place.center_world)},
+        {"radius", place.radius},
+        {"cameras", nlohmann::ordered_json::object()}};
+    for (const Place::Camera& camera : place.cameras) {
+        json["cameras"][camera.name] = {{"eye", json_of(camera.eye_world)},
+                                        {"target", json_of(camera.target_world)},
+                                        {"up", json_of(camera.up_world)},
+                                        {"fov_deg", camera.fov_deg}};
+    }
+    return json;
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/suite.h"
+
+namespace ink::cli {
+
+/// Where a scene is and from where it is seen, so that a user can place a camera: its box, the
+/// centre and radius of the sphere that views are fitted to, and each view as the options that make
+/// it.
+struct Place {
+    struct Camera {
+        std::string name;
+        glm::dvec3 eye_world{0};
+        glm::dvec3 target_world{0};  ///< on the line of sight, as far away as the centre is
+        glm::dvec3 up_world{0};
+        double fov_deg = 0;
+    };
+    glm::dvec3 low_world{0};
+    glm::dvec3 high_world{0};
+    glm::dvec3 center_world{0};
+    double radius = 0;
+    std::vector<Camera> cameras;
+};
+
+/// The place of a scene with at least one triangle.
+[[nodiscard]] Place place_of(const harness::Subject& subject);
+
+/// A line for the box and the sphere, then one for each view: `name  --eye X,Y,Z --target ...`, to
+/// nine digits.
+[[nodiscard]] std::string as_text(const Place& place);
+
+/// The same as `box`, `centre`, `radius` and `cameras` by name.
+[[nodiscard]] nlohmann::ordered_json as_json(const Place& place);
+
+}  // namespace ink::cli
