@@ -91,7 +91,7 @@ scene::Scene make_scene(const std::string& name) {
 
 }  // namespace
 
-std::vector<PictureSize> picture_sizes() {
+std::vector<ImageSize> image_sizes() {
     return {{"1080p", kWidth_px, kHeight_px}, {"2160p", 2 * kWidth_px, 2 * kHeight_px}};
 }
 
@@ -120,7 +120,7 @@ const scene::Surface& bench_surface(const std::string& name) {
         .first->second;
 }
 
-std::array<scene::View, 2> bench_views(const scene::Scene& scene, const PictureSize& size) {
+std::array<scene::View, 2> bench_views(const scene::Scene& scene, const ImageSize& size) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     const double fov_rad = 40 * kRadPerDeg;
     const double distance = bounds.radius / std::sin(fov_rad / 2);

@@ -12,15 +12,15 @@ namespace ink::bench {
 inline constexpr int kWidth_px = 1920;
 inline constexpr int kHeight_px = 1080;
 
-/// A size of picture as names have it.
-struct PictureSize {
+/// A size of image as names have it.
+struct ImageSize {
     std::string name;
     int width_px = 0;
     int height_px = 0;
 };
 
 /// `1080p` (1920 x 1080) and `2160p` (3840 x 2160).
-[[nodiscard]] std::vector<PictureSize> picture_sizes();
+[[nodiscard]] std::vector<ImageSize> image_sizes();
 
 /// The meshes that everything is timed on: `sphere` (made here, 69 thousand triangles), and where
 /// the shared models are beside the project `bunny` (69 thousand), `bunny_x16` (the same,
@@ -37,7 +37,7 @@ struct PictureSize {
 /// Two views a degree apart that the mesh fills from top to bottom. Benchmarks draw them in turns,
 /// so that nothing is free because the last frame was the same.
 [[nodiscard]] std::array<scene::View, 2> bench_views(const scene::Scene& scene,
-                                                     const PictureSize& size = {
+                                                     const ImageSize& size = {
                                                          "1080p", kWidth_px, kHeight_px});
 
 }  // namespace ink::bench

@@ -37,16 +37,16 @@ FILTERS = [
 STAGES = [
     ("vertices: place and values",
      r"::(ProjectCluster|project_cluster|PackSnapped|ComputePlane|ComputeLinear|compute_linear)\(|"
-     r"compute_whole_values|Values::compute|SurfaceInputs::|raster::(to_screen|outcode)\(|"
+     r"compute_scalar_values|Values::compute|SurfaceInputs::|raster::(to_screen|outcode)\(|"
      r"put_on_screen|::encode_", "vertex"),
     ("facing, samples, clipping",
-     r"::(TriageCluster|triage_cluster|Triage<)|settle_sides|scene::(facings|orient3d)|"
-     r"raster::clip|PictureSides::|FrontDepth::hides", "triangle"),
+     r"::(CullCluster|cull_cluster|CullTriangles<)|settle_sides|scene::(facings|orient3d)|"
+     r"raster::clip|ImageSides::|FrontDepth::hides", "triangle"),
     ("setup", r"::(SetUpLanes|set_up\w*|Collect|collect_corners)\(|TriangleStage::|PlaneMaker::|make_\w+_plane|"
               r"MeshRun::(add|process|store)\w*\(", "triangle"),
     ("binning", r"MeshRun::bin_\w+\(|raster::Bins::|::(ListTriangles|ListAllTriangles)\(|"
                 r"list_(all_)?triangles\(", "triangle"),
-    ("fill", r"raster::N_\w+::(Fill<|FindDots)|DotRun::|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
+    ("fill", r"raster::N_\w+::(Fill<|FindMicroTriangles)|MicroTriangleRun::|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
              r"memset", "pixel"),
     ("filter", r"edge::(N_\w+::)?\w*([Ll]aplacian|[Dd]ecaudin|[Rr]espond)|Sink::", "pixel"),
 ]
@@ -126,9 +126,9 @@ def filter_lines(counter):
             continue
         # The outermost of several is the one that costs most.
         name = max(found, key=lambda each: ran[0].inclusive.get(each, 0))
-        per_picture = ran[0].inclusive[name] / ran[0].calls[name]
+        per_image = ran[0].inclusive[name] / ran[0].calls[name]
         pixels = WIDTH_PX * HEIGHT_PX
-        yield f"| {kernel} | `{benchmark}` | pixel | {per_picture / pixels:.2f} |"
+        yield f"| {kernel} | `{benchmark}` | pixel | {per_image / pixels:.2f} |"
 
 
 def stage_of(function):

@@ -109,7 +109,7 @@ void time_frames(benchmark::State& state, std::size_t most_frames, const std::st
         models.pose(frames[i++ % 2]);
     models.pose(frames[0]);
     const methods::SoupTotals totals = models.totals();
-    state.SetLabel(core::Hasher().value(totals.edges).value(totals.lone).hex());
+    state.SetLabel(core::Hasher().value(totals.edges).value(totals.boundary).hex());
     state.counters["edges"] = static_cast<double>(totals.edges);
 }
 

@@ -9,7 +9,7 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
-#include "bench/filter_pictures.h"
+#include "bench/filter_images.h"
 #include "core/hash.h"
 #include "edge/binomial_blur.h"
 #include "edge/decaudin_filter.h"
@@ -49,7 +49,7 @@ void time_memcpy(benchmark::State& state, const Traffic& traffic) {
     state.SetBytesProcessed(state.iterations() * traffic.sum());
 }
 
-/// Times `filter(out, threads)`, which must fill a picture of `T`.
+/// Times `filter(out, threads)`, which must fill an image of `T`.
 template <class T, class Filter>
 void time_filter(benchmark::State& state, const Traffic& traffic, const Filter& filter) {
     core::Image<T> out(kWidth_px, kHeight_px);
@@ -149,9 +149,9 @@ void time_blur(benchmark::State& state, int threads) {
 }
 
 void time_threshold(benchmark::State& state, int threads) {
-    const Padded<std::uint8_t> strengths = codes<std::uint8_t>(1);
+    const Padded<std::uint8_t> edge_responses = codes<std::uint8_t>(1);
     time_filter<std::uint8_t>(state, kBytes, [&](edge::EdgeImage& out) {
-        edge::threshold(strengths.view(), 128, out.view(), threads);
+        edge::threshold(edge_responses.view(), 128, out.view(), threads);
     });
 }
 

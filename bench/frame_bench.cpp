@@ -15,7 +15,7 @@ namespace {
 struct FrameKey {
     const method::MethodInfo& info;
     std::string mesh;
-    PictureSize size;
+    ImageSize size;
 };
 
 /// Prepared and posed once for all sizes, threads and repetitions: `draw` is what is timed.
@@ -69,7 +69,7 @@ void add_frame_benchmarks(int draws) {
         }
     };
     for (const std::string& mesh : mesh_names()) {
-        for (const PictureSize& size : picture_sizes()) {
+        for (const ImageSize& size : image_sizes()) {
             for (const method::MethodInfo& info : methods::registry())
                 add({info, mesh, size});
         }

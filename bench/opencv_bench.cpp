@@ -1,4 +1,4 @@
-// OpenCV's operators on one thread, on the pictures that ours are timed on.
+// OpenCV's operators on one thread, on the images that ours are timed on.
 
 #include <benchmark/benchmark.h>
 
@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "bench/filter_pictures.h"
+#include "bench/filter_images.h"
 #include "core/hash.h"
 #include "edge/edge_image.h"
 
@@ -15,19 +15,19 @@ namespace ink::bench {
 namespace {
 
 template <class T>
-cv::Mat mat_of(Padded<T>& picture) {
+cv::Mat mat_of(Padded<T>& image) {
     return {kHeight_px,
             kWidth_px,
             cv::DataType<T>::type,
-            picture.row(0),
+            image.row(0),
             Padded<T>::kStride_px * sizeof(T)};
 }
 
-/// A hash of the last picture as bytes.
+/// A hash of the last image as bytes.
 void label(benchmark::State& state, const cv::Mat& bytes) {
-    edge::EdgeImage picture(kWidth_px, kHeight_px);
-    std::memcpy(picture.data(), bytes.data, picture.size());
-    state.SetLabel(core::image_hash(picture));
+    edge::EdgeImage image(kWidth_px, kHeight_px);
+    std::memcpy(image.data(), bytes.data, image.size());
+    state.SetLabel(core::image_hash(image));
 }
 
 /// The Laplacian, then scaled and clipped to eight bits.
@@ -93,8 +93,8 @@ void time_sobel(benchmark::State& state) {
 
 void time_threshold(benchmark::State& state) {
     cv::setNumThreads(1);
-    Padded<std::uint8_t> strengths = codes<std::uint8_t>(1);
-    const cv::Mat from = mat_of(strengths);
+    Padded<std::uint8_t> edge_responses = codes<std::uint8_t>(1);
+    const cv::Mat from = mat_of(edge_responses);
     cv::Mat out;
     for (auto _ : state) {
         cv::threshold(from, out, 127, 1, cv::THRESH_BINARY);

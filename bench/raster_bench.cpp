@@ -106,7 +106,7 @@ class HashSink : public raster::TileSink {
 struct PassKey {
     raster::PassFormat format;
     std::string mesh;
-    PictureSize size;
+    ImageSize size;
 };
 
 /// One pass: from world positions to finished tiles. The two views come in turns.
@@ -172,7 +172,7 @@ void add_raster_benchmarks(int draws) {
     };
     for (const std::string& mesh : mesh_names()) {
         for (const auto& [name, format] : formats) {
-            for (const PictureSize& size : picture_sizes())
+            for (const ImageSize& size : image_sizes())
                 add("raster/" + name + "/" + mesh + "/" + size.name, {format, mesh, size});
         }
     }

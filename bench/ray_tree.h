@@ -29,7 +29,7 @@ class RayTree {
 
     truth::embree::Handles handles_;
     float near_;
-    glm::dvec3 corner_;  ///< the ray's direction at the picture's top left corner ...
+    glm::dvec3 corner_;  ///< the ray's direction at the image's top left corner ...
     glm::dvec3 right_;   ///< ... and what a pixel adds to it
     glm::dvec3 down_;
 };

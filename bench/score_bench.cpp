@@ -11,7 +11,7 @@
 #include "core/hash.h"
 #include "score/cracks.h"
 #include "score/drawing.h"
-#include "score/false_ink.h"
+#include "score/far_positives.h"
 #include "score/line_width.h"
 #include "score/matching.h"
 #include "score/offset.h"
@@ -28,7 +28,7 @@ constexpr int kBand_px = 6;
 struct Drawing {
     core::Image<std::uint8_t> truth{kWidth_px, kHeight_px};
     std::vector<truth::Curve> curves;  ///< the same lines, sub-pixel
-    edge::EdgeImage strength{kWidth_px, kHeight_px};
+    edge::EdgeImage edge_response{kWidth_px, kHeight_px};
     int truth_px = 0;
 };
 
@@ -65,8 +65,8 @@ void add_circle(Drawing& drawing, std::mt19937& random) {
         set(drawing.truth, u, v, line_class);
         if (below(100) < 3) step += below(20);
         const double shake = below(300) / 100.0 - 1.5;
-        set(drawing.strength, u + shake, v, 255);
-        set(drawing.strength, u + shake + 1, v, 200);
+        set(drawing.edge_response, u + shake, v, 255);
+        set(drawing.edge_response, u + shake + 1, v, 200);
     }
 }
 
@@ -95,10 +95,10 @@ std::string hash_of(const score::Score& s) {
         .value(s.k)
         .value(s.n_pred)
         .value(s.n_truth)
-        .value(s.surplus)
-        .value(s.off_line)
-        .value(s.lost)
-        .value(s.missing)
+        .value(s.unmatched_duplicates)
+        .value(s.false_positives)
+        .value(s.unmatched_truth)
+        .value(s.false_negatives)
         .hex();
 }
 
@@ -108,14 +108,14 @@ void describe(benchmark::State& state, const score::Score& result) {
     state.counters["n_truth"] = static_cast<double>(result.n_truth);
 }
 
-/// A method's picture against a truth that is ready, as `compare` scores every cell.
+/// A method's image against a truth that is ready, as `compare` scores every cell.
 void time_score(benchmark::State& state) {
     const score::ScoreOptions options = options_of_compare();
     const Drawing drawing = make_drawing(options);
     const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
     score::Score result;
     for (auto _ : state)
-        result = score::score(drawing.strength, truth, options);
+        result = score::score(drawing.edge_response, truth, options);
     describe(state, result);
 }
 
@@ -126,17 +126,17 @@ void time_prepare_and_score(benchmark::State& state) {
     score::Score result;
     for (auto _ : state) {
         const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
-        result = score::score(drawing.strength, truth, options);
+        result = score::score(drawing.edge_response, truth, options);
     }
     describe(state, result);
 }
 
-/// The drawing with its strengths spread over all thresholds: equal masks are matched once.
+/// The drawing with its edge responses spread over all thresholds: equal masks are matched once.
 void grade(Drawing& drawing) {
     std::mt19937 random(99);
-    for (std::size_t i = 0; i < drawing.strength.size(); ++i) {
-        std::uint8_t& strength = drawing.strength.data()[i];
-        if (strength != 0) strength = static_cast<std::uint8_t>(3 + random() % 253);
+    for (std::size_t i = 0; i < drawing.edge_response.size(); ++i) {
+        std::uint8_t& edge_response = drawing.edge_response.data()[i];
+        if (edge_response != 0) edge_response = static_cast<std::uint8_t>(3 + random() % 253);
     }
 }
 
@@ -148,7 +148,7 @@ void time_curve(benchmark::State& state) {
     const score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
     double ap = 0;
     for (auto _ : state)
-        ap = score::average_precision(score::score_curve(drawing.strength, truth, options));
+        ap = score::average_precision(score::score_curve(drawing.edge_response, truth, options));
     state.SetLabel(core::Hasher().value(ap).hex());
 }
 
@@ -158,7 +158,7 @@ struct Stage {
     Drawing drawing = make_drawing(options);
     score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
     score::TruthLists lists = score::list_truth(truth, options);
-    score::Strokes strokes = score::make_strokes(drawing.strength, options.threshold, options);
+    score::Strokes strokes = score::make_strokes(drawing.edge_response, options.threshold, options);
     score::PixelList drawn = score::counted_pixels(strokes.thinned, lists, options);
 };
 
@@ -176,8 +176,8 @@ std::string hash_of(const score::PixelList& list) {
 void time_thin(benchmark::State& state) {
     Stage stage;
     for (auto _ : state) {
-        stage.strokes =
-            score::make_strokes(stage.drawing.strength, stage.options.threshold, stage.options);
+        stage.strokes = score::make_strokes(
+            stage.drawing.edge_response, stage.options.threshold, stage.options);
     }
     state.SetLabel(core::image_hash(stage.strokes.thinned));
 }
@@ -205,7 +205,7 @@ void time_matching(benchmark::State& state) {
     state.SetLabel(core::Hasher().value(counts.k).hex());
 }
 
-/// A thresholded picture against cracks that are ready.
+/// A thresholded image against cracks that are ready.
 void time_cracks(benchmark::State& state) {
     const Stage stage;
     const auto cracks =
@@ -223,19 +223,19 @@ void time_cracks(benchmark::State& state) {
                        .hex());
 }
 
-/// Offsets, widths and false ink of a picture that is thinned already.
+/// Offsets, widths and far positives of an image that is thinned already.
 void time_place(benchmark::State& state) {
     const Stage stage;
     const auto nearest = score::find_nearest_curves(stage.drawing.curves, kWidth_px, kHeight_px);
     const auto probes = score::place_probes(stage.drawing.curves, stage.truth, stage.options);
-    const auto ink = score::prepare_ink(stage.truth, stage.options);
+    const auto positives = score::prepare_positives(stage.truth, stage.options);
     score::Offsets offsets;
     score::Widths widths;
-    score::InkCount counts;
+    score::PositiveCount counts;
     for (auto _ : state) {
         offsets = score::measure_offsets(stage.drawn, nearest);
         widths = score::measure_widths(stage.strokes.drawn, probes);
-        counts = score::count_ink(stage.strokes.drawn, ink);
+        counts = score::count_positives(stage.strokes.drawn, positives);
     }
     state.SetLabel(core::Hasher()
                        .value(offsets.all.n)
@@ -256,8 +256,9 @@ void time_prepare_curves(benchmark::State& state) {
             truth::draw_cracks(curves, kWidth_px, kHeight_px), stage.truth, stage.options);
         const auto nearest = score::find_nearest_curves(curves, kWidth_px, kHeight_px);
         const auto probes = score::place_probes(curves, stage.truth, stage.options);
-        const auto ink = score::prepare_ink(stage.truth, stage.options);
-        n = cracks.cracks.size() + nearest.offsets.size() + probes.size() + ink.verdict.size();
+        const auto positives = score::prepare_positives(stage.truth, stage.options);
+        n = cracks.cracks.size() + nearest.offsets.size() + probes.size() +
+            positives.verdict.size();
     }
     state.SetLabel(core::Hasher().value(n).hex());
 }

@@ -236,7 +236,7 @@ def footing(run):
             facts.append(before + context[key])
     if "date" in context:
         facts.append(context["date"][:10])
-    return ("M is one memcpy of the 8-bit frame, 1920x1080, one pinned thread unless said; bold is "
+    return ("M is one memcpy of the 8-bit frame, 1920x1080, one pinned thread by default; bold is "
             "missed; \\* was measured on another machine. " + ", ".join(facts) + ".")
 
 

@@ -42,8 +42,8 @@ struct Preset {
 /// defaults.
 ///
 /// The sweep has eight settings: the tuned ones, those lines of the method's own sweep that leave
-/// the tuned knobs alone, and steps of the tuned knobs to both sides, which show how sharp the
-/// optimum is.
+/// the tuned parameters alone, and steps of the tuned parameters to both sides, which show how
+/// sharp the optimum is.
 [[nodiscard]] method::MethodInfo preset_method(const Preset& preset,
                                                const std::vector<method::MethodInfo>& bases);
 

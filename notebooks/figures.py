@@ -32,11 +32,11 @@ PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
 CLASS_COLOURS = {"contour": INK, "boundary": PURPLE, "crease": GREEN, "intersection": ORANGE,
                  "seam": SKY}
 CAUSE_COLOURS = {
-    "off_line_one_triangle": BLUE, "off_line_one_patch": "#74b9f2", "off_line_crack": "#2ccf96",
-    "off_line_frame": "#2a1fb0", "off_line_other": "#a060f0", "missing_cancelled": VERMILION,
-    "missing_below_threshold": "#f2b400", "missing_sub_pixel": "#6b4410",
-    "missing_thinned": "#ee3377", "missing_unexplained": "#8a1560",
-    "missing_undeclared": "#d98a3a",
+    "false_positives_one_triangle": BLUE, "false_positives_one_patch": "#74b9f2", "false_positives_crack": "#2ccf96",
+    "false_positives_frame": "#2a1fb0", "false_positives_other": "#a060f0", "false_negatives_cancelled": VERMILION,
+    "false_negatives_below_threshold": "#f2b400", "false_negatives_sub_pixel": "#6b4410",
+    "false_negatives_thinned": "#ee3377", "false_negatives_unexplained": "#8a1560",
+    "false_negatives_undeclared": "#d98a3a",
 }
 
 # A family in methods.csv: its word in legends, and its colour as the report has it.
@@ -48,7 +48,7 @@ FAMILIES = {"packed": ("packed", BLUE), "full_buffers": ("full buffers", VERMILI
 SHAPES = {"circle": "o", "square": "s", "diamond": "D", "up": "^", "down": "v", "plus": "P",
           "cross": "X", "left": "<", "right": ">"}
 MARKERS = list(SHAPES.values())
-BRACKETS = ["none", "sampled", "oracle"]
+BASELINES = ["none", "sampled", "oracle"]
 
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 7.5, "axes.titlesize": 8, "axes.labelsize": 7.5,
@@ -91,7 +91,7 @@ def family(method):
 
 def colour(method):
     """The colour of the method's family."""
-    return FAINT if method in BRACKETS else FAMILIES[_family(method)][1]
+    return FAINT if method in BASELINES else FAMILIES[_family(method)][1]
 
 
 def shade(method):
@@ -112,8 +112,8 @@ def look(method, is_shaded=False):
 
 
 def by_family(methods):
-    """The methods (brackets left out) in the order of families, presets behind their own."""
-    methods = [m for m in dict.fromkeys(methods) if m not in BRACKETS]
+    """The methods (baselines left out) in the order of families, presets behind their own."""
+    methods = [m for m in dict.fromkeys(methods) if m not in BASELINES]
     order = list(FAMILIES)
     return sorted(methods, key=lambda m: (order.index(_family(m)), _place(m), base(m), base(m) != m))
 

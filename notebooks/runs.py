@@ -187,5 +187,5 @@ def provenance(rows):
     made_by = ""
     if "version" in rows:
         made_by = f"; Inkbench {', '.join(sorted(rows['version'].astype(str).unique()))}"
-    return (f"{rows['method'].nunique()} methods and brackets, {rows['scene'].nunique()} scenes, "
+    return (f"{rows['method'].nunique()} methods and baselines, {rows['scene'].nunique()} scenes, "
             f"{views} views, {sizes}{made_by}")

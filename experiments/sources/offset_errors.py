@@ -25,7 +25,7 @@ def run_cell(inkbench, folder, size, factor, units):
     subprocess.run(
         [inkbench, "compare", "--scenes", SCENES, "--methods", "polygon_offset", "--views", "1",
          "--size", size, "--set", f"factor={factor}", "--set", f"units={units}", "--no-sweep",
-         "--no-witness", "--repetitions", "1", "--out", str(folder)],
+         "--no-crosscheck", "--repetitions", "1", "--out", str(folder)],
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 

@@ -63,11 +63,12 @@ core::ParamTable<Auto::Params> Auto::table() {
                 {0.25, 4},
                 "",
                 "Times the planned step from which on there is a line.")
-        .number(&Params::crease_deg,
-                "crease_deg",
-                {0, 180},
-                "deg",
-                "Bend from which on an edge is a crease, in the plan and in the normals.")
+        .number(
+            &Params::crease_deg,
+            "crease_deg",
+            {0, 180},
+            "deg",
+            "Dihedral deviation from which on an edge is a crease, in the plan and in the normals.")
         .choice(&Params::interpolation,
                 "interpolation",
                 {"affine", "perspective"},
@@ -84,7 +85,7 @@ core::ParamTable<Auto::Params> Auto::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line; a step as planned has 64.");
+                "Edge response from which on a pixel is a line; a step as planned has 64.");
 }
 
 Auto::Auto(const Params& params) : params_(params) {
@@ -92,7 +93,8 @@ Auto::Auto(const Params& params) : params_(params) {
 }
 
 void Auto::replan(const scene::Scene& scene) {
-    plan_ = make_plan(scene::make_ledger(scene, glm::radians(params_.crease_deg)), params_);
+    plan_ =
+        make_plan(scene::make_scene_statistics(scene, glm::radians(params_.crease_deg)), params_);
     buffer_ = std::make_unique<buffers::PackedBuffer>(plan_.applied_to(pack_params(params_)),
                                                       plan_.layout());
     planned_hash_ = scene::scene_hash(scene);
@@ -112,7 +114,7 @@ method::MethodInfo auto_method() {
     method::MethodInfo info = method::method_info<Auto>(
         "auto",
         "new here; a code in MOTE's manner, planned for the scene",
-        "one or two bytes of what the scene's ledger says can make a line");
+        "one or two bytes of what the scene's statistics says can make a line");
     info.family = method::Family::packed;
     info.marker = method::Marker::up;
     info.is_planned = true;

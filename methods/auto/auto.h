@@ -8,8 +8,8 @@
 
 namespace ink::methods {
 
-/// A packed buffer whose code is planned from the scene's ledger: which channels, how many bytes,
-/// which step is a line. It leaves channels out, so its picture is its own.
+/// A packed buffer whose code is planned from the scene's statistics: which channels, how many
+/// bytes, which step is a line. It leaves channels out, so its image is its own.
 class Auto : public method::Method {
   public:
     struct Params : PlanWishes {
@@ -18,14 +18,14 @@ class Auto : public method::Method {
         raster::DepthFormat depth_format = raster::DepthFormat::q32;
         edge::Response response = edge::Response::absolute;
         // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
-        int threshold = kPlannedStrength;
+        int threshold = kPlannedResponse;
     };
     [[nodiscard]] static core::ParamTable<Params> table();
 
     explicit Auto(const Params& params);
 
     void prepare(const scene::Scene& scene) override;
-    /// Plans anew if anything moved: where pieces stand is part of the plan.
+    /// Plans anew if anything moved: where components stand is part of the plan.
     void pose(const scene::Scene& scene) override;
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
         buffer_->draw(frame, out);

@@ -20,8 +20,8 @@ constexpr double kWordRange = 60000;
 // A line's step, as shares of the code's range.
 constexpr double kLeastStep = 4.0 / 60000;     // flat faces: what clip_bits = 2 leaves
 constexpr double kDepthCurvedStep = 1.0 / 30;  // depth alone on a curved surface
-constexpr double kStepPerDegree = 1.0 / 1540;  // sums, by the bend between facets
-constexpr double kMostStep = 1.0 / 62;         // sums, whatever the bend
+constexpr double kStepPerDegree = 1.0 / 1540;  // sums, by the dihedral deviation between facets
+constexpr double kMostStep = 1.0 / 62;         // sums, whatever the dihedral deviation
 constexpr double kLogStep = 1.0 / 300;         // below it, log w's kinks within planes would show
 constexpr double kClippedCodes = 4;            // the least response that clip_bits = 2 leaves
 
@@ -33,8 +33,8 @@ constexpr double kWeights[4] = {16.0 / 37, 12.0 / 37, 6.0 / 37, 3.0 / 37};
 
 class Planner {
   public:
-    Planner(const scene::Ledger& ledger, const PlanWishes& wishes)
-        : ledger_(ledger), wishes_(wishes) {}
+    Planner(const scene::SceneStatistics& statistics, const PlanWishes& wishes)
+        : statistics_(statistics), wishes_(wishes) {}
 
     CodePlan make() {
         choose_channels();
@@ -51,7 +51,7 @@ class Planner {
         plan_.lines.push_back({std::move(what), std::move(why)});
     }
 
-    [[nodiscard]] bool is_soup() const { return ledger_.loose_share() > kSoupShare; }
+    [[nodiscard]] bool is_soup() const { return statistics_.loose_share() > kSoupShare; }
 
     void choose_channels() {
         using Channels = PlanWishes::Channels;
@@ -65,30 +65,31 @@ class Planner {
             return say(depth_alone,
                        fmt::format("{:.0f} % of the triangles have no neighbour, so normals cannot "
                                    "be smoothed over them and jump at every facet",
-                                   100 * ledger_.loose_share()));
+                                   100 * statistics_.loose_share()));
         }
-        if (!ledger_.has_creases() && !ledger_.may_cross()) {
-            return say(depth_alone,
-                       fmt::format("no edge bends by {:.0f} degrees and no pieces can cross, so "
-                                   "every line that a code can see is a step of depth",
-                                   glm::degrees(ledger_.crease_rad)));
+        if (!statistics_.has_creases() && !statistics_.may_cross()) {
+            return say(
+                depth_alone,
+                fmt::format("no edge bends by {:.0f} degrees and no components can cross, so "
+                            "every line that a code can see is a step of depth",
+                            glm::degrees(statistics_.crease_rad)));
         }
         is_depth_only_ = false;
-        if (ledger_.has_creases()) {
+        if (statistics_.has_creases()) {
             return say(
                 both,
                 fmt::format("{} creases turn the normal where depth has only a kink; weights "
                             "unlike each other do not cancel in the same directions",
-                            ledger_.creases.count + ledger_.nonmanifold.count));
+                            statistics_.creases.count + statistics_.nonmanifold.count));
         }
         say(both,
-            fmt::format("{} pairs of pieces may cross, and where they do depth has no step",
-                        ledger_.overlapping_pieces));
+            fmt::format("{} pairs of components may cross, and where they do depth has no step",
+                        statistics_.overlapping_components));
     }
 
     void choose_step() {
-        const bool is_rough = ledger_.is_curved() || is_soup();
-        const double bend_deg = glm::degrees(ledger_.largest_smooth_rad);
+        const bool is_rough = statistics_.is_curved() || is_soup();
+        const double deviation_deg = glm::degrees(statistics_.largest_smooth_rad);
         std::string why;
         if (!is_rough) {
             step_ = kLeastStep;
@@ -99,11 +100,11 @@ class Planner {
             step_ = kDepthCurvedStep;
             why = "depth bends from facet to facet, most where a curved surface turns away";
         } else {
-            step_ = std::clamp(bend_deg * kStepPerDegree, kLeastStep, kMostStep);
+            step_ = std::clamp(deviation_deg * kStepPerDegree, kLeastStep, kMostStep);
             why = fmt::format(
                 "facets of smooth surfaces bend by up to {:.1f} degrees, and their "
                 "normals' slopes with them",
-                bend_deg);
+                deviation_deg);
         }
         step_ *= wishes_.step_scale;
         say(fmt::format("a line from {:.2g} % of the range on", 100 * step_), std::move(why));
@@ -141,28 +142,28 @@ class Planner {
     }
 
     void say_what_no_code_sees() {
-        if (ledger_.seams.count == 0) return;
+        if (statistics_.seams.count == 0) return;
         say("nothing for seams",
             fmt::format("at {} edges two objects meet without a crease: depth and normal are the "
                         "same on both sides, and no sum of them can differ",
-                        ledger_.seams.count));
+                        statistics_.seams.count));
     }
 
-    /// Ranges and shift such that a step of the planned size has kPlannedStrength.
+    /// Ranges and shift such that a step of the planned size has kPlannedResponse.
     void scale() {
         const double range = plan_.store == raster::Store::u8 ? kByteRange : kWordRange;
         const double step = std::max(step_ * range, kClippedCodes);
-        const int shift = static_cast<int>(std::floor(std::log2(step / kPlannedStrength)));
+        const int shift = static_cast<int>(std::floor(std::log2(step / kPlannedResponse)));
         plan_.scale_bits = -shift;
         // At most 1, and more than a half.
-        const double share = std::ldexp(kPlannedStrength, shift) / step;
+        const double share = std::ldexp(kPlannedResponse, shift) / step;
         const double sum = range * share;
         plan_.ranges.depth = is_depth_only_ ? sum : sum * kWeights[0];
         for (int i = 0; i < 3 && !is_depth_only_; ++i)
             plan_.ranges.normal[i] = sum * kWeights[i + 1];
     }
 
-    const scene::Ledger& ledger_;
+    const scene::SceneStatistics& statistics_;
     const PlanWishes& wishes_;
     CodePlan plan_;
     bool is_depth_only_ = true;
@@ -184,8 +185,8 @@ buffers::PackParams CodePlan::applied_to(buffers::PackParams params) const {
     return params;
 }
 
-CodePlan make_plan(const scene::Ledger& ledger, const PlanWishes& wishes) {
-    return Planner(ledger, wishes).make();
+CodePlan make_plan(const scene::SceneStatistics& statistics, const PlanWishes& wishes) {
+    return Planner(statistics, wishes).make();
 }
 
 }  // namespace ink::methods

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "buffers/packed_buffer.h"
-#include "scene/ledger.h"
+#include "scene/scene_statistics.h"
 
 namespace ink::methods {
 
@@ -19,9 +19,9 @@ struct PlanWishes {
     double step_scale = 1;  ///< times the planned step: above 1 fewer lines, below 1 more
 };
 
-/// The strength that a step of the planned size is given, whatever the scene: the one threshold at
-/// which all plans are scored.
-inline constexpr int kPlannedStrength = 64;
+/// The edge response that a step of the planned size is given, whatever the scene: the one
+/// threshold at which all plans are scored.
+inline constexpr int kPlannedResponse = 64;
 
 /// A code made to measure.
 struct CodePlan {
@@ -36,7 +36,9 @@ struct CodePlan {
     [[nodiscard]] buffers::PackParams applied_to(buffers::PackParams params) const;
 };
 
-/// Plans the code for a scene, from its ledger and the wishes alone. Any ledger has a plan.
-[[nodiscard]] CodePlan make_plan(const scene::Ledger& ledger, const PlanWishes& wishes);
+/// Plans the code for a scene, from its scene statistics and the wishes alone. Any statistics has a
+/// plan.
+[[nodiscard]] CodePlan make_plan(const scene::SceneStatistics& statistics,
+                                 const PlanWishes& wishes);
 
 }  // namespace ink::methods

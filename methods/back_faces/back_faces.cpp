@@ -16,7 +16,7 @@ std::vector<core::ParamValues> sweep() {
         {{"edges", "polygons"}},
         {},
         {{"depth_format", "z16"}},
-        // Lines pulled in front of what they touch: whole edges of neighbours show through.
+        // Lines biased in front of what they touch: whole edges of neighbours show through.
         {{"units", "-4"}},
         {{"units", "-64"}},
         {{"units", "-64"}, {"depth_format", "z16"}},
@@ -40,7 +40,7 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
                 "units",
                 {-65536, 65536},
                 "steps",
-                "Polygon offset's units on the lines: below 0 pulls towards the eye.")
+                "Polygon offset's units on the lines: below 0 moves towards the eye.")
         .choice(&Params::edges,
                 "edges",
                 {"all", "polygons"},
@@ -53,7 +53,7 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
     return table;
 }
 

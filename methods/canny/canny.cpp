@@ -112,7 +112,7 @@ core::ParamTable<Canny::Params> Canny::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line; it draws 0 and 255 alone.");
+                "Edge response from which on a pixel is a line; it draws 0 and 255 alone.");
 }
 
 Canny::Canny(const Params& params)
@@ -156,7 +156,7 @@ void Canny::draw(const method::Frame& frame, edge::EdgeImage& out) {
 }
 
 int Canny::bytes_per_px() const {
-    return format_.bytes_per_px() + 1;  // the whole picture of codes beside the tile's
+    return format_.bytes_per_px() + 1;  // the whole image of codes beside the tile's
 }
 
 method::Cost Canny::cost() const {

@@ -7,7 +7,7 @@
 namespace ink::methods {
 
 /// OpenCV's Canny detector over a byte of depth and normal summed: the textbook's edges of the
-/// packed picture.
+/// packed image.
 class Canny : public method::Method {
   public:
     /// Side of the Sobel kernels.

@@ -32,7 +32,7 @@ std::vector<core::ParamValues> sweep() {
         {{"k_depth", "0.05"}, {"threshold", "110"}},
         // Lines at sharper creases only.
         {{"k_normal", "0.5"}, {"threshold", "187"}},
-        // Both ks wide, so that strengths are told apart below the clamp.
+        // Both ks wide, so that edge responses are told apart below the clamp.
         {{"k_normal", "0.5"}, {"k_depth", "0.05"}, {"threshold", "39"}},
         // Weak signs in several channels add up.
         {{"join", "length"}, {"k_normal", "0.5"}, {"k_depth", "0.05"}, {"threshold", "39"}},
@@ -81,7 +81,7 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
 }
 
 Decaudin::Decaudin(const Params& params)

@@ -9,7 +9,7 @@ constexpr double kChannels = 4;  // depth, nx, ny, nz
 constexpr double kFloat_bytes = sizeof(float);
 
 /// g of one channel: eight differences and their sizes, corners and sides summed, sides doubled,
-/// both added, over 8. p looks at g's neighbours, so g is a picture of its own.
+/// both added, over 8. p looks at g's neighbours, so g is an image of its own.
 constexpr method::PixelWork kG{kFloat_bytes, kFloat_bytes, 8 + 8 + 3 + 3 + 1 + 1 + 1};
 
 /// p of one channel: the extremes of a column serve three pixels (two comparisons each), those of

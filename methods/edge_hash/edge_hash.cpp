@@ -24,7 +24,7 @@ struct KindColor {
 /// In the order in which they are drawn: what is wrong with a model lies on top.
 constexpr std::array<KindColor, 3> kKindColors = {{{buffers::EdgeKind::crease, {255, 255, 255}},
                                                    {buffers::EdgeKind::contour, {0, 0, 0}},
-                                                   {buffers::EdgeKind::lone, {255, 0, 0}}}};
+                                                   {buffers::EdgeKind::boundary, {255, 0, 0}}}};
 
 std::size_t count_of(const std::vector<buffers::KnownEdge>& edges, buffers::EdgeKind kind) {
     return static_cast<std::size_t>(
@@ -36,14 +36,14 @@ std::size_t count_of(const std::vector<buffers::KnownEdge>& edges, buffers::Edge
 /// From the fastest to the most exact, the method as it comes among them.
 std::vector<core::ParamValues> sweep() {
     return {
-        // Silhouettes alone.
-        {{"crease_deg", "180"}, {"lone_edges", "none"}, {"width_contour_px", "1"}},
+        // Contours alone.
+        {{"crease_deg", "180"}, {"boundary_edges", "none"}, {"width_contour_px", "1"}},
         {{"depth_format", "q32"}, {"width_contour_px", "1"}},
         {},
         // No tolerance: cracks are lines.
         {{"epsilon", "0"}},
         {{"epsilon", "0.001"}},
-        {{"lone_edges", "none"}},
+        {{"boundary_edges", "none"}},
         {{"scope", "scene"}},
         // What hides lines: more or less of it.
         {{"offset_factor", "0"}},
@@ -75,14 +75,17 @@ core::ParamTable<EdgeHash::Params> EdgeHash::table() {
         .choice(&Params::eye,
                 "eye",
                 {"position", "stale"},
-                "Silhouettes for where the eye is, or for the last view unlike this one.")
-        .choice(
-            &Params::lone_edges,
-            "lone_edges",
-            {"silhouette", "crease", "none"},
-            "Whether an edge of one face is drawn as a silhouette, as a crease, or not at all.");
+                "Contours for where the eye is, or for the last view unlike this one.")
+        .choice(&Params::boundary_edges,
+                "boundary_edges",
+                {"contour", "crease", "none"},
+                "Whether an edge of one face is drawn as a contour, as a crease, or not at all.");
     return buffers::add_hidden_line_params(table).number(
-        &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+        &Params::threshold,
+        "threshold",
+        {1, 255},
+        "",
+        "Edge response from which on a pixel is a line.");
 }
 
 EdgeHash::EdgeHash(const Params& params)
@@ -105,20 +108,20 @@ void EdgeHash::pose(const scene::Scene& scene) {
     hidden_.pose(scene);
 }
 
-/// Drawing one view again does not make its eye an old one, so that it gives the same picture.
+/// Drawing one view again does not make its eye an old one, so that it gives the same image.
 glm::dvec3 EdgeHash::eye_of(const scene::Camera& camera) {
     if (eye_world_ && *eye_world_ != camera.eye_world) before_world_ = eye_world_;
     eye_world_ = camera.eye_world;
     return params_.eye == Eye::stale && before_world_ ? *before_world_ : camera.eye_world;
 }
 
-double EdgeHash::lone_width_px() const {
-    switch (params_.lone_edges) {
-        case LoneEdges::silhouette:
+double EdgeHash::boundary_width_px() const {
+    switch (params_.boundary_edges) {
+        case BoundaryEdges::contour:
             return params_.width_contour_px;
-        case LoneEdges::crease:
+        case BoundaryEdges::crease:
             return params_.width_crease_px;
-        case LoneEdges::none:
+        case BoundaryEdges::none:
             break;
     }
     return 0;
@@ -132,50 +135,50 @@ void EdgeHash::draw(const method::Frame& frame, edge::EdgeImage& out) {
                  models_.lines(eye_of(frame.view.camera)),
                  {.contour_px = params_.width_contour_px,
                   .crease_px = params_.width_crease_px,
-                  .lone_px = lone_width_px()},
+                  .boundary_px = boundary_width_px()},
                  out);
 }
 
-DebugPicture EdgeHash::debug_picture(const method::Frame& frame) {
+DebugImage EdgeHash::debug_image(const method::Frame& frame) {
     const int width_px = frame.view.width_px;
     const int height_px = frame.view.height_px;
-    DebugPicture picture{core::Image<glm::u8vec3>(width_px, height_px, kPaper), {}};
-    if (hidden_.is_empty()) return picture;
+    DebugImage image{core::Image<glm::u8vec3>(width_px, height_px, kPaper), {}};
+    if (hidden_.is_empty()) return image;
     const auto edges = models_.lines(eye_of(frame.view.camera));
-    picture.counts = {.silhouettes = count_of(edges, buffers::EdgeKind::contour),
-                      .creases = count_of(edges, buffers::EdgeKind::crease),
-                      .lone = count_of(edges, buffers::EdgeKind::lone),
-                      .models = models_.totals()};
+    image.counts = {.contours = count_of(edges, buffers::EdgeKind::contour),
+                    .creases = count_of(edges, buffers::EdgeKind::crease),
+                    .boundary = count_of(edges, buffers::EdgeKind::boundary),
+                    .models = models_.totals()};
     hidden_.fill(frame);
-    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
-        if (hidden_.depth().bits().data()[i] > 0) picture.rgb.data()[i] = kSurface;
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+        if (hidden_.depth().bits().data()[i] > 0) image.rgb.data()[i] = kSurface;
     }
     for (const auto& [kind, color] : kKindColors) {
         buffers::KindWidths widths;
         if (kind == buffers::EdgeKind::crease) widths.crease_px = params_.width_crease_px;
         if (kind == buffers::EdgeKind::contour) widths.contour_px = params_.width_contour_px;
-        if (kind == buffers::EdgeKind::lone) widths.lone_px = params_.width_contour_px;
+        if (kind == buffers::EdgeKind::boundary) widths.boundary_px = params_.width_contour_px;
         edge::EdgeImage lines(width_px, height_px);
         hidden_.draw(frame, edges, widths, lines);
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            if (lines.data()[i] > 0) picture.rgb.data()[i] = color;
+            if (lines.data()[i] > 0) image.rgb.data()[i] = color;
         }
     }
-    return picture;
+    return image;
 }
 
 std::vector<method::Layer> EdgeHash::layers(const method::Frame& frame) {
-    DebugPicture picture = debug_picture(frame);
-    const EdgeCounts& counts = picture.counts;
+    DebugImage image = debug_image(frame);
+    const EdgeCounts& counts = image.counts;
     return {{"edges",
-             std::move(picture.rgb),
-             fmt::format("{} edges: {} silhouettes (black), {} creases (white), {} lone (red); {} "
+             std::move(image.rgb),
+             fmt::format("{} edges: {} contours (black), {} creases (white), {} boundary (red); {} "
                          "of three faces or more; {} triangles without area, {} doubled",
                          counts.models.edges,
-                         counts.silhouettes,
+                         counts.contours,
                          counts.creases,
-                         counts.lone,
-                         counts.models.crowded,
+                         counts.boundary,
+                         counts.models.non_manifold,
                          counts.models.degenerate,
                          counts.models.duplicate)}};
 }

@@ -88,8 +88,8 @@ SoupEdges find_edges(const Soup& soup, double epsilon) {
                     .places = static_cast<std::uint32_t>(found.vertex_of.size()),
                     .edges = static_cast<std::uint32_t>(found.edges.size())};
     for (const SoupEdge& edge : found.edges) {
-        if (edge.count == 1) ++found.counts.lone;
-        if (edge.count > 2) ++found.counts.crowded;
+        if (edge.count == 1) ++found.counts.boundary;
+        if (edge.count > 2) ++found.counts.non_manifold;
     }
     return found;
 }

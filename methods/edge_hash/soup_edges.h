@@ -21,7 +21,7 @@ struct SoupEdge {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
     std::uint32_t first = 0;  ///< into SoupEdges::faces_at
-    std::uint32_t count = 0;  ///< faces: 1 lone, 2, or more
+    std::uint32_t count = 0;  ///< faces: 1 boundary, 2, or more
 };
 
 /// What was met on the way.
@@ -31,8 +31,8 @@ struct SoupCounts {
     std::uint32_t duplicate = 0;   ///< dropped: a face that is there twice, whichever way it runs
     std::uint32_t places = 0;
     std::uint32_t edges = 0;
-    std::uint32_t lone = 0;     ///< edges of one face
-    std::uint32_t crowded = 0;  ///< edges of three faces and more
+    std::uint32_t boundary = 0;      ///< edges of one face
+    std::uint32_t non_manifold = 0;  ///< edges of three faces and more
 };
 
 /// The adjacency of one frame of a model, rebuilt from loose polygons: TechnicalQuake's edge hash.

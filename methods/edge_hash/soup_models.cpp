@@ -53,7 +53,7 @@ bool SoupModels::bends(const Placed& placed,
     const glm::dvec3 &a = placed.p_world[edge.a], &b = placed.p_world[edge.b];
     const glm::dvec3 d0 = inward(a, b, placed.p_world[face0.opposite]);
     const glm::dvec3 d1 = inward(a, b, placed.p_world[face1.opposite]);
-    // The bend is pi less the angle between the two.
+    // The dihedral deviation is pi less the angle between the two.
     return glm::dot(d0, d1) >= -std::cos(options_.crease_rad) * glm::length(d0) * glm::length(d1);
 }
 
@@ -119,7 +119,7 @@ buffers::EdgeKind SoupModels::kind_of(const Placed& placed,
                                       const glm::dvec3& eye_world) const {
     const SoupEdge& edge = placed.soup->edges[edge_index];
     const auto faces = placed.soup->faces_of(edge);
-    if (faces.size() == 1) return buffers::EdgeKind::lone;
+    if (faces.size() == 1) return buffers::EdgeKind::boundary;
     // A face that the eye sees from the front lies on the left of a side that runs through it
     // forwards; one that is edge-on lies on neither side.
     Nearest left(placed.p_world, edge, eye_world), right = left;
@@ -157,8 +157,8 @@ SoupTotals SoupModels::totals() const {
     for (const Placed& placed : placed_) {
         const SoupCounts& counts = placed.soup->counts;
         totals.edges += counts.edges;
-        totals.lone += counts.lone;
-        totals.crowded += counts.crowded;
+        totals.boundary += counts.boundary;
+        totals.non_manifold += counts.non_manifold;
         totals.degenerate += counts.degenerate;
         totals.duplicate += counts.duplicate;
     }

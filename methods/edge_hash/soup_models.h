@@ -20,8 +20,8 @@ enum class ModelScope {
 /// What a scene's models are made of at the moment, over all objects.
 struct SoupTotals {
     std::size_t edges = 0;
-    std::size_t lone = 0;
-    std::size_t crowded = 0;
+    std::size_t boundary = 0;
+    std::size_t non_manifold = 0;
     std::size_t degenerate = 0;
     std::size_t duplicate = 0;
 };

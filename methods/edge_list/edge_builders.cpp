@@ -34,7 +34,7 @@ std::vector<Side> sides_of(std::span<const scene::Triangle> triangles) {
     return sides;
 }
 
-ListedEdge lone(const Side& side) {
+ListedEdge boundary(const Side& side) {
     return {side.a, side.b, {side.face, kNoFace}};
 }
 
@@ -52,7 +52,7 @@ void all_pairs(const std::vector<Side>& sides, EdgeListing& listing) {
         }
         if (has_mate[i]) continue;
         if (mate == sides.size()) {
-            listing.edges.push_back(lone(sides[i]));
+            listing.edges.push_back(boundary(sides[i]));
         } else {
             has_mate[mate] = true;
             listing.edges.push_back(joined(sides[i], sides[mate]));
@@ -80,7 +80,7 @@ void temp_list(const std::vector<Side>& sides, EdgeListing& listing) {
         }
     }
     for (const Side& side : waiting)
-        listing.edges.push_back(lone(side));
+        listing.edges.push_back(boundary(side));
 }
 
 void hash(const std::vector<Side>& sides, EdgeListing& listing) {
@@ -110,7 +110,7 @@ void hash(const std::vector<Side>& sides, EdgeListing& listing) {
         slots[at] = {i, !slots[at].is_waiting};
     }
     for (const Slot& slot : slots) {
-        if (slot.is_waiting) listing.edges.push_back(lone(sides[slot.last]));
+        if (slot.is_waiting) listing.edges.push_back(boundary(sides[slot.last]));
     }
 }
 

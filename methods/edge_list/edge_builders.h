@@ -19,14 +19,14 @@ enum class EdgeBuilder {
 /// The face that an edge does not have.
 inline constexpr std::uint32_t kNoFace = 0xffffffffU;
 
-/// An edge between two vertices, a < b, and its two faces in their order; of a lone edge the
+/// An edge between two vertices, a < b, and its two faces in their order; of a boundary edge the
 /// second is kNoFace.
 struct ListedEdge {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
     std::array<std::uint32_t, 2> faces{kNoFace, kNoFace};
 
-    [[nodiscard]] bool is_lone() const { return faces[1] == kNoFace; }
+    [[nodiscard]] bool is_boundary() const { return faces[1] == kNoFace; }
     friend bool operator==(const ListedEdge&, const ListedEdge&) = default;
 };
 
@@ -51,7 +51,7 @@ struct EdgeListing {
 /// A side's mate is the next one, in the order of triangles, between the same two vertices that has
 /// none yet, whichever way either runs. So every builder gives the same edges, of any triangles: on
 /// a closed 2-manifold each edge with its two faces; where three meet, the first two are an edge
-/// and the third is a lone one; of four, two and two.
+/// and the third is a boundary one; of four, two and two.
 ///
 /// With n sides all_pairs makes n (n-1) / 2 comparisons and never stops early; temp_list goes
 /// through its list from the latest entry back until it finds the mate, which then leaves the list;

@@ -8,13 +8,13 @@
 namespace ink::methods {
 namespace {
 
-double lone_width_px(const EdgeList::Params& params) {
-    switch (params.lone_edges) {
-        case EdgeList::LoneEdges::thick:
+double boundary_width_px(const EdgeList::Params& params) {
+    switch (params.boundary_edges) {
+        case EdgeList::BoundaryEdges::thick:
             return params.width_contour_px;
-        case EdgeList::LoneEdges::thin:
+        case EdgeList::BoundaryEdges::thin:
             return params.width_crease_px;
-        case EdgeList::LoneEdges::none:
+        case EdgeList::BoundaryEdges::none:
             break;
     }
     return 0;
@@ -24,11 +24,11 @@ double lone_width_px(const EdgeList::Params& params) {
 std::vector<core::ParamValues> sweep() {
     return {
         // Contours alone.
-        {{"crease_deg", "180"}, {"lone_edges", "none"}, {"width_contour_px", "1"}},
+        {{"crease_deg", "180"}, {"boundary_edges", "none"}, {"width_contour_px", "1"}},
         {{"depth_format", "q32"}, {"width_contour_px", "1"}},
         {},
-        // As the source had it: the gaze decides, and only edges of two faces count.
-        {{"facing", "direction"}, {"lone_edges", "none"}},
+        // As the source had it: the view direction decides, and only edges of two faces count.
+        {{"facing", "direction"}, {"boundary_edges", "none"}},
         {{"facing", "direction"}},
         {{"edge_on", "leave_out"}},
         {{"scope", "scene"}},
@@ -56,17 +56,22 @@ core::ParamTable<EdgeList::Params> EdgeList::table() {
         .choice(&Params::facing,
                 "facing",
                 {"position", "direction"},
-                "Faces turn by the eye's position, exactly, or by the gaze alone, as CoRgi had it.")
+                "Faces turn by the eye's position, exactly, or by the view direction alone, as "
+                "CoRgi had it.")
         .choice(&Params::edge_on,
                 "edge_on",
                 {"leave_out", "include"},
                 "Whether an edge of a face that is exactly edge-on is a contour.")
-        .choice(&Params::lone_edges,
-                "lone_edges",
+        .choice(&Params::boundary_edges,
+                "boundary_edges",
                 {"thick", "thin", "none"},
                 "How an edge of one face is drawn; the source had none.");
     return buffers::add_hidden_line_params(table).number(
-        &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+        &Params::threshold,
+        "threshold",
+        {1, 255},
+        "",
+        "Edge response from which on a pixel is a line.");
 }
 
 EdgeList::EdgeList(const Params& params)
@@ -92,7 +97,7 @@ void EdgeList::draw(const method::Frame& frame, edge::EdgeImage& out) {
                  models_.lines(frame.view.camera, params_.facing, params_.edge_on),
                  {.contour_px = params_.width_contour_px,
                   .crease_px = params_.width_crease_px,
-                  .lone_px = lone_width_px(params_)},
+                  .boundary_px = boundary_width_px(params_)},
                  out);
 }
 

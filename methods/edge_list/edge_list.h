@@ -10,13 +10,13 @@ namespace ink::methods {
 class EdgeList : public method::Method {
   public:
     /// How an edge of one face is drawn; the source's lists had none.
-    enum class LoneEdges { thick, thin, none };
+    enum class BoundaryEdges { thick, thin, none };
     struct Params : buffers::HiddenLineParams {
         EdgeBuilder builder = EdgeBuilder::hash;
         EdgeScope scope = EdgeScope::object;
         FacingRule facing = FacingRule::position;
         EdgeOnRule edge_on = EdgeOnRule::include;
-        LoneEdges lone_edges = LoneEdges::thick;
+        BoundaryEdges boundary_edges = BoundaryEdges::thick;
         int threshold = 128;  ///< it draws 0 and 255 only
     };
     [[nodiscard]] static core::ParamTable<Params> table();

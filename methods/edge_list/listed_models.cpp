@@ -123,7 +123,7 @@ void ListedModels::place(Placed& placed, const scene::Scene& scene) const {
     placed.is_crease.clear();
     for (const ListedEdge& edge : list.edges) {
         placed.is_crease.push_back(
-            !edge.is_lone() &&
+            !edge.is_boundary() &&
             glm::dot(placed.normals[edge.faces[0]], placed.normals[edge.faces[1]]) <= least_cosine);
     }
 }
@@ -142,11 +142,11 @@ void ListedModels::append_lines(const Placed& placed,
     const auto& edges = placed.list->edges;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const ListedEdge& edge = edges[e];
-        const buffers::EdgeKind kind = edge.is_lone() ? buffers::EdgeKind::lone
-                                                      : kind_of(facings[edge.faces[0]],
-                                                                facings[edge.faces[1]],
-                                                                placed.is_crease[e] != 0,
-                                                                edge_on);
+        const buffers::EdgeKind kind = edge.is_boundary() ? buffers::EdgeKind::boundary
+                                                          : kind_of(facings[edge.faces[0]],
+                                                                    facings[edge.faces[1]],
+                                                                    placed.is_crease[e] != 0,
+                                                                    edge_on);
         if (kind != buffers::EdgeKind::none)
             lines.push_back({placed.p_world[edge.a], placed.p_world[edge.b], kind});
     }

@@ -20,7 +20,7 @@ enum class EdgeScope {
 /// Who says which way a face turns.
 enum class FacingRule {
     position,   ///< the eye's position, exactly
-    direction,  ///< the gaze alone, as CoRgi had it: right at the picture's centre only
+    direction,  ///< the view direction alone, as CoRgi had it: right at the image's centre only
 };
 
 /// Whether an edge between what is in front and what is edge-on is a contour.

@@ -100,7 +100,7 @@ core::ParamTable<Ids::Params> Ids::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line; it draws 0 and 255 alone.");
+                "Edge response from which on a pixel is a line; it draws 0 and 255 alone.");
 }
 
 Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}

@@ -80,7 +80,8 @@ core::ParamTable<InvertedHull::Params> InvertedHull::table() {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Bend from which on the hull comes apart at an edge; 180 keeps it together.")
+                "Dihedral deviation from which on the hull comes apart at an edge; 180 keeps it "
+                "together.")
         .choice(&Params::depth_format,
                 "depth_format",
                 {"q32", "z24", "z16"},
@@ -89,7 +90,7 @@ core::ParamTable<InvertedHull::Params> InvertedHull::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
     return table;
 }
 
@@ -107,7 +108,7 @@ void InvertedHull::prepare(const scene::Scene& scene) {
 }
 
 void InvertedHull::pose(const scene::Scene& scene) {
-    // Which corners share a normal may change with the bend between faces.
+    // Which corners share a normal may change with the dihedral deviation between faces.
     if (scene::scene_hash(scene) != posed_hash_) prepare(scene);
 }
 

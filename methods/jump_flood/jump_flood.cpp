@@ -107,7 +107,7 @@ core::ParamTable<JumpFlood::Params> JumpFlood::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
 }
 
 JumpFlood::JumpFlood(const Params& params) : params_(params), ids_(params, 2) {}

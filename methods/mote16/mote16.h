@@ -16,7 +16,7 @@ class Mote16 : public buffers::PackedBuffer {
         four_fours,   ///< depth, x, y, z in 4 bits each, depth highest
     };
     struct Params : buffers::PackParams {
-        /// Strengths are then finer than a byte's by four.
+        /// Edge responses are then finer than a byte's by four.
         Params() {
             scale_bits = -6;
             // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings

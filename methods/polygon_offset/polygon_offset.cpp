@@ -1,4 +1,4 @@
-// "Inked": a fat black wireframe first, then fills that polygon offset pulls over it.
+// "Inked": a fat black wireframe first, then fills that polygon offset moves over it.
 
 #include "methods/polygon_offset/polygon_offset.h"
 
@@ -53,12 +53,12 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
                 "factor",
                 {-8, 8},
                 "1/px",
-                "Polygon offset's factor over the width: below 0 pulls towards the eye.")
+                "Polygon offset's factor over the width: below 0 moves towards the eye.")
         .number(&Params::units,
                 "units",
                 {-65536, 65536},
                 "steps",
-                "Polygon offset's units: below 0 pulls towards the eye.")
+                "Polygon offset's units: below 0 moves towards the eye.")
         .choice(&Params::edges,
                 "edges",
                 {"all", "polygons"},
@@ -75,7 +75,7 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
     return table;
 }
 
@@ -98,7 +98,7 @@ method::MethodInfo polygon_offset() {
     method::MethodInfo info = method::method_info<PolygonOffsetInk>(
         "polygon_offset",
         "\"Inked\", a page on drawing outlines with polygon offset",
-        "a fat black wireframe, fills pulled over it by polygon offset");
+        "a fat black wireframe, fills moved over it by polygon offset");
     info.family = method::Family::edges_and_hulls;
     info.marker = method::Marker::diamond;
     info.tunables = {{"factor", {{-4, 0}}}, {"units", {{-65536, 0}}}};

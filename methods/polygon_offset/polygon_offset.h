@@ -4,7 +4,7 @@
 
 namespace ink::methods {
 
-/// Ink by polygon offset: a fat black wireframe, and fills pulled towards the eye over it.
+/// Ink by polygon offset: a fat black wireframe, and fills moved towards the eye over it.
 class PolygonOffsetInk : public buffers::FilledLinesMethod {
   public:
     enum class Faces {

@@ -61,7 +61,11 @@ core::ParamTable<Roberts::Params> Roberts::table() {
                 "",
                 "How many times more the ramp asks on edge (guard = ramp).");
     return buffers::add_surface_params(table).number(
-        &Params::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+        &Params::threshold,
+        "threshold",
+        {1, 255},
+        "",
+        "Edge response from which on a pixel is a line.");
 }
 
 Roberts::Roberts(const Params& params)

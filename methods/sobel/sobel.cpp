@@ -45,10 +45,10 @@ void join_internal(const raster::Tile& tile,
         l.row(0), tile.width_px, tile.height_px, buffers::TileFloats::kSpan};
     edge::sobel(from, edge::Differential::second, to);
     for (int y = 0; y < tile.height_px; ++y) {
-        const float* strength = l.row(y);
+        const float* edge_response = l.row(y);
         float* row = joined.row(y);
         for (int x = 0; x < tile.width_px; ++x) {
-            const float e = std::min(strength[x] / k, 1.0F);
+            const float e = std::min(edge_response[x] / k, 1.0F);
             row[x] = std::max(row[x], e * e);
         }
     }
@@ -58,7 +58,7 @@ void join_internal(const raster::Tile& tile,
 std::vector<core::ParamValues> sweep() {
     return {
         {},
-        // Depth alone: what the paper's own pictures are made of.
+        // Depth alone: what the paper's own images are made of.
         {{"uses_normals", "false"}},
         // Half the bytes of the depth test.
         {{"depth_format", "z16"}},
@@ -114,7 +114,7 @@ core::ParamTable<Sobel::Params> Sobel::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Strength from which on a pixel is a line.");
+                "Edge response from which on a pixel is a line.");
 }
 
 Sobel::Sobel(const Params& params)
@@ -160,7 +160,7 @@ method::PixelWork Sobel::filter_work() const {
     method::PixelWork channel;
     if (params_.order != Order::second) {
         // g: four sums of three with the middle doubled, two differences and sizes, a sum, over 8;
-        // a picture of its own. p: extremes of columns and rows, difference, over k, squared, cut.
+        // an image of its own. p: extremes of columns and rows, difference, over k, squared, cut.
         channel = channel + method::PixelWork{kFloat_bytes, kFloat_bytes, 4 * 3 + 4 + 1 + 1};
         channel = channel + method::PixelWork{kFloat_bytes, 0, 2 * (2 + 2) + 4 + 1};
     }

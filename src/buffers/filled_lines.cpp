@@ -22,9 +22,9 @@ void FilledLinesMethod::draw(const method::Frame& frame, edge::EdgeImage& out) {
     lines.view = frame.view;
     lines.test = raster::LineTest::less_equal;
     lines.threads = frame.threads;
-    lines.skips_hidden = frame.skips.has(raster::Skip::hidden);
+    lines.skips_hidden = frame.skips.has(raster::Skip::occlusion_culling);
     const raster::LineCounts counts = lines_.draw(lines, depth_, out);
-    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::hidden);
+    raster::SkipCount& hidden = raster::count_of(skip_counts_, raster::Skip::occlusion_culling);
     hidden.skipped += counts.hidden;
     hidden.of += counts.lines;
 }

@@ -27,8 +27,8 @@ class FilledLinesMethod : public method::Method {
         format_.depth = depth_format;
     }
 
-    /// Says of `fills` what is culled and how it is pulled, and of `lines` which, how wide and how
-    /// pulled. View, threads, skips and points are the frame's and the scene's.
+    /// Says of `fills` what is culled and how its depth is biased, and of `lines` which, how wide
+    /// and with which depth bias. View, threads, skips and points are the frame's and the scene's.
     virtual void choose(const method::Frame& frame,
                         TriangleEdges& scene,
                         raster::MeshInput& fills,

@@ -35,8 +35,8 @@ class FullBufferMethod : public method::Method {
     FullBufferMethod(const InputParams& params, int halo_px, float sky = method::kNothingDrawn)
         : buffers_(params, halo_px), sky_(sky) {}
 
-    /// Writes the strengths of a tile that something was drawn to. Called by several threads, for a
-    /// tile each.
+    /// Writes the edge responses of a tile that something was drawn to. Called by several threads,
+    /// for a tile each.
     virtual void filter(const FullBufferFrame& frame,
                         const raster::Tile& tile,
                         edge::EdgeImage& out) const = 0;

@@ -26,14 +26,14 @@ std::uint8_t byte_of(float share) {
     return static_cast<std::uint8_t>(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F);
 }
 
-/// Pictures of depth and normal, written where something was drawn.
+/// Images of depth and normal, written where something was drawn.
 class LayerSink : public raster::TileSink {
   public:
-    using Picture = core::Image<glm::u8vec3>;
+    using Image = core::Image<glm::u8vec3>;
     LayerSink(const method::DepthCarrier& carrier,
               const InputParams& params,
-              Picture& depth,
-              Picture& normal)
+              Image& depth,
+              Image& normal)
         : carrier_(carrier), params_(params), depth_(depth), normal_(normal) {}
 
     void finish(const raster::Tile& tile) override {
@@ -60,8 +60,8 @@ class LayerSink : public raster::TileSink {
   private:
     const method::DepthCarrier& carrier_;
     const InputParams& params_;
-    Picture& depth_;
-    Picture& normal_;
+    Image& depth_;
+    Image& normal_;
 };
 
 }  // namespace
@@ -100,7 +100,7 @@ std::vector<method::Layer> FullBuffers::layers(const method::Frame& frame) {
         input.may_keep_still = false;
         LayerSink sink(carrier, params_, depth.rgb, normal.rgb);
         (void)pass_.draw(format_, input, sink);
-        inputs_.forget_picture();
+        inputs_.forget_image();
     }
     return {std::move(depth), std::move(normal)};
 }

@@ -14,8 +14,8 @@ double KindWidths::of(EdgeKind kind) const {
             return contour_px;
         case EdgeKind::crease:
             return crease_px;
-        case EdgeKind::lone:
-            return lone_px;
+        case EdgeKind::boundary:
+            return boundary_px;
     }
     return 0;
 }
@@ -62,7 +62,7 @@ void HiddenLines::draw(const method::Frame& frame,
                        const std::vector<KnownEdge>& edges,
                        const KindWidths& widths,
                        edge::EdgeImage& out) {
-    std::vector<double> each{widths.contour_px, widths.crease_px, widths.lone_px};
+    std::vector<double> each{widths.contour_px, widths.crease_px, widths.boundary_px};
     std::sort(each.begin(), each.end());
     each.erase(std::unique(each.begin(), each.end()), each.end());
     for (const double width_px : each) {

@@ -15,7 +15,7 @@
 
 namespace ink::buffers {
 
-/// The knobs of whatever draws known edges and hides them by the depth buffer.
+/// The parameters of whatever draws known edges and hides them by the depth buffer.
 struct HiddenLineParams {
     double width_contour_px = 2;
     double width_crease_px = 1;
@@ -45,7 +45,7 @@ core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Bend from which on an edge between two seen faces is a line.")
+                "Dihedral deviation from which on an edge between two seen faces is a line.")
         .number(&P::offset_factor,
                 "offset_factor",
                 {-16, 16},
@@ -66,7 +66,7 @@ core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
 struct KindWidths {
     double contour_px = 0;
     double crease_px = 0;
-    double lone_px = 0;
+    double boundary_px = 0;
 
     [[nodiscard]] double of(EdgeKind kind) const;
 };

@@ -37,13 +37,13 @@ glm::u8vec3 color_of(std::uint32_t id) {
 
 class ColorSink : public raster::TileSink {
   public:
-    explicit ColorSink(core::Image<glm::u8vec3>& picture) : picture_(picture) {}
+    explicit ColorSink(core::Image<glm::u8vec3>& image) : image_(image) {}
 
     void finish(const raster::Tile& tile) override {
         if (tile.is_empty) return;
         for (int y = 0; y < tile.height_px; ++y) {
             const std::uint32_t* const ids = tile.row<std::uint32_t>(0, y);
-            glm::u8vec3* const to = picture_.row(tile.y0_px + y) + tile.x0_px;
+            glm::u8vec3* const to = image_.row(tile.y0_px + y) + tile.x0_px;
             for (int x = 0; x < tile.width_px; ++x) {
                 if (ids[x] != kNoId) to[x] = color_of(ids[x]);
             }
@@ -51,7 +51,7 @@ class ColorSink : public raster::TileSink {
     }
 
   private:
-    core::Image<glm::u8vec3>& picture_;
+    core::Image<glm::u8vec3>& image_;
 };
 
 }  // namespace
@@ -103,7 +103,7 @@ method::Layer IdPass::layer(const method::Frame& frame) {
     if (is_empty()) return layer;
     ColorSink sink(layer.rgb);
     (void)draw(frame, false, sink);
-    inputs_.forget_picture();
+    inputs_.forget_image();
     return layer;
 }
 

@@ -9,7 +9,7 @@
 
 namespace ink::buffers {
 
-/// The knobs of whatever draws ids; who offers no depth format has q32.
+/// The parameters of whatever draws ids; who offers no depth format has q32.
 struct IdParams {
     IdSource of = IdSource::object_and_patch;
     double crease_deg = 40;
@@ -29,7 +29,7 @@ core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Bend from which on an edge parts two smooth patches.")
+                "Dihedral deviation from which on an edge parts two smooth patches.")
         .number(&P::weld_epsilon,
                 "weld_epsilon",
                 {0, 0.01},

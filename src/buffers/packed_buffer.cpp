@@ -2,7 +2,7 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "buffers/layer_pictures.h"
+#include "buffers/layer_images.h"
 #include "buffers/surface_values.h"
 
 namespace ink::buffers {
@@ -143,10 +143,10 @@ std::vector<method::Layer> PackedBuffer::layers(const method::Frame& frame) {
     const int height_px = frame.view.height_px;
     const auto planes = static_cast<std::size_t>(packer_.layout().planes);
     FrameCodes codes(planes, {width_px, height_px, static_cast<std::uint16_t>(params_.sky)});
-    edge::EdgeImage strengths(width_px, height_px);
-    if (!inputs_.is_empty()) (void)draw_buffer(frame, strengths, &codes);
-    return {{"packed", code_picture(codes, packer_.layout())},
-            {"filtered", strength_picture(strengths, params_.threshold)}};
+    edge::EdgeImage edge_responses(width_px, height_px);
+    if (!inputs_.is_empty()) (void)draw_buffer(frame, edge_responses, &codes);
+    return {{"packed", code_image(codes, packer_.layout())},
+            {"filtered", response_image(edge_responses, params_.threshold)}};
 }
 
 }  // namespace ink::buffers

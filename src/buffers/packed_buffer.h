@@ -8,7 +8,7 @@
 
 namespace ink::buffers {
 
-/// The knobs that all packed buffers share.
+/// The parameters that all packed buffers share.
 struct PackParams : InputParams {
     Packing packing = Packing::vertex;
     Quantise quantise = Quantise::sum;
@@ -52,8 +52,11 @@ core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
         .flag(&P::fatten, "fatten", "Blur the codes slightly before the filter: fatter lines.")
         .number(
             &P::sky, "sky", {0, static_cast<double>(max_code)}, "code", "What empty pixels hold.")
-        .number(
-            &P::threshold, "threshold", {1, 255}, "", "Strength from which on a pixel is a line.");
+        .number(&P::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Edge response from which on a pixel is a line.");
 }
 
 /// Depth and normal packed into one or two small integers a pixel, and MOTE's filter over them.

@@ -72,7 +72,7 @@ method::Cost PackedBuffer::cost() const {
     if (params_.packing == Packing::pixel) cost.filter = pack_work(params_, layout);
     for (const Field& field : layout.fields)
         cost.filter = cost.filter + laplacian_work(params_, field, layout);
-    // Every field but the first joins the strengths that are there by their maximum.
+    // Every field but the first joins the edge responses that are there by their maximum.
     const auto joins = static_cast<double>(layout.fields.size() - 1);
     cost.filter = cost.filter + joins * method::PixelWork{1, 0, 1};
     return cost;

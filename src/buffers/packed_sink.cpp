@@ -111,12 +111,14 @@ void copy_tile(const Codes<T>& codes, const raster::Tile& tile, core::Image<std:
         std::copy_n(codes.row(y), tile.width_px, to.row(tile.y0_px + y) + tile.x0_px);
 }
 
-/// Rows of strengths as long as a tile's, whole or cut at the picture's frame.
+/// Rows of edge responses as long as a tile's, whole or cut at the image's frame.
 template <int kWhole_px>
-void clear_rows(const core::ImageView<std::uint8_t>& strengths, int x, const raster::RowRun& rows) {
-    const auto width = static_cast<std::size_t>(std::min(kWhole_px, strengths.width_px - x));
+void clear_rows(const core::ImageView<std::uint8_t>& edge_responses,
+                int x,
+                const raster::RowRun& rows) {
+    const auto width = static_cast<std::size_t>(std::min(kWhole_px, edge_responses.width_px - x));
     for (int y = rows.begin; y < rows.end; ++y) {
-        std::uint8_t* const to = strengths.row(y) + x;
+        std::uint8_t* const to = edge_responses.row(y) + x;
         if (width == kWhole_px) {  // known to the compiler: a few stores, no call
             std::memset(to, 0, kWhole_px);
         } else {
@@ -155,7 +157,7 @@ void filter_needed(const Codes<T>& codes,
     }
 }
 
-/// Writes a tile's strengths; joins them with what an earlier field left by their maximum.
+/// Writes a tile's edge responses; joins them with what an earlier field left by their maximum.
 template <class T>
 void filter_tile(const Codes<T>& codes,
                  const edge::LaplacianResponse& response,
@@ -166,11 +168,11 @@ void filter_tile(const Codes<T>& codes,
         out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
     if (is_first) return filter_needed(codes, response, tile, to);
     std::array<std::uint8_t, raster::kTileSize_px * raster::kTileSize_px> buffer;
-    const core::ImageView<std::uint8_t> strengths{
+    const core::ImageView<std::uint8_t> edge_responses{
         buffer.data(), tile.width_px, tile.height_px, raster::kTileSize_px};
-    filter_needed(codes, response, tile, strengths);
+    filter_needed(codes, response, tile, edge_responses);
     for (int y = 0; y < tile.height_px; ++y) {
-        const std::uint8_t* mine = strengths.row(y);
+        const std::uint8_t* mine = edge_responses.row(y);
         std::uint8_t* joined = to.row(y);
         for (int x = 0; x < tile.width_px; ++x)
             joined[x] = std::max(joined[x], mine[x]);
@@ -191,9 +193,9 @@ PackedSink::PackedSink(const Packer& packer,
                        edge::EdgeImage& out)
     : packer_(packer), carrier_(carrier), filter_(filter), out_(out) {}
 
-/// Strengths of narrow fields are scaled up to the store's, so that one threshold means one share
-/// of the range. Under a packing at vertices, what is interpolated is the whole number, and the
-/// bits below a field's own carry into it: a lower field is then known modulo its size only.
+/// Edge responses of narrow fields are scaled up to the store's, so that one threshold means one
+/// share of the range. Under a packing at vertices, what is interpolated is the whole number, and
+/// the bits below a field's own carry into it: a lower field is then known modulo its size only.
 edge::LaplacianResponse PackedSink::response_of(const Field& field) const {
     edge::LaplacianResponse response = filter_.response;
     const int store_bits = packer_.layout().bits();

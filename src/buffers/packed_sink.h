@@ -29,7 +29,7 @@ struct PackedFilter {
 /// A whole frame's codes as they were packed, an image a plane of the layout.
 using FrameCodes = std::vector<core::Image<std::uint16_t>>;
 
-/// Packs (packing = pixel), blurs (fatten) and filters each finished tile into a picture.
+/// Packs (packing = pixel), blurs (fatten) and filters each finished tile into an image.
 class PackedSink : public raster::TileSink {
   public:
     PackedSink(const Packer& packer,
@@ -37,7 +37,7 @@ class PackedSink : public raster::TileSink {
                const PackedFilter& filter,
                edge::EdgeImage& out);
 
-    /// Copies the codes of every tile that is not empty; `codes` has the picture's size.
+    /// Copies the codes of every tile that is not empty; `codes` has the image's size.
     void keep_codes(FrameCodes& codes) { kept_ = &codes; }
 
     void finish(const raster::Tile& tile) override;
@@ -54,7 +54,7 @@ class PackedSink : public raster::TileSink {
     FrameCodes* kept_ = nullptr;
 };
 
-/// Writes a strength of 0 to every pixel of a tile.
+/// Writes an edge response of 0 to every pixel of a tile.
 void clear_tile(const raster::Tile& tile, edge::EdgeImage& out);
 
 }  // namespace ink::buffers

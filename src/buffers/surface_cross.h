@@ -10,8 +10,8 @@
 
 namespace ink::buffers {
 
-/// The rays of a view's pixel centres in view space, as multiples of distance along the gaze: the
-/// surface at distance w of pixel (x, y) is at w * (x(x), y(y), -1).
+/// The rays of a view's pixel centres in view space, as multiples of distance along the view
+/// direction: the surface at distance w of pixel (x, y) is at w * (x(x), y(y), -1).
 class PixelRays {
   public:
     explicit PixelRays(const scene::View& view);
@@ -66,14 +66,14 @@ struct CrossRange {
 
 /// How strong a line is that exceeds its threshold `ratio` times: 0 below once, then 64 a time, up
 /// to 255.
-[[nodiscard]] inline std::uint8_t strength_of_ratio(float ratio) {
+[[nodiscard]] inline std::uint8_t response_of_ratio(float ratio) {
     if (!(ratio >= 1)) return 0;
     return ratio >= 4 ? 255 : static_cast<std::uint8_t>(ratio * 64);
 }
 
-/// Writes a tile's strengths: the larger of `step_ratio(x, y, range)`, by how much a step exceeds
-/// its threshold where 1/distance has that range, and of the normal's turn over `normal_step`.
-/// Against the sky, which is at no distance and has no plane, a line is full.
+/// Writes a tile's edge responses: the larger of `step_ratio(x, y, range)`, by how much a step
+/// exceeds its threshold where 1/distance has that range, and of the normal's turn over
+/// `normal_step`. Against the sky, which is at no distance and has no plane, a line is full.
 template <class StepRatio>
 void write_cross(const raster::Tile& tile,
                  const TilePlane& q,
@@ -92,7 +92,7 @@ void write_cross(const raster::Tile& tile,
             }
             const float step = step_ratio(x, y, near);
             const float turned = turn.row(y)[x] * per_turn;
-            to[x] = strength_of_ratio(step < turned ? turned : step);
+            to[x] = response_of_ratio(step < turned ? turned : step);
         }
     }
 }

@@ -75,7 +75,8 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
         const scene::Face& f = topology.faces[faces[0]];
         const scene::Face& g = topology.faces[faces[1]];
         if (!over_objects && f.object != g.object) continue;
-        if (scene::bend_rad(topology, edge, faces[0], faces[1]) >= options.crease_rad) continue;
+        if (scene::deviation_rad(topology, edge, faces[0], faces[1]) >= options.crease_rad)
+            continue;
         sets.join(f.triangle, g.triangle);
     }
     if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);

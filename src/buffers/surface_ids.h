@@ -15,12 +15,12 @@ enum class IdSource {
     triangle,          ///< every face: a wireframe
 };
 
-/// What an id picture holds where nothing was drawn. No triangle has it.
+/// What an id image holds where nothing was drawn. No triangle has it.
 inline constexpr std::uint32_t kNoId = 0xffffffffU;
 
 /// What makes patches of faces.
 struct PatchOptions {
-    double crease_rad = 0;  ///< bend from which on an edge parts two patches, 0..pi
+    double crease_rad = 0;  ///< dihedral deviation from which on an edge parts two patches, 0..pi
     /// How near vertices of one object must lie to be one, as a share of its diagonal; 0: at the
     /// same place only. What that makes flat, or alike, has ids of its own.
     double weld_epsilon = 0;

@@ -46,8 +46,8 @@ void SurfaceInputs::prepare(const scene::Scene& scene) {
 void SurfaceInputs::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
     if (hash == posed_hash_) return;
-    // Which corners share a normal may change with the bend between faces, so a moved scene is
-    // flattened anew; its clusters stay if that has not happened.
+    // Which corners share a normal may change with the dihedral deviation between faces, so a moved
+    // scene is flattened anew; its clusters stay if that has not happened.
     auto moved = std::make_unique<scene::Surface>(
         scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
     if (moved->triangles != surface_->triangles ||
@@ -65,12 +65,12 @@ void SurfaceInputs::pose(const scene::Scene& scene) {
 void SurfaceInputs::see(const method::Frame& frame) {
     const scene::Camera& camera = frame.view.camera;
     const raster::DepthRange range = method::depth_range(params_.depth_range, camera, bounds_);
-    // What a sealed solid hides hangs on the scene's ball, too.
+    // What a watertight solid hides depends on the scene's ball, too.
     const bool is_range_same = range.near == range_.near && range.far == range_.far &&
                                bounds_.center_world == seen_bounds_.center_world &&
                                bounds_.radius == seen_bounds_.radius;
     seen_bounds_ = bounds_;
-    keeps_still_ = frame.skips.has(raster::Skip::still_tiles) && has_moved_;
+    keeps_still_ = frame.skips.has(raster::Skip::temporal_reuse) && has_moved_;
     is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(frame.view, view_);
     view_ = frame.view;
     range_ = range;
@@ -111,11 +111,11 @@ void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& ou
         if (result.still[tile] == 0) continue;
         const raster::PixelRect rect = grid.own(static_cast<int>(tile));
         for (int y = rect.y0; y < rect.y1; ++y) {
-            std::copy_n(last_.picture.row(y) + rect.x0, rect.x1 - rect.x0, out.row(y) + rect.x0);
+            std::copy_n(last_.image.row(y) + rect.x0, rect.x1 - rect.x0, out.row(y) + rect.x0);
         }
     }
     last_.is_kept = keeps_still_;
-    if (keeps_still_) last_.picture = out;
+    if (keeps_still_) last_.image = out;
     moved_objects_ = 0;
 }
 

@@ -17,7 +17,7 @@ namespace ink::buffers {
 /// Which end of the depth range has the larger code.
 enum class DepthSign { near_high, far_high };
 
-/// The knobs of whatever reads depth and normals (section 3 of the design, "Method inputs").
+/// The parameters of whatever reads depth and normals (section 3 of the design, "Method inputs").
 struct InputParams {
     raster::DepthEncoding depth_encoding = raster::DepthEncoding::inverse;
     method::RangeSource depth_range = method::RangeSource::fit;
@@ -41,7 +41,7 @@ core::ParamTable<P>& add_surface_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Bend from which on an edge parts two smooth patches.")
+                "Dihedral deviation from which on an edge parts two smooth patches.")
         .choice(&P::interpolation,
                 "interpolation",
                 {"affine", "perspective"},
@@ -78,7 +78,7 @@ struct LinearChannels {
     raster::LinearValue normal[3];
 };
 
-/// A scene laid out for the rasterizer's lanes, what of it moved, and the picture that is kept for
+/// A scene laid out for the rasterizer's lanes, what of it moved, and the image that is kept for
 /// tiles that nothing moved in.
 ///
 /// A method calls see(), draws with mesh_input(), and finish() last.
@@ -100,16 +100,16 @@ class SurfaceInputs {
     [[nodiscard]] LinearChannels linear_channels() const;
     /// A pass over this surface that still lacks values and sky.
     [[nodiscard]] raster::MeshInput mesh_input(const method::Frame& frame) const;
-    /// Instead of finish(), for who drew something else than the method's picture: the next frame
+    /// Instead of finish(), for who drew something else than the method's image: the next frame
     /// keeps no tile of the last.
-    void forget_picture() { last_.is_kept = false; }
-    /// Copies what was not drawn because nothing moved there, and keeps the picture for the next
+    void forget_image() { last_.is_kept = false; }
+    /// Copies what was not drawn because nothing moved there, and keeps the image for the next
     /// frame once the scene has begun to move. `out` is what a pass over mesh_input() drew.
     void finish(const raster::MeshResult& result, edge::EdgeImage& out);
 
   private:
     struct Kept {
-        edge::EdgeImage picture;
+        edge::EdgeImage image;
         bool is_kept = false;
     };
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/parallel.h"
-#include "scene/pieces.h"
+#include "scene/components.h"
 #include "scene/predicates.h"
 #include "scene/topology.h"
 
@@ -38,7 +38,7 @@ bool is_inner(const scene::Topology& topology, const scene::Edge& edge) {
     const scene::Face& a = topology.faces[faces[0]];
     const scene::Face& b = topology.faces[faces[1]];
     return a.object == b.object && a.material == b.material &&
-           scene::bend_rad(topology, edge, faces[0], faces[1]) < scene::kFlat_rad;
+           scene::deviation_rad(topology, edge, faces[0], faces[1]) < scene::kFlat_rad;
 }
 
 }  // namespace

@@ -230,8 +230,8 @@ scene::Scene make_room_scene() {
     const glm::dvec2 shade[] = {{0.3, 1.75}, {0.08, 2}, {0, 2}};
     stage.add("shade", revolve(shade, 32), {{0, 0, -0.6}});
     stage.add("cord", make_cylinder(0.008, 0.75, 8), {{0, 1.98, -0.6}});
-    stage.add("picture", make_box({-2.4921875, 1.2, -1.8}, {-2.453125, 2, -0.6}));
-    stage.add("picture", make_box({1.25, 1.1, 2.953125}, {2.1, 2.1, 2.9921875}));
+    stage.add("image", make_box({-2.4921875, 1.2, -1.8}, {-2.453125, 2, -0.6}));
+    stage.add("image", make_box({1.25, 1.1, 2.953125}, {2.1, 2.1, 2.9921875}));
     add_bookcase(stage);
     add_landscape(stage);
     stage.light({{0, 1.7, -0.6}, {1, 0.9375F, 0.75F}, 8});

@@ -150,7 +150,7 @@ scene::Scene make_soup_scene() {
 scene::Scene make_flag_scene() {
     Stage stage;
     stage.add("pole", make_cylinder(0.0625, 3, 24), {{0, -0.75, 0}});
-    stage.add("knob", make_icosphere(0.14, 2), {{0, 2.3, 0}});
+    stage.add("parameter", make_icosphere(0.14, 2), {{0, 2.3, 0}});
     const auto cloth = [](double u, double v) {
         const double phase = 8 * u - 1.3 * v;
         const double wave = u * (0.4 * std::sin(phase) + 0.1 * std::sin(13 * u + 2 * v));

@@ -35,7 +35,7 @@ std::vector<glm::dvec3> placed_points(const scene::Scene& scene) {
     return points;
 }
 
-/// The least and greatest place along one axis of the picture at which the sides of the frame,
+/// The least and greatest place along one axis of the image at which the sides of the frame,
 /// sloping by `slope` per unit of depth, still hold all points.
 struct Extent {
     double low = std::numeric_limits<double>::infinity();

@@ -46,8 +46,8 @@ class Stage {
     /// A mesh that is placed once.
     void add(std::string name, scene::Mesh mesh, const Pose& pose = {});
 
-    /// A 16:9 view from `shot`'s side, as near as the scene fits with a margin of 4 % on either
-    /// side. Everything must have been placed.
+    /// A 16:9 view from `evaluation`'s side, as near as the scene fits with a margin of 4 % on
+    /// either side. Everything must have been placed.
     void view(const Shot& shot);
     void view(const EyeShot& shot);
     void light(const scene::OmniLight& light) { scene_.lights.push_back(light); }

@@ -46,7 +46,7 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
     experiment.name = "bound";
     experiment.kind = experiment::ExperimentKind::bound;
     const std::string method = one_method(args.methods, kMethod);
-    (void)harness::make_entrants(method, args.settings);  // refuses settings that it does not know
+    (void)harness::make_configs(method, args.settings);  // refuses settings that it does not know
     experiment.methods = {method};
     experiment.settings = args.settings;
     check(args.bound);

@@ -34,7 +34,7 @@ struct CompareArgs {
     bool no_sweep = false;
     int sweep_views = 1;
     std::string seed = "0";
-    bool no_witness = false;
+    bool no_crosscheck = false;
     bool scaling = false;
     std::vector<std::string> no_skip;
     bool skip_study = false;
@@ -56,7 +56,7 @@ void apply_quick(CompareArgs& args, const CLI::App& command) {
     if (command.count("--size") == 0) args.views.size = kQuickSize;
     if (command.count("--repetitions") == 0) args.repetitions = kQuickRepetitions;
     args.no_sweep = true;
-    args.no_witness = true;
+    args.no_crosscheck = true;
 }
 
 experiment::Experiment experiment_of(const CompareArgs& args) {
@@ -66,9 +66,9 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
     experiment.kind = experiment::ExperimentKind::compare;
     experiment.seed = parse_seed(args.seed);
     const std::string methods = method_list(args.methods);
-    for (const harness::Entrant& entrant :
-         harness::make_entrants(methods, args.settings, args.presets))
-        if (!methods.empty() && !entrant.owned) experiment.methods.push_back(entrant.info->name);
+    for (const harness::MethodConfig& config :
+         harness::make_configs(methods, args.settings, args.presets))
+        if (!methods.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = args.settings;
     experiment.presets = args.presets;
     experiment.view_request = view_request(args.views);
@@ -89,7 +89,7 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
     apply(args.truth, checked_truth);
     experiment.crease_deg = args.truth.crease_deg;
     experiment.weld_epsilon = args.truth.weld_epsilon;
-    experiment.witness = !args.no_witness;
+    experiment.crosscheck = !args.no_crosscheck;
     experiment.images = kept_images(args.images);
     experiment.study_scaling = args.scaling;
     experiment.study_motion = args.motion;
@@ -142,9 +142,10 @@ void add_compare_command(CLI::App& app) {
     command->add_flag(
         "--no-sweep", args->no_sweep, "Draw methods at their own settings only: no sweep.csv");
     add_seed_option(
-        *command, args->seed, "Of chance pictures and of intervals; recorded in the rows");
-    command->add_flag(
-        "--no-witness", args->no_witness, "Do not hold the truth against its witness");
+        *command, args->seed, "Of random images and of intervals; recorded in the rows");
+    command->add_flag("--no-crosscheck,--no-witness",
+                      args->no_crosscheck,
+                      "Skip the independent check of the ground truth");
     command
         ->add_option("--images",
                      args->images,

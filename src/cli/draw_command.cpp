@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"
-#include "draw/picture.h"
+#include "draw/image_output.h"
 #include "harness/skip_switches.h"
 
 namespace ink::cli {
@@ -25,7 +25,7 @@ struct DrawArgs {
     ViewOptions views;
     LookOptions looks;
     std::string file;
-    bool strength = false;
+    bool edge_response = false;
     bool no_lines = false;
     std::string layer;
     int threads = 1;
@@ -34,16 +34,16 @@ struct DrawArgs {
 
 constexpr const char* kMethod = "mote4";  // unless one is named
 
-harness::Entrant entrant_of(const DrawArgs& args) {
+harness::MethodConfig config_of(const DrawArgs& args) {
     if (args.presets.empty()) {
-        return harness::make_entrants(one_method(args.methods, kMethod), args.settings).front();
+        return harness::make_configs(one_method(args.methods, kMethod), args.settings).front();
     }
     if (args.presets.size() > 1 || !args.methods.empty()) {
-        throw core::Error("--preset", "a picture is of one method", "one file, no --method");
+        throw core::Error("--preset", "an image is of one method", "one file, no --method");
     }
-    std::vector<harness::Entrant> entrants = {harness::preset_entrant(args.presets.front())};
-    harness::apply_settings(args.settings, entrants);
-    return entrants.front();
+    std::vector<harness::MethodConfig> configs = {harness::preset_config(args.presets.front())};
+    harness::apply_settings(args.settings, configs);
+    return configs.front();
 }
 
 void refuse_with_layer(bool is_given, const char* needs) {
@@ -55,17 +55,17 @@ void refuse_no_lines(const DrawArgs& args) {
         if (is_so) throw core::Error("--no-lines", "it would do nothing here", needs);
     };
     refuse_if(args.looks.shading == "none", "--shading NAME with it");
-    refuse_if(args.strength, "no --strength");
+    refuse_if(args.edge_response, "no --response");
     refuse_if(std::filesystem::path(args.file).extension() == ".exr",
               "a PNG file; an EXR has the shading as a layer");
 }
 
-/// One of the method's own pictures instead of a drawing.
+/// One of the method's own images instead of a drawing.
 void write_layer(const DrawArgs& args,
-                 const harness::Subject& subject,
-                 const harness::Entrant& entrant,
+                 const harness::SceneViews& scene_views,
+                 const harness::MethodConfig& config,
                  const draw::DrawOptions& options) {
-    const method::Layer layer = draw::draw_layer(subject, entrant, args.layer, options);
+    const method::Layer layer = draw::draw_layer(scene_views, config, args.layer, options);
     draw::write_drawing(layer.rgb, args.file);
     fmt::print("{}\n", args.file);
     if (!layer.note.empty()) fmt::print("{}\n", layer.note);
@@ -73,7 +73,7 @@ void write_layer(const DrawArgs& args,
 
 void run_draw(const DrawArgs& args) {
     draw::DrawOptions options = drawing_looks(args.looks);
-    const harness::Entrant entrant = entrant_of(args);
+    const harness::MethodConfig config = config_of(args);
     options.skips = harness::without_skips({}, skip_list(args.no_skip));
     options.threads = checked_threads(args.threads);
     check_output_path(args.file, {".png", ".exr"});
@@ -81,23 +81,23 @@ void run_draw(const DrawArgs& args) {
     if (args.no_lines) refuse_no_lines(args);
     if (!args.layer.empty()) {
         refuse_with_layer(path.extension() == ".exr", "a PNG file; an EXR has all layers");
-        refuse_with_layer(args.strength, "no --strength");
+        refuse_with_layer(args.edge_response, "no --response");
         refuse_with_layer(args.no_lines, "no --no-lines");
         refuse_with_layer(args.looks != LookOptions{}, "no option of the drawing's looks");
     }
-    const harness::Subject subject =
+    const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "draw"), args.view, view_request(args.views));
-    if (!args.layer.empty()) return write_layer(args, subject, entrant, options);
-    const draw::Drawing drawing = draw::make_drawing(subject, entrant, options);
+    if (!args.layer.empty()) return write_layer(args, scene_views, config, options);
+    const draw::Drawing drawing = draw::make_drawing(scene_views, config, options);
     if (path.extension() == ".exr") {
-        const auto layers = draw::draw_layers(subject, entrant, options);
-        draw::write_drawing_exr(subject, entrant, drawing, layers, path);
-    } else if (args.strength) {
-        draw::write_strengths(drawing.strengths, path);
+        const auto layers = draw::draw_layers(scene_views, config, options);
+        draw::write_drawing_exr(scene_views, config, drawing, layers, path);
+    } else if (args.edge_response) {
+        draw::write_responses(drawing.edge_responses, path);
     } else if (args.no_lines) {
         draw::write_drawing(drawing.shading, path);
     } else {
-        draw::write_drawing(drawing.picture, path);
+        draw::write_drawing(drawing.image, path);
     }
     fmt::print("{}\n", args.file);
 }
@@ -106,7 +106,7 @@ void run_draw(const DrawArgs& args) {
 
 void add_draw_command(CLI::App& app) {
     auto args = std::make_shared<DrawArgs>();
-    auto* command = app.add_subcommand("draw", "Draw one picture with one method");
+    auto* command = app.add_subcommand("draw", "Draw one image with one method");
     add_one_scene_options(*command, args->scene);
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")
         ->type_name("FILE")
@@ -119,9 +119,9 @@ void add_draw_command(CLI::App& app) {
     add_view_options(*command, args->views);
     add_look_options(*command, args->looks);
     command->add_flag(
-        "--strength",
-        args->strength,
-        "Write the strengths (grey) instead of the picture, for inkbench score; an EXR "
+        "--response,--strength",
+        args->edge_response,
+        "Write the edge responses (grey) instead of the image, for inkbench score; an EXR "
         "has both anyway");
     command->add_flag("--no-lines", args->no_lines, "Write the shading alone");
     command

@@ -9,7 +9,7 @@
 #include "cli/name_list.h"
 #include "cli/options.h"
 #include "core/error.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -108,11 +108,12 @@ void add_look_options(CLI::App& command, LookOptions& options) {
     command.add_option("--shading", options.shading, "What is under the lines")
         ->type_name(names)
         ->capture_default_str();
-    add_repeatable_option(command,
-                          "--set-shade",
-                          options.shade_settings,
-                          "A knob of the shading; may be given again (see inkbench list shadings)",
-                          "KEY=VALUE");
+    add_repeatable_option(
+        command,
+        "--set-shade",
+        options.shade_settings,
+        "A parameter of the shading; may be given again (see inkbench list shadings)",
+        "KEY=VALUE");
     const auto add_color = [&](const char* name, std::string& to, const char* doc) {
         command.add_option(name, to, doc)->type_name("R,G,B|#RRGGBB");
     };
@@ -129,11 +130,12 @@ void add_look_options(CLI::App& command, LookOptions& options) {
         ->type_name("PX")
         ->capture_default_str();
     command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines again by hand");
-    add_repeatable_option(command,
-                          "--set-hand",
-                          options.hand_settings,
-                          "A knob of the hand; may be given again (see inkbench list shadings)",
-                          "KEY=VALUE");
+    add_repeatable_option(
+        command,
+        "--set-hand",
+        options.hand_settings,
+        "A parameter of the hand; may be given again (see inkbench list shadings)",
+        "KEY=VALUE");
     command.add_option("--seed", options.seed, "Seed of the hand (default: 0)")->type_name("N");
     command
         .add_option("--antialias", options.antialias, "Draw at N x N the size and average, 1..8")

@@ -8,7 +8,7 @@
 
 namespace ink::cli {
 
-/// The options by which a picture gets its looks, as text until `drawing_looks` reads them.
+/// The options by which an image gets its looks, as text until `drawing_looks` reads them.
 struct LookOptions {
     std::string shading = "none";
     std::vector<std::string> shade_settings;

@@ -41,15 +41,15 @@ Json json_of(const std::vector<draw::Fact>& facts) {
     return json;
 }
 
-Json json_of(const std::vector<draw::Omission>& omissions) {
+Json json_of(const std::vector<draw::Optimisation>& optimisations) {
     Json json = Json::object();
-    for (const draw::Omission& omission : omissions)
-        json[omission.what] = {{"may", omission.may}, {"why", omission.why}};
+    for (const draw::Optimisation& optimisation : optimisations)
+        json[optimisation.what] = {{"may", optimisation.may}, {"why", optimisation.why}};
     return json;
 }
 
 Json json_of(const draw::Explanation& explanation) {
-    Json json = {{"scene", explanation.scene}, {"ledger", json_of(explanation.facts)}};
+    Json json = {{"scene", explanation.scene}, {"statistics", json_of(explanation.facts)}};
     json["views"] = Json::object();
     for (const draw::ViewFacts& view : explanation.views)
         json["views"][view.view] = json_of(view.facts);
@@ -66,7 +66,7 @@ Json json_of(const draw::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
-    const auto entrants = harness::make_entrants(method_list(args.methods), args.settings);
+    const auto configs = harness::make_configs(method_list(args.methods), args.settings);
     if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
         throw core::Error("--crease",
                           fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
@@ -74,16 +74,16 @@ void run_explain(const ExplainArgs& args) {
     }
     const harness::ViewRequest request = view_request(args.views);
     const std::string scene = one_scene(args.scene, "explain");
-    const harness::Subject subject =
-        args.view.empty() ? harness::make_subject(harness::load_scene(scene), request)
+    const harness::SceneViews scene_views =
+        args.view.empty() ? harness::make_scene_views(harness::load_scene(scene), request)
                           : harness::load_one_view(scene, args.view, request);
-    const draw::Explanation explanation = draw::explain(subject, entrants, args.crease_deg);
+    const draw::Explanation explanation = draw::explain(scene_views, configs, args.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);
-        json["place"] = as_json(place_of(subject));
+        json["place"] = as_json(place_of(scene_views));
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}\n{}", as_text(place_of(subject)), draw::as_text(explanation));
+        fmt::print("{}\n{}", as_text(place_of(scene_views)), draw::as_text(explanation));
     }
 }
 
@@ -99,7 +99,7 @@ void add_explain_command(CLI::App& app) {
     add_set_option(*command, args->settings);
     command->add_option("--view", args->view, "Name of a view (default: all)")->type_name("NAME");
     add_view_options(*command, args->views);
-    command->add_option("--crease", args->crease_deg, "Crease angle of the ledger")
+    command->add_option("--crease", args->crease_deg, "Crease angle of the scene statistics")
         ->type_name("DEGREES")
         ->capture_default_str();
     command->add_flag("--json", args->json, "Print JSON instead of text");

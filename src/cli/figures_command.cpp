@@ -63,32 +63,32 @@ std::optional<std::pair<std::string, std::string>> pair_of(const std::string& te
 }
 
 /// One view of each scene, unless a number of views, a camera or the file's cameras were asked for.
-std::vector<harness::Subject> subjects_of(const FiguresArgs& args,
-                                          const std::vector<harness::Row>& run) {
+std::vector<harness::SceneViews> scenes_of(const FiguresArgs& args,
+                                           const std::vector<harness::Row>& run) {
     harness::ViewRequest request = view_request(args.views);
     if (!run.empty() && !args.has_size) {
         request.width_px = run.front().width;
         request.height_px = run.front().height;
     }
-    std::vector<harness::Subject> subjects = harness::load_subjects(names_of(args, run), request);
-    for (harness::Subject& subject : subjects) {
-        if (args.views.views.empty() && args.views.eyes.empty()) subject.views.resize(1);
+    std::vector<harness::SceneViews> scenes = harness::load_scenes(names_of(args, run), request);
+    for (harness::SceneViews& scene_views : scenes) {
+        if (args.views.views.empty() && args.views.eyes.empty()) scene_views.views.resize(1);
     }
-    return subjects;
+    return scenes;
 }
 
 /// The methods of the run with its settings, those alone that --methods names, if it does.
-std::vector<harness::Entrant> entrants_of_run(const FiguresArgs& args,
-                                              const std::vector<harness::Row>& run) {
+std::vector<harness::MethodConfig> configs_of_run(const FiguresArgs& args,
+                                                  const std::vector<harness::Row>& run) {
     if (!args.settings.empty()) {
         throw core::Error("--set", "methods have the settings of the run", "no --from beside it");
     }
-    const std::vector<harness::Entrant> all = report::entrants_of(run);
+    const std::vector<harness::MethodConfig> all = report::configs_of(run);
     if (args.methods.empty()) return all;
     std::vector<std::string> names;
-    for (const harness::Entrant& entrant : all)
-        names.push_back(entrant.info->name);
-    std::vector<harness::Entrant> chosen;
+    for (const harness::MethodConfig& config : all)
+        names.push_back(config.info->name);
+    std::vector<harness::MethodConfig> chosen;
     for (const std::string& name :
          listed_names(args.methods, {"--methods", "method in the run", names})) {
         const auto at = std::find(names.begin(), names.end(), name);
@@ -97,17 +97,17 @@ std::vector<harness::Entrant> entrants_of_run(const FiguresArgs& args,
     return chosen;
 }
 
-/// The run's rows of those methods and of the brackets.
+/// The run's rows of those methods and of the baselines.
 report::ChartSource chart_source(const FiguresArgs& args,
                                  const std::vector<harness::Row>& run,
-                                 const std::vector<harness::Entrant>& entrants) {
+                                 const std::vector<harness::MethodConfig>& configs) {
     report::ChartSource source;
     std::set<std::string> scenes;
     std::set<std::string> names;
-    for (const harness::Entrant& entrant : entrants)
-        names.insert(entrant.info->name);
+    for (const harness::MethodConfig& config : configs)
+        names.insert(config.info->name);
     for (const harness::Row& row : run) {
-        if (!harness::is_bracket(row.method) && names.count(row.method) == 0) continue;
+        if (!harness::is_baseline(row.method) && names.count(row.method) == 0) continue;
         scenes.insert(row.scene);
         source.rows.push_back(row);
     }
@@ -124,10 +124,10 @@ report::FigureOptions figure_options(const FiguresArgs& args,
                                      const std::vector<harness::Row>& run) {
     report::FigureOptions options;
     if (run.empty()) {
-        options.drawing.entrants = harness::make_entrants(method_list(args.methods), args.settings);
+        options.drawing.configs = harness::make_configs(method_list(args.methods), args.settings);
     } else {
-        options.drawing.entrants = entrants_of_run(args, run);
-        options.charts = chart_source(args, run, options.drawing.entrants);
+        options.drawing.configs = configs_of_run(args, run);
+        options.charts = chart_source(args, run, options.drawing.configs);
     }
     harness::MeasureOptions& measure = options.drawing.measure;
     measure.threads = checked_threads(args.threads);
@@ -151,7 +151,7 @@ void run_figures(const FiguresArgs& args, const std::string& command_line) {
         args.from.empty() ? std::vector<harness::Row>() : report::rows_to_draw(args.from);
     report::FigureOptions options = figure_options(args, run);
     options.command = command_line;
-    const report::FigureFiles files = report::make_figures(subjects_of(args, run), options);
+    const report::FigureFiles files = report::make_figures(scenes_of(args, run), options);
     for (const std::string& name : files.names)
         fmt::print("{}\n", (std::filesystem::path(args.out) / name).string());
     if (files.is_interrupted) {
@@ -193,7 +193,7 @@ void add_figures_command(CLI::App& app) {
     add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
-    add_seed_option(*command, args->seed, "Of intervals and chance pictures");
+    add_seed_option(*command, args->seed, "Of intervals and random images");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

@@ -30,7 +30,7 @@ void check_topic(bool is_asked, const char* flag, const std::string& what, const
 std::string list_text(const ListArgs& args) {
     check_topic(args.is_csv, "--csv", args.what, "methods");
     check_topic(args.is_markdown, "--markdown", args.what, "columns");
-    if (args.is_csv) return harness::methods_csv(harness::make_entrants("", {}));
+    if (args.is_csv) return harness::methods_csv(harness::make_configs("", {}));
     if (args.is_markdown) return experiment::dictionary_markdown();
     if (args.is_json) return listing_json(args.what.empty() ? "all" : args.what).dump(2) + "\n";
     return args.what.empty() ? list_overview() : cli::listing(args.what);

@@ -46,7 +46,7 @@ std::string list_scenes() {
     return text;
 }
 
-std::string list_knobs(const std::string& owner, const std::vector<core::Param>& params) {
+std::string list_parameters(const std::string& owner, const std::vector<core::Param>& params) {
     std::string text = fmt::format("  {}\n", owner);
     for (const core::Param& param : params) {
         text += fmt::format("    {:<16} {:<10} {}{}{}  {}\n",
@@ -64,7 +64,7 @@ std::string list_params() {
     std::string text;
     text += fmt::format("parameters (--set key=value, or --set method.key=value)\n");
     for (const method::MethodInfo& info : methods::registry())
-        text += list_knobs(info.name, info.params);
+        text += list_parameters(info.name, info.params);
     return text;
 }
 
@@ -73,10 +73,10 @@ std::string list_shadings() {
     for (const shade::ShadingInfo& info : shade::shadings()) {
         text += fmt::format(
             "  {:<10} {}\n  {:<10} source: {}\n", info.name, info.summary, "", info.source);
-        text += list_knobs("knobs of " + info.name, info.params);
+        text += list_parameters("parameters of " + info.name, info.params);
     }
     text += "lines by hand (inkbench draw --hand-drawn --set-hand key=value)\n";
-    text += list_knobs("knobs of the hand", shade::hand_table().params());
+    text += list_parameters("parameters of the hand", shade::hand_table().params());
     return text;
 }
 
@@ -89,7 +89,7 @@ std::string list_metrics() {
 }
 
 std::string list_skips() {
-    std::string text = "skips (--no-skip a,b or all; the picture is the same)\n";
+    std::string text = "skips (--no-skip a,b or all; the image is the same)\n";
     for (const raster::SkipInfo& info : raster::skip_infos())
         text += fmt::format("  {:<14} {:<10} {}\n", info.name, info.unit, info.summary);
     return text;

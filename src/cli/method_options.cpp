@@ -80,8 +80,9 @@ void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts) {
     add_repeatable_option(command,
                           "--no-skip",
                           texts,
-                          "Skips a,b to do without, or all (see inkbench list skips): other times, "
-                          "the same picture",
+                          "Disable these optimisations: a,b or all; images do not change (see "
+                          "inkbench list skips): other times, "
+                          "the same image",
                           "SKIPS");
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/param.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "cli/name_list.h"
 #include "core/error.h"
 #include "core/progress.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {
@@ -124,7 +124,7 @@ std::string recorded_command(const CLI::App& command, const std::vector<std::str
 }
 
 void add_view_options(CLI::App& command, ViewOptions& options) {
-    command.add_option("--size", options.size, "Picture size in pixels")
+    command.add_option("--size", options.size, "Image size in pixels")
         ->type_name("WIDTHxHEIGHT")
         ->capture_default_str();
     command

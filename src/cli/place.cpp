@@ -30,9 +30,9 @@ glm::dvec3 axis(const scene::Camera& camera, int row) {
 
 }  // namespace
 
-Place place_of(const harness::Subject& subject) {
-    const scene::Surface surface = scene::flatten(subject.scene);
-    const scene::Sphere sphere = scene::bounding_sphere(subject.scene);
+Place place_of(const harness::SceneViews& scene_views) {
+    const scene::Surface surface = scene::flatten(scene_views.scene);
+    const scene::Sphere sphere = scene::bounding_sphere(scene_views.scene);
     Place place;
     place.center_world = sphere.center_world;
     place.radius = sphere.radius;
@@ -41,7 +41,7 @@ Place place_of(const harness::Subject& subject) {
         place.low_world = glm::min(place.low_world, glm::dvec3(p));
         place.high_world = glm::max(place.high_world, glm::dvec3(p));
     }
-    for (const scene::View& view : subject.views) {
+    for (const scene::View& view : scene_views.views) {
         const scene::Camera& camera = view.camera;
         const double away = glm::distance(camera.eye_world, sphere.center_world);
         const double reach = away > 0 ? away : sphere.radius;

@@ -28,7 +28,7 @@ struct Place {
 };
 
 /// The place of a scene with at least one triangle.
-[[nodiscard]] Place place_of(const harness::Subject& subject);
+[[nodiscard]] Place place_of(const harness::SceneViews& scene_views);
 
 /// A line for the box and the sphere, then one for each view: `name  --eye X,Y,Z --target ...`, to
 /// nine digits.

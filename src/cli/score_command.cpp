@@ -35,10 +35,11 @@ std::string json_text(const score::Score& s) {
         {"f", s.f()},
         {"precision", number_or_null(s.precision())},
         {"recall", number_or_null(s.recall())},
-        {"surplus", s.surplus},
-        {"off_line", s.off_line},
-        {"lost", s.lost},
-        {"missing", s.missing},
+        // Scripts rely on these keys, also where columns have other names.
+        {"surplus", s.unmatched_duplicates},
+        {"off_line", s.false_positives},
+        {"lost", s.unmatched_truth},
+        {"missing", s.false_negatives},
         {"mean_width", number_or_null(mean_width(s))},
         {"classes", nlohmann::ordered_json::object()},
     };
@@ -56,24 +57,26 @@ std::string table_text(const draw::ScoreRequest& request, const score::Score& s)
     std::string text = fmt::format("{} against {}\n",
                                    request.prediction.filename().string(),
                                    request.truth.filename().string());
-    text += fmt::format("within {} px, strength {} and above, {}\n\n",
+    text += fmt::format("within {} px, edge response {} and above, {}\n\n",
                         request.options.tolerance_px,
                         request.options.threshold,
                         request.options.thin ? "thinned" : "not thinned");
     text += fmt::format("  F           {:.4f}\n", s.f());
-    text +=
-        fmt::format("  precision   {:>6}   {} predicted = {} matched + {} surplus + {} off line\n",
-                    four_places(s.precision()),
-                    s.n_pred,
-                    s.k,
-                    s.surplus,
-                    s.off_line);
-    text += fmt::format("  recall      {:>6}   {} true = {} matched + {} lost + {} missing\n",
-                        four_places(s.recall()),
-                        s.n_truth,
-                        s.k,
-                        s.lost,
-                        s.missing);
+    text += fmt::format(
+        "  precision   {:>6}   {} predicted = {} matched + {} unmatched duplicates + {} false "
+        "positives\n",
+        four_places(s.precision()),
+        s.n_pred,
+        s.k,
+        s.unmatched_duplicates,
+        s.false_positives);
+    text += fmt::format(
+        "  recall      {:>6}   {} true = {} matched + {} unmatched truth + {} false negatives\n",
+        four_places(s.recall()),
+        s.n_truth,
+        s.k,
+        s.unmatched_truth,
+        s.false_negatives);
     text += fmt::format("  mean width  {:>6} px\n",
                         s.mean_width_px > 0 ? fmt::format("{:.2f}", s.mean_width_px) : "-");
     if (s.classes.empty()) return text;
@@ -118,8 +121,9 @@ void add_score_command(CLI::App& app) {
         ->type_name("PX")
         ->capture_default_str();
     command
-        ->add_option(
-            "--threshold", a->request.options.threshold, "Strength of a predicted pixel, 1..255")
+        ->add_option("--threshold",
+                     a->request.options.threshold,
+                     "Edge response of a predicted pixel, 1..255")
         ->capture_default_str();
     command->add_flag("--no-thin", a->no_thin, "Take the prediction as wide as it is drawn");
     command

@@ -48,8 +48,8 @@ experiment::Experiment experiment_of(const StressArgs& args) {
     experiment.kind = experiment::ExperimentKind::stress;
     experiment.axes = chosen_axes(args.axes);
     const std::string methods = method_list(args.methods);
-    for (const harness::Entrant& entrant : harness::make_entrants(methods, args.settings))
-        if (!methods.empty()) experiment.methods.push_back(entrant.info->name);
+    for (const harness::MethodConfig& config : harness::make_configs(methods, args.settings))
+        if (!methods.empty()) experiment.methods.push_back(config.info->name);
     experiment.settings = args.settings;
     experiment.threads = {checked_threads(args.threads)};
     experiment.seed = parse_seed(args.seed);
@@ -77,7 +77,7 @@ void add_stress_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     command->add_option("--points", args->points, "Points of an axis at most (default: all)");
-    command->add_option("--size", args->views.size, "Size of a picture")->capture_default_str();
+    command->add_option("--size", args->views.size, "Size of an image")->capture_default_str();
     add_threads_option(*command, args->threads, "Threads of a method");
     add_seed_option(*command, args->seed, "Of the intervals");
     add_cache_options(*command, args->cache);
@@ -87,7 +87,7 @@ void add_stress_command(CLI::App& app) {
         "figures/stress_<axis>.svg.\n"
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell was lost or "
-        "pictures differ that must not; 2 bad input; 130 interrupted.");
+        "images differ that must not; 2 bad input; 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);
         experiment.command = run_command_text(*command);

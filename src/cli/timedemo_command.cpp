@@ -31,11 +31,11 @@ struct TimedemoArgs {
     bool json = false;
 };
 
-nlohmann::ordered_json rates_json(const harness::Subject& subject,
+nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
                                   const studies::TimedemoOptions& options,
                                   const std::vector<studies::DemoFrame>& frames) {
-    const scene::View& view = subject.views.front();
-    nlohmann::ordered_json json = {{"scene", subject.scene.name},
+    const scene::View& view = scene_views.views.front();
+    nlohmann::ordered_json json = {{"scene", scene_views.scene.name},
                                    {"width", view.width_px},
                                    {"height", view.height_px},
                                    {"threads", options.threads},
@@ -55,7 +55,7 @@ nlohmann::ordered_json rates_json(const harness::Subject& subject,
 
 void run_timedemo(const TimedemoArgs& args) {
     studies::TimedemoOptions options;
-    options.entrants = harness::make_entrants(method_list(args.methods), args.settings);
+    options.configs = harness::make_configs(method_list(args.methods), args.settings);
     options.threads = checked_threads(args.threads);
     options.skips = harness::without_skips({}, skip_list(args.no_skip));
     options.seed = parse_seed(args.seed);
@@ -68,25 +68,25 @@ void run_timedemo(const TimedemoArgs& args) {
         throw core::Error(
             "--time", "a time demo shows all of an animation", "no --time or --frame");
     }
-    const harness::Subject subject =
+    const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const harness::InterruptGuard guard;
-    const auto frames = studies::run_timedemo(subject, options);
+    const auto frames = studies::run_timedemo(scene_views, options);
     if (harness::is_interrupted()) {
         end_interrupted("nothing is written");
     }
     if (args.json) {
-        fmt::print("{}\n", rates_json(subject, options, frames).dump(2));
+        fmt::print("{}\n", rates_json(scene_views, options, frames).dump(2));
     } else {
         fmt::print("{}\n{}\n{}",
-                   studies::timedemo_heading(subject, options),
+                   studies::timedemo_heading(scene_views, options),
                    studies::timedemo_table(frames),
                    studies::timedemo_legend());
     }
     if (args.out.empty()) return;
     const auto path = std::filesystem::path(args.out) / "timedemo.csv";
-    studies::write_timedemo(subject, frames, path);
+    studies::write_timedemo(scene_views, frames, path);
     if (!args.json) fmt::print("{}\n", path.string());
 }
 

@@ -9,10 +9,10 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
+#include "draw/crosscheck_report.h"
 #include "draw/exr_layers.h"
+#include "draw/image_output.h"
 #include "draw/outline_svg.h"
-#include "draw/picture.h"
-#include "draw/witness_report.h"
 #include "harness/tracing.h"
 #include "report/figures.h"
 
@@ -25,34 +25,34 @@ struct TruthArgs {
     ViewOptions views;
     std::optional<std::string> file;
     std::optional<std::string> svg;
-    std::optional<std::string> picture;
+    std::optional<std::string> image;
     std::optional<std::string> sampled;
     std::optional<std::string> disagreement;
-    bool witness = false;
+    bool crosscheck = false;
     CacheOptions cache;
     TruthSettings truth;
     int threads = core::hardware_threads();
 };
 
 /// In the format that the name asks for.
-void write_truth(const harness::Subject& subject,
+void write_truth(const harness::SceneViews& scene_views,
                  const truth::TruthOptions& options,
                  const truth::Truth& truth,
                  const std::filesystem::path& path) {
     if (path.extension() == ".exr") {
-        draw::write_truth_exr(subject, options, truth, path);
+        draw::write_truth_exr(scene_views, options, truth, path);
     } else if (path.extension() == ".svg") {
-        core::write_whole_file(path,
-                               draw::outline_svg(truth, subject.scene.name, subject.views.front()));
+        core::write_whole_file(
+            path, draw::outline_svg(truth, scene_views.scene.name, scene_views.views.front()));
     } else {
         draw::write_truth_labels(truth, path);
     }
 }
 
-/// Where the picture of what truth and witness disagree on goes unless it is said; makes the
+/// Where the image of what truth and cross-check disagree on goes unless it is said; makes the
 /// folder.
 std::string default_disagreement(const scene::Scene& scene, const scene::View& view) {
-    const auto folder = std::filesystem::path("inkbench-out") / "witness";
+    const auto folder = std::filesystem::path("inkbench-out") / "crosscheck";
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
@@ -66,22 +66,24 @@ std::string default_disagreement(const scene::Scene& scene, const scene::View& v
     return path.string();
 }
 
-/// Holds the truth against its witness and the rasterizer against Embree; false if either fails.
+/// Holds the truth against its cross-check and the rasterizer against Embree; false if either
+/// fails.
 bool check_truth(const TruthArgs& args,
                  truth::SceneModel& model,
                  const scene::View& view,
                  const truth::Truth& truth) {
-    const harness::WitnessCheck check =
-        harness::cached_witness(model, view, truth, cache_folder(args.cache));
+    const harness::Crosscheck check =
+        harness::cached_crosscheck(model, view, truth, cache_folder(args.cache));
     const draw::IdAgreement ids = draw::compare_ids(model.scene(), view, raster::DepthFormat::q32);
     draw::write_disagreement(view, truth.curves, check.agreement, *args.disagreement);
     fmt::print("{}{}disagreements: {}\n",
-               draw::witness_summary(check, truth.curves),
+               draw::crosscheck_summary(check, truth.curves),
                draw::id_summary(ids),
                *args.disagreement);
     const bool is_agreed = check.agreement.is_agreed();
     if (!is_agreed) {
-        fmt::print(stderr, "inkbench: truth and witness agree on less than 99.9 % of a class\n");
+        fmt::print(stderr,
+                   "inkbench: truth and cross-check agree on less than 99.9 % of a class\n");
     }
     if (ids.other > 0) fmt::print(stderr, "inkbench: the rasterizer shows other triangles\n");
     return is_agreed && ids.other == 0;
@@ -100,8 +102,8 @@ harness::ViewTruth traced_or_refused(truth::SceneModel& model,
 }
 
 void run_truth(TruthArgs args) {
-    if (args.disagreement && !args.witness) {
-        throw core::Error("--disagreement", "there is no witness to disagree", "--witness");
+    if (args.disagreement && !args.crosscheck) {
+        throw core::Error("--disagreement", "there is no cross-check to disagree", "--crosscheck");
     }
     harness::TraceOptions options;
     apply(args.truth, options.truth);
@@ -109,26 +111,27 @@ void run_truth(TruthArgs args) {
     options.cache = cache_folder(args.cache);
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
     if (args.svg) check_output_path(*args.svg, {".svg"});
-    for (const auto& file : {args.picture, args.sampled, args.disagreement}) {
+    for (const auto& file : {args.image, args.sampled, args.disagreement}) {
         if (file) check_output_path(*file, {".png"});
     }
-    const harness::Subject subject =
+    const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views));
     harness::report_progress(options.truth);
-    truth::SceneModel model(subject.scene, options.truth);
-    const harness::ViewTruth truth = traced_or_refused(model, subject.views.front(), options.cache);
-    if (args.witness && !args.disagreement) {
-        args.disagreement = default_disagreement(subject.scene, subject.views.front());
+    truth::SceneModel model(scene_views.scene, options.truth);
+    const harness::ViewTruth truth =
+        traced_or_refused(model, scene_views.views.front(), options.cache);
+    if (args.crosscheck && !args.disagreement) {
+        args.disagreement = default_disagreement(scene_views.scene, scene_views.views.front());
     }
-    if (args.file) write_truth(subject, options.truth, truth.traced, *args.file);
-    if (args.svg) write_truth(subject, options.truth, truth.traced, *args.svg);
-    if (args.picture) draw::write_truth_picture(truth.traced, *args.picture);
-    if (args.sampled) draw::write_strengths(truth.traced.sampled, *args.sampled);
+    if (args.file) write_truth(scene_views, options.truth, truth.traced, *args.file);
+    if (args.svg) write_truth(scene_views, options.truth, truth.traced, *args.svg);
+    if (args.image) draw::write_truth_image(truth.traced, *args.image);
+    if (args.sampled) draw::write_responses(truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
-               subject.scene.name,
-               subject.views.front().camera.name,
+               scene_views.scene.name,
+               scene_views.views.front().camera.name,
                harness::truth_summary(truth.traced));
-    if (args.witness && !check_truth(args, model, subject.views.front(), truth.traced)) {
+    if (args.crosscheck && !check_truth(args, model, scene_views.views.front(), truth.traced)) {
         throw CLI::RuntimeError(1);
     }
 }
@@ -148,20 +151,20 @@ void add_truth_command(CLI::App& app) {
     command->add_option("--svg", args->svg, "SVG of the curves, sub-pixel, with their attributes")
         ->type_name("FILE");
     command
-        ->add_option("--picture",
-                     args->picture,
+        ->add_option("--image,--picture",
+                     args->image,
                      "PNG with a colour per class, for people; score takes the one of -o")
         ->type_name("FILE");
     command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres")
         ->type_name("FILE");
-    command->add_flag("--witness",
-                      args->witness,
+    command->add_flag("--crosscheck,--witness",
+                      args->crosscheck,
                       "Hold the curves against dense sampling, and the rasterizer against Embree");
     command
         ->add_option("--disagreement",
                      args->disagreement,
-                     "PNG of what only one of the two has, with --witness (default: "
-                     "inkbench-out/witness/SCENE_VIEW.png)")
+                     "PNG of what only one of the two has, with --crosscheck (default: "
+                     "inkbench-out/crosscheck/SCENE_VIEW.png)")
         ->type_name("FILE");
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
@@ -171,9 +174,10 @@ void add_truth_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(
-        "Example: inkbench truth staircase -o truth.png --picture lines.png\n"
+        "Example: inkbench truth staircase -o truth.png --image lines.png\n"
         "Score against it with --ignore 7: inkbench score drawn.png truth.png --ignore 7 --band 6\n"
-        "Exit codes: 0 done, 1 the view is too large, or with --witness: agreement below 99.9 % of "
+        "Exit codes: 0 done, 1 the view is too large, or with --crosscheck: agreement below 99.9 % "
+        "of "
         "a class; 2 bad input.");
     command->callback([args] { run_truth(*args); });
 }

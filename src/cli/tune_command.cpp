@@ -22,7 +22,7 @@ namespace {
 struct TuneArgs {
     std::string method;                ///< by itself, unless --method is there: a scene then
     std::vector<std::string> methods;  ///< by --method
-    std::string knobs;
+    std::string parameters;
     std::vector<std::string> settings;
     std::string objective = "error";
     std::optional<double> budget_ms;
@@ -44,8 +44,14 @@ struct TuneArgs {
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
-const std::vector<std::string> kUnrecorded = {
-    "--no-random", "--no-bound", "--out", "--force", "--threads", "--cache", "--no-cache", "--help"};
+const std::vector<std::string> kUnrecorded = {"--no-random",
+                                              "--no-bound",
+                                              "--out",
+                                              "--force",
+                                              "--threads",
+                                              "--cache",
+                                              "--no-cache",
+                                              "--help"};
 
 /// `METHOD SCENE...`, or `--method METHOD SCENE...`.
 std::string method_of(const TuneArgs& args) {
@@ -72,8 +78,8 @@ void check_choice(const char* option,
 tune::TuneOptions tune_options(const TuneArgs& args) {
     tune::TuneOptions options;
     const std::string method = method_of(args);
-    options.entrant = harness::make_entrants(method, args.settings).front();
-    options.knobs = args.knobs;
+    options.config = harness::make_configs(method, args.settings).front();
+    options.parameters = args.parameters;
     check_choice("--objective", args.objective, {"error", "scenes", "ap"});
     if (args.objective == "scenes") options.objective = tune::TuneObjective::scenes;
     if (args.objective == "ap") options.objective = tune::TuneObjective::ap;
@@ -117,10 +123,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
             "--more-views", fmt::format("{} is not possible", args.more_views), "0..1000");
     }
     const harness::ViewRequest request = view_request(args.views);
-    std::vector<harness::Subject> subjects = harness::load_subjects(scenes_of(args), request);
-    for (harness::Subject& subject : subjects)
-        tune::add_training_views(subject, request, args.more_views);
-    const tune::TuneResult result = tune::tune(subjects, options);
+    std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
+    for (harness::SceneViews& scene_views : scenes)
+        tune::add_training_views(scene_views, request, args.more_views);
+    const tune::TuneResult result = tune::tune(scenes, options);
     if (result.is_interrupted) {
         end_interrupted(
             fmt::format("the finished evaluations are in {}, and the same command goes on from "
@@ -130,7 +136,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     fmt::print("{}", tune::tune_summary(result, options));
     std::fflush(stdout);
     if (!args.no_bound) {
-        fmt::print("{}", tune::tune_bound_lines(subjects, result, options));
+        fmt::print("{}", tune::tune_bound_lines(scenes, result, options));
     }
 }
 
@@ -150,7 +156,7 @@ void add_tune_command(CLI::App& app) {
         *command, "--method,--methods", args->methods, "The same, as an option", "METHOD");
     command
         ->add_option("--params",
-                     args->knobs,
+                     args->parameters,
                      "What to tune: parameters a,b or a=low..high,b (default: those that the "
                      "method marks as tunable, else its threshold)")
         ->type_name("PARAMS");

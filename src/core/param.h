@@ -11,7 +11,7 @@
 
 namespace ink::core {
 
-/// What kind of value a knob takes.
+/// What kind of value a parameter takes.
 enum class ParamKind { real, integer, flag, choice };
 
 /// One row of a `Param` table as everyone but the method sees it: command line, TOML, tuner, rows,
@@ -56,11 +56,11 @@ void check_known_params(const std::vector<Param>& params,
 [[nodiscard]] std::string known_names(const std::vector<std::string>& names,
                                       std::string_view wrong);
 
-/// The knobs of one parameter struct `P`, in the order they are shown.
+/// The parameters of one parameter struct `P`, in the order they are shown.
 ///
-/// Each row binds a name to a field of `P`, so a knob has one default (the field's initialiser),
-/// one range and one sentence. Fields may be double, float, int, bool or an enum whose values are
-/// 0..n-1.
+/// Each row binds a name to a field of `P`, so a parameter has one default (the field's
+/// initialiser), one range and one sentence. Fields may be double, float, int, bool or an enum
+/// whose values are 0..n-1.
 template <class P>
 class ParamTable {
   public:
@@ -126,7 +126,7 @@ class ParamTable {
         return result;
     }
 
-    /// Every knob of `p` as text, so that a row can be reproduced from its own columns.
+    /// Every parameter of `p` as text, so that a row can be reproduced from its own columns.
     [[nodiscard]] ParamValues write(const P& p) const {
         ParamValues values;
         for (std::size_t i = 0; i < params_.size(); ++i) {

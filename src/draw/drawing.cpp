@@ -19,13 +19,13 @@ namespace {
 
 constexpr double kHandWidth_px = 2;  // unless a width is asked for
 
-int threshold_of(const harness::Entrant& entrant) {
-    return std::stoi(entrant.info->complete(entrant.settings).at("threshold"));
+int threshold_of(const harness::MethodConfig& config) {
+    return std::stoi(config.info->complete(config.settings).at("threshold"));
 }
 
-/// The subject's first view, n x n its size.
-scene::View enlarged_view(const harness::Subject& subject, int n) {
-    scene::View view = subject.views.front();
+/// The scene's first view, n x n its size.
+scene::View enlarged_view(const harness::SceneViews& scene_views, int n) {
+    scene::View view = scene_views.views.front();
     const std::int64_t width = std::int64_t{view.width_px} * n;
     const std::int64_t height = std::int64_t{view.height_px} * n;
     if (width > 16384 || height > 16384 || width * height > (std::int64_t{1} << 27)) {
@@ -39,53 +39,56 @@ scene::View enlarged_view(const harness::Subject& subject, int n) {
     return view;
 }
 
-std::unique_ptr<method::Method> make_ready(const harness::Subject& subject,
-                                           const harness::Entrant& entrant) {
-    std::unique_ptr<method::Method> method = entrant.info->make(entrant.settings);
-    method->prepare(subject.scene);
-    method->pose(subject.scene);
+std::unique_ptr<method::Method> make_ready(const harness::SceneViews& scene_views,
+                                           const harness::MethodConfig& config) {
+    std::unique_ptr<method::Method> method = config.info->make(config.settings);
+    method->prepare(scene_views.scene);
+    method->pose(scene_views.scene);
     return method;
 }
 
-edge::EdgeImage draw_method(const harness::Subject& subject,
-                            const harness::Entrant& entrant,
+edge::EdgeImage draw_method(const harness::SceneViews& scene_views,
+                            const harness::MethodConfig& config,
                             const scene::View& view,
                             const DrawOptions& options) {
-    edge::EdgeImage strengths(view.width_px, view.height_px);
-    make_ready(subject, entrant)->draw({view, options.threads, options.skips}, strengths);
-    return strengths;
+    edge::EdgeImage edge_responses(view.width_px, view.height_px);
+    make_ready(scene_views, config)->draw({view, options.threads, options.skips}, edge_responses);
+    return edge_responses;
 }
 
-/// One pixel wide where strengths reach the threshold.
-edge::Mask thin_lines(const edge::EdgeImage& strengths, int threshold) {
-    edge::Mask mask(strengths.width_px(), strengths.height_px());
-    std::transform(strengths.data(), strengths.data() + strengths.size(), mask.data(), [&](int s) {
-        return static_cast<std::uint8_t>(s >= threshold ? 1 : 0);
-    });
+/// One pixel wide where edge responses reach the threshold.
+edge::Mask thin_lines(const edge::EdgeImage& edge_responses, int threshold) {
+    edge::Mask mask(edge_responses.width_px(), edge_responses.height_px());
+    std::transform(edge_responses.data(),
+                   edge_responses.data() + edge_responses.size(),
+                   mask.data(),
+                   [&](int s) { return static_cast<std::uint8_t>(s >= threshold ? 1 : 0); });
     return edge::thin(mask);
 }
 
-/// Strengths where the lines lie once they are thinned.
-edge::EdgeImage keep_thinned(edge::EdgeImage strengths, int threshold) {
-    const edge::Mask mask = thin_lines(strengths, threshold);
-    for (std::size_t i = 0; i < strengths.size(); ++i) {
-        if (mask.data()[i] == 0) strengths.data()[i] = 0;
+/// Edge responses where the lines lie once they are thinned.
+edge::EdgeImage keep_thinned(edge::EdgeImage edge_responses, int threshold) {
+    const edge::Mask mask = thin_lines(edge_responses, threshold);
+    for (std::size_t i = 0; i < edge_responses.size(); ++i) {
+        if (mask.data()[i] == 0) edge_responses.data()[i] = 0;
     }
-    return strengths;
+    return edge_responses;
 }
 
 /// The lines as they are to look, in samples.
-edge::EdgeImage style_lines(edge::EdgeImage strengths, int threshold, const DrawOptions& options) {
+edge::EdgeImage style_lines(edge::EdgeImage edge_responses,
+                            int threshold,
+                            const DrawOptions& options) {
     const int n = options.antialias;
     const bool has_width = options.line_width_px > 0;
     if (options.hand) {
         const shade::HandPen pen{
             n, has_width ? options.line_width_px : kHandWidth_px, options.seed};
-        return shade::draw_by_hand(thin_lines(strengths, threshold), *options.hand, pen);
+        return shade::draw_by_hand(thin_lines(edge_responses, threshold), *options.hand, pen);
     }
-    if (!has_width) return shade::widen(strengths, n);
+    if (!has_width) return shade::widen(edge_responses, n);
     const auto samples = static_cast<int>(std::lround(options.line_width_px * n));
-    return shade::widen(keep_thinned(std::move(strengths), threshold), std::max(samples, 1));
+    return shade::widen(keep_thinned(std::move(edge_responses), threshold), std::max(samples, 1));
 }
 
 glm::vec3 brightness_of(const glm::u8vec3& color) {
@@ -106,48 +109,48 @@ shade::Colors shade_colors(const DrawOptions& options, const glm::u8vec3& ink) {
 
 }  // namespace
 
-Drawing make_drawing(const harness::Subject& subject,
-                     const harness::Entrant& entrant,
+Drawing make_drawing(const harness::SceneViews& scene_views,
+                     const harness::MethodConfig& config,
                      const DrawOptions& options) {
     const int n = options.antialias;
-    const scene::View view = enlarged_view(subject, n);
-    const int threshold = threshold_of(entrant);
+    const scene::View view = enlarged_view(scene_views, n);
+    const int threshold = threshold_of(config);
     const shade::Ink ink{options.ink.value_or(kInk.rgb), threshold};
     const edge::EdgeImage lines =
-        style_lines(draw_method(subject, entrant, view, options), threshold, options);
+        style_lines(draw_method(scene_views, config, view, options), threshold, options);
 
     Drawing drawing;
-    drawing.strengths = shade::average(lines, n);
+    drawing.edge_responses = shade::average(lines, n);
     RgbImage under(view.width_px, view.height_px, options.paper.value_or(kPaper.rgb));
     if (options.shading) {
         shade::Shader shader(*options.shading);
-        shader.prepare(subject.scene);
+        shader.prepare(scene_views.scene);
         under = shader.draw({view, shade_colors(options, ink.color), n, options.threads});
         drawing.shading = shade::dither(shade::average(under, n), options.dither);
     }
-    const RgbImage picture = shade::compose(lines, std::move(under), ink);
-    drawing.picture = shade::dither(shade::average(picture, n), options.dither);
+    const RgbImage image = shade::compose(lines, std::move(under), ink);
+    drawing.image = shade::dither(shade::average(image, n), options.dither);
     return drawing;
 }
 
-std::vector<method::Layer> draw_layers(const harness::Subject& subject,
-                                       const harness::Entrant& entrant,
+std::vector<method::Layer> draw_layers(const harness::SceneViews& scene_views,
+                                       const harness::MethodConfig& config,
                                        const DrawOptions& options) {
-    return make_ready(subject, entrant)
-        ->layers({subject.views.front(), options.threads, options.skips});
+    return make_ready(scene_views, config)
+        ->layers({scene_views.views.front(), options.threads, options.skips});
 }
 
-method::Layer draw_layer(const harness::Subject& subject,
-                         const harness::Entrant& entrant,
+method::Layer draw_layer(const harness::SceneViews& scene_views,
+                         const harness::MethodConfig& config,
                          const std::string& name,
                          const DrawOptions& options) {
     std::string known;
-    for (method::Layer& layer : draw_layers(subject, entrant, options)) {
+    for (method::Layer& layer : draw_layers(scene_views, config, options)) {
         if (layer.name == name) return std::move(layer);
         known += (known.empty() ? "" : ", ") + layer.name;
     }
     throw core::Error("--layer",
-                      fmt::format("{} has no layer '{}'", entrant.info->name, name),
+                      fmt::format("{} has no layer '{}'", config.info->name, name),
                       known.empty() ? "a method that has layers, like mote4" : known);
 }
 

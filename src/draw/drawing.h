@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/param.h"
-#include "draw/error_picture.h"
+#include "draw/error_image.h"
 #include "edge/edge_image.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "method/method.h"
 #include "raster/skips.h"
@@ -25,7 +25,7 @@ inline constexpr double kMostLineWidth_px = 64;
 /// How one picture is drawn: what lies under the lines, and how lines look.
 struct DrawOptions {
     std::optional<shade::Style> shading = {};  ///< none: paper
-    // Colours; unless given the house's ink, white, and a light grey (under strokes the paper's).
+    // Colours; unless given the default ink, white, and a light grey (under strokes the paper's).
     std::optional<glm::u8vec3> ink = {};
     std::optional<glm::u8vec3> paper = {};
     std::optional<glm::u8vec3> surface = {};
@@ -41,31 +41,31 @@ struct DrawOptions {
 
 /// A drawing at the size of its view.
 struct Drawing {
-    edge::EdgeImage strengths;  ///< what the lines are drawn from, averaged
-    RgbImage picture;           ///< lines over shading or paper, dithered if asked for
-    RgbImage shading;           ///< without lines; empty if there is no shading
+    edge::EdgeImage edge_responses;  ///< what the lines are drawn from, averaged
+    RgbImage image;                  ///< lines over shading or paper, dithered if asked for
+    RgbImage shading;                ///< without lines; empty if there is no shading
 };
 
-/// Draws the first view of `subject` with one method; not timed, not scored.
+/// Draws the first view of `scene_views` with one method; not timed, not scored.
 ///
 /// Drawn at n x n the size, a method's lines would come out n times thinner: unless a width is
 /// asked for, they are widened by n - 1 samples, so that the thinnest are one pixel wide. The
 /// picture depends neither on `threads` nor on `skips`. Throws core::Error (where = "--antialias")
 /// if n x n the size is too large.
-[[nodiscard]] Drawing make_drawing(const harness::Subject& subject,
-                                   const harness::Entrant& entrant,
+[[nodiscard]] Drawing make_drawing(const harness::SceneViews& scene_views,
+                                   const harness::MethodConfig& config,
                                    const DrawOptions& options);
 
-/// What the method has inside on the first view of `subject`, at the view's size; empty for methods
-/// that show nothing. Of the options threads and skips alone are read, and change nothing.
-[[nodiscard]] std::vector<method::Layer> draw_layers(const harness::Subject& subject,
-                                                     const harness::Entrant& entrant,
+/// What the method has inside on the first view of `scene_views`, at the view's size; empty for
+/// methods that show nothing. Of the options threads and skips alone are read, and change nothing.
+[[nodiscard]] std::vector<method::Layer> draw_layers(const harness::SceneViews& scene_views,
+                                                     const harness::MethodConfig& config,
                                                      const DrawOptions& options);
 
 /// The one of draw_layers that is called `name`. Throws core::Error (where = "--layer") that names
 /// the method's layers if there is none.
-[[nodiscard]] method::Layer draw_layer(const harness::Subject& subject,
-                                       const harness::Entrant& entrant,
+[[nodiscard]] method::Layer draw_layer(const harness::SceneViews& scene_views,
+                                       const harness::MethodConfig& config,
                                        const std::string& name,
                                        const DrawOptions& options);
 

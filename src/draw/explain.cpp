@@ -5,7 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "core/error.h"
-#include "draw/omissions.h"
+#include "draw/optimisations.h"
 #include "harness/cell.h"
 #include "scene/clusters.h"
 #include "scene/surface.h"
@@ -29,20 +29,20 @@ void add_edges(std::vector<Fact>& facts,
     facts.push_back({name + "_length", tally.length_world, "world", "their length together"});
 }
 
-void add_bends(std::vector<Fact>& facts, const scene::Ledger& ledger) {
-    const int bin_deg = 180 / scene::kBendBins;
-    for (int bin = 0; bin < scene::kBendBins; ++bin) {
-        const std::size_t edges = ledger.bends[static_cast<std::size_t>(bin)];
+void add_deviations(std::vector<Fact>& facts, const scene::SceneStatistics& statistics) {
+    const int bin_deg = 180 / scene::kDeviationBins;
+    for (int bin = 0; bin < scene::kDeviationBins; ++bin) {
+        const std::size_t edges = statistics.deviations[static_cast<std::size_t>(bin)];
         if (edges == 0) continue;
         facts.push_back(count(
-            fmt::format("bends_{}_deg", bin * bin_deg),
+            fmt::format("deviations_{}_deg", bin * bin_deg),
             edges,
             "edges",
             fmt::format("that bend by {} to {} degrees", bin * bin_deg, (bin + 1) * bin_deg)));
     }
 }
 
-std::vector<Fact> facts_of(const scene::Ledger& l) {
+std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
     std::vector<Fact> facts = {
         count("triangles", l.triangles, "triangles", "degenerate and repeated ones left out"),
         count("vertices", l.vertices, "places", "after welding what lies at the same place"),
@@ -51,7 +51,7 @@ std::vector<Fact> facts_of(const scene::Ledger& l) {
         {"crease_angle",
          glm::degrees(l.crease_rad),
          "deg",
-         "bend from which on an edge is a crease"},
+         "dihedral deviation from which on an edge is a crease"},
     };
     add_edges(facts, "creases", l.creases, "bent by that or more");
     add_edges(facts, "smooth", l.smooth, "bent by less: a curved surface in facets");
@@ -60,36 +60,48 @@ std::vector<Fact> facts_of(const scene::Ledger& l) {
     add_edges(facts, "boundary", l.boundary, "with one face");
     add_edges(facts, "nonmanifold", l.nonmanifold, "with three faces or more");
     add_edges(facts, "inside_out", l.inside_out, "smooth, but one face shows its back");
-    add_bends(facts, l);
+    add_deviations(facts, l);
     const std::vector<Fact> rest = {
-        {"largest_smooth", glm::degrees(l.largest_smooth_rad), "deg", "bend short of a crease"},
-        {"least_crease", glm::degrees(l.least_crease_rad), "deg", "bend of a crease"},
-        count("pieces", l.pieces, "pieces", "parts that no edge joins"),
-        count("sealed_pieces", l.sealed_pieces, "pieces", "closed and turned outwards"),
-        count(
-            "convex_pieces", l.convex_pieces, "pieces", "sealed, and cannot hide their own front"),
+        {"largest_smooth",
+         glm::degrees(l.largest_smooth_rad),
+         "deg",
+         "dihedral deviation short of a crease"},
+        {"least_crease", glm::degrees(l.least_crease_rad), "deg", "dihedral deviation of a crease"},
+        count("components", l.components, "components", "parts that no edge joins"),
+        count("watertight_components",
+              l.watertight_components,
+              "components",
+              "closed and turned outwards"),
+        count("convex_components",
+              l.convex_components,
+              "components",
+              "watertight, and cannot hide their own front"),
         count("loose_triangles", l.loose_triangles, "triangles", "without a neighbour"),
         count(
             "cracked_corners", l.cracked_corners, "corners", "of boundaries, a hair from another"),
-        count("overlapping_pieces", l.overlapping_pieces, "pairs", "that might cross each other"),
+        count("overlapping_components",
+              l.overlapping_components,
+              "pairs",
+              "that might cross each other"),
         {"extent_ratio", l.extent_ratio, "times", "the largest object over the smallest"},
-        count("near_sheets", l.near_sheets.pairs, "pairs", "parallel faces of two pieces, close"),
+        count(
+            "near_sheets", l.near_sheets.pairs, "pairs", "parallel faces of two components, close"),
         {"near_sheets_gap", l.near_sheets.least_gap_share, "radii", "the least gap among them"},
         flag("may_hide", l.may_hide(), "a part may stand before another, or before itself"),
-        flag("may_cross", l.may_cross(), "pieces may pierce each other"),
-        flag("sealed", l.is_sealed(), "every piece is closed and turned outwards"),
+        flag("may_cross", l.may_cross(), "components may pierce each other"),
+        flag("watertight", l.is_watertight(), "every component is closed and turned outwards"),
     };
     facts.insert(facts.end(), rest.begin(), rest.end());
     return facts;
 }
 
-std::vector<Fact> facts_of(const scene::ViewLedger& v) {
+std::vector<Fact> facts_of(const scene::ViewStatistics& v) {
     return {
         {"near", v.near, "world", "the nearest that the scene's ball can be seen"},
         {"far", v.far, "world", "and the farthest"},
         {"depth_ratio", v.depth_ratio(), "times", "far over near"},
         flag("inside", v.is_inside, "the eye is within the ball"),
-        {"frame_share", 100 * v.frame_share, "%", "of the picture that the ball covers"},
+        {"frame_share", 100 * v.frame_share, "%", "of the image that the ball covers"},
         {"px_per_triangle", v.px_per_triangle, "px", "of that, shared out evenly"},
     };
 }
@@ -110,11 +122,13 @@ std::string text_of(const std::vector<Fact>& facts) {
     return text;
 }
 
-std::string text_of(const std::vector<Omission>& omissions) {
+std::string text_of(const std::vector<Optimisation>& optimisations) {
     std::string text;
-    for (const Omission& omission : omissions) {
-        text += fmt::format(
-            "  {:<20} {:<4} {}\n", omission.what, omission.may ? "yes" : "no", omission.why);
+    for (const Optimisation& optimisation : optimisations) {
+        text += fmt::format("  {:<20} {:<4} {}\n",
+                            optimisation.what,
+                            optimisation.may ? "yes" : "no",
+                            optimisation.why);
     }
     return text;
 }
@@ -123,47 +137,47 @@ void count_solids(const scene::Scene& scene, SceneFacts& facts) {
     const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
     facts.solids = solids.size();
     for (const scene::Solid& solid : solids)
-        facts.sealed_solids += solid.is_sealed;
+        facts.watertight_solids += solid.is_watertight;
 }
 
-MethodExplanation explain_method(const harness::Entrant& entrant,
-                                 const harness::Subject& subject,
+MethodExplanation explain_method(const harness::MethodConfig& config,
+                                 const harness::SceneViews& scene_views,
                                  const SceneFacts& facts) {
-    harness::PreparedMethod prepared(entrant, subject.scene);
+    harness::PreparedMethod prepared(config, scene_views.scene);
     MethodExplanation explained;
-    explained.method = entrant.info->name;
+    explained.method = config.info->name;
     if (!prepared.failure().empty()) {
-        throw core::Error(entrant.info->name, prepared.failure(), "a scene that it can prepare");
+        throw core::Error(config.info->name, prepared.failure(), "a scene that it can prepare");
     }
     const auto code = prepared.method().code();
-    explained.channels = channel_omissions(code, facts.ledger);
-    explained.skips = skip_omissions(code, facts);
+    explained.channels = channel_optimisations(code, facts.statistics);
+    explained.skips = skip_optimisations(code, facts);
     explained.plan = prepared.method().plan();
     return explained;
 }
 
 }  // namespace
 
-Explanation explain(const harness::Subject& subject,
-                    const std::vector<harness::Entrant>& entrants,
+Explanation explain(const harness::SceneViews& scene_views,
+                    const std::vector<harness::MethodConfig>& configs,
                     double crease_deg) {
     SceneFacts facts;
-    facts.ledger = scene::make_ledger(subject.scene, glm::radians(crease_deg));
-    count_solids(subject.scene, facts);
+    facts.statistics = scene::make_scene_statistics(scene_views.scene, glm::radians(crease_deg));
+    count_solids(scene_views.scene, facts);
     Explanation explanation;
-    explanation.scene = subject.scene.name;
-    explanation.facts = facts_of(facts.ledger);
-    for (const scene::View& view : subject.views) {
-        facts.views.push_back(scene::make_view_ledger(facts.ledger, view));
+    explanation.scene = scene_views.scene.name;
+    explanation.facts = facts_of(facts.statistics);
+    for (const scene::View& view : scene_views.views) {
+        facts.views.push_back(scene::make_view_statistics(facts.statistics, view));
         explanation.views.push_back({view.camera.name, facts_of(facts.views.back())});
     }
-    for (const harness::Entrant& entrant : entrants)
-        explanation.methods.push_back(explain_method(entrant, subject, facts));
+    for (const harness::MethodConfig& config : configs)
+        explanation.methods.push_back(explain_method(config, scene_views, facts));
     return explanation;
 }
 
 std::string as_text(const Explanation& explanation) {
-    std::string text = fmt::format("{}: its ledger\n", explanation.scene);
+    std::string text = fmt::format("{}: its scene statistics\n", explanation.scene);
     text += text_of(explanation.facts);
     for (const ViewFacts& view : explanation.views)
         text += fmt::format(

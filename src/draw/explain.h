@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 
 namespace ink::draw {
 
-/// One line of a ledger.
+/// One line of the scene statistics.
 struct Fact {
     std::string name;  ///< = key in JSON
     double value = 0;
@@ -17,14 +17,14 @@ struct Fact {
     bool is_flag = false;  ///< the value is 0 or 1 and means no or yes
 };
 
-/// A view's name and its ledger.
+/// A view's name and its scene statistics.
 struct ViewFacts {
     std::string view;
     std::vector<Fact> facts;
 };
 
 /// Something that a method may leave out, or may not.
-struct Omission {
+struct Optimisation {
     std::string what;  ///< a channel, or a skip as raster::skip_infos() calls it
     bool may = false;
     std::string why;
@@ -35,9 +35,9 @@ struct MethodExplanation {
     std::string method;
     /// Depth, nx, ny, nz: of no use where the code has no weight for it, or the scene nothing to
     /// tell by it. Empty where no linear code is declared. Leaving out a weighted one changes the
-    /// picture: that is `auto`'s business.
-    std::vector<Omission> channels;
-    std::vector<Omission> skips;  ///< these never change a bit
+    /// image: that is `auto`'s business.
+    std::vector<Optimisation> channels;
+    std::vector<Optimisation> skips;  ///< these never change a bit
     std::vector<method::PlanLine> plan;
 };
 
@@ -49,10 +49,10 @@ struct Explanation {
     std::vector<MethodExplanation> methods;
 };
 
-/// Prepares every entrant on the subject and asks its declared code; draws nothing. `crease_deg` is
-/// the ledger's; a method plans with its own.
-[[nodiscard]] Explanation explain(const harness::Subject& subject,
-                                  const std::vector<harness::Entrant>& entrants,
+/// Prepares every configuration on the scene and asks its declared code; draws nothing.
+/// `crease_deg` is the scene statistics's; a method plans with its own.
+[[nodiscard]] Explanation explain(const harness::SceneViews& scene_views,
+                                  const std::vector<harness::MethodConfig>& configs,
                                   double crease_deg);
 
 /// For a terminal.

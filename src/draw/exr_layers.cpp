@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/provenance.h"
-#include "draw/error_picture.h"
+#include "draw/error_image.h"
 #include "harness/cell.h"
 #include "image_io/exr_file.h"
 #include "truth/cracks.h"
@@ -36,8 +36,8 @@ core::Image<To> mapped(const core::Image<From>& image, Map map) {
     return result;
 }
 
-/// `layer` is "" for the picture itself, else a name with its dot.
-void add_colours(const RgbImage& picture, const std::string& layer, ExrFile& file) {
+/// `layer` is "" for the image itself, else a name with its dot.
+void add_colours(const RgbImage& image, const std::string& layer, ExrFile& file) {
     std::array<float, 256> light{};
     for (std::size_t v = 0; v < light.size(); ++v)
         light[v] = linear_light(static_cast<std::uint8_t>(v));
@@ -45,7 +45,7 @@ void add_colours(const RgbImage& picture, const std::string& layer, ExrFile& fil
     for (int c = 0; c < 3; ++c) {
         const auto channel = [&](const glm::u8vec3& rgb) { return light[rgb[c]]; };
         file.channels.push_back({layer + kNames[static_cast<std::size_t>(c)],
-                                 HalfImage{mapped<glm::u8vec3, float>(picture, channel)}});
+                                 HalfImage{mapped<glm::u8vec3, float>(image, channel)}});
     }
 }
 
@@ -72,14 +72,14 @@ std::array<float, 16> world_to_camera(const scene::Camera& camera) {
     return matrix;
 }
 
-std::vector<ExrAttribute> origin(const harness::Subject& subject) {
-    const scene::Camera& camera = subject.views.front().camera;
+std::vector<ExrAttribute> origin(const harness::SceneViews& scene_views) {
+    const scene::Camera& camera = scene_views.views.front().camera;
     const glm::dvec3& eye = camera.eye_world;
     const core::Provenance& p = core::provenance();
     return {{"Software", fmt::format("inkbench {}", p.version)},
             {"worldtocamera", world_to_camera(camera)},
             {"ink:commit", fmt::format("{}{}", p.commit, p.dirty ? "+" : "")},
-            {"ink:scene", subject.scene.name},
+            {"ink:scene", scene_views.scene.name},
             {"ink:view", camera.name},
             {"ink:eye_world", fmt::format("{} {} {}", eye.x, eye.y, eye.z)},
             {"ink:fov_y_deg", camera.fov_y_rad * kDegPerRad},
@@ -88,12 +88,12 @@ std::vector<ExrAttribute> origin(const harness::Subject& subject) {
 
 }  // namespace
 
-void write_truth_exr(const harness::Subject& subject,
+void write_truth_exr(const harness::SceneViews& scene_views,
                      const truth::TruthOptions& options,
                      const truth::Truth& truth,
                      const std::filesystem::path& path) {
     ExrFile file;
-    add_colours(truth_picture(truth.labels), "", file);
+    add_colours(truth_image(truth.labels), "", file);
     if (!truth.layers.w.is_empty()) {
         file.channels.push_back({"Z", truth.layers.w});
         file.channels.push_back({"id.triangle", truth.layers.triangle});
@@ -106,7 +106,7 @@ void write_truth_exr(const harness::Subject& subject,
         truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
     file.channels.push_back({"crack.right", whole_numbers(cracks.right)});
     file.channels.push_back({"crack.below", whole_numbers(cracks.below)});
-    file.attributes = origin(subject);
+    file.attributes = origin(scene_views);
     file.attributes.push_back({"ink:crease_deg", options.crease_rad * kDegPerRad});
     file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
     file.attributes.push_back(
@@ -114,23 +114,23 @@ void write_truth_exr(const harness::Subject& subject,
     image_io::write_exr(file, path);
 }
 
-void write_drawing_exr(const harness::Subject& subject,
-                       const harness::Entrant& entrant,
+void write_drawing_exr(const harness::SceneViews& scene_views,
+                       const harness::MethodConfig& config,
                        const Drawing& drawing,
                        const std::vector<method::Layer>& layers,
                        const std::filesystem::path& path) {
     ExrFile file;
-    add_colours(drawing.picture, "", file);
+    add_colours(drawing.image, "", file);
     if (!drawing.shading.is_empty()) add_colours(drawing.shading, "shading.", file);
-    file.channels.push_back({"strength.Y", shares(drawing.strengths)});
-    file.attributes = origin(subject);
+    file.channels.push_back({"response.Y", shares(drawing.edge_responses)});
+    file.attributes = origin(scene_views);
     for (const method::Layer& layer : layers) {
         add_colours(layer.rgb, layer.name + ".", file);
         if (!layer.note.empty()) file.attributes.push_back({"ink:" + layer.name, layer.note});
     }
-    file.attributes.push_back({"ink:method", entrant.info->name});
+    file.attributes.push_back({"ink:method", config.info->name});
     file.attributes.push_back(
-        {"ink:params", harness::join_params(entrant.info->complete(entrant.settings))});
+        {"ink:params", harness::join_params(config.info->complete(config.settings))});
     image_io::write_exr(file, path);
 }
 

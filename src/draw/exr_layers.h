@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "draw/drawing.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "truth/truth.h"
 
@@ -13,25 +13,25 @@ namespace ink::draw {
 /// Writes a truth as a multi-channel OpenEXR file.
 ///
 /// Channels: `R G B` (HALF, linear light) the classes in colour, `Z` (FLOAT) the distance along the
-/// gaze, infinity before the sky; `class.label` (UINT) the labels,
+/// view direction, infinity before the sky; `class.label` (UINT) the labels,
 /// `crack.right` and `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
 /// (HALF) 0 or 1. What the truth was traced without is left out. The header names scene, view,
 /// camera (`worldToCamera`, eye, field of view, near), crease angle, program and commit.
 ///
-/// `subject` has the traced view first. Throws core::Error if the file cannot be written.
-void write_truth_exr(const harness::Subject& subject,
+/// `scene_views` has the traced view first. Throws core::Error if the file cannot be written.
+void write_truth_exr(const harness::SceneViews& scene_views,
                      const truth::TruthOptions& options,
                      const truth::Truth& truth,
                      const std::filesystem::path& path);
 
 /// Writes a drawing as a multi-channel OpenEXR file: `R G B` (HALF, linear light) the finished
-/// picture, `shading.R shading.G shading.B` (the same) what lies under the lines, unless that is
-/// paper, `strength.Y` (HALF, k/255) the strengths of the lines, and of each of the method's layers
-/// `NAME.R NAME.G NAME.B` (as the picture), its note in `ink:NAME`; the header as above, and the
-/// method with its parameters.
-void write_drawing_exr(const harness::Subject& subject,
-                       const harness::Entrant& entrant,
+/// image, `shading.R shading.G shading.B` (the same) what lies under the lines, unless that is
+/// paper, `response.Y` (HALF, k/255) the edge responses of the lines, and of each of the method's
+/// layers `NAME.R NAME.G NAME.B` (as the image), its note in `ink:NAME`; the header as above, and
+/// the method with its parameters.
+void write_drawing_exr(const harness::SceneViews& scene_views,
+                       const harness::MethodConfig& config,
                        const Drawing& drawing,
                        const std::vector<method::Layer>& layers,
                        const std::filesystem::path& path);

@@ -27,7 +27,7 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     return glm::length(p - (a + t * ab));
 }
 
-/// Puts the tiles' ids together to a whole picture.
+/// Puts the tiles' ids together to a whole image.
 class IdSink : public raster::TileSink {
   public:
     IdSink(int width_px, int height_px) : ids(width_px, height_px) {}

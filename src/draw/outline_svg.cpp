@@ -66,14 +66,14 @@ std::string polyline(const truth::Polyline& line, const truth::Truth& truth) {
     const auto edge = [](const truth::Curve& c) {
         return c.edge == truth::kNoEdge ? std::string("-") : fmt::format("{}", c.edge);
     };
-    const auto bend = [](const truth::Curve& c) {
-        return fmt::format("{:.4g}", c.bend_rad * kDegPerRad);
+    const auto deviation = [](const truth::Curve& c) {
+        return fmt::format("{:.4g}", c.deviation_rad * kDegPerRad);
     };
     const auto gap = [](const truth::Curve& c) { return fmt::format("{:.4g}", c.gap); };
     std::string text = fmt::format(R"(<polyline points="{}" data-edge="{}" data-dihedral-deg="{}")",
                                    points,
                                    joined(line, truth, edge),
-                                   joined(line, truth, bend));
+                                   joined(line, truth, deviation));
     if (line.empty_side != 0) {
         text += fmt::format(R"( data-gap="{}" data-empty="{}")",
                             joined(line, truth, gap),

@@ -7,7 +7,7 @@
 
 namespace ink::draw {
 
-/// The curves of a truth as an SVG file in the picture's own coordinates, px.
+/// The curves of a truth as an SVG file in the image's own coordinates, px.
 ///
 /// A group per class and kind (`data-class`, `data-kind`: sky, other_object, self) holds polylines
 /// of curves joined end to end. Each says of its segments, in order: the mesh edges (`data-edge`,

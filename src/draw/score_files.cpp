@@ -24,7 +24,7 @@ void check_sizes(const ScoreRequest& request, const Gray& prediction, const Gray
                                       size_text(prediction),
                                       request.truth.string(),
                                       size_text(truth)),
-                          "two pictures of one size");
+                          "two images of one size");
     }
     const int widest_px = (std::min(truth.width_px(), truth.height_px()) - 1) / 2;
     const int band_px = request.options.band_px;

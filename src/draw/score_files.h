@@ -18,7 +18,7 @@ struct ScoreRequest {
 ///
 /// Throws core::Error, before any scoring, for options outside their range, files that are not
 /// 8-bit images, two sizes (both files and sizes are named) or a band that leaves nothing of the
-/// picture.
+/// image.
 [[nodiscard]] score::Score score_files(const ScoreRequest& request);
 
 /// "1 contour"; the number alone where this project has no class of it.

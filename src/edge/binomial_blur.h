@@ -25,7 +25,7 @@ void binomial_blur_row(const std::uint16_t* up,
                        int width,
                        int code_bits);
 
-/// The same over a picture or a tile of one, rows shared among `threads`: the same bits on every
+/// The same over an image or a tile of one, rows shared among `threads`: the same bits on every
 /// SIMD target and number of threads. Both have one size; one pixel round `codes` must be readable.
 void binomial_blur(const core::ImageView<const std::uint8_t>& codes,
                    const core::ImageView<std::uint8_t>& out,

@@ -33,7 +33,7 @@ void decaudin(std::span<const DecaudinChannel> channels,
         std::copy(channels.begin(), channels.end(), band.begin());
         for (DecaudinChannel& channel : band)
             channel.origin += y0 * channel.stride;
-        decaudin_picture(
+        decaudin_image(
             {band.data(), channels.size()}, join, {out.row(y0), out.width_px, y1 - y0, out.stride});
     });
 }

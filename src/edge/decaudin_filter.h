@@ -45,19 +45,19 @@ enum class DecaudinJoin {
 
 /// One of the channels that are joined: depth, or a component of the normal.
 struct DecaudinChannel {
-    const float* origin = nullptr;  ///< pixel (0, 0); two pixels round the picture must be readable
+    const float* origin = nullptr;  ///< pixel (0, 0); two pixels round the image must be readable
     std::ptrdiff_t stride = 0;      ///< floats from one row to the next
     DecaudinK k;
 };
 
 inline constexpr std::size_t kMaxDecaudinChannels = 4;
 
-/// The whole filter over a picture or a tile of one: the p of 1 to 4 channels, joined, as
-/// strengths: min(p, 1) times 255, rounded to nearest.
+/// The whole filter over an image or a tile of one: the p of 1 to 4 channels, joined, as
+/// edge responses: min(p, 1) times 255, rounded to nearest.
 ///
 /// The same bits as the rows above, on every SIMD target and number of threads, for finite values.
-/// What lies round the picture counts as neighbours; `out` overlaps no input. Rows are shared among
-/// `threads`; an empty picture writes nothing.
+/// What lies round the image counts as neighbours; `out` overlaps no input. Rows are shared among
+/// `threads`; an empty image writes nothing.
 void decaudin(std::span<const DecaudinChannel> channels,
               DecaudinJoin join,
               const core::ImageView<std::uint8_t>& out,

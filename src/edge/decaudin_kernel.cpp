@@ -143,9 +143,9 @@ void decaudin_p(const DecaudinP& row) {
     HWY_DYNAMIC_DISPATCH(all_p)(row);
 }
 
-void decaudin_picture(std::span<const DecaudinChannel> channels,
-                      DecaudinJoin join,
-                      const core::ImageView<std::uint8_t>& out) {
+void decaudin_image(std::span<const DecaudinChannel> channels,
+                    DecaudinJoin join,
+                    const core::ImageView<std::uint8_t>& out) {
     HWY_DYNAMIC_DISPATCH(all_channels)(channels, join, out);
 }
 

@@ -25,8 +25,8 @@ struct DecaudinP {
 };
 void decaudin_p(const DecaudinP& row);
 
-void decaudin_picture(std::span<const DecaudinChannel> channels,
-                      DecaudinJoin join,
-                      const core::ImageView<std::uint8_t>& out);
+void decaudin_image(std::span<const DecaudinChannel> channels,
+                    DecaudinJoin join,
+                    const core::ImageView<std::uint8_t>& out);
 
 }  // namespace ink::edge

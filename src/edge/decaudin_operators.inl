@@ -169,7 +169,7 @@ HWY_INLINE void p_rows(const std::array<const float*, kRows + 2>& g,
     });
 }
 
-/// Makes strengths of a row of joined p.
+/// Makes edge responses of a row of joined p.
 HWY_INLINE void write_row(const float* joined, DecaudinJoin join, std::uint8_t* out, int width) {
     cover<float, kFloats>(width, kFloats, [=](auto d, int x) HWY_ATTR {
         const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -177,8 +177,8 @@ HWY_INLINE void write_row(const float* joined, DecaudinJoin join, std::uint8_t* 
         auto p = hn::LoadU(d, joined + x);
         if (join == DecaudinJoin::length) p = hn::Sqrt(p);
         p = hn::Mul(hn::Min(p, hn::Set(d, 1.0F)), hn::Set(d, 255.0F));
-        const auto strength = hn::ConvertTo(di, hn::Add(p, hn::Set(d, 0.5F)));
-        hn::StoreU(hn::DemoteTo(du8, strength), du8, out + x);
+        const auto edge_response = hn::ConvertTo(di, hn::Add(p, hn::Set(d, 0.5F)));
+        hn::StoreU(hn::DemoteTo(du8, edge_response), du8, out + x);
     });
 }
 

@@ -28,7 +28,7 @@ std::int64_t square_distance(const NearestSeed& seed, int x, int y) {
 
 void flood_row(const core::Image<NearestSeed>& from, int step, int y, NearestSeed* to) {
     const int width_px = from.width_px();
-    // Rows beyond the picture are its own once more, which adds nothing.
+    // Rows beyond the image are its own once more, which adds nothing.
     const std::array<const NearestSeed*, 3> rows = {
         from.row(y >= step ? y - step : y),
         from.row(y),

@@ -6,15 +6,15 @@
 
 namespace ink::edge {
 
-/// How the output of MOTE's filter becomes a strength.
+/// How the output of MOTE's filter becomes an edge response.
 enum class Response {
     absolute,  ///< |L|: a line two pixels wide, one on each side of a step
     positive,  ///< max(L, 0): a line one pixel wide, on the high side
     wrap,  ///< L modulo 2^code_bits, shifted and masked: the literal uint8 reading of the source
 };
 
-/// "Scaling the output and clipping some bits off": strength = min(255, (v with its low `clip_bits`
-/// cleared) << scale_bits), v the response. With clip_bits >= 2, |L| <= 2 gives 0.
+/// "Scaling the output and clipping some bits off": edge response = min(255, (v with its low
+/// `clip_bits` cleared) << scale_bits), v the response. With clip_bits >= 2, |L| <= 2 gives 0.
 ///
 /// `wrap` keeps the low 8 bits of the shifted value instead of its minimum with 255, as a uint8
 /// would; a small negative L is then a strong line.
@@ -27,15 +27,15 @@ struct LaplacianResponse {
                               ///< then taken between -2^(code_bits-1) and 2^(code_bits-1) - 1
 };
 
-/// The strength of one Laplacian value, |laplacian| <= 4 * 65535.
+/// The edge response of one Laplacian value, |laplacian| <= 4 * 65535.
 [[nodiscard]] std::uint8_t respond(int laplacian, const LaplacianResponse& response);
 
-/// The filter 0 -1 0 / -1 4 -1 / 0 -1 0 over a picture or a tile of one: out(x, y) = respond(4
+/// The filter 0 -1 0 / -1 4 -1 / 0 -1 0 over an image or a tile of one: out(x, y) = respond(4
 /// codes(x, y) - its four neighbours), the same bits on every SIMD target and number of threads.
 ///
 /// `codes` and `out` have one size; the pixels one row above and below `codes` and one column left
 /// and right of it must be readable and count as neighbours. `out` overlaps no input. Rows are
-/// shared among `threads`; an empty picture writes nothing.
+/// shared among `threads`; an empty image writes nothing.
 void laplacian(const core::ImageView<const std::uint8_t>& codes,
                const core::ImageView<std::uint8_t>& out,
                const LaplacianResponse& response,

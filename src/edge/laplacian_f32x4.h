@@ -14,7 +14,7 @@ enum class LaplacianSum {
     absolute_of_sum,  ///< S = |sum of weight L|: what a packed sum of the channels would see
 };
 
-/// strength = min(255 S / full, 255) rounded to nearest where S >= threshold, else 0.
+/// edge response = min(255 S / full, 255) rounded to nearest where S >= threshold, else 0.
 struct FullLaplacianResponse {
     LaplacianSum sum = LaplacianSum::of_absolutes;
     std::array<float, 4> weights = {1, 1, 1, 1};  ///< >= 0 for `of_absolutes`
@@ -22,7 +22,7 @@ struct FullLaplacianResponse {
     float threshold = 0;                          ///< sums below it draw nothing
 };
 
-/// A full buffer: four planes of floats (depth and a normal, say) in pictures of one size and
+/// A full buffer: four planes of floats (depth and a normal, say) in images of one size and
 /// stride.
 struct FloatPlanes {
     std::array<const float*, 4> origin;  ///< pixel (0, 0) of each
@@ -33,8 +33,8 @@ struct FloatPlanes {
 /// on a full buffer, and what a packed byte is measured against.
 ///
 /// L = (4 c - (up + down)) - (left + right), sums in the order of the channels; the same bits on
-/// every SIMD target and number of threads, for finite values. One pixel round the picture must be
-/// readable and counts as neighbour; `out` has the picture's size and overlaps no input. An empty
+/// every SIMD target and number of threads, for finite values. One pixel round the image must be
+/// readable and counts as neighbour; `out` has the image's size and overlaps no input. An empty
 /// one writes nothing.
 void laplacian_f32x4(const FloatPlanes& planes,
                      const core::ImageView<std::uint8_t>& out,

@@ -40,7 +40,7 @@ HWY_INLINE void add_terms(
 }
 
 template <LaplacianSum kSum, class D>
-HWY_INLINE void store_strength(D d,
+HWY_INLINE void store_response(D d,
                                hn::Vec<D> sum,
                                const FullLaplacianResponse& r,
                                std::uint8_t* out) {
@@ -48,8 +48,8 @@ HWY_INLINE void store_strength(D d,
     const hn::Rebind<std::uint8_t, D> du8;
     if constexpr (kSum == LaplacianSum::absolute_of_sum) sum = hn::Abs(sum);
     const auto scaled = hn::Mul(sum, hn::Set(d, 255 / r.full));
-    const auto strength = hn::Add(hn::Min(scaled, hn::Set(d, 255.0F)), hn::Set(d, 0.5F));
-    const auto line = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, r.threshold)), strength);
+    const auto edge_response = hn::Add(hn::Min(scaled, hn::Set(d, 255.0F)), hn::Set(d, 0.5F));
+    const auto line = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, r.threshold)), edge_response);
     hn::StoreU(hn::DemoteTo(du8, hn::ConvertTo(di, line)), du8, out);
 }
 
@@ -73,7 +73,7 @@ void filter_rows(const FloatPlanes& given,
             add_terms<kSum, kRows>(d, at, planes.stride, weight, sums, i == 0);
         }
         for (int y = 0; y < kRows; ++y)
-            store_strength<kSum>(d, sums[y], response, to + y * to_stride + x);
+            store_response<kSum>(d, sums[y], response, to + y * to_stride + x);
     });
 }
 

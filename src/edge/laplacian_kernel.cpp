@@ -1,7 +1,7 @@
 // The Laplacian without widening: bytes stay bytes, and 64 of them fit a register.
 //
-// Strengths need |L| only up to 255, or (clipped) only |L| / 4, and that is the difference of the
-// middle pixel and a quarter of its neighbours' sum s, rounded the right way. Rounding averages
+// Edge responses need |L| only up to 255, or (clipped) only |L| / 4, and that is the difference of
+// the middle pixel and a quarter of its neighbours' sum s, rounded the right way. Rounding averages
 // give s / 4 but for the lost bits e of each halving:
 //     a = (u + d + e1) / 2, b = (l + r + e2) / 2, c = (a + b + e3) / 2  =>  s = 4 c - 2 e3 - e1 -
 //     e2
@@ -116,9 +116,9 @@ HWY_INLINE V storable(D d, V v) {
     return hn::Min(v, hn::Set(d, 255));
 }
 
-/// Strengths in lanes as wide as the codes, those of 16 bits up to 256.
+/// Edge responses in lanes as wide as the codes, those of 16 bits up to 256.
 template <Reading kReading, bool kIsQuadruple, class D, class V = hn::Vec<D>>
-HWY_INLINE V strengths(D d, const Cross<V>& p, const LaplacianPlan& plan) {
+HWY_INLINE V edge_responses(D d, const Cross<V>& p, const LaplacianPlan& plan) {
     using T = hn::TFromD<D>;
     const V keep = hn::Set(d, static_cast<T>(plan.keep));
     if constexpr (kReading == Reading::literal) {
@@ -145,13 +145,13 @@ HWY_INLINE V strengths(D d, const Cross<V>& p, const LaplacianPlan& plan) {
 }
 
 template <class D>
-HWY_INLINE void store(D d, hn::Vec<D> strengths, std::uint8_t* out) {
+HWY_INLINE void store(D d, hn::Vec<D> edge_responses, std::uint8_t* out) {
     if constexpr (sizeof(hn::TFromD<D>) == 1) {
-        hn::StoreU(strengths, d, out);
+        hn::StoreU(edge_responses, d, out);
     } else {
         const hn::Rebind<std::uint8_t, D> du8;
         const hn::RebindToSigned<D> di;
-        hn::StoreU(hn::DemoteTo(du8, hn::BitCast(di, strengths)), du8, out);
+        hn::StoreU(hn::DemoteTo(du8, hn::BitCast(di, edge_responses)), du8, out);
     }
 }
 
@@ -175,7 +175,7 @@ void filter_block(const LaplacianRows<T>& given, const LaplacianPlan& given_plan
             const auto left = as_is(hn::LoadU(d, at_mid - 1));
             const auto right = as_is(hn::LoadU(d, at_mid + 1));
             const Cross<decltype(up)> cross{up, mid, down, left, right};
-            store(d, strengths<kReading, kIsQuadruple>(d, cross, plan), out);
+            store(d, edge_responses<kReading, kIsQuadruple>(d, cross, plan), out);
             up = mid;
             mid = down;
             at_mid += rows.stride;
@@ -185,7 +185,7 @@ void filter_block(const LaplacianRows<T>& given, const LaplacianPlan& given_plan
     });
 }
 
-/// Wide pictures by four rows, so that memory is walked through along its lines; tiles, which are
+/// Wide images by four rows, so that memory is walked through along its lines; tiles, which are
 /// in the cache, as a whole.
 template <Reading kReading, bool kIsQuadruple, class T>
 void filter_as(const LaplacianRows<T>& rows, const LaplacianPlan& plan) {

@@ -7,8 +7,8 @@
 
 namespace ink::edge {
 
-/// Rows of codes and where their strengths go. Row y reads up, mid and down plus y strides; with
-/// height 1 the three may lie anywhere, with more they are rows under one another.
+/// Rows of codes and where their edge responses go. Row y reads up, mid and down plus y strides;
+/// with height 1 the three may lie anywhere, with more they are rows under one another.
 template <class T>
 struct LaplacianRows {
     const T* up;

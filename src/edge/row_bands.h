@@ -27,7 +27,7 @@ void for_row_bands(int height_px, int threads, Body body) {
     });
 }
 
-/// Calls `kernel(from, to)` for bands of the rows of two pictures of one size: the face of a filter
+/// Calls `kernel(from, to)` for bands of the rows of two images of one size: the face of a filter
 /// from pixels to pixels.
 template <class T, class Kernel>
 void filter_row_bands(const core::ImageView<const T>& values,

@@ -7,7 +7,7 @@ namespace ink::edge {
 
 /// Calls `visit(x)` for each of the `width_px` bytes at `row` that is not 0, from left to right.
 ///
-/// Lines cover a percent or two of a picture, so eight bytes are passed over at once where all are
+/// Lines cover a percent or two of an image, so eight bytes are passed over at once where all are
 /// 0.
 template <class Visit>
 void visit_set_pixels(const std::uint8_t* row, int width_px, Visit visit) {

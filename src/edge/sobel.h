@@ -6,7 +6,7 @@
 
 namespace ink::edge {
 
-/// Saito and Takahashi's differentials of a picture whose pixel X has the neighbours A B C / D X E
+/// Saito and Takahashi's differentials of an image whose pixel X has the neighbours A B C / D X E
 /// / F G H.
 ///
 /// Source: T. Saito and T. Takahashi, "Comprehensible rendering of 3-D shapes", SIGGRAPH 1990.
@@ -18,9 +18,9 @@ enum class Differential {
 /// One differential of every pixel; whole numbers are divided with what is over dropped, floats
 /// added in the order row by row (see the plain reference in tests/edge).
 ///
-/// Both pictures have one size; one pixel round `values` must be readable and counts as neighbour.
+/// Both images have one size; one pixel round `values` must be readable and counts as neighbour.
 /// `out` overlaps no input. Rows are shared among `threads`; the same bits on every SIMD target and
-/// number of threads, for finite values. An empty picture writes nothing.
+/// number of threads, for finite values. An empty image writes nothing.
 void sobel(const core::ImageView<const std::uint8_t>& values,
            Differential differential,
            const core::ImageView<std::uint8_t>& out,

@@ -6,9 +6,9 @@
 
 namespace ink::edge {
 
-/// The least strength that counts as on at k/100 of the full one (k in 1..99): strength * 100 >=
-/// 255 * k in integers, so that no rounding decides a tie.
-[[nodiscard]] constexpr int strength_at_percent(int k) {
+/// The least edge response that counts as on at k/100 of the full one (k in 1..99): edge response *
+/// 100 >= 255 * k in integers, so that no rounding decides a tie.
+[[nodiscard]] constexpr int response_at_percent(int k) {
     return (255 * k + 99) / 100;
 }
 

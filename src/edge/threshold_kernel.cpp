@@ -21,11 +21,11 @@ void threshold_row(const std::uint8_t* from, int at_least, std::uint8_t* to, int
     });
 }
 
-void threshold_rows(const core::ImageView<const std::uint8_t>& strengths,
+void threshold_rows(const core::ImageView<const std::uint8_t>& edge_responses,
                     int at_least,
                     const core::ImageView<std::uint8_t>& mask) {
     for (int y = 0; y < mask.height_px; ++y)
-        threshold_row(strengths.row(y), at_least, mask.row(y), mask.width_px);
+        threshold_row(edge_responses.row(y), at_least, mask.row(y), mask.width_px);
 }
 
 }  // namespace ink::edge::HWY_NAMESPACE
@@ -36,15 +36,15 @@ namespace ink::edge {
 
 HWY_EXPORT(threshold_rows);
 
-void threshold(const core::ImageView<const std::uint8_t>& strengths,
+void threshold(const core::ImageView<const std::uint8_t>& edge_responses,
                int at_least,
                const core::ImageView<std::uint8_t>& mask,
                int threads) {
     assert(at_least >= 1 && at_least <= 255);
-    assert(strengths.width_px == mask.width_px && strengths.height_px == mask.height_px);
+    assert(edge_responses.width_px == mask.width_px && edge_responses.height_px == mask.height_px);
     for_row_bands(mask.height_px, threads, [&](int y0, int y1) {
         HWY_DYNAMIC_DISPATCH(threshold_rows)
-        ({strengths.row(y0), mask.width_px, y1 - y0, strengths.stride},
+        ({edge_responses.row(y0), mask.width_px, y1 - y0, edge_responses.stride},
          at_least,
          {mask.row(y0), mask.width_px, y1 - y0, mask.stride});
     });

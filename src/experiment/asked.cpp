@@ -38,7 +38,7 @@ toml::table views_of(const Experiment& experiment) {
     const harness::ViewRequest& request = experiment.view_request;
     toml::table views;
     toml::array sizes;
-    for (const PictureSize& size : experiment.sizes)
+    for (const ImageSize& size : experiment.sizes)
         sizes.push_back(fmt::format("{}x{}", size.width_px, size.height_px));
     views.insert("sizes", std::move(sizes));
     if (experiment.views > 0) views.insert("first", experiment.views);
@@ -52,11 +52,11 @@ toml::table views_of(const Experiment& experiment) {
 
 toml::table methods_of(const Experiment& experiment) {
     toml::table methods;
-    for (const harness::Entrant& entrant : entrants_of(experiment)) {
+    for (const harness::MethodConfig& config : configs_of(experiment)) {
         toml::table parameters;
-        for (const auto& [name, value] : entrant.info->complete(entrant.settings))
+        for (const auto& [name, value] : config.info->complete(config.settings))
             parameters.insert(name, value);
-        methods.insert(entrant.info->name, std::move(parameters));
+        methods.insert(config.info->name, std::move(parameters));
     }
     return methods;
 }
@@ -81,7 +81,7 @@ toml::table measure_of(const Experiment& experiment) {
                        {"repetitions", experiment.repetitions},
                        {"budget_ms", experiment.budget_s * 1e3},
                        {"full_scores", experiment.full_scores},
-                       {"witness", experiment.witness},
+                       {"crosscheck", experiment.crosscheck},
                        {"times", experiment.times},
                        {"crease_deg", experiment.crease_deg},
                        {"weld_epsilon", experiment.weld_epsilon},

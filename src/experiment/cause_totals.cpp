@@ -10,10 +10,10 @@ namespace {
 void add(const harness::Row& row, CauseTotals& totals) {
     totals.n_pred += row.n_pred;
     totals.n_truth += row.n_truth;
-    totals.surplus += row.surplus;
-    totals.off_line += row.off_line;
-    totals.lost += row.lost;
-    totals.missing += row.missing;
+    totals.unmatched_duplicates += row.unmatched_duplicates;
+    totals.false_positives += row.false_positives;
+    totals.unmatched_truth += row.unmatched_truth;
+    totals.false_negatives += row.false_negatives;
     for (std::size_t i = 0; row.causes && i < totals.causes.px.size(); ++i)
         totals.causes.px[i] += row.causes->px[i];
 }
@@ -58,7 +58,7 @@ std::string_view meaning_of(score::Cause cause) {
 std::vector<CauseTotals> cause_totals(const std::vector<const harness::Row*>& rows) {
     std::vector<CauseTotals> all;
     for (const harness::Row* row : rows) {
-        if (!row->is_ok() || (harness::is_bracket(row->method) && row->method != "sampled"))
+        if (!row->is_ok() || (harness::is_baseline(row->method) && row->method != "sampled"))
             continue;
         auto found = std::find_if(all.begin(), all.end(), [&](const CauseTotals& totals) {
             return totals.method == row->method;
@@ -71,7 +71,7 @@ std::vector<CauseTotals> cause_totals(const std::vector<const harness::Row*>& ro
         add(*row, *found);
     }
     std::stable_partition(all.begin(), all.end(), [](const CauseTotals& totals) {
-        return !harness::is_bracket(totals.method);
+        return !harness::is_baseline(totals.method);
     });
     return all;
 }

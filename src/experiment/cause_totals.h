@@ -15,10 +15,10 @@ struct CauseTotals {
     std::string method;
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
-    std::int64_t surplus = 0;
-    std::int64_t off_line = 0;
-    std::int64_t lost = 0;
-    std::int64_t missing = 0;
+    std::int64_t unmatched_duplicates = 0;
+    std::int64_t false_positives = 0;
+    std::int64_t unmatched_truth = 0;
+    std::int64_t false_negatives = 0;
     score::CauseCounts causes;
 };
 

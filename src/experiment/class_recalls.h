@@ -10,7 +10,7 @@
 namespace ink::experiment {
 
 /// The 95 % interval of each class's recall pooled over `rows`, which are of one method: scenes
-/// drawn again with all their views, as f_interval does it with the rows' seed.
+/// resampled with all their views, as f_interval does it with the rows' seed.
 ///
 /// A class that is there in fewer than two scenes has none; rows that failed are left out.
 [[nodiscard]] std::map<std::string, statistics::Interval> class_recall_intervals(

@@ -101,7 +101,7 @@ const std::array<CostUnit, kCostUnits>& cost_units() {
         {"interpolant", "a further plane set up for a triangle"},
         {"fill operation", "an operation at a covered pixel"},
         {"filter operation", "an operation at a pixel of the frame"},
-        {"byte", "a byte of a buffer or the picture, cleared, read or written"},
+        {"byte", "a byte of a buffer or the image, cleared, read or written"},
     }};
     return kUnits;
 }

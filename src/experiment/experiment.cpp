@@ -18,8 +18,8 @@ bool parse_whole(std::string_view text, int& value) {
     return status == std::errc{} && end == text.data() + text.size();
 }
 
-/// Applies a setting to the entrants that it is for and that know it.
-void apply(const std::string& setting, std::vector<harness::Entrant>& entrants) {
+/// Applies a setting to the configurations that it is for and that know it.
+void apply(const std::string& setting, std::vector<harness::MethodConfig>& configs) {
     const auto equals = setting.find('=');
     std::string key = setting.substr(0, equals);
     std::string method;
@@ -27,12 +27,12 @@ void apply(const std::string& setting, std::vector<harness::Entrant>& entrants) 
         method = key.substr(0, dot);
         key = key.substr(dot + 1);
     }
-    for (harness::Entrant& entrant : entrants) {
-        if (!method.empty() && method != entrant.info->name) continue;
-        const auto& params = entrant.info->params;
+    for (harness::MethodConfig& config : configs) {
+        if (!method.empty() && method != config.info->name) continue;
+        const auto& params = config.info->params;
         const bool is_known = std::any_of(
             params.begin(), params.end(), [&](const core::Param& p) { return p.name == key; });
-        if (is_known) entrant.settings[key] = setting.substr(equals + 1);
+        if (is_known) config.settings[key] = setting.substr(equals + 1);
     }
 }
 
@@ -58,9 +58,9 @@ std::string_view name(ExperimentKind kind) {
     return "";
 }
 
-PictureSize parse_picture_size(const std::string& text, const std::string& where) {
+ImageSize parse_image_size(const std::string& text, const std::string& where) {
     const auto x = text.find('x');
-    PictureSize size;
+    ImageSize size;
     const bool is_pair = x != std::string::npos &&
                          parse_whole(std::string_view(text).substr(0, x), size.width_px) &&
                          parse_whole(std::string_view(text).substr(x + 1), size.height_px);
@@ -90,7 +90,7 @@ std::vector<std::string> scenes_called(const std::string& name) {
 
 Experiment with_overrides(Experiment experiment, const ExperimentOverrides& overrides) {
     if (!overrides.size.empty()) {
-        experiment.sizes = {parse_picture_size(overrides.size, "--size")};
+        experiment.sizes = {parse_image_size(overrides.size, "--size")};
     }
     if (!overrides.scenes.empty()) {
         if (experiment.kind == ExperimentKind::stress) refuse_scenes(experiment);
@@ -102,8 +102,8 @@ Experiment with_overrides(Experiment experiment, const ExperimentOverrides& over
     }
     if (!overrides.methods.empty()) {
         experiment.methods.clear();
-        for (const harness::Entrant& entrant : harness::make_entrants(overrides.methods, {}))
-            experiment.methods.push_back(entrant.info->name);
+        for (const harness::MethodConfig& config : harness::make_configs(overrides.methods, {}))
+            experiment.methods.push_back(config.info->name);
         std::erase_if(experiment.grids, [&](const SettingGrid& grid) {
             const auto& names = experiment.methods;
             return std::find(names.begin(), names.end(), grid.method) == names.end();
@@ -114,32 +114,32 @@ Experiment with_overrides(Experiment experiment, const ExperimentOverrides& over
     return experiment;
 }
 
-std::vector<harness::Entrant> entrants_of(const Experiment& experiment) {
-    std::vector<harness::Entrant> entrants = harness::make_entrants(
+std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
+    std::vector<harness::MethodConfig> configs = harness::make_configs(
         fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
     for (const std::string& setting : experiment.settings)
-        apply(setting, entrants);
-    return entrants;
+        apply(setting, configs);
+    return configs;
 }
 
-std::vector<harness::Entrant> grid_entrants(const harness::Entrant& entrant,
-                                            const SettingGrid& grid) {
-    std::vector<harness::Entrant> entrants = {entrant};
+std::vector<harness::MethodConfig> grid_configs(const harness::MethodConfig& config,
+                                                const SettingGrid& grid) {
+    std::vector<harness::MethodConfig> configs = {config};
     for (const auto& [key, values] : grid.axes) {
-        std::vector<harness::Entrant> longer;
-        for (const harness::Entrant& shorter : entrants) {
+        std::vector<harness::MethodConfig> longer;
+        for (const harness::MethodConfig& shorter : configs) {
             for (const std::string& value : values) {
                 longer.push_back(shorter);
                 longer.back().settings[key] = value;
             }
         }
-        entrants = std::move(longer);
+        configs = std::move(longer);
     }
     std::set<core::ParamValues> known;
-    std::erase_if(entrants, [&](const harness::Entrant& made) {
+    std::erase_if(configs, [&](const harness::MethodConfig& made) {
         return !known.insert(made.info->complete(made.settings)).second;
     });
-    return entrants;
+    return configs;
 }
 
 }  // namespace ink::experiment

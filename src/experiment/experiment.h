@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/param.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
@@ -38,7 +38,7 @@ struct SettingGrid {
     std::vector<std::pair<std::string, std::vector<std::string>>> axes;  ///< key, its values
 };
 
-struct PictureSize {
+struct ImageSize {
     int width_px = 0;
     int height_px = 0;
 };
@@ -52,7 +52,7 @@ struct Experiment {
     std::uint64_t seed = 0;
     std::vector<std::string> methods;    ///< registered names, each once; none: all
     std::vector<std::string> presets;    ///< preset files whose methods take part too
-    std::vector<PictureSize> sizes;      ///< one at least
+    std::vector<ImageSize> sizes;        ///< one at least
     std::vector<int> threads = {1};      ///< of the methods
     std::vector<std::string> scenes;     ///< built-in scenes or model files; compare, animation
     harness::ViewRequest view_request;   ///< from where scenes are seen; its size is not read
@@ -74,8 +74,8 @@ struct Experiment {
     BoundRequest bound;
     int repetitions = 15;     ///< timed drawings, at most
     double budget_s = 0.06;   ///< of drawing, after which repetitions end
-    bool full_scores = true;  ///< curves, ladder, bins, causes; else F at 2 px alone
-    bool witness = true;      ///< hold truths against the witness
+    bool full_scores = true;  ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
+    bool crosscheck = true;   ///< hold truths against the cross-check
     bool times = true;        ///< false: columns of times stay empty
 };
 
@@ -104,18 +104,18 @@ struct ExperimentOverrides {
 
 /// The methods that take part, presets last, with the settings that each knows. Throws core::Error
 /// for a preset that cannot be read.
-[[nodiscard]] std::vector<harness::Entrant> entrants_of(const Experiment& experiment);
+[[nodiscard]] std::vector<harness::MethodConfig> configs_of(const Experiment& experiment);
 
-/// Every combination of a grid as an entrant, on top of what `entrant` has; the last key turns
+/// Every combination of a grid as a configuration, on top of what `config` has; the last key turns
 /// fastest. Combinations that come out equal appear once.
-[[nodiscard]] std::vector<harness::Entrant> grid_entrants(const harness::Entrant& entrant,
-                                                          const SettingGrid& grid);
+[[nodiscard]] std::vector<harness::MethodConfig> grid_configs(const harness::MethodConfig& config,
+                                                              const SettingGrid& grid);
 
 /// The scenes that "catalogue", "train" and "heldout" stand for; any other name is its own.
 [[nodiscard]] std::vector<std::string> scenes_called(const std::string& name);
 
 /// "640x360"; throws core::Error (where = `where`) for text that is no size, or one that cannot be
 /// drawn.
-[[nodiscard]] PictureSize parse_picture_size(const std::string& text, const std::string& where);
+[[nodiscard]] ImageSize parse_image_size(const std::string& text, const std::string& where);
 
 }  // namespace ink::experiment

@@ -14,12 +14,12 @@
 namespace ink::experiment {
 namespace {
 
-constexpr int kBrackets = 2;  // of a sequence: sampled and oracle
+constexpr int kBaselines = 2;  // of a sequence: sampled and oracle
 constexpr int kRollFrames = 180;
 constexpr int kRollCreases = 3;
 
 /// The sequences of the study whose scene takes part.
-std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const PictureSize& size) {
+std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const ImageSize& size) {
     std::vector<studies::Sequence> all =
         studies::study_sequences(size.width_px, size.height_px, experiment.frames);
     std::vector<std::string> known;
@@ -42,7 +42,7 @@ std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const 
 
 /// What the blocks share.
 struct Stage {
-    std::vector<harness::Entrant> entrants;
+    std::vector<harness::MethodConfig> configs;
     harness::TraceOptions trace;
     std::vector<studies::Sequence> sequences;
 };
@@ -52,7 +52,7 @@ BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t 
     options.measure.threads = threads;
     options.trace = stage.trace;
     const std::vector<studies::MotionRow> rows =
-        studies::study_sequence(stage.entrants, stage.sequences[n], options);
+        studies::study_sequence(stage.configs, stage.sequences[n], options);
     BlockResult result;
     std::int64_t cell = first_cell;
     for (const studies::MotionRow& row : rows) {
@@ -75,7 +75,7 @@ BlockResult run_roll(const Stage& stage, int threads, std::int64_t first_cell) {
     BlockResult result;
     std::int64_t cell = first_cell;
     std::string method;
-    for (const studies::RollCurve& curve : studies::study_roll(stage.entrants, options)) {
+    for (const studies::RollCurve& curve : studies::study_roll(stage.configs, options)) {
         if (!method.empty() && curve.method != method) ++cell;
         if (curve.method != method)
             result.lines["rows.csv"] +=
@@ -88,8 +88,8 @@ BlockResult run_roll(const Stage& stage, int threads, std::int64_t first_cell) {
 }
 
 void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& stage, Plan& plan) {
-    const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
-    for (const PictureSize& size : experiment.sizes) {
+    const int rows = static_cast<int>(stage->configs.size()) + kBaselines;
+    for (const ImageSize& size : experiment.sizes) {
         for (studies::Sequence& sequence : sequences_of(experiment, size)) {
             const std::size_t n = stage->sequences.size();
             const double mpx = 1e-6 * size.width_px * size.height_px;
@@ -120,7 +120,7 @@ void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& 
 
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     const auto stage = std::make_shared<Stage>();
-    stage->entrants = entrants_of(experiment);
+    stage->configs = configs_of(experiment);
     stage->trace = trace;
     plan.add_table(harness::rows_table());
     plan.add_table(studies::motion_table());
@@ -129,7 +129,7 @@ void plan_animation(const Experiment& experiment, const harness::TraceOptions& t
     if (!experiment.roll) return;
     plan.add_table(studies::roll_table());
     plan.add_table(studies::vanishing_table());
-    const int methods = static_cast<int>(stage->entrants.size());
+    const int methods = static_cast<int>(stage->configs.size());
     const int threads = experiment.threads.front();
     const std::int64_t first_cell = plan.take_cells(methods);
     plan.blocks.push_back(

@@ -20,9 +20,9 @@ namespace {
 
 /// Settings of one method that take turns; more at once would not fit into memory on large models.
 constexpr std::size_t kSettingsAtOnce = 48;
-constexpr int kBrackets = 3;
-/// The motion study beside a comparison: small pictures, a few pixels' way.
-constexpr PictureSize kMotionSize{640, 360};
+constexpr int kBaselines = 3;
+/// The motion study beside a comparison: small images, a few pixels' way.
+constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
 
 /// Where a block's cells are.
@@ -44,50 +44,55 @@ std::string place_text(const ViewBench& bench, const BlockPlace& at) {
                        at.threads);
 }
 
-void add_side_tables(std::int64_t cell, const harness::Shot& shot, BlockResult& result) {
-    if (!shot.row.is_ok() || !shot.row.lines) return;
-    result.lines["curves.csv"] += harness::curve_lines(cell, shot.scored.curve);
-    result.lines["tolerances.csv"] += harness::tolerance_lines(cell, shot.row.ladder);
-    result.lines["bins.csv"] += harness::bin_lines(cell, shot.row.lines->bins);
+void add_side_tables(std::int64_t cell,
+                     const harness::Evaluation& evaluation,
+                     BlockResult& result) {
+    if (!evaluation.row.is_ok() || !evaluation.row.lines) return;
+    result.lines["curves.csv"] += harness::curve_lines(cell, evaluation.scored.curve);
+    result.lines["tolerances.csv"] +=
+        harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
+    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
 }
 
-/// The methods at their own settings, and the brackets: rows.csv and what stands beside it.
+/// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
 BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const harness::CellOptions options = bench.cell_options(at.threads);
     const bool is_full = bench.experiment().full_scores;
-    std::vector<harness::Shot> shots =
-        harness::method_shots(bench.methods(at.scene), *at.view, options.measure);
+    std::vector<harness::Evaluation> evaluations =
+        harness::method_evaluations(bench.methods(at.scene), *at.view, options.measure);
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
     BlockResult result;
     if (is_full) {
-        harness::finish_shots(scene, *at.view, traced, options, shots);
+        harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
     } else {
-        harness::finish_briefly(scene, *at.view, traced, options, shots);
+        harness::finish_briefly(scene, *at.view, traced, options, evaluations);
     }
     if (is_full && traced.has_truth()) {
         harness::MissPredictor& predictor = bench.predictor(at.scene);
-        harness::attribute_shots(traced.truth, *at.view, predictor, shots);
+        harness::attribute_evaluations(traced.truth, *at.view, predictor, evaluations);
         for (const linear_code::CancellationRow& row :
-             linear_code::study_cancellation(traced.truth, *at.view, predictor, shots)) {
-            const auto shot = std::find_if(shots.begin(), shots.end(), [&](const harness::Shot& s) {
-                return s.row.method == row.method;
-            });
-            result.lines["cancellation.csv"] +=
-                linear_code::cancellation_line(at.first_cell + (shot - shots.begin()), row);
+             linear_code::study_cancellation(traced.truth, *at.view, predictor, evaluations)) {
+            const auto evaluation = std::find_if(
+                evaluations.begin(), evaluations.end(), [&](const harness::Evaluation& s) {
+                    return s.row.method == row.method;
+                });
+            result.lines["cancellation.csv"] += linear_code::cancellation_line(
+                at.first_cell + (evaluation - evaluations.begin()), row);
         }
     }
-    harness::check_brackets(shots, result.faults);
+    harness::check_baselines(evaluations, result.faults);
     std::int64_t cell = at.first_cell;
-    for (harness::Shot& shot : shots) {
-        if (!bench.experiment().times) clear_times(shot.row);
-        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::compare, shot.row);
-        result.lines["cost.csv"] += harness::cost_line(cell, shot.row);
-        add_side_tables(cell, shot, result);
+    for (harness::Evaluation& evaluation : evaluations) {
+        if (!bench.experiment().times) clear_times(evaluation.row);
+        result.lines["rows.csv"] +=
+            harness::row_line(cell, harness::Study::compare, evaluation.row);
+        result.lines["cost.csv"] += harness::cost_line(cell, evaluation.row);
+        add_side_tables(cell, evaluation, result);
         ++cell;
     }
     if (at.keeps_images && traced.has_truth())
-        result.files = harness::image_files(traced.truth, scene, shots);
+        result.files = harness::image_files(traced.truth, scene, evaluations);
     return result;
 }
 
@@ -95,10 +100,10 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
 struct SettingsPart {
     std::size_t method = 0;
     std::size_t first = 0;  ///< the number of the first setting, from 1
-    std::vector<harness::Entrant> settings;
+    std::vector<harness::MethodConfig> settings;
 };
 
-/// Settings of one method: lines of sweep.csv, without brackets.
+/// Settings of one method: lines of sweep.csv, without baselines.
 BlockResult run_settings(ViewBench& bench,
                          const BlockPlace& at,
                          const SettingsPart& part,
@@ -111,15 +116,16 @@ BlockResult run_settings(ViewBench& bench,
         std::min(brief.max_repetitions, options.measure.max_repetitions);
     options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
     auto methods = bench.prepared(part.settings, at.scene);
-    std::vector<harness::Shot> shots = harness::method_shots(methods, *at.view, options.measure);
+    std::vector<harness::Evaluation> evaluations =
+        harness::method_evaluations(methods, *at.view, options.measure);
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
-    harness::finish_briefly(bench.scenes()[at.scene], *at.view, traced, options, shots);
+    harness::finish_briefly(bench.scenes()[at.scene], *at.view, traced, options, evaluations);
     BlockResult result;
     const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
     for (std::size_t i = 0; i < part.settings.size(); ++i) {
-        if (!bench.experiment().times) clear_times(shots[i].row);
+        if (!bench.experiment().times) clear_times(evaluations[i].row);
         result.lines["sweep.csv"] +=
-            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, shots[i].row);
+            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, evaluations[i].row);
     }
     return result;
 }
@@ -142,19 +148,19 @@ double work_s(const ViewBench& bench, const BlockPlace& at, int cells, bool is_f
 }
 
 /// All settings over which a method is swept on the n-th view: its grids', then its own.
-std::vector<harness::Entrant> settings_of(const ViewBench& bench,
-                                          const harness::Entrant& entrant,
-                                          std::size_t nth_view) {
-    std::vector<harness::Entrant> settings;
-    const auto append = [&settings](std::vector<harness::Entrant> more) {
+std::vector<harness::MethodConfig> settings_of(const ViewBench& bench,
+                                               const harness::MethodConfig& config,
+                                               std::size_t nth_view) {
+    std::vector<harness::MethodConfig> settings;
+    const auto append = [&settings](std::vector<harness::MethodConfig> more) {
         std::move(more.begin(), more.end(), std::back_inserter(settings));
     };
     for (const SettingGrid& grid : bench.experiment().grids)
-        if (grid.method == entrant.info->name) append(grid_entrants(entrant, grid));
+        if (grid.method == config.info->name) append(grid_configs(config, grid));
     const auto own_views = static_cast<std::size_t>(bench.experiment().own_sweep_views);
-    if (nth_view < own_views) append(harness::sweep_entrants(entrant));
+    if (nth_view < own_views) append(harness::sweep_configs(config));
     std::set<core::ParamValues> known;
-    std::erase_if(settings, [&](const harness::Entrant& made) {
+    std::erase_if(settings, [&](const harness::MethodConfig& made) {
         return !known.insert(made.info->complete(made.settings)).second;
     });
     return settings;
@@ -163,9 +169,9 @@ std::vector<harness::Entrant> settings_of(const ViewBench& bench,
 /// The parameters in which any setting of any sweep differs from its method's own.
 std::vector<std::string> parameters_swept(const ViewBench& bench) {
     std::set<std::string> names;
-    for (const harness::Entrant& entrant : bench.entrants()) {
-        const core::ParamValues own = entrant.info->complete(entrant.settings);
-        for (const harness::Entrant& setting : settings_of(bench, entrant, 0)) {
+    for (const harness::MethodConfig& config : bench.configs()) {
+        const core::ParamValues own = config.info->complete(config.settings);
+        for (const harness::MethodConfig& setting : settings_of(bench, config, 0)) {
             for (const auto& [name, value] : setting.info->complete(setting.settings))
                 if (own.at(name) != value) names.insert(name);
         }
@@ -177,7 +183,7 @@ std::vector<std::string> parameters_swept(const ViewBench& bench) {
 void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const BlockPlace& at,
                    std::size_t method,
-                   const std::vector<harness::Entrant>& settings,
+                   const std::vector<harness::MethodConfig>& settings,
                    const std::vector<std::string>& swept,
                    Plan& plan) {
     for (std::size_t begin = 0; begin < settings.size(); begin += kSettingsAtOnce) {
@@ -217,15 +223,15 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                std::size_t nth_view,
                const std::vector<std::string>& swept,
                Plan& plan) {
-    const int cells = static_cast<int>(bench->entrants().size()) + kBrackets;
+    const int cells = static_cast<int>(bench->configs().size()) + kBaselines;
     at.first_cell = plan.take_cells(cells);
     plan.blocks.push_back(
         {place_text(*bench, at), cells, work_s(*bench, at, cells, true), false, [bench, at] {
              return run_methods(*bench, at);
          }});
-    for (std::size_t m = 0; m < bench->entrants().size(); ++m) {
-        const std::vector<harness::Entrant> settings =
-            settings_of(*bench, bench->entrants()[m], nth_view);
+    for (std::size_t m = 0; m < bench->configs().size(); ++m) {
+        const std::vector<harness::MethodConfig> settings =
+            settings_of(*bench, bench->configs()[m], nth_view);
         plan_settings(bench, at, m, settings, swept, plan);
     }
 }

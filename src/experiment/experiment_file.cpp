@@ -74,7 +74,7 @@ void read_methods(TomlReader& grid, Experiment& experiment) {
 void read_sizes(TomlReader& grid, Experiment& experiment) {
     const std::vector<TomlText> usual = {{"640x360", 0}};
     for (const TomlText& size : grid.texts("sizes").value_or(usual)) {
-        experiment.sizes.push_back(parse_picture_size(size.text, grid.where_line(size.line)));
+        experiment.sizes.push_back(parse_image_size(size.text, grid.where_line(size.line)));
     }
 }
 
@@ -135,9 +135,9 @@ void read_measure(TomlReader& measure, Experiment& experiment) {
             measure.number("budget_ms", 0, 1e6).value_or(experiment.budget_s * 1e3) * 1e-3;
     }
     if (experiment.kind == ExperimentKind::compare) {
-        known.insert(known.end(), {"full_scores", "witness"});
+        known.insert(known.end(), {"full_scores", "crosscheck"});
         experiment.full_scores = measure.flag("full_scores").value_or(true);
-        experiment.witness = measure.flag("witness").value_or(true);
+        experiment.crosscheck = measure.flag("crosscheck").value_or(true);
     }
     measure.refuse_unknown(known);
 }
@@ -158,7 +158,7 @@ void read_settings(TomlReader& settings, Experiment& experiment) {
     const auto add = [&](TomlReader& table, const std::string& prefix, const std::string& key) {
         const std::string text = prefix + key + "=" + one_text(table, key);
         at_line(table.where(key),
-                [&] { (void)harness::make_entrants(all_methods(experiment), {text}); });
+                [&] { (void)harness::make_configs(all_methods(experiment), {text}); });
         experiment.settings.push_back(text);
     };
     for (const std::string& key : settings.keys()) {
@@ -179,7 +179,7 @@ SettingGrid read_setting_grid(TomlReader& table, const std::string& method) {
         const auto texts = table.texts(key);
         for (const TomlText& value : *texts) {
             at_line(table.where_line(value.line), [&] {
-                (void)harness::make_entrants(method, {method + "." + key + "=" + value.text});
+                (void)harness::make_configs(method, {method + "." + key + "=" + value.text});
             });
             values.push_back(value.text);
         }

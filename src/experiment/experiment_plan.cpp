@@ -89,7 +89,7 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.asked = asked_text(experiment);
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;
-    plan.files["methods.csv"] = harness::methods_csv(entrants_of(experiment));
+    plan.files["methods.csv"] = harness::methods_csv(configs_of(experiment));
     const harness::TraceOptions trace = trace_of(experiment, cache);
     switch (experiment.kind) {
         case ExperimentKind::compare:

@@ -12,11 +12,11 @@
 namespace ink::experiment {
 namespace {
 
-constexpr int kBrackets = 3;
+constexpr int kBaselines = 3;
 
 /// What the blocks share.
 struct Stage {
-    std::vector<harness::Entrant> entrants;
+    std::vector<harness::MethodConfig> configs;
     harness::MeasureOptions measure;
     harness::TraceOptions trace;
     studies::StressSize size;
@@ -37,7 +37,7 @@ std::vector<const studies::StressAxis*> axes_of(const Experiment& experiment) {
 std::string fault_of(const studies::StressRow& row) {
     if (row.counts.is_clean()) return "";
     return fmt::format(
-        "{} on {} {}: {} numbers not finite, {} overflows, {} cells lost, {} pictures differ",
+        "{} on {} {}: {} numbers not finite, {} overflows, {} cells lost, {} images differ",
         row.row.method,
         row.axis,
         row.value,
@@ -55,7 +55,7 @@ BlockResult run_values(const Stage& stage,
     std::vector<studies::StressRow> rows;
     for (const double value : values) {
         for (const studies::StressCase& stress : axis.cases(value, stage.size)) {
-            auto more = studies::stress_rows(stress, stage.entrants, stage.measure, stage.trace);
+            auto more = studies::stress_rows(stress, stage.configs, stage.measure, stage.trace);
             std::move(more.begin(), more.end(), std::back_inserter(rows));
         }
     }
@@ -73,11 +73,11 @@ BlockResult run_values(const Stage& stage,
     return result;
 }
 
-/// Values whose pictures are compared with each other belong together; others stand alone.
+/// Values whose images are compared with each other belong together; others stand alone.
 std::vector<std::vector<double>> value_groups(const studies::StressAxis& axis, int points) {
     const std::vector<double> values =
         points > 0 ? studies::stress_values(axis, points) : axis.values;
-    if (axis.same_pictures) return {values};
+    if (axis.same_images) return {values};
     std::vector<std::vector<double>> groups;
     for (const double value : values)
         groups.push_back({value});
@@ -88,7 +88,7 @@ std::vector<std::vector<double>> value_groups(const studies::StressAxis& axis, i
 
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     const auto stage = std::make_shared<Stage>();
-    stage->entrants = entrants_of(experiment);
+    stage->configs = configs_of(experiment);
     stage->trace = trace;
     stage->seed = experiment.seed;
     stage->trace.truth.threads = core::hardware_threads();
@@ -96,7 +96,7 @@ void plan_stress(const Experiment& experiment, const harness::TraceOptions& trac
     plan.add_table(harness::rows_table());
     plan.add_table(studies::stress_table());
     const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
-    const int rows = static_cast<int>(stage->entrants.size()) + kBrackets;
+    const int rows = static_cast<int>(stage->configs.size()) + kBaselines;
     for (const studies::StressAxis* axis : axes_of(experiment)) {
         // The cases of the first value stand for all: those of the last may be large.
         const auto cases = static_cast<int>(axis->cases(axis->values.front(), stage->size).size());

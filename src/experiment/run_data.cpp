@@ -83,7 +83,7 @@ RunTables parse_tables(const Texts& texts, const std::string& where) {
     const harness::RowIndex index(records);
     if (tables.has("curves.csv")) {
         for (harness::CurveRecord& record : harness::read_curves(tables.split("curves.csv"), index))
-            if (!harness::is_bracket(record.curve.method))
+            if (!harness::is_baseline(record.curve.method))
                 run.curves.push_back(std::move(record.curve));
     }
     if (tables.has("sweep.csv")) {
@@ -136,7 +136,8 @@ RunData read_run(const fs::path& folder) {
         for (FinishedTable& table : finished_tables(*record, store))
             texts[table.name] = std::move(table.text);
         for (const std::size_t block : blocks)
-            if (const auto kept = store.read(block)) std::erase(run.record.missing, kept->key);
+            if (const auto kept = store.read(block))
+                std::erase(run.record.false_negatives, kept->key);
     } else {
         for (const RecordedTable& table : record->tables)
             texts[table.name] = read_file(folder / table.name);

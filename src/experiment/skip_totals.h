@@ -26,7 +26,7 @@ struct SkipTotals {
 [[nodiscard]] double share_of(const raster::SkipCount& count);
 
 /// The totals of each method over its rows that did not fail, in order of first appearance; methods
-/// whose rows count nothing (brackets) are left out. Of equal shares the first row stays.
+/// whose rows count nothing (baselines) are left out. Of equal shares the first row stays.
 [[nodiscard]] std::vector<SkipTotals> skip_totals(const std::vector<harness::Row>& rows);
 
 }  // namespace ink::experiment

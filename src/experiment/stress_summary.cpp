@@ -84,7 +84,7 @@ harness::TableOf<P> make_points_table() {
     add({"method", "", "as in rows.csv"}, [](const P& p) { return p.method; });
     add({"cases", "", "that have a score"}, [](const P& p) { return p.cases; });
     add({"f", "0..1", "F within 2 px of the counts of all cases"}, [](const P& p) { return p.f; });
-    add({"f_lo", "0..1", "lower end of its 95 % interval, cases drawn again"},
+    add({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
         [](const P& p) { return p.f_range ? std::optional(p.f_range->low) : std::nullopt; });
     add({"f_hi", "0..1", "upper end"},
         [](const P& p) { return p.f_range ? std::optional(p.f_range->high) : std::nullopt; });
@@ -97,7 +97,7 @@ harness::TableOf<P> make_points_table() {
     add({"overflow", "", "codes beyond what they may hold"},
         [](const P& p) { return p.counts.overflow; });
     add({"lost_cells", "", "cases without a result"}, [](const P& p) { return p.counts.lost; });
-    add({"differing", "", "pictures that differ where the axis allows none to"},
+    add({"differing", "", "images that differ where the axis allows none to"},
         [](const P& p) { return p.counts.differing; });
     return table;
 }
@@ -214,7 +214,7 @@ std::string stress_sentence(const studies::StressAxis& axis,
             ceiling = fmt::format(" The ceiling of one sample a pixel itself moves: {}.",
                                   words(axis, curve));
         }
-        if (harness::is_bracket(curve.method)) continue;
+        if (harness::is_baseline(curve.method)) continue;
         ++methods;
         if (curve.loss() < kLevel) {
             level.push_back(curve.method);
@@ -263,7 +263,7 @@ std::string stress_table(const std::vector<StressPointSummary>& points) {
         for (const StressCurve& curve : curves) {
             for (const StressPointSummary& point : curve.points)
                 counts.add(point.counts);
-            if (harness::is_bracket(curve.method) || curve.best() == nullptr) continue;
+            if (harness::is_baseline(curve.method) || curve.best() == nullptr) continue;
             level += curve.loss() < kLevel ? 1 : 0;
             if (worst == nullptr || curve.loss() > worst->loss()) worst = &curve;
         }

@@ -19,7 +19,7 @@ struct StressPointSummary {
     std::string method;
     int cases = 0;                                     ///< without failure
     std::optional<double> f;                           ///< at 2 px, of the counts pooled over cases
-    std::optional<statistics::Interval> f_range = {};  ///< 95 %, cases drawn again; two at least
+    std::optional<statistics::Interval> f_range = {};  ///< 95 %, cases resampled; two at least
     std::optional<double> precision = {};
     std::optional<double> recall = {};
     std::int64_t truth_px = 0;
@@ -49,7 +49,7 @@ struct StressCurve {
     [[nodiscard]] const StressPointSummary* worst() const;  ///< null without a point
 };
 
-/// The curves of an axis in the order of their methods, brackets among them.
+/// The curves of an axis in the order of their methods, baselines among them.
 [[nodiscard]] std::vector<StressCurve> stress_curves(const std::vector<StressPointSummary>& points,
                                                      const std::string& axis);
 

@@ -60,19 +60,19 @@ std::optional<double> macro_f(const std::vector<Counts>& scenes) {
     return statistics::mean(values);
 }
 
-/// Pooled F at each tolerance, if every row has its ladder.
-std::vector<double> ladder_f(const Rows& rows) {
+/// Pooled F at each tolerance, if every row has its tolerance sweep.
+std::vector<double> f_at_tolerances(const Rows& rows) {
     std::vector<Counts> sums;
     for (const harness::Row* row : rows) {
-        if (row->ladder.empty()) return {};
-        sums.resize(row->ladder.size());
+        if (row->tolerance_sweep.empty()) return {};
+        sums.resize(row->tolerance_sweep.size());
         for (std::size_t i = 0; i < sums.size(); ++i)
-            sums[i] += row->ladder[i];
+            sums[i] += row->tolerance_sweep[i];
     }
-    std::vector<double> ladder;
+    std::vector<double> tolerance_sweep;
     for (const Counts& sum : sums)
-        ladder.push_back(sum.f());
-    return ladder;
+        tolerance_sweep.push_back(sum.f());
+    return tolerance_sweep;
 }
 
 /// F of the counts of those rows that have them.
@@ -132,11 +132,11 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     summary.f_median = statistics::quantile(f_2px, 0.5);
     summary.f_1px = pooled_where(
         rows, [](const harness::Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);
-    summary.f_ladder = ladder_f(rows);
-    summary.f_chance = pooled_where(
+    summary.f_at_tolerances = f_at_tolerances(rows);
+    summary.f_random = pooled_where(
         rows,
-        [](const harness::Row& row) { return row.chance.has_value(); },
-        [](const harness::Row& row) { return *row.chance; });
+        [](const harness::Row& row) { return row.random_baseline.has_value(); },
+        [](const harness::Row& row) { return *row.random_baseline; });
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
     summary.recall_by_class = pooled_recalls(rows);
@@ -225,7 +225,7 @@ std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points) {
 Verdict find_verdict(const std::vector<MethodSummary>& summaries) {
     Verdict verdict;
     for (const MethodSummary& s : summaries) {
-        if (s.is_bracket || !s.f_2px) continue;
+        if (s.is_baseline || !s.f_2px) continue;
         if (verdict.best == nullptr || *s.f_2px > *verdict.best->f_2px) {
             verdict.runner_up = verdict.best;
             verdict.best = &s;
@@ -248,7 +248,7 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
         if (known != summaries.end()) continue;
         MethodSummary summary;
         summary.method = row.method;
-        summary.is_bracket = harness::is_bracket(row.method);
+        summary.is_baseline = harness::is_baseline(row.method);
         summaries.push_back(summary);
     }
     for (MethodSummary& summary : summaries) {
@@ -262,7 +262,7 @@ std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
         summarise_costs(good, summary);
     }
     std::stable_partition(
-        summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_bracket; });
+        summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_baseline; });
     return summaries;
 }
 

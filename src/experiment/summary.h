@@ -17,7 +17,7 @@ namespace ink::experiment {
 /// an empty value never enters a mean.
 struct MethodSummary {
     std::string method;
-    bool is_bracket = false;
+    bool is_baseline = false;
     int views = 0;                ///< rows without failure
     int failed = 0;               ///< rows with one
     std::optional<double> f_2px;  ///< of the counts pooled over its views
@@ -29,8 +29,9 @@ struct MethodSummary {
     std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
     std::optional<double> f_median;   ///< over views, each counting alike
     std::optional<int> threshold;     ///< at which it is scored, from its parameters
-    std::vector<double> f_ladder;     ///< pooled, at each of kLadder_px; empty if not scored
-    std::optional<double> f_chance;   ///< pooled, of random pictures of as many pixels
+    std::vector<double>
+        f_at_tolerances;             ///< pooled, at each of kTolerances_px; empty if not scored
+    std::optional<double> f_random;  ///< pooled, of random images of as many pixels
     std::optional<statistics::CurveSummary>
         curve;                        ///< over thresholds, all its views; see add_curves
     std::optional<double> f_1px;      ///< pooled
@@ -43,7 +44,7 @@ struct MethodSummary {
     std::optional<int> bytes_per_px;                        ///< the largest
 };
 
-/// One summary per method, in order of first appearance, the bracket rows last.
+/// One summary per method, in order of first appearance, the baselines last.
 [[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows);
 
 /// F of the counts of all of `rows` that did not fail, pooled; nothing if there is none. 1 where
@@ -71,7 +72,7 @@ struct CostPoint {
 /// error. Of equal points the first stays.
 [[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points);
 
-/// Which method wins and which is cheapest, of those that are no brackets; null if none was scored
+/// Which method wins and which is cheapest, of those that are no baselines; null if none was scored
 /// (or, for `cheapest`, timed). They point into the summaries.
 struct Verdict {
     const MethodSummary* best = nullptr;

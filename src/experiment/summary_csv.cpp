@@ -74,7 +74,7 @@ void add_f(std::vector<SummaryColumn>& columns) {
     add(
         "f_lo",
         [](const S& s) { return low_of(s.f_2px_range); },
-        "lower end of its 95 % interval, scenes drawn again");
+        "lower end of its 95 % interval, scenes resampled");
     add(
         "f_hi", [](const S& s) { return high_of(s.f_2px_range); }, "upper end");
     add(
@@ -122,8 +122,8 @@ std::vector<SummaryColumn> make_columns() {
         "method", [](const S& s) { return harness::csv_field(s.method); }, "as in rows.csv");
     add(
         "kind",
-        [](const S& s) { return std::string(s.is_bracket ? "bracket" : "method"); },
-        "method or bracket");
+        [](const S& s) { return std::string(s.is_baseline ? "baseline" : "method"); },
+        "method or baseline");
     add(
         "views", [](const S& s) { return s.views; }, "on which it was scored");
     add(

@@ -14,7 +14,7 @@ namespace ink::experiment {
 [[nodiscard]] const harness::TableInfo& summary_table();
 
 /// A table (RFC 4180, "\n" line ends) with a line per method of `rows`, in order of first
-/// appearance, the brackets last; what there is none of is empty. `curves` give average precision;
+/// appearance, the baselines last; what there is none of is empty. `curves` give average precision;
 /// no rows give the heading alone. Numbers are in the shortest form that reads back to the same
 /// value.
 [[nodiscard]] std::string summary_csv(const std::vector<harness::Row>& rows,

@@ -32,7 +32,7 @@ std::string difference(const std::string& params, const std::string& usual) {
 std::map<std::string, std::string> usual_params(const std::vector<harness::Row>& rows) {
     std::map<std::string, std::string> usual;
     for (const harness::Row& row : rows) {
-        if (!harness::is_bracket(row.method)) usual.emplace(row.method, row.params);
+        if (!harness::is_baseline(row.method)) usual.emplace(row.method, row.params);
     }
     return usual;
 }
@@ -57,7 +57,7 @@ std::vector<std::vector<harness::Row>> by_setting(const std::vector<harness::Row
     std::vector<std::vector<harness::Row>> groups;
     std::map<std::pair<std::string, std::string>, std::size_t> known;
     for (const harness::Row& row : rows) {
-        if (harness::is_bracket(row.method) || !row.is_ok()) continue;
+        if (harness::is_baseline(row.method) || !row.is_ok()) continue;
         const auto [found, is_new] =
             known.emplace(std::pair{row.method, row.params}, groups.size());
         if (is_new) groups.emplace_back();
@@ -104,12 +104,12 @@ Fronts summarise_fronts(const std::vector<harness::Row>& rows,
         places.insert(harness::place_of(row));
         scenes.insert(row.scene);
     }
-    std::vector<harness::Row> brackets;
+    std::vector<harness::Row> baselines;
     std::copy_if(
-        rows.begin(), rows.end(), std::back_inserter(brackets), [&](const harness::Row& row) {
-            return harness::is_bracket(row.method) && places.count(harness::place_of(row)) != 0;
+        rows.begin(), rows.end(), std::back_inserter(baselines), [&](const harness::Row& row) {
+            return harness::is_baseline(row.method) && places.count(harness::place_of(row)) != 0;
         });
-    fronts.brackets = summarise(brackets);
+    fronts.baselines = summarise(baselines);
     fronts.views = static_cast<int>(places.size());
     fronts.scenes = static_cast<int>(scenes.size());
     return fronts;

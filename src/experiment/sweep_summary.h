@@ -31,14 +31,14 @@ struct MethodSweep {
 
 /// What error against time is drawn from, all over the same views.
 struct Fronts {
-    std::vector<MethodSweep> methods;     ///< in the order of the rows; at least a setting each
-    std::vector<MethodSummary> brackets;  ///< none, sampled, oracle on those views
+    std::vector<MethodSweep> methods;      ///< in the order of the rows; at least a setting each
+    std::vector<MethodSummary> baselines;  ///< none, sampled, oracle on those views
     int views = 0;
     int scenes = 0;
     bool is_swept = false;  ///< else every method has its one setting
 };
 
-/// The fronts over `sweep` (rows of sweep.csv), with the brackets of `rows` on the sweep's views;
+/// The fronts over `sweep` (rows of sweep.csv), with the baselines of `rows` on the sweep's views;
 /// over `rows` themselves if there is no sweep. Rows that failed are left out, as are methods
 /// without a time or a score.
 [[nodiscard]] Fronts summarise_fronts(const std::vector<harness::Row>& rows,

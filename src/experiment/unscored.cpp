@@ -20,10 +20,10 @@ std::string remedy_of(const harness::Row& row) {
         return "a smaller --size, fewer triangles, or a larger --crease, so that fewer edges are "
                "lines";
     }
-    if (begins_with(row.status, "truth_disputed")) {
+    if (begins_with(row.status, "reference_disagreement")) {
         return fmt::format(
-            "inkbench truth {} --view {} --witness --disagreement where.png shows "
-            "the places; --no-witness scores the view all the same",
+            "inkbench truth {} --view {} --crosscheck --disagreement where.png shows "
+            "the places; --no-crosscheck scores the view all the same",
             row.scene,
             row.view);
     }
@@ -38,14 +38,14 @@ std::string remedy_of(const harness::Row& row) {
 std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {
     std::map<harness::Place, bool> has_score;  // of any method
     for (const harness::Row& row : rows) {
-        if (harness::is_bracket(row.method)) continue;
+        if (harness::is_baseline(row.method)) continue;
         bool& has = has_score[harness::place_of(row)];
         has = has || row.is_ok();
     }
     std::vector<Unscored> cells;
     std::map<harness::Place, bool> is_named;
     for (const harness::Row& row : rows) {
-        if (row.is_ok() || harness::is_bracket(row.method)) continue;
+        if (row.is_ok() || harness::is_baseline(row.method)) continue;
         const harness::Place place = harness::place_of(row);
         const bool is_whole_view = !has_score.at(place);
         if (is_whole_view && is_named[place]) continue;

@@ -12,30 +12,28 @@
 namespace ink::experiment {
 
 ViewBench::ViewBench(const Experiment& experiment, harness::TraceOptions trace)
-    : experiment_(experiment), trace_(std::move(trace)), entrants_(entrants_of(experiment)) {
-    trace_.witness = experiment.witness;
+    : experiment_(experiment), trace_(std::move(trace)), configs_(configs_of(experiment)) {
+    trace_.crosscheck = experiment.crosscheck;
     skips_ = harness::without_skips(harness::skips_of_repeated_drawings(),
                                     fmt::format("{}", fmt::join(experiment.skips_off, ",")));
-    for (const PictureSize& size : experiment.sizes) {
+    for (const ImageSize& size : experiment.sizes) {
         harness::ViewRequest request = experiment.view_request;
         request.width_px = size.width_px;
         request.height_px = size.height_px;
-        std::vector<harness::Subject> subjects = harness::load_subjects(experiment.scenes, request);
-        for (std::size_t s = 0; s < subjects.size(); ++s) {
-            views_[{s, size.width_px, size.height_px}] = std::move(subjects[s].views);
-            if (scenes_.size() == s) scenes_.push_back(std::move(subjects[s].scene));
+        std::vector<harness::SceneViews> scenes = harness::load_scenes(experiment.scenes, request);
+        for (std::size_t s = 0; s < scenes.size(); ++s) {
+            views_[{s, size.width_px, size.height_px}] = std::move(scenes[s].views);
+            if (scenes_.size() == s) scenes_.push_back(std::move(scenes[s].scene));
         }
     }
 }
 
-std::size_t ViewBench::view_count(std::size_t scene, const PictureSize& size) const {
+std::size_t ViewBench::view_count(std::size_t scene, const ImageSize& size) const {
     const std::size_t all = views_.at({scene, size.width_px, size.height_px}).size();
     return experiment_.views > 0 ? std::min(all, static_cast<std::size_t>(experiment_.views)) : all;
 }
 
-const scene::View& ViewBench::view(std::size_t scene,
-                                   const PictureSize& size,
-                                   std::size_t n) const {
+const scene::View& ViewBench::view(std::size_t scene, const ImageSize& size, std::size_t n) const {
     return views_.at({scene, size.width_px, size.height_px})[n];
 }
 
@@ -66,15 +64,15 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene) {
     turn_to(scene);
-    if (methods_.empty()) methods_ = prepared(entrants_, scene);
+    if (methods_.empty()) methods_ = prepared(configs_, scene);
     return methods_;
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<harness::Entrant>& entrants, std::size_t scene) const {
+    const std::vector<harness::MethodConfig>& configs, std::size_t scene) const {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const harness::Entrant& entrant : entrants)
-        methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scenes_[scene]));
+    for (const harness::MethodConfig& config : configs)
+        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scenes_[scene]));
     return methods;
 }
 

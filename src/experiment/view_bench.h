@@ -16,16 +16,16 @@ namespace ink::experiment {
 /// block: its model, its methods made ready, the truth of the last view.
 class ViewBench {
   public:
-    /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_subjects
+    /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_scenes
     /// does.
     ViewBench(const Experiment& experiment, harness::TraceOptions trace);
 
     [[nodiscard]] const Experiment& experiment() const { return experiment_; }
-    [[nodiscard]] const std::vector<harness::Entrant>& entrants() const { return entrants_; }
+    [[nodiscard]] const std::vector<harness::MethodConfig>& configs() const { return configs_; }
     [[nodiscard]] const std::vector<scene::Scene>& scenes() const { return scenes_; }
-    [[nodiscard]] std::size_t view_count(std::size_t scene, const PictureSize& size) const;
+    [[nodiscard]] std::size_t view_count(std::size_t scene, const ImageSize& size) const;
     [[nodiscard]] const scene::View& view(std::size_t scene,
-                                          const PictureSize& size,
+                                          const ImageSize& size,
                                           std::size_t n) const;
     [[nodiscard]] harness::CellOptions cell_options(int threads) const;
 
@@ -36,14 +36,14 @@ class ViewBench {
     std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene);
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<harness::Entrant>& entrants, std::size_t scene) const;
+        const std::vector<harness::MethodConfig>& configs, std::size_t scene) const;
 
   private:
     void turn_to(std::size_t scene);
 
     Experiment experiment_;
     harness::TraceOptions trace_;
-    std::vector<harness::Entrant> entrants_;
+    std::vector<harness::MethodConfig> configs_;
     raster::SkipSet skips_;
     std::vector<scene::Scene> scenes_;
     std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;

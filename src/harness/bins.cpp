@@ -24,8 +24,8 @@ bool is_one_sided(const truth::Curve& curve) {
            curve.line_class == truth::LineClass::boundary;
 }
 
-/// Distance along the gaze at the point of a curve nearest to a pixel's centre: 1/w is linear on
-/// the picture.
+/// Distance along the view direction at the point of a curve nearest to a pixel's centre: 1/w is
+/// linear on the image.
 double w_at(const truth::Curve& curve, double x_px, double y_px) {
     const double dx = curve.end.x_px - curve.begin.x_px;
     const double dy = curve.end.y_px - curve.begin.y_px;
@@ -59,7 +59,7 @@ struct DepthRange {
 /// The attributes of a curve at a pixel, in the order of line_attributes().
 Values values_of(const truth::Curve& curve, const DepthRange& range, double x_px, double y_px) {
     Values values;
-    if (curve.line_class != truth::LineClass::boundary) values[0] = curve.bend_rad * kDegrees;
+    if (curve.line_class != truth::LineClass::boundary) values[0] = curve.deviation_rad * kDegrees;
     if (is_one_sided(curve)) values[1] = curve.gap / w_in_the_middle(curve);
     values[2] = curve.view_angle_rad * kDegrees;
     values[3] = range.relative(w_at(curve, x_px, y_px));

@@ -63,27 +63,26 @@ score::ScoreOptions score_options(int threshold) {
     return options;
 }
 
-Scored score_picture(const edge::EdgeImage& picture,
-                     const score::ScoringTruth& truth,
-                     int threshold) {
+Scored score_image(const edge::EdgeImage& image, const score::ScoringTruth& truth, int threshold) {
     const score::ScoreOptions options = score_options(threshold);
     Scored scored;
-    scored.strokes = score::make_strokes(picture, threshold, options);
+    scored.strokes = score::make_strokes(image, threshold, options);
     scored.at_2px = score::score_strokes(scored.strokes, truth, options);
     scored.wrong_2px = score::wrong_pixels(scored.strokes, truth, options);
-    scored.ladder = score::ladder_of_strokes(scored.strokes, truth, options, kLadder_px);
-    scored.curve = score::score_curve(picture, truth, options);
+    scored.tolerance_sweep =
+        score::tolerance_sweep_of_strokes(scored.strokes, truth, options, kTolerances_px);
+    scored.curve = score::score_curve(image, truth, options);
     return scored;
 }
 
 void fill_scores(const Scored& scored, Row& row) {
     fill_score_2px(scored.at_2px, row);
-    const score::CurveCount& strict = scored.ladder.front();
+    const score::CurveCount& strict = scored.tolerance_sweep.front();
     row.f_1px = strict.f();
     row.k_1px = strict.k;
     row.n_pred_1px = strict.n_pred;
     row.ap = score::average_precision(scored.curve);
-    row.ladder = scored.ladder;
+    row.tolerance_sweep = scored.tolerance_sweep;
     row.causes = scored.attribution.counts;
 }
 
@@ -103,10 +102,10 @@ void fill_score_2px(const score::Score& s, Row& row) {
     row.k_2px = s.k;
     row.n_pred = s.n_pred;
     row.n_truth = s.n_truth;
-    row.surplus = s.surplus;
-    row.off_line = s.off_line;
-    row.lost = s.lost;
-    row.missing = s.missing;
+    row.unmatched_duplicates = s.unmatched_duplicates;
+    row.false_positives = s.false_positives;
+    row.unmatched_truth = s.unmatched_truth;
+    row.false_negatives = s.false_negatives;
     row.truth_px = s.n_truth;
 }
 
@@ -125,11 +124,11 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
     if (times.failure.empty()) row.skips = times.skips;
 }
 
-PreparedMethod::PreparedMethod(const Entrant& entrant, const scene::Scene& scene)
-    : entrant_(entrant) {
-    settings_ = entrant.info->complete(entrant.settings);
+PreparedMethod::PreparedMethod(const MethodConfig& config, const scene::Scene& scene)
+    : config_(config) {
+    settings_ = config.info->complete(config.settings);
     threshold_ = std::stoi(settings_.at("threshold"));
-    method_ = entrant.info->make(entrant.settings);
+    method_ = config.info->make(config.settings);
     failure_ = failure_of([&] {
         prepare_ns_ = time_ns([&] { method_->prepare(scene); });
         pose_ns_ = time_ns([&] { method_->pose(scene); });
@@ -138,7 +137,7 @@ PreparedMethod::PreparedMethod(const Entrant& entrant, const scene::Scene& scene
 
 Row PreparedMethod::row() const {
     Row row;
-    row.method = entrant_.info->name;
+    row.method = config_.info->name;
     row.params = join_params(settings_);
     if (!failure_.empty()) {
         row.status = failure_;
@@ -154,27 +153,27 @@ Row PreparedMethod::row() const {
 std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>>& methods,
                                      const scene::View& view,
                                      const MeasureOptions& options,
-                                     std::vector<edge::EdgeImage>& pictures) {
+                                     std::vector<edge::EdgeImage>& images) {
     const std::size_t count = methods.size();
     std::vector<DrawTimes> times(count);
     std::vector<double> spent_s(count, 0);
     std::vector<bool> is_done(count, false);
     const method::Frame frame{view, options.threads, options.skips};
-    pictures.assign(count, edge::EdgeImage());
+    images.assign(count, edge::EdgeImage());
     edge::EdgeImage again(view.width_px, view.height_px);
 
     for (int round = 0; round <= options.max_repetitions; ++round) {
         for (std::size_t i = 0; i < count; ++i) {
             if (is_done[i]) continue;
-            if (round == 0) pictures[i] = edge::EdgeImage(view.width_px, view.height_px);
-            edge::EdgeImage& out = round == 0 ? pictures[i] : again;
+            if (round == 0) images[i] = edge::EdgeImage(view.width_px, view.height_px);
+            edge::EdgeImage& out = round == 0 ? images[i] : again;
             std::int64_t ns = 0;
             std::string failure = methods[i]->failure();
             if (failure.empty()) {
                 failure = failure_of(
                     [&] { ns = time_ns([&] { methods[i]->method().draw(frame, out); }); });
             }
-            if (failure.empty() && round > 0 && !(again == pictures[i])) {
+            if (failure.empty() && round > 0 && !(again == images[i])) {
                 failure = "failed: two drawings of one view differ";
             }
             if (!failure.empty()) {

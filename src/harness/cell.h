@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "edge/edge_image.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/row.h"
 #include "harness/skip_switches.h"
 #include "harness/tracing.h"
@@ -33,26 +33,28 @@ struct DrawTimes {
     raster::SkipCounts skips = {};  ///< of the last timed drawing
 };
 
-/// The tolerances at which every cell is scored, for the ladder: how near the lines lie.
-inline constexpr std::array<double, 5> kLadder_px = {kStrictTolerance_px, 1.5, kTolerance_px, 3, 4};
+/// The tolerances at which every cell is scored, for the tolerance sweep: how near the lines lie.
+inline constexpr std::array<double, 5> kTolerances_px = {
+    kStrictTolerance_px, 1.5, kTolerance_px, 3, 4};
 
-/// What is scored: a picture, at a threshold, against a prepared truth.
+/// What is scored: an image, at a threshold, against a prepared truth.
 struct Scored {
     score::Strokes strokes;  ///< what of it was scored at its threshold
     score::Score at_2px;
-    std::vector<score::CurveCount> ladder;  ///< at each of kLadder_px, 1 px first
+    std::vector<score::CurveCount> tolerance_sweep;  ///< at each of kTolerances_px, 1 px first
     std::array<score::CurveCount, 99> curve{};
-    score::WrongPixels wrong_2px;    ///< the pixels behind at_2px's off_line and missing
+    score::WrongPixels
+        wrong_2px;  ///< the pixels behind at_2px's false_positives and false_negatives
     score::Attribution attribution;  ///< why: empty until MissPredictor fills it
 };
 
-/// How `picture` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
+/// How `image` is scored: band, ignored pixels and `threshold`, at kTolerance_px.
 [[nodiscard]] score::ScoreOptions score_options(int threshold);
 
-/// Scores `picture` at `threshold` with all tolerances and the whole curve at 2 px.
-[[nodiscard]] Scored score_picture(const edge::EdgeImage& picture,
-                                   const score::ScoringTruth& truth,
-                                   int threshold);
+/// Scores `image` at `threshold` with all tolerances and the whole curve at 2 px.
+[[nodiscard]] Scored score_image(const edge::EdgeImage& image,
+                                 const score::ScoringTruth& truth,
+                                 int threshold);
 
 /// Writes the metrics of `scored` into `row`.
 void fill_scores(const Scored& scored, Row& row);
@@ -70,9 +72,9 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
 class PreparedMethod {
   public:
     /// Makes and prepares. A method that throws is not prepared: see `failure`.
-    PreparedMethod(const Entrant& entrant, const scene::Scene& scene);
+    PreparedMethod(const MethodConfig& config, const scene::Scene& scene);
 
-    [[nodiscard]] const Entrant& entrant() const { return entrant_; }
+    [[nodiscard]] const MethodConfig& config() const { return config_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
     [[nodiscard]] method::Method& method() { return *method_; }
     [[nodiscard]] int threshold() const { return threshold_; }
@@ -80,7 +82,7 @@ class PreparedMethod {
     [[nodiscard]] Row row() const;
 
   private:
-    Entrant entrant_;
+    MethodConfig config_;
     std::unique_ptr<method::Method> method_;
     std::string failure_;
     core::ParamValues settings_;
@@ -90,15 +92,15 @@ class PreparedMethod {
 };
 
 /// Draws `view` with every method in turns (A B C, A B C, ...), so that a machine that slows down
-/// slows all alike; the first round warms up, gives the pictures and is not counted.
+/// slows all alike; the first round warms up, gives the images and is not counted.
 ///
-/// `pictures[i]` and the result's [i] are method i's. A method that throws, or whose pictures
+/// `images[i]` and the result's [i] are method i's. A method that throws, or whose images
 /// differ between rounds, gets a failure and is left out of later rounds; the others go on.
 [[nodiscard]] std::vector<DrawTimes> draw_in_turns(
     std::vector<std::unique_ptr<PreparedMethod>>& methods,
     const scene::View& view,
     const MeasureOptions& options,
-    std::vector<edge::EdgeImage>& pictures);
+    std::vector<edge::EdgeImage>& images);
 
 /// "key=value;key=value" in the order of names.
 [[nodiscard]] std::string join_params(const core::ParamValues& values);

@@ -96,12 +96,12 @@ void add_curve(const truth::Curve& curve, std::uint32_t item, PixelLists& lists)
 }
 
 void hold_curves(std::span<const truth::Curve> curves,
-                 const crosscheck::Witness& witness,
+                 const crosscheck::SampledLines& crosscheck,
                  const scene::View& view,
                  Agreement& result) {
     PixelLists lists(view);
-    for (std::uint32_t i = 0; i < witness.points.size(); ++i) {
-        const glm::dvec2 p(witness.points[i].x_px, witness.points[i].y_px);
+    for (std::uint32_t i = 0; i < crosscheck.points.size(); ++i) {
+        const glm::dvec2 p(crosscheck.points[i].x_px, crosscheck.points[i].y_px);
         lists.add(p - kAgreement_px, p + kAgreement_px, i);
     }
     lists.finish();
@@ -115,7 +115,7 @@ void hold_curves(std::span<const truth::Curve> curves,
         for (int i = 0; i < count; ++i) {
             const glm::dvec2 p = glm::mix(a, b, (i + 0.5) / count);
             const bool is_covered = lists.any(p, [&](std::uint32_t item) {
-                const crosscheck::WitnessPoint& q = witness.points[item];
+                const crosscheck::SampledPoint& q = crosscheck.points[item];
                 return q.line_class == curve.line_class &&
                        glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
             });
@@ -131,23 +131,23 @@ void hold_curves(std::span<const truth::Curve> curves,
 }
 
 void hold_points(std::span<const truth::Curve> curves,
-                 const crosscheck::Witness& witness,
+                 const crosscheck::SampledLines& crosscheck,
                  const scene::View& view,
                  Agreement& result) {
     PixelLists lists(view);
     for (std::uint32_t i = 0; i < curves.size(); ++i)
         add_curve(curves[i], i, lists);
     lists.finish();
-    for (const crosscheck::WitnessPoint& point : witness.points) {
+    for (const crosscheck::SampledPoint& point : crosscheck.points) {
         const std::size_t index = class_index(point.line_class);
         const glm::dvec2 p(point.x_px, point.y_px);
         const bool is_covered = lists.any(p, [&](std::uint32_t item) {
             return curves[item].line_class == point.line_class &&
                    distance_to(curves[item], p) <= kAgreement_px;
         });
-        result.by_class[index].witness_px += point.length_px;
+        result.by_class[index].crosscheck_px += point.length_px;
         if (is_covered) {
-            result.by_class[index].witness_covered_px += point.length_px;
+            result.by_class[index].crosscheck_covered_px += point.length_px;
         } else {
             result.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
         }
@@ -160,15 +160,16 @@ double ClassAgreement::truth_share() const {
     return truth_px > 0 ? truth_covered_px / truth_px : 1;
 }
 
-double ClassAgreement::witness_share() const {
-    return witness_px > 0 ? witness_covered_px / witness_px : 1;
+double ClassAgreement::crosscheck_share() const {
+    return crosscheck_px > 0 ? crosscheck_covered_px / crosscheck_px : 1;
 }
 
 bool ClassAgreement::is_agreed() const {
     const auto is_covered = [](double length, double covered) {
         return length - covered <= std::max(kAllowedShare * length, kAgreement_px);
     };
-    return is_covered(truth_px, truth_covered_px) && is_covered(witness_px, witness_covered_px);
+    return is_covered(truth_px, truth_covered_px) &&
+           is_covered(crosscheck_px, crosscheck_covered_px);
 }
 
 bool Agreement::is_agreed() const {
@@ -183,26 +184,26 @@ ClassAgreement Agreement::total() const {
     for (const ClassAgreement& c : by_class) {
         sum.truth_px += c.truth_px;
         sum.truth_covered_px += c.truth_covered_px;
-        sum.witness_px += c.witness_px;
-        sum.witness_covered_px += c.witness_covered_px;
+        sum.crosscheck_px += c.crosscheck_px;
+        sum.crosscheck_covered_px += c.crosscheck_covered_px;
     }
     return sum;
 }
 
 double Agreement::disagreement_rate() const {
     const ClassAgreement sum = total();
-    const double length = sum.truth_px + sum.witness_px;
+    const double length = sum.truth_px + sum.crosscheck_px;
     const double uncovered =
-        (sum.truth_px - sum.truth_covered_px) + (sum.witness_px - sum.witness_covered_px);
+        (sum.truth_px - sum.truth_covered_px) + (sum.crosscheck_px - sum.crosscheck_covered_px);
     return length > 0 ? std::max(0.0, uncovered) / length : 0;
 }
 
 Agreement compare_truths(std::span<const truth::Curve> curves,
-                         const crosscheck::Witness& witness,
+                         const crosscheck::SampledLines& crosscheck,
                          const scene::View& view) {
     Agreement result;
-    hold_curves(curves, witness, view, result);
-    hold_points(curves, witness, view, result);
+    hold_curves(curves, crosscheck, view, result);
+    hold_points(curves, crosscheck, view, result);
     return result;
 }
 

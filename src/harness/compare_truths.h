@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "crosscheck/witness.h"
+#include "crosscheck/dense_sampling.h"
 #include "truth/truth.h"
 
 namespace ink::harness {
@@ -19,17 +19,17 @@ inline constexpr double kAllowedShare = 0.001;
 /// How much of the lines of one class either construction has, and how much of it the other has
 /// too.
 struct ClassAgreement {
-    double truth_px = 0;            ///< length of the curves inside the picture
-    double truth_covered_px = 0;    ///< of that, with a witness point of the class close by
-    double witness_px = 0;          ///< length that the witness's crossings stand for
-    double witness_covered_px = 0;  ///< of that, with a curve of the class close by
+    double truth_px = 0;               ///< length of the curves inside the image
+    double truth_covered_px = 0;       ///< of that, with a cross-check point of the class close by
+    double crosscheck_px = 0;          ///< length that the cross-check's crossings stand for
+    double crosscheck_covered_px = 0;  ///< of that, with a curve of the class close by
 
     /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px: of a class
     /// of a few px a single crossing is more than the share.
     [[nodiscard]] bool is_agreed() const;
     /// Shares; 1 where there is no line.
     [[nodiscard]] double truth_share() const;
-    [[nodiscard]] double witness_share() const;
+    [[nodiscard]] double crosscheck_share() const;
 };
 
 /// A piece of line that the other construction does not have.
@@ -38,7 +38,7 @@ struct Disagreement {
     double y_px = 0;
     double length_px = 0;
     truth::LineClass line_class = truth::LineClass::none;
-    bool is_truth = true;   ///< the curves have it and the witness not, or the reverse
+    bool is_truth = true;   ///< the curves have it and the cross-check not, or the reverse
     std::size_t curve = 0;  ///< into the curves, where they have it
 };
 
@@ -56,19 +56,19 @@ struct Agreement {
     [[nodiscard]] double disagreement_rate() const;
 };
 
-/// Holds the curves of a traced truth against the witness's points, class by class, both ways.
+/// Holds the curves of a traced truth against the cross-check's points, class by class, both ways.
 ///
 /// Curves are taken every 1/8 px, each sample standing for its share of the curve's length; a
 /// sample, or a point, is covered if the other has its class within kAgreement_px. Nothing near the
 /// frame is left out.
 [[nodiscard]] Agreement compare_truths(std::span<const truth::Curve> curves,
-                                       const crosscheck::Witness& witness,
+                                       const crosscheck::SampledLines& crosscheck,
                                        const scene::View& view);
 
-/// The densest samples of a witness with K = 8 lie this far apart.
+/// The densest samples of a cross-check with K = 8 lie this far apart.
 inline constexpr double kThinnest_px = 1.0 / 32;
 
-/// Of the curves' length that the witness lacks, px: what runs alongside another curve within
+/// Of the curves' length that the cross-check lacks, px: what runs alongside another curve within
 /// kThinnest_px. Between the two lies a strip of surface that its samples step over: surfaces that
 /// coincide but for rounding, folded slivers, faces seen nearly edge-on. A reason for disagreement,
 /// not an excuse from it: it is told beside the rate and is part of it.

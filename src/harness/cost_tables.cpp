@@ -58,10 +58,10 @@ std::vector<RowTable::Field> make_fields() {
             {"frame_vertices", "", "of the meshes, counted once per instance"},
             [](auto& f) -> auto& { return f.frame.vertices; }),
         fact(
-            {"frame_triangles", "", "over all instances, those outside the picture too"},
+            {"frame_triangles", "", "over all instances, those outside the image too"},
             [](auto& f) -> auto& { return f.frame.triangles; }),
         fact(
-            {"frame_covered_px", "px", "area in the picture summed over all triangles"},
+            {"frame_covered_px", "px", "area in the image summed over all triangles"},
             [](auto& f) -> auto& { return f.frame.covered_px; }),
         fact(
             {"frame_px", "px", "width times height"},

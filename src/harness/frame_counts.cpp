@@ -17,7 +17,7 @@ struct Side {
 };
 using Sides = std::array<Side, 5>;
 
-/// The near plane and the four sides of the picture.
+/// The near plane and the four sides of the image.
 Sides sides_of(const scene::View& view) {
     return {Side{{0, 0, 1}, -view.camera.near},
             Side{{1, 0, 0}},

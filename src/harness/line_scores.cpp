@@ -20,7 +20,7 @@ LineTruth prepare_lines(const ViewTruth& truth) {
             score::prepare_cracks(truth.cracks, truth.scoring, options),
             score::find_nearest_curves(curves, width, height),
             score::place_probes(curves, truth.scoring, options),
-            score::prepare_ink(truth.scoring, options),
+            score::prepare_positives(truth.scoring, options),
             bin_truth(truth.traced, truth.scoring)};
 }
 
@@ -28,7 +28,7 @@ LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth) {
     LineScores result;
     result.cracks = score::score_cracks(strokes.drawn, truth.cracks);
     result.widths = score::measure_widths(strokes.drawn, truth.probes);
-    result.ink = score::count_ink(strokes.drawn, truth.ink);
+    result.positives = score::count_positives(strokes.drawn, truth.positives);
     const score::PixelList drawn =
         score::counted_pixels(strokes.thinned, truth.lists, harness_options());
     result.offsets = score::measure_offsets(drawn, truth.nearest);

@@ -6,19 +6,19 @@
 #include "harness/tracing.h"
 #include "score/cracks.h"
 #include "score/drawing.h"
-#include "score/false_ink.h"
+#include "score/far_positives.h"
 #include "score/line_width.h"
 #include "score/offset.h"
 
 namespace ink::harness {
 
-/// What the headline F does not say of a picture, because it thins and forgives two pixels.
+/// What the headline F does not say of an image, because it thins and forgives two pixels.
 struct LineScores {
     score::CrackScore cracks;
     score::Offsets offsets;
     score::Widths widths;
-    score::InkCount ink;         ///< at 2 px
-    std::vector<BinCount> bins;  ///< at 2 px
+    score::PositiveCount positives;  ///< at 2 px
+    std::vector<BinCount> bins;      ///< at 2 px
 };
 
 /// A view's truth made ready for that, from its sub-pixel curves; once a view.
@@ -27,13 +27,13 @@ struct LineTruth {
     score::CrackTruth cracks;
     score::NearestCurves nearest;
     std::vector<score::WidthProbe> probes;
-    score::InkTruth ink;
+    score::PositiveTruth positives;
     std::vector<TruthBin> bins;
 };
 
 [[nodiscard]] LineTruth prepare_lines(const ViewTruth& truth);
 
-/// Scores a thresholded picture with the harness's band and tolerance. Only reads `truth`, so
+/// Scores a thresholded image with the harness's band and tolerance. Only reads `truth`, so
 /// several threads may score against one.
 [[nodiscard]] LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth);
 

@@ -14,7 +14,7 @@
 namespace ink::harness {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBrackets = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBaselines = {
     {{"none", "floor"}, {"sampled", "ceiling"}, {"oracle", "exact"}}};
 
 /// The ends of what is searched, or the choices.
@@ -53,9 +53,9 @@ std::string line_of(const std::vector<std::string>& fields) {
     return fmt::format("{}", fmt::join(quoted, ","));
 }
 
-std::string line_of(const Entrant& entrant) {
-    const method::MethodInfo& info = *entrant.info;
-    const auto bytes = info.bytes_per_px(entrant.settings);
+std::string line_of(const MethodConfig& config) {
+    const method::MethodInfo& info = *config.info;
+    const auto bytes = info.bytes_per_px(config.settings);
     return line_of({info.name,
                     "method",
                     std::string(name_of(info.family)),
@@ -64,7 +64,7 @@ std::string line_of(const Entrant& entrant) {
                     bytes ? fmt::format("{}", *bytes) : "",
                     info.preset_of,
                     info.source,
-                    join_params(info.complete(entrant.settings))});
+                    join_params(info.complete(config.settings))});
 }
 
 }  // namespace
@@ -82,21 +82,21 @@ const std::vector<std::string>& method_columns() {
     return columns;
 }
 
-std::string method_lines(const std::vector<Entrant>& entrants) {
+std::string method_lines(const std::vector<MethodConfig>& configs) {
     std::vector<std::string> lines;
-    for (const auto& [name, role] : kBrackets) {
+    for (const auto& [name, role] : kBaselines) {
         std::vector<std::string> fields(method_columns().size());
         fields[0] = name;
         fields[1] = role;
         lines.push_back(line_of(fields));
     }
-    for (const Entrant& entrant : entrants)
-        lines.push_back(line_of(entrant));
+    for (const MethodConfig& config : configs)
+        lines.push_back(line_of(config));
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-std::string methods_csv(const std::vector<Entrant>& entrants) {
-    return fmt::format("{}\n{}\n", fmt::join(method_columns(), ","), method_lines(entrants));
+std::string methods_csv(const std::vector<MethodConfig>& configs) {
+    return fmt::format("{}\n{}\n", fmt::join(method_columns(), ","), method_lines(configs));
 }
 
 }  // namespace ink::harness

@@ -99,17 +99,17 @@ TruthCode MissPredictor::code_of(const method::LinearCode& code, const scene::Vi
     return {surface(code.inputs), bounds_, view, code};
 }
 
-std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>& missing,
+std::vector<score::Cause> MissPredictor::predict(const std::vector<score::Pixel>& false_negatives,
                                                  const ViewTruth& truth,
                                                  const scene::View& view,
                                                  const Declaration& declared) {
-    if (missing.empty() || !declared.code) return {};
+    if (false_negatives.empty() || !declared.code) return {};
     const TruthCode code = code_of(*declared.code, view);
     const Filter filter(code, truth.traced.layers, declared);
     const score::TruthStencils stencils = stencils_of(truth);
     std::vector<score::Cause> causes;
-    causes.reserve(missing.size());
-    for (const score::Pixel pixel : missing) {
+    causes.reserve(false_negatives.size());
+    for (const score::Pixel pixel : false_negatives) {
         causes.push_back(cause_at(
             score::seeing_stencils(stencils, pixel), truth.traced.layers.triangle, filter));
     }
@@ -122,7 +122,7 @@ score::Attribution MissPredictor::attribute(const score::WrongPixels& wrong,
                                             const Declaration& declared) {
     return score::attribute(wrong,
                             stencils_of(truth),
-                            predict(wrong.missing, truth, view, declared),
+                            predict(wrong.false_negatives, truth, view, declared),
                             score_options(declared.threshold));
 }
 

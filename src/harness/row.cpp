@@ -20,7 +20,7 @@ void clear_times(Row& row) {
     row.cost_residual.reset();
 }
 
-bool is_bracket(std::string_view method) {
+bool is_baseline(std::string_view method) {
     return method == "none" || method == "sampled" || method == "oracle";
 }
 

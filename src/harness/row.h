@@ -31,7 +31,7 @@ struct Row {
     int height = 0;
     int threads = 1;
     std::uint64_t seed = 0;
-    std::string params;         ///< "key=value;key=value", every knob
+    std::string params;         ///< "key=value;key=value", every parameter
     std::string status = "ok";  ///< or what went wrong; the metrics below are then empty
     std::optional<double> f_2px;
     std::optional<double> f_1px;
@@ -45,20 +45,20 @@ struct Row {
     std::int64_t k_2px = 0;  ///< counts at 2 px, so that values can be pooled
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
-    std::int64_t surplus = 0;
-    std::int64_t off_line = 0;
-    std::int64_t lost = 0;
-    std::int64_t missing = 0;
-    /// What off_line and missing are made of; nothing where nobody asked why.
+    std::int64_t unmatched_duplicates = 0;
+    std::int64_t false_positives = 0;
+    std::int64_t unmatched_truth = 0;
+    std::int64_t false_negatives = 0;
+    /// What false_positives and false_negatives are made of; nothing where nobody asked why.
     std::optional<score::CauseCounts> causes = {};
     std::optional<std::int64_t> k_1px;  ///< counts at 1 px; n_truth is the same
     std::optional<std::int64_t> n_pred_1px;
-    /// Counts at each of kLadder_px (harness/cell.h): lines of tolerances.csv, not columns here.
-    /// Empty where they were not asked for.
-    std::vector<score::CurveCount> ladder = {};
-    /// Counts at 2 px of a random picture of n_pred pixels (score/chance.h); nothing where it was
-    /// not asked for.
-    std::optional<score::CurveCount> chance = {};
+    /// Counts at each of kTolerances_px (harness/cell.h): lines of tolerances.csv, not columns
+    /// here. Empty where they were not asked for.
+    std::vector<score::CurveCount> tolerance_sweep = {};
+    /// Counts at 2 px of a random image of n_pred pixels (score/random_baseline.h); nothing where
+    /// it was not asked for.
+    std::optional<score::CurveCount> random_baseline = {};
     std::optional<std::int64_t> prepare_ns;
     std::optional<std::int64_t> pose_ns;
     std::optional<std::int64_t> draw_ns;      ///< median over repetitions
@@ -70,7 +70,7 @@ struct Row {
     std::optional<CostFacts> cost = {};             ///< what predicted_ns is made from
     std::optional<std::int64_t> predicted_ns = {};  ///< of draw_ns_min; see experiment/cost_model.h
     std::optional<double> cost_residual = {};       ///< draw_ns_min / predicted_ns - 1
-    /// What the last timed drawing left undone; nothing for brackets and cells that failed.
+    /// What the last timed drawing left undone; nothing for baselines and cells that failed.
     std::optional<raster::SkipCounts> skips = {};
     std::string skips_off = {};  ///< skips that were not allowed, "a;b"
     std::string image_hash;
@@ -78,14 +78,14 @@ struct Row {
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
     std::int64_t triangles = 0;
-    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and false ink
+    std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and far positives
     double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,
     std::optional<double> contour_self_px;   ///< and before their own
-    /// Truth and witness: share of their lines that only one of them has.
-    std::optional<double> witness_disagreement = std::nullopt;
-    double witness_px = 0;  ///< the length of line, both ways, of which that is a share
+    /// Truth and cross-check: share of their lines that only one of them has.
+    std::optional<double> reference_disagreement = std::nullopt;
+    double crosscheck_px = 0;  ///< the length of line, both ways, of which that is a share
     /// The program and machine that the row comes from; null: these.
     std::shared_ptr<const core::Provenance> provenance = {};
 
@@ -97,11 +97,11 @@ struct Row {
 /// Empties what holds times or follows from them: two runs of one plan then have the same rows.
 void clear_times(Row& row);
 
-/// Where a row's picture was taken: scene, view, width and height in pixels.
+/// Where a row's image was taken: scene, view, width and height in pixels.
 using Place = std::tuple<std::string, std::string, int, int>;
 [[nodiscard]] Place place_of(const Row& row);
 
 /// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
-[[nodiscard]] bool is_bracket(std::string_view method);
+[[nodiscard]] bool is_baseline(std::string_view method);
 
 }  // namespace ink::harness

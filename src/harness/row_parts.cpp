@@ -142,11 +142,11 @@ std::string text_of(const core::Provenance& from, std::size_t library) {
 void add_line_columns(RowTable& table) {
     LineColumns lines(table);
     lines.add(
-        {"ink_px", "px", "drawn pixels (unthinned) that count"},
-        [](auto& l) -> auto& { return l.ink.n_drawn; });
+        {"positive_px", "px", "drawn pixels (unthinned) that count"},
+        [](auto& l) -> auto& { return l.positives.n_drawn; });
     lines.add(
-        {"false_ink_px", "px", "of them, further than 2 px from every true one"},
-        [](auto& l) -> auto& { return l.ink.n_false; });
+        {"far_positive_px", "px", "of them, further than 2 px from every true one"},
+        [](auto& l) -> auto& { return l.positives.n_false; });
     add_cracks(lines);
     add_offsets(table, lines);
     add_widths(lines);
@@ -155,7 +155,9 @@ void add_line_columns(RowTable& table) {
 void add_cause_columns(RowTable& table) {
     const auto add = [&table](Cause cause, std::string doc) {
         table.add(
-            {fmt::format("{}_{}", score::is_miss(cause) ? "missing" : "off_line", name(cause)),
+            {fmt::format("{}_{}",
+                         score::is_miss(cause) ? "false_negatives" : "false_positives",
+                         name(cause)),
              "px",
              std::move(doc)},
             [cause](const RowRecord& r) {
@@ -167,26 +169,26 @@ void add_cause_columns(RowTable& table) {
                 field.read((*r.row.causes)[cause]);
             });
     };
-    add(Cause::one_triangle, "of off_line: one triangle fills the stencil");
-    add(Cause::one_patch, "of off_line: triangles of one smooth patch");
-    add(Cause::crack, "of off_line: a true line crosses the stencil, out of reach");
-    add(Cause::frame, "of off_line: the frame took the true line away");
-    add(Cause::other, "of off_line: several surfaces without a true line between");
-    add(Cause::cancelled, "of missing: a channel changed enough, the code did not");
-    add(Cause::below_threshold, "of missing: no channel changed enough");
-    add(Cause::sub_pixel, "of missing: no stencil of pixel centres sees the line");
-    add(Cause::thinned, "of missing: drawn, but thinning took it out of reach");
-    add(Cause::unexplained, "of missing: the declared code should have drawn it");
-    add(Cause::undeclared, "of missing: seen by a stencil, and no code is declared");
+    add(Cause::one_triangle, "of false_positives: one triangle fills the stencil");
+    add(Cause::one_patch, "of false_positives: triangles of one smooth patch");
+    add(Cause::crack, "of false_positives: a true line crosses the stencil, out of reach");
+    add(Cause::frame, "of false_positives: the frame took the true line away");
+    add(Cause::other, "of false_positives: several surfaces without a true line between");
+    add(Cause::cancelled, "of false_negatives: a channel changed enough, the code did not");
+    add(Cause::below_threshold, "of false_negatives: no channel changed enough");
+    add(Cause::sub_pixel, "of false_negatives: no stencil of pixel centres sees the line");
+    add(Cause::thinned, "of false_negatives: drawn, but thinning took it out of reach");
+    add(Cause::unexplained, "of false_negatives: the declared code should have drawn it");
+    add(Cause::undeclared, "of false_negatives: seen by a stencil, and no code is declared");
 }
 
 void add_skip_columns(RowTable& table) {
-    // Not among `params`: like `threads` it says how the picture was made and not which one, so
+    // Not among `params`: like `threads` it says how the image was made and not which one, so
     // that two rows that differ in it alone must have one image_hash.
     table.add(
         {"skips_off",
          "",
-         "skips that were not allowed, a;b; still_tiles never is where one view is drawn "
+         "skips that were not allowed, a;b; temporal_reuse never is where one view is drawn "
          "again and again"},
         [](auto& r) -> auto& { return r.row.skips_off; });
     for (const raster::SkipInfo& info : raster::skip_infos()) {

@@ -22,7 +22,7 @@ using RowTable = TableOf<RowRecord>;
 /// Adds cracks, place and width of lines, with the counts and sums that they are made from.
 void add_line_columns(RowTable& table);
 
-/// Adds a column per cause: what off_line and missing are made of.
+/// Adds a column per cause: what false_positives and false_negatives are made of.
 void add_cause_columns(RowTable& table);
 
 /// Adds what was left undone: two columns per skip, and which skips were not allowed.

@@ -70,16 +70,14 @@ void add_place(RowTable& table) {
             if (!found) field.refuse(fmt::format("{}", fmt::join(kStudyNames, ", ")));
             r.study = *found;
         });
-    add(table, {"method", "", "method, or bracket: none, sampled, oracle"}, &Row::method);
+    add(table, {"method", "", "method, or baseline: none, sampled, oracle"}, &Row::method);
     add(table, {"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
     add(table, {"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
     add(table, {"split", "", "train or heldout"}, &Row::split);
-    add(table, {"width", "px", "of the picture"}, &Row::width);
-    add(table, {"height", "px", "of the picture"}, &Row::height);
+    add(table, {"width", "px", "of the image"}, &Row::width);
+    add(table, {"height", "px", "of the image"}, &Row::height);
     add(table, {"threads", "", "the method might use"}, &Row::threads);
-    add(table,
-        {"seed", "", "as given: of chance pictures and of drawing scenes again"},
-        &Row::seed);
+    add(table, {"seed", "", "as given: of random images and of resampling scenes"}, &Row::seed);
     add(table, {"params", "", "every parameter, key=value;key=value"}, &Row::params);
     add(table, {"status", "", "ok, or why there are no metrics"}, &Row::status);
 }
@@ -102,7 +100,7 @@ void add_scores(RowTable& table) {
         {"bytes_per_px", "B/px", "of the method's buffers, depth included"},
         &Row::bytes_per_px);
     add(table,
-        {"image_hash", "", "of the strengths; of a sequence, of all its pictures"},
+        {"image_hash", "", "of the edge responses; of a sequence, of all its images"},
         &Row::image_hash);
 }
 
@@ -111,33 +109,39 @@ void add_counts(RowTable& table) {
     add_counted(table, {"k_2px", "px", "matches within 2 px"}, &Row::k_2px);
     add_counted(table, {"n_pred", "px", "drawn pixels after thinning"}, &Row::n_pred);
     add_counted(table, {"n_truth", "px", "true pixels"}, &Row::n_truth);
-    add_counted(
-        table, {"surplus", "px", "drawn pixels left over beside a matched line"}, &Row::surplus);
-    add_counted(
-        table, {"off_line", "px", "drawn pixels with no true one in reach"}, &Row::off_line);
-    add_counted(table, {"lost", "px", "true pixels left over beside a drawn line"}, &Row::lost);
-    add_counted(table, {"missing", "px", "true pixels with no drawn one in reach"}, &Row::missing);
+    add_counted(table,
+                {"unmatched_duplicates", "px", "drawn pixels left over beside a matched line"},
+                &Row::unmatched_duplicates);
+    add_counted(table,
+                {"false_positives", "px", "drawn pixels with no true one in reach"},
+                &Row::false_positives);
+    add_counted(table,
+                {"unmatched_truth", "px", "true pixels left over beside a drawn line"},
+                &Row::unmatched_truth);
+    add_counted(table,
+                {"false_negatives", "px", "true pixels with no drawn one in reach"},
+                &Row::false_negatives);
     add(table, {"k_1px", "px", "matches within 1 px"}, &Row::k_1px);
     add(table, {"n_pred_1px", "px", "drawn pixels after thinning, at 1 px"}, &Row::n_pred_1px);
     table.add_derived(
-        {"f_chance_2px", "0..1", "F of a random picture of as many pixels, within 2 px"},
+        {"f_random_2px", "0..1", "F of a random image of as many pixels, within 2 px"},
         [](const RowRecord& r) {
-            return r.row.chance ? std::optional(r.row.chance->f()) : std::nullopt;
+            return r.row.random_baseline ? std::optional(r.row.random_baseline->f()) : std::nullopt;
         });
     const auto add_chance = [&table](Column column, std::int64_t score::CurveCount::*count) {
         table.add(
             std::move(column),
             [count](const RowRecord& r) {
-                return r.row.chance ? csv_text((*r.row.chance).*count) : "";
+                return r.row.random_baseline ? csv_text((*r.row.random_baseline).*count) : "";
             },
             [count](const CsvField& field, RowRecord& r) {
                 if (field.is_empty()) return;
-                if (!r.row.chance) r.row.chance = {0, 0, r.row.n_truth};
-                field.read((*r.row.chance).*count);
+                if (!r.row.random_baseline) r.row.random_baseline = {0, 0, r.row.n_truth};
+                field.read((*r.row.random_baseline).*count);
             });
     };
-    add_chance({"k_chance_2px", "px", "its matches"}, &score::CurveCount::k);
-    add_chance({"n_pred_chance", "px", "its drawn pixels that count"}, &score::CurveCount::n_pred);
+    add_chance({"k_random_2px", "px", "its matches"}, &score::CurveCount::k);
+    add_chance({"n_pred_random", "px", "its drawn pixels that count"}, &score::CurveCount::n_pred);
     add_by_class(table,
                  "k_",
                  "px",
@@ -164,17 +168,17 @@ void add_truth(RowTable& table) {
                 {"crowded_share", "0..1", "share of true pixels too dense to score"},
                 &Row::crowded_share);
     add(table,
-        {"witness_disagreement",
+        {"reference_disagreement",
          "0..1",
-         "share of the lines that only truth or only witness has, 0.25 px, per class"},
-        &Row::witness_disagreement);
+         "share of the lines that only truth or only cross-check has, 0.25 px, per class"},
+        &Row::reference_disagreement);
     table.add(
-        {"witness_px", "px", "the length of line, both ways, of which that is a share"},
+        {"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
         [](const RowRecord& r) {
-            return r.row.witness_disagreement ? csv_text(r.row.witness_px) : "";
+            return r.row.reference_disagreement ? csv_text(r.row.crosscheck_px) : "";
         },
         [](const CsvField& field, RowRecord& r) {
-            if (!field.is_empty()) field.read(r.row.witness_px);
+            if (!field.is_empty()) field.read(r.row.crosscheck_px);
         });
     add_cause_columns(table);
     add_above_zero(table, {"triangles", "", "of the scene, instances counted"}, &Row::triangles);

@@ -41,7 +41,9 @@ const TableOf<AtThreshold>& curves() {
     static const auto kTable = counts_table<int>(
         "curves.csv",
         "99 lines per cell that came out: its counts within 2 px at every threshold.",
-        {"threshold", "1/100", "of the full strength: a pixel is on where 100 S >= 255 threshold"});
+        {"threshold",
+         "1/100",
+         "of the full edge response: a pixel is on where 100 S >= 255 threshold"});
     return kTable;
 }
 
@@ -149,7 +151,7 @@ const TableInfo& tolerances_table() {
 std::string tolerance_lines(std::int64_t cell, const std::vector<score::CurveCount>& counts) {
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        lines += tolerances().line({cell, kLadder_px.at(i), counts[i]});
+        lines += tolerances().line({cell, kTolerances_px.at(i), counts[i]});
     return lines;
 }
 
@@ -158,13 +160,13 @@ void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows) {
     const std::vector<AtTolerance> read = tolerances().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
         Row& row = row_of(csv, i, cells);
-        if (row.ladder.size() == kLadder_px.size())
+        if (row.tolerance_sweep.size() == kTolerances_px.size())
             CsvField(csv, i, 0).refuse("every tolerance once");
-        const double wanted_px = kLadder_px[row.ladder.size()];
+        const double wanted_px = kTolerances_px[row.tolerance_sweep.size()];
         if (read[i].at != wanted_px)
             CsvField(csv, i, 1).refuse(
-                fmt::format("{}, next of {}", wanted_px, fmt::join(kLadder_px, ", ")));
-        row.ladder.push_back(read[i].counts);
+                fmt::format("{}, next of {}", wanted_px, fmt::join(kTolerances_px, ", ")));
+        row.tolerance_sweep.push_back(read[i].counts);
     }
 }
 

@@ -15,7 +15,7 @@ namespace ink::harness {
 /// The columns of curves.csv: cell, threshold, k, n_pred, n_truth.
 [[nodiscard]] const TableInfo& curves_table();
 
-/// The 99 lines of a cell, each ended: threshold = 1..99 hundredths of the full strength.
+/// The 99 lines of a cell, each ended: threshold = 1..99 hundredths of the full edge response.
 [[nodiscard]] std::string curve_lines(std::int64_t cell,
                                       const std::array<score::CurveCount, 99>& counts);
 
@@ -33,12 +33,12 @@ struct CurveRecord {
 /// The columns of tolerances.csv: cell, tolerance_px, k, n_pred, n_truth.
 [[nodiscard]] const TableInfo& tolerances_table();
 
-/// A line per tolerance at which the cell was scored (kLadder_px), each ended; "" for none.
+/// A line per tolerance at which the cell was scored (kTolerances_px), each ended; "" for none.
 [[nodiscard]] std::string tolerance_lines(std::int64_t cell,
                                           const std::vector<score::CurveCount>& counts);
 
-/// Puts the counts of tolerances.csv into the `ladder` of their rows. Throws core::Error as
-/// read_curves does, here for a cell without just the tolerances of kLadder_px in a row.
+/// Puts the counts of tolerances.csv into the `tolerance_sweep` of their rows. Throws core::Error
+/// as read_curves does, here for a cell without just the tolerances of kTolerances_px in a row.
 void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows);
 
 /// The columns of bins.csv: cell, attribute, low, high, k, n_truth.

@@ -11,10 +11,10 @@
 namespace ink::harness {
 
 /// What one method drew on a view.
-struct MethodPicture {
+struct MethodImage {
     std::string method;
-    edge::EdgeImage strength;
-    int threshold = 128;                        ///< the strength at which it was scored
+    edge::EdgeImage edge_response;
+    int threshold = 128;                        ///< the edge response at which it was scored
     std::vector<score::WrongPixel> wrong = {};  ///< its wrong pixels and why
 };
 
@@ -23,7 +23,7 @@ struct ShownView {
     std::string scene;
     std::string view;
     core::Image<std::uint8_t> labels;  ///< truth labels (truth::LineClass)
-    std::vector<MethodPicture> pictures;
+    std::vector<MethodImage> images;
 };
 
 }  // namespace ink::harness

@@ -7,12 +7,12 @@
 
 #include "core/error.h"
 #include "core/param.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::harness {
 
 raster::SkipSet skips_of_repeated_drawings() {
-    return raster::SkipSet().set(raster::Skip::still_tiles, false);
+    return raster::SkipSet().set(raster::Skip::temporal_reuse, false);
 }
 
 raster::SkipSet without_skips(raster::SkipSet allowed, const std::string& names) {

@@ -119,7 +119,7 @@ void check_size(int width_px, int height_px) {
     if (!is_good) {
         throw core::Error(
             "--size",
-            fmt::format("no picture can be {}x{} px", width_px, height_px),
+            fmt::format("no image can be {}x{} px", width_px, height_px),
             fmt::format("1..{} px a side, {} Mpx at most", kMaxSide_px, kMaxPixels >> 20));
     }
 }
@@ -137,53 +137,53 @@ scene::Scene load_scene(const std::string& what, const import::ImportLimits& lim
     return scene;
 }
 
-Subject make_subject(scene::Scene scene, const ViewRequest& request) {
+SceneViews make_scene_views(scene::Scene scene, const ViewRequest& request) {
     check_size(request.width_px, request.height_px);
-    Subject subject{std::move(scene), {}};
-    const bool is_own = is_catalogue_name(subject.scene.name);
-    pose_as_asked(subject.scene, request);
-    for (scene::Camera& camera : choose_cameras(subject.scene, request, is_own)) {
-        subject.views.push_back({std::move(camera), request.width_px, request.height_px});
+    SceneViews scene_views{std::move(scene), {}};
+    const bool is_own = is_catalogue_name(scene_views.scene.name);
+    pose_as_asked(scene_views.scene, request);
+    for (scene::Camera& camera : choose_cameras(scene_views.scene, request, is_own)) {
+        scene_views.views.push_back({std::move(camera), request.width_px, request.height_px});
     }
-    return subject;
+    return scene_views;
 }
 
-std::vector<Subject> load_subjects(const std::vector<std::string>& names,
-                                   const ViewRequest& request) {
+std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
+                                    const ViewRequest& request) {
     std::vector<std::string> all = names;
     if (all.empty()) {
         for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
             all.push_back(entry.name);
     }
-    std::vector<Subject> subjects;
+    std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {
-        Subject subject = make_subject(load_scene(name), request);
-        const std::string base = subject.scene.name;
-        for (int n = 2; !taken.insert(subject.scene.name).second; ++n) {
-            subject.scene.name = fmt::format("{}.{}", base, n);
+        SceneViews scene_views = make_scene_views(load_scene(name), request);
+        const std::string base = scene_views.scene.name;
+        for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
+            scene_views.scene.name = fmt::format("{}.{}", base, n);
         }
-        subjects.push_back(std::move(subject));
+        scenes.push_back(std::move(scene_views));
     }
-    return subjects;
+    return scenes;
 }
 
-Subject load_one_view(const std::string& what,
-                      const std::string& view_name,
-                      const ViewRequest& request) {
-    Subject subject = make_subject(load_scene(what), request);
+SceneViews load_one_view(const std::string& what,
+                         const std::string& view_name,
+                         const ViewRequest& request) {
+    SceneViews scene_views = make_scene_views(load_scene(what), request);
     std::vector<std::string> names;
-    for (const scene::View& view : subject.views)
+    for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);
     const auto found =
         view_name.empty() ? names.begin() : std::find(names.begin(), names.end(), view_name);
     if (found == names.end()) {
         throw core::Error("--view",
-                          fmt::format("{} has no view '{}'", subject.scene.name, view_name),
+                          fmt::format("{} has no view '{}'", scene_views.scene.name, view_name),
                           core::known_names(names, view_name));
     }
-    subject.views = {subject.views[static_cast<std::size_t>(found - names.begin())]};
-    return subject;
+    scene_views.views = {scene_views.views[static_cast<std::size_t>(found - names.begin())]};
+    return scene_views;
 }
 
 }  // namespace ink::harness

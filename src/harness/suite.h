@@ -14,9 +14,9 @@ namespace ink::harness {
 /// A camera as the user asks for it; near and far are fitted to the scene.
 struct CameraRequest {
     glm::dvec3 eye_world{0};
-    std::optional<glm::dvec3> target_world;  ///< the scene's centre unless said
+    std::optional<glm::dvec3> target_world;  ///< default: the scene's centre
     glm::dvec3 up_world{0, 1, 0};
-    std::optional<double> fov_y_rad;  ///< 40 degrees unless said
+    std::optional<double> fov_y_rad;  ///< default: 40 degrees
 };
 
 /// From where scenes are seen.
@@ -27,12 +27,12 @@ struct ViewRequest {
     /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
     bool file_cameras = false;
     std::vector<CameraRequest> cameras;  ///< these instead of all others
-    std::optional<double> time_s;  ///< when an animated scene is seen; as it rests unless said
-    std::optional<int> frame;      ///< by a stored frame's number instead
+    std::optional<double> time_s;        ///< when an animated scene is seen; default: rest pose
+    std::optional<int> frame;            ///< by a stored frame's number instead
 };
 
 /// A scene with the views it is to be drawn from.
-struct Subject {
+struct SceneViews {
     scene::Scene scene;
     std::vector<scene::View> views;
 };
@@ -52,22 +52,22 @@ struct Subject {
 /// (`knight.frame12`, `gear.1.5s`). Throws core::Error for a size outside 1..16384 a side or over
 /// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, or a
 /// moment that the scene's animation does not have.
-[[nodiscard]] Subject make_subject(scene::Scene scene, const ViewRequest& request);
+[[nodiscard]] SceneViews make_scene_views(scene::Scene scene, const ViewRequest& request);
 
-/// The subjects that `names` name (see load_scene); no names: the whole catalogue.
+/// The scenes that `names` name (see load_scene); no names: the whole catalogue.
 ///
 /// All are loaded before anything is drawn, so that a bad file among twenty costs no work. A second
 /// scene of one name is called `name.2`.
-[[nodiscard]] std::vector<Subject> load_subjects(const std::vector<std::string>& names,
-                                                 const ViewRequest& request);
+[[nodiscard]] std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
+                                                  const ViewRequest& request);
 
 /// The scene that `what` names with one of its views: the one called `view_name`, "" for the first.
 /// Throws core::Error that lists the views' names if none is called so.
-[[nodiscard]] Subject load_one_view(const std::string& what,
-                                    const std::string& view_name,
-                                    const ViewRequest& request);
+[[nodiscard]] SceneViews load_one_view(const std::string& what,
+                                       const std::string& view_name,
+                                       const ViewRequest& request);
 
-/// Throws core::Error (where = "--size") unless a picture of this size can be drawn.
+/// Throws core::Error (where = "--size") unless an image of this size can be drawn.
 void check_size(int width_px, int height_px);
 
 }  // namespace ink::harness

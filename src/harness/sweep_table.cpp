@@ -26,10 +26,10 @@ constexpr const char* kNumbers[] = {"f_2px",
                                     "k_2px",
                                     "n_pred",
                                     "n_truth",
-                                    "surplus",
-                                    "off_line",
-                                    "lost",
-                                    "missing",
+                                    "unmatched_duplicates",
+                                    "false_positives",
+                                    "unmatched_truth",
+                                    "false_negatives",
                                     "prepare_ns",
                                     "pose_ns",
                                     "draw_ns",
@@ -130,8 +130,8 @@ Row place_of_setting(const Row& own) {
     row.contour_sky_px = own.contour_sky_px;
     row.contour_other_px = own.contour_other_px;
     row.contour_self_px = own.contour_self_px;
-    row.witness_disagreement = own.witness_disagreement;
-    row.witness_px = own.witness_px;
+    row.reference_disagreement = own.reference_disagreement;
+    row.crosscheck_px = own.crosscheck_px;
     row.provenance = own.provenance;
     return row;
 }
@@ -148,10 +148,10 @@ Row complete_row(const Row& own, Row&& read) {
     row.n_pred = read.n_pred;
     row.n_truth = read.n_truth;
     row.truth_px = read.n_truth;
-    row.surplus = read.surplus;
-    row.off_line = read.off_line;
-    row.lost = read.lost;
-    row.missing = read.missing;
+    row.unmatched_duplicates = read.unmatched_duplicates;
+    row.false_positives = read.false_positives;
+    row.unmatched_truth = read.unmatched_truth;
+    row.false_negatives = read.false_negatives;
     row.prepare_ns = read.prepare_ns;
     row.pose_ns = read.pose_ns;
     row.draw_ns = read.draw_ns;

@@ -20,7 +20,7 @@ inline constexpr double kStrictTolerance_px = 1;
 struct TraceOptions {
     truth::TruthOptions truth;
     std::filesystem::path cache;
-    bool witness = true;  ///< compare: hold every truth against the witness
+    bool crosscheck = true;  ///< compare: hold every truth against the cross-check
 };
 
 /// A view's truth, as traced and as scored against: without band and ignored pixels, thinned again,

@@ -19,7 +19,7 @@ struct DrawnTriangle {
 
 namespace {
 
-/// Sets the shares of the corners at a point of the picture.
+/// Sets the shares of the corners at a point of the image.
 ///
 /// Source: Olano and Greer, "Triangle scan conversion using 2D homogeneous coordinates", Graphics
 /// Hardware 1997, section 3.
@@ -34,7 +34,7 @@ void share_out(const glm::dvec3& p_px, DrawnTriangle& corners) {
         share = sum == 0 ? 1.0 / 3 : share / sum;
 }
 
-/// The piece of a triangle that a method draws at a point of the picture, if the near plane cuts
+/// The piece of a triangle that a method draws at a point of the image, if the near plane cuts
 /// the triangle: what is computed at corners is computed at the corners of the cut.
 DrawnTriangle cut_corners(const DrawnTriangle& whole, const glm::dvec3& p_px, double near) {
     raster::CutVertices vertices{{whole.p_clip.begin(), whole.p_clip.end()},

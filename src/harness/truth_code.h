@@ -19,7 +19,7 @@ struct PixelCode {
     int code = 0;  ///< their sum, rounded, saturated or wrapped
 };
 
-/// A declared code, worked out from the truth instead of from a picture: which triangle a pixel
+/// A declared code, worked out from the truth instead of from an image: which triangle a pixel
 /// centre sees is the truth's, depth and normal are the scene's, and the sum is as declared.
 ///
 /// Borrows everything it is made of; for many threads at once.

@@ -11,20 +11,20 @@
 namespace ink::harness {
 namespace {
 
-/// Adds brackets, and writes into every row what does not depend on its score.
+/// Adds baselines, and writes into every row what does not depend on its score.
 void prepare_rows(const scene::Scene& scene,
                   const scene::View& view,
                   const TracedView& traced,
                   const CellOptions& options,
-                  std::vector<Shot>& shots) {
-    std::vector<Shot> brackets = bracket_shots(traced.truth);
-    std::move(brackets.begin(), brackets.end(), std::back_inserter(shots));
-    for (Shot& shot : shots) {
-        if (!traced.has_truth()) shot.row.status = traced.failure;
-        fill_place(scene, view, options, shot.row);
-        if (shot.row.cost) shot.row.cost->frame = traced.counts;
+                  std::vector<Evaluation>& evaluations) {
+    std::vector<Evaluation> baselines = baseline_evaluations(traced.truth);
+    std::move(baselines.begin(), baselines.end(), std::back_inserter(evaluations));
+    for (Evaluation& evaluation : evaluations) {
+        if (!traced.has_truth()) evaluation.row.status = traced.failure;
+        fill_place(scene, view, options, evaluation.row);
+        if (evaluation.row.cost) evaluation.row.cost->frame = traced.counts;
     }
-    if (traced.check) note_witness(*traced.check, shots);
+    if (traced.check) note_crosscheck(*traced.check, evaluations);
 }
 
 }  // namespace
@@ -37,8 +37,9 @@ TracedView trace_with_facts(truth::SceneModel& model,
     traced.counts = count_frame(scene, view);
     try {
         traced.truth = trace_view(model, view, trace.cache);
-        if (trace.witness) {
-            traced.check = harness::cached_witness(model, view, traced.truth.traced, trace.cache);
+        if (trace.crosscheck) {
+            traced.check =
+                harness::cached_crosscheck(model, view, traced.truth.traced, trace.cache);
         }
     } catch (const truth::TooLarge& reason) {
         traced.failure = fmt::format("too_large: {}", reason.what());
@@ -63,32 +64,33 @@ void fill_place(const scene::Scene& scene,
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(scene));
 }
 
-void finish_shots(const scene::Scene& scene,
-                  const scene::View& view,
-                  const TracedView& traced,
-                  const CellOptions& options,
-                  std::vector<Shot>& shots) {
-    prepare_rows(scene, view, traced, options, shots);
-    if (traced.has_truth()) score_shots(traced.truth, shots);
+void finish_evaluations(const scene::Scene& scene,
+                        const scene::View& view,
+                        const TracedView& traced,
+                        const CellOptions& options,
+                        std::vector<Evaluation>& evaluations) {
+    prepare_rows(scene, view, traced, options, evaluations);
+    if (traced.has_truth()) score_evaluations(traced.truth, evaluations);
 }
 
 void finish_briefly(const scene::Scene& scene,
                     const scene::View& view,
                     const TracedView& traced,
                     const CellOptions& options,
-                    std::vector<Shot>& shots) {
-    prepare_rows(scene, view, traced, options, shots);
+                    std::vector<Evaluation>& evaluations) {
+    prepare_rows(scene, view, traced, options, evaluations);
     if (!traced.has_truth()) return;
     // Scores are not timed, so they may use every core.
-    core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
-        Shot& shot = shots[i];
-        if (!shot.row.is_ok()) return;
-        const score::ScoreOptions at_2px = score_options(shot.threshold);
-        fill_score_2px(score::score(shot.picture, traced.truth.scoring, at_2px), shot.row);
-        shot.row.image_hash = core::image_hash(shot.picture);
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        Evaluation& evaluation = evaluations[i];
+        if (!evaluation.row.is_ok()) return;
+        const score::ScoreOptions at_2px = score_options(evaluation.threshold);
+        fill_score_2px(score::score(evaluation.image, traced.truth.scoring, at_2px),
+                       evaluation.row);
+        evaluation.row.image_hash = core::image_hash(evaluation.image);
     });
-    for (Shot& shot : shots)
-        fill_truth_facts(traced.truth, shot.row);
+    for (Evaluation& evaluation : evaluations)
+        fill_truth_facts(traced.truth, evaluation.row);
 }
 
 }  // namespace ink::harness

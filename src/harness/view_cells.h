@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "harness/cell.h"
+#include "harness/crosscheck_cache.h"
+#include "harness/evaluations.h"
 #include "harness/frame_counts.h"
 #include "harness/miss_prediction.h"
-#include "harness/shots.h"
 #include "harness/tracing.h"
-#include "harness/witness_cache.h"
 #include "scene/scene.h"
 
 namespace ink::harness {
@@ -20,13 +20,13 @@ namespace ink::harness {
 struct CellOptions {
     MeasureOptions measure = {};
     TraceOptions trace = {};
-    std::uint64_t seed = 0;  ///< of chance pictures
+    std::uint64_t seed = 0;  ///< of random images
 };
 
 /// A view with all that its rows say whatever the method.
 struct TracedView {
     ViewTruth truth;
-    std::optional<harness::WitnessCheck> check;  ///< nothing if it was not asked for
+    std::optional<harness::Crosscheck> check;  ///< nothing if it was not asked for
     FrameCounts counts;
     std::string failure;  ///< why there is no truth, or ""
 
@@ -46,19 +46,20 @@ void fill_place(const scene::Scene& scene,
                 const CellOptions& options,
                 Row& row);
 
-/// Scores drawn shots of a view and adds its brackets: rows come out complete but for predicted_ns.
-/// Without a truth every row, the brackets' too, says why.
-void finish_shots(const scene::Scene& scene,
-                  const scene::View& view,
-                  const TracedView& traced,
-                  const CellOptions& options,
-                  std::vector<Shot>& shots);
+/// Scores drawn evaluations of a view and adds its baselines: rows come out complete but for
+/// predicted_ns. Without a truth every row, the baselines' too, says why.
+void finish_evaluations(const scene::Scene& scene,
+                        const scene::View& view,
+                        const TracedView& traced,
+                        const CellOptions& options,
+                        std::vector<Evaluation>& evaluations);
 
-/// The same, scored at 2 px and its threshold only: no curve, ladder, 1 px, causes or line scores.
+/// The same, scored at 2 px and its threshold only: no curve, tolerance sweep, 1 px, causes or line
+/// scores.
 void finish_briefly(const scene::Scene& scene,
                     const scene::View& view,
                     const TracedView& traced,
                     const CellOptions& options,
-                    std::vector<Shot>& shots);
+                    std::vector<Evaluation>& evaluations);
 
 }  // namespace ink::harness

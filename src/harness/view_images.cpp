@@ -40,9 +40,9 @@ std::string png(const Image& image) {
     return {bytes.begin(), bytes.end()};
 }
 
-Gray errors_of(const Shot& shot) {
-    Gray errors(shot.picture.width_px(), shot.picture.height_px());
-    for (const score::WrongPixel& wrong : shot.scored.attribution.pixels) {
+Gray errors_of(const Evaluation& evaluation) {
+    Gray errors(evaluation.image.width_px(), evaluation.image.height_px());
+    for (const score::WrongPixel& wrong : evaluation.scored.attribution.pixels) {
         errors.at(wrong.pixel.x_px, wrong.pixel.y_px) =
             static_cast<std::uint8_t>(1 + static_cast<int>(wrong.cause));
     }
@@ -147,9 +147,10 @@ fs::path image_folder(const std::string& scene, const std::string& view) {
 
 std::map<std::string, std::string> image_files(const ViewTruth& truth,
                                                const scene::Scene& scene,
-                                               const std::vector<Shot>& shots) {
-    if (shots.empty()) return {};
-    const fs::path folder = image_folder(shots.front().row.scene, shots.front().row.view);
+                                               const std::vector<Evaluation>& evaluations) {
+    if (evaluations.empty()) return {};
+    const fs::path folder =
+        image_folder(evaluations.front().row.scene, evaluations.front().row.view);
     const truth::Layers& layers = truth.traced.layers;
     std::vector<std::pair<std::string, std::function<std::string()>>> jobs = {
         {kTruth, [&] { return png(truth.traced.labels); }},
@@ -157,11 +158,12 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
         {"layer_patch.png", [&] { return png(patch_layer(layers)); }},
         {"layer_facing.png", [&] { return png(facing_layer(layers)); }},
     };
-    for (const Shot& shot : shots) {
-        if (!is_kept(shot.row)) continue;
-        const std::string name = file_name(shot.row.method);
-        jobs.emplace_back(name + ".png", [&shot] { return png(shot.picture); });
-        jobs.emplace_back(name + ".errors.png", [&shot] { return png(errors_of(shot)); });
+    for (const Evaluation& evaluation : evaluations) {
+        if (!is_kept(evaluation.row)) continue;
+        const std::string name = file_name(evaluation.row.method);
+        jobs.emplace_back(name + ".png", [&evaluation] { return png(evaluation.image); });
+        jobs.emplace_back(name + ".errors.png",
+                          [&evaluation] { return png(errors_of(evaluation)); });
     }
     std::vector<std::string> bytes(jobs.size());
     core::parallel_for(
@@ -185,7 +187,7 @@ std::vector<ShownView> read_shown_views(const fs::path& run, const std::vector<R
             views.push_back({row.scene, row.view, image_io::read_gray(folder / kTruth), {}});
         }
         const Gray& labels = views.back().labels;
-        views.back().pictures.push_back(
+        views.back().images.push_back(
             {row.method,
              read_sized(file, labels),
              threshold_of(row),

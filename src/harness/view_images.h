@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/evaluations.h"
 #include "harness/row.h"
-#include "harness/shots.h"
 #include "harness/shown_view.h"
 #include "harness/tracing.h"
 
@@ -19,9 +19,8 @@ namespace ink::harness {
 /// each wrong pixel is wrong (0: it is not wrong; else 1 + score::Cause), both for `sampled` too;
 /// `layer_object.png`, `layer_patch.png` and `layer_facing.png` what the truth sees at pixel
 /// centres: a colour for each object and smooth patch, |n.v| as grey. Cells that failed have none.
-[[nodiscard]] std::map<std::string, std::string> image_files(const ViewTruth& truth,
-                                                             const scene::Scene& scene,
-                                                             const std::vector<Shot>& shots);
+[[nodiscard]] std::map<std::string, std::string> image_files(
+    const ViewTruth& truth, const scene::Scene& scene, const std::vector<Evaluation>& evaluations);
 
 /// The folder of a view's images inside the run folder; characters that do not belong in a file's
 /// name become '_'.

@@ -162,7 +162,7 @@ std::vector<ExrAttribute> attributes_of(const OIIO::ImageSpec& spec) {
 void write_exr(const ExrFile& file, const fs::path& path) {
     if (file.channels.empty() || size_of(file.channels.front()).width_px == 0 ||
         size_of(file.channels.front()).height_px == 0) {
-        throw core::Error(path.string(), "the picture is empty", "a channel of at least 1 x 1 px");
+        throw core::Error(path.string(), "the image is empty", "a channel of at least 1 x 1 px");
     }
     assert(is_well_formed(file));
     const OIIO::ImageSpec spec = spec_of(file);

@@ -20,7 +20,7 @@ struct HalfImage {
 /// One channel of an OpenEXR file, stored as UINT, FLOAT or HALF.
 ///
 /// Names follow OpenEXR ("Technical Introduction", Channel Names): R, G, B, A, Y and Z for the
-/// picture itself; `layer.channel` for the rest, which compositors show as layers.
+/// image itself; `layer.channel` for the rest, which compositors show as layers.
 struct ExrChannel {
     std::string name;
     std::variant<core::Image<std::uint32_t>, core::Image<float>, HalfImage> pixels;
@@ -43,7 +43,7 @@ struct ExrFile {
 /// half-written file is never seen. Infinities and NaN are kept as they are.
 ///
 /// Throws core::Error with where = the path if it cannot be written, if there is no channel or the
-/// picture is empty; nothing is left behind then. Channels of different sizes or of one name are a
+/// image is empty; nothing is left behind then. Channels of different sizes or of one name are a
 /// caller's bug.
 void write_exr(const ExrFile& file, const std::filesystem::path& path);
 

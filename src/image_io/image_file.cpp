@@ -96,7 +96,7 @@ core::Image<std::uint8_t> to_gray(const std::vector<std::uint8_t>& samples,
     return gray;
 }
 
-/// A grey or RGB picture, as the file library wants it.
+/// A grey or RGB image, as the file library wants it.
 struct Samples {
     const void* data = nullptr;
     int width_px = 0;
@@ -114,7 +114,7 @@ Samples samples_of(const core::Image<Rgb>& image) {
 
 std::vector<std::uint8_t> encode(const Samples& samples, const std::string& where) {
     if (samples.width_px == 0 || samples.height_px == 0) {
-        throw core::Error(where, "the picture is empty", "at least 1 x 1 px");
+        throw core::Error(where, "the image is empty", "at least 1 x 1 px");
     }
     std::vector<std::uint8_t> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);

@@ -15,7 +15,7 @@ using Rgb = glm::u8vec3;
 /// An image file as 8-bit grey, (0,0) top left, values as they are in the file.
 ///
 /// Colour becomes luma (ITU-R 601: 0.299 R + 0.587 G + 0.114 B in 16-bit fixed point, rounded),
-/// palette pictures by their colours; alpha is left out, not multiplied in. Grey of 1, 2 or 4 bits
+/// palette images by their colours; alpha is left out, not multiplied in. Grey of 1, 2 or 4 bits
 /// is spread to 0..255. 16-bit and float files are refused, since their scale is anybody's guess.
 ///
 /// Throws core::Error with where = the path: missing, empty, not an image, cut off, not 8-bit, or
@@ -29,7 +29,7 @@ using Rgb = glm::u8vec3;
 void write_png(const core::Image<std::uint8_t>& image, const std::filesystem::path& path);
 void write_png(const core::Image<Rgb>& image, const std::filesystem::path& path);
 
-/// The same file as bytes, for pages that carry their pictures. Throws core::Error on an empty
+/// The same file as bytes, for pages that carry their images. Throws core::Error on an empty
 /// image.
 [[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<std::uint8_t>& image);
 [[nodiscard]] std::vector<std::uint8_t> encode_png(const core::Image<Rgb>& image);

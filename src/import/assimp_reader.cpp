@@ -243,14 +243,14 @@ ImportedCamera convert_camera(const aiCamera& from,
     const glm::dmat4 world = is_placed ? home->world_from_node : glm::dmat4{1};
     // A glTF camera sits in its node's origin; Assimp writes the node's translation here once more.
     const glm::dvec3 eye_node = is_gltf ? glm::dvec3{0} : to_glm(from.mPosition);
-    const glm::dvec3 gaze_node = to_glm(from.mLookAt), up_node = to_glm(from.mUp);
+    const glm::dvec3 view_direction_node = to_glm(from.mLookAt), up_node = to_glm(from.mUp);
     const glm::dvec3 eye = world * glm::dvec4(eye_node, 1);
     return {.name = from.mName.C_Str(),
             .eye_world = eye,
-            .target_world = eye + glm::dmat3(world) * gaze_node,
+            .target_world = eye + glm::dmat3(world) * view_direction_node,
             .up_world = glm::dmat3(world) * up_node,
             .fov_y_rad = vertical_fov_rad(from, is_gltf),
-            .motion = {node, node, eye_node, eye_node + gaze_node, up_node}};
+            .motion = {node, node, eye_node, eye_node + view_direction_node, up_node}};
 }
 
 std::vector<ImportedCamera> convert_cameras(const aiScene& scene,

@@ -34,7 +34,7 @@ constexpr std::uint16_t kPositionTrack = 0xb020;
 constexpr std::size_t kHeaderBytes = 6;
 constexpr double kFramesPerSecond = 30;  // no file names a rate
 constexpr double kLensDegrees = 2400;
-constexpr double kPictureAspect = 4.0 / 3.0;
+constexpr double kImageAspect = 4.0 / 3.0;
 
 struct Chunk {
     std::uint16_t id = 0;
@@ -80,14 +80,14 @@ std::optional<ImportedCamera> parse_camera(Bytes body, const std::string& name) 
     ImportedCamera camera{
         .name = name, .eye_world = {f[0], f[1], f[2]}, .target_world = {f[3], f[4], f[5]}};
     constexpr double kDegree = std::numbers::pi / 180;
-    const glm::dvec3 gaze = camera.target_world - camera.eye_world;
+    const glm::dvec3 view_direction = camera.target_world - camera.eye_world;
     camera.up_world = {0, 0, 1};
-    if (glm::length(gaze) > 0) {
-        camera.up_world = turned(camera.up_world, glm::normalize(gaze), f[6] * kDegree);
+    if (glm::length(view_direction) > 0) {
+        camera.up_world = turned(camera.up_world, glm::normalize(view_direction), f[6] * kDegree);
     }
     const double fov_x_rad = kLensDegrees / f[7] * kDegree;
     if (!(fov_x_rad > 0 && fov_x_rad < std::numbers::pi)) return std::nullopt;
-    camera.fov_y_rad = 2 * std::atan(std::tan(fov_x_rad / 2) / kPictureAspect);
+    camera.fov_y_rad = 2 * std::atan(std::tan(fov_x_rad / 2) / kImageAspect);
     return camera;
 }
 

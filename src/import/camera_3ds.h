@@ -15,7 +15,7 @@ namespace ink::import {
 /// Needed because Assimp 5.2 forgets where a camera looks as soon as the file has keyframes, and
 /// takes its lens for an angle. The lens is a focal length f: the field of view is 2400 / f degrees
 /// across (so write lib3ds and the file's own field-of-view tracks), made vertical here for the 4:3
-/// pictures of its time. Up is the z axis, leant by the camera's roll. Damaged chunks end the
+/// images of its time. Up is the z axis, leant by the camera's roll. Damaged chunks end the
 /// search: what was found until then is returned.
 [[nodiscard]] std::vector<ImportedCamera> read_3ds_cameras(std::span<const std::byte> file);
 

@@ -41,15 +41,15 @@ std::uint64_t skip_skins(const ModelBytes& file, const Header& header, std::uint
     for (std::uint64_t s = 0; s < header.skins; ++s) {
         const bool is_group = file.at<std::int32_t>(offset) != 0;
         offset += 4;
-        std::uint64_t pictures = 1;
+        std::uint64_t images = 1;
         if (is_group) {
-            pictures = file.count_at(offset, "pictures in a group of skins", 1);
+            images = file.count_at(offset, "images in a group of skins", 1);
             offset += 4;
-            file.need(offset, pictures, 4, "times of skins");
-            offset += 4 * pictures;
+            file.need(offset, images, 4, "times of skins");
+            offset += 4 * images;
         }
-        if (header.skin_bytes > 0) file.need(offset, pictures, header.skin_bytes, "skins");
-        offset += pictures * header.skin_bytes;
+        if (header.skin_bytes > 0) file.need(offset, images, header.skin_bytes, "skins");
+        offset += images * header.skin_bytes;
     }
     return offset;
 }

@@ -50,7 +50,7 @@ void add_models(BoundTable& table) {
         table, {"model_found", "px", "true pixels of which a stencil fires"}, &LinearCount::found);
     add_model(table,
               {"model_false_ink", "px", "stencils that fire far from lines"},
-              &LinearCount::false_ink);
+              &LinearCount::far_positives);
     add_model(
         table, {"model_n_truth", "px", "true pixels that were asked about"}, &LinearCount::n_truth);
 }
@@ -70,8 +70,8 @@ void add_bound(BoundTable& table) {
         {"found", "px", "true pixels of which a stencil fires, by the weights found"},
         [](auto& r) -> auto& { return r.row.bound.count.found; });
     table.add(
-        {"false_ink", "px", "stencils that fire far from lines, by them"},
-        [](auto& r) -> auto& { return r.row.bound.count.false_ink; });
+        {"far_positives", "px", "stencils that fire far from lines, by them"},
+        [](auto& r) -> auto& { return r.row.bound.count.far_positives; });
     table.add(
         {"asked_truth", "px", "true pixels that were asked about"},
         [](auto& r) -> auto& { return r.row.bound.count.n_truth; });
@@ -104,7 +104,7 @@ harness::Row bound_row(const BoundRow& of,
                        const BoundStudyOptions& options,
                        int width_px,
                        int height_px) {
-    const method::MethodInfo& info = *options.entrant.info;
+    const method::MethodInfo& info = *options.config.info;
     harness::Row row;
     row.method = info.name;
     row.scene = of.scene;
@@ -112,7 +112,7 @@ harness::Row bound_row(const BoundRow& of,
     row.width = width_px;
     row.height = height_px;
     row.threads = options.search.threads;
-    row.params = harness::join_params(info.complete(options.entrant.settings));
+    row.params = harness::join_params(info.complete(options.config.settings));
     row.weld_epsilon = options.trace.truth.weld_epsilon;
     return row;
 }

@@ -15,17 +15,17 @@ namespace {
 /// Right angles of turned boxes come out a little under 90 as often as over it.
 constexpr double kRounding_deg = 0.01;
 
-int bin_low_deg(double bend_rad) {
+int bin_low_deg(double deviation_rad) {
     constexpr int kLast_deg = 180 - kDihedralBin_deg;
-    const double bend_deg = bend_rad * 180 / std::numbers::pi;
+    const double deviation_deg = deviation_rad * 180 / std::numbers::pi;
     const int low =
-        static_cast<int>((bend_deg + kRounding_deg) / kDihedralBin_deg) * kDihedralBin_deg;
+        static_cast<int>((deviation_deg + kRounding_deg) / kDihedralBin_deg) * kDihedralBin_deg;
     return std::clamp(low, 0, kLast_deg);
 }
 
 LineKind kind_of(const truth::Curve& curve) {
     if (curve.line_class == truth::LineClass::boundary) return {curve.line_class, std::nullopt};
-    return {curve.line_class, bin_low_deg(curve.bend_rad)};
+    return {curve.line_class, bin_low_deg(curve.deviation_rad)};
 }
 
 double share(std::int64_t part, std::int64_t whole) {
@@ -83,9 +83,9 @@ CancellationCount& CancellationCount::operator+=(const CancellationCount& other)
     n_truth += other.n_truth;
     predicted_missed += other.predicted_missed;
     measured_missed += other.measured_missed;
-    predicted_missing += other.predicted_missing;
-    measured_missing += other.measured_missing;
-    both_missing += other.both_missing;
+    predicted_false_negatives += other.predicted_false_negatives;
+    measured_false_negatives += other.measured_false_negatives;
+    both_false_negatives += other.both_false_negatives;
     return *this;
 }
 
@@ -98,7 +98,9 @@ double CancellationCount::measured_rate() const {
 }
 
 double CancellationCount::agreement() const {
-    return 1 - share(predicted_missing + measured_missing - 2 * both_missing, n_truth);
+    return 1 -
+           share(predicted_false_negatives + measured_false_negatives - 2 * both_false_negatives,
+                 n_truth);
 }
 
 CancellationCount count_cancellation(const score::PixelList& kind,
@@ -112,9 +114,9 @@ CancellationCount count_cancellation(const score::PixelList& kind,
     const auto is_predicted = score::within_reach(kind, predicted, disk);
     const auto is_measured = score::within_reach(kind, measured, disk);
     for (std::size_t i = 0; i < kind.size(); ++i) {
-        count.predicted_missing += is_predicted[i] == 0 ? 1 : 0;
-        count.measured_missing += is_measured[i] == 0 ? 1 : 0;
-        count.both_missing += is_predicted[i] == 0 && is_measured[i] == 0 ? 1 : 0;
+        count.predicted_false_negatives += is_predicted[i] == 0 ? 1 : 0;
+        count.measured_false_negatives += is_measured[i] == 0 ? 1 : 0;
+        count.both_false_negatives += is_predicted[i] == 0 && is_measured[i] == 0 ? 1 : 0;
     }
     return count;
 }

@@ -36,23 +36,23 @@ struct KindPixels {
 [[nodiscard]] std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
                                                    const score::ScoringTruth& scoring);
 
-/// What was foretold of the true pixels of one kind, and what was seen.
+/// What was predicted of the true pixels of one kind, and what was seen.
 ///
 /// `missed` is what recall leaves: n_truth less the pairs of a one-to-one matching within 2 px, of
-/// the kind's own (as in bins.csv). `missing` are pixels with no ink at all within 2 px; these are
-/// certain pixels, so that it can be said how many are both.
+/// the kind's own (as in bins.csv). `false_negatives` are pixels with nothing drawn within 2 px;
+/// these are certain pixels, so that it can be said how many are both.
 struct CancellationCount {
     std::int64_t n_truth = 0;
     std::int64_t predicted_missed = 0;
     std::int64_t measured_missed = 0;
-    std::int64_t predicted_missing = 0;
-    std::int64_t measured_missing = 0;
-    std::int64_t both_missing = 0;
+    std::int64_t predicted_false_negatives = 0;
+    std::int64_t measured_false_negatives = 0;
+    std::int64_t both_false_negatives = 0;
 
     CancellationCount& operator+=(const CancellationCount& other);
     [[nodiscard]] double predicted_rate() const;  ///< of missed pixels; 0 without any
     [[nodiscard]] double measured_rate() const;
-    /// The share of pixels of which it was foretold rightly whether they are missing; 1 without
+    /// The share of pixels of which it was predicted rightly whether they are missing; 1 without
     /// any.
     [[nodiscard]] double agreement() const;
     [[nodiscard]] bool operator==(const CancellationCount&) const = default;
@@ -73,7 +73,8 @@ struct CancellationRow {
     std::string split;
     int width_px = 0;
     int height_px = 0;
-    double silent_deg = 0;  ///< bend up to which the code is silent (silent_bend_rad())
+    double silent_deg =
+        0;  ///< dihedral deviation up to which the code is silent (silent_deviation_rad())
     LineKind kind = {};
     CancellationCount count = {};
 };

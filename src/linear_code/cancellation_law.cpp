@@ -22,7 +22,7 @@ int least_firing(const edge::LaplacianResponse& response, int threshold) {
 
 }  // namespace
 
-double silent_bend_rad(const method::LinearCode& code, int threshold) {
+double silent_deviation_rad(const method::LinearCode& code, int threshold) {
     double square = 0;
     for (const double weight : code.normal_weight)
         square += weight * weight;
@@ -32,10 +32,10 @@ double silent_bend_rad(const method::LinearCode& code, int threshold) {
     return 2 * std::asin(least / seen_twice);
 }
 
-double law_of_misses(double bend_rad, double silent_rad) {
-    const double bend = std::sin(bend_rad / 2);
+double law_of_misses(double deviation_rad, double silent_rad) {
+    const double deviation = std::sin(deviation_rad / 2);
     const double silent = std::sin(silent_rad / 2);
-    return silent >= bend ? 1 : silent / bend;
+    return silent >= deviation ? 1 : silent / deviation;
 }
 
 }  // namespace ink::linear_code

@@ -6,53 +6,54 @@
 #include "edge/thin.h"
 #include "edge/threshold.h"
 #include "harness/cell.h"
-#include "linear_code/cancellation_ink.h"
 #include "linear_code/cancellation_law.h"
+#include "linear_code/predicted_positives.h"
 #include "score/drawing.h"
 
 namespace ink::linear_code {
 namespace {
 
-/// A shot with a code, the code worked out from the truth, and what came of both.
+/// An evaluation with a code, the code worked out from the truth, and what came of both.
 struct Study {
-    const harness::Shot& shot;
+    const harness::Evaluation& evaluation;
     harness::Declaration declared;
     harness::TruthCode code;
     std::vector<CancellationRow> rows = {};
 };
 
-/// What all shots of a view are counted against.
+/// What all evaluations of a view are counted against.
 struct CountedTruth {
     std::vector<score::Pixel> seeing;  ///< line_stencils()
     std::vector<KindPixels> kinds;
     score::TruthLists lists;
 };
 
-score::PixelList counted_ink(const edge::Mask& drawn,
-                             const CountedTruth& counted,
-                             const score::ScoreOptions& options) {
+score::PixelList counted_positives(const edge::Mask& drawn,
+                                   const CountedTruth& counted,
+                                   const score::ScoreOptions& options) {
     return score::counted_pixels(edge::thin(drawn), counted.lists, options);
 }
 
 void fill_rows(const harness::ViewTruth& truth, const CountedTruth& counted, Study& study) {
-    const harness::Shot& shot = study.shot;
-    const score::ScoreOptions options = harness::score_options(shot.threshold);
-    const score::PixelList predicted = counted_ink(
-        predicted_ink(study.code, truth.traced.layers.triangle, counted.seeing, study.declared),
+    const harness::Evaluation& evaluation = study.evaluation;
+    const score::ScoreOptions options = harness::score_options(evaluation.threshold);
+    const score::PixelList predicted = counted_positives(
+        predicted_positives(
+            study.code, truth.traced.layers.triangle, counted.seeing, study.declared),
         counted,
         options);
-    const score::PixelList measured =
-        counted_ink(edge::threshold(shot.picture, shot.threshold), counted, options);
+    const score::PixelList measured = counted_positives(
+        edge::threshold(evaluation.image, evaluation.threshold), counted, options);
     const double silent_deg =
-        glm::degrees(silent_bend_rad(*study.declared.code, study.declared.threshold));
+        glm::degrees(silent_deviation_rad(*study.declared.code, study.declared.threshold));
     for (const auto& [kind, pixels] : counted.kinds) {
         study.rows.push_back(
-            {.method = shot.row.method,
-             .scene = shot.row.scene,
-             .view = shot.row.view,
-             .split = shot.row.split,
-             .width_px = shot.row.width,
-             .height_px = shot.row.height,
+            {.method = evaluation.row.method,
+             .scene = evaluation.row.scene,
+             .view = evaluation.row.view,
+             .split = evaluation.row.split,
+             .width_px = evaluation.row.width,
+             .height_px = evaluation.row.height,
              .silent_deg = silent_deg,
              .kind = kind,
              .count = count_cancellation(pixels, predicted, measured, counted.lists.disk)});
@@ -61,15 +62,18 @@ void fill_rows(const harness::ViewTruth& truth, const CountedTruth& counted, Stu
 
 }  // namespace
 
-std::vector<CancellationRow> study_cancellation(const harness::ViewTruth& truth,
-                                                const scene::View& view,
-                                                harness::MissPredictor& predictor,
-                                                const std::vector<harness::Shot>& shots) {
+std::vector<CancellationRow> study_cancellation(
+    const harness::ViewTruth& truth,
+    const scene::View& view,
+    harness::MissPredictor& predictor,
+    const std::vector<harness::Evaluation>& evaluations) {
     std::vector<Study> studies;
-    studies.reserve(shots.size());
-    for (const harness::Shot& shot : shots) {
-        if (!shot.row.is_ok() || !shot.code) continue;
-        studies.push_back({shot, {shot.code, shot.threshold}, predictor.code_of(*shot.code, view)});
+    studies.reserve(evaluations.size());
+    for (const harness::Evaluation& evaluation : evaluations) {
+        if (!evaluation.row.is_ok() || !evaluation.code) continue;
+        studies.push_back({evaluation,
+                           {evaluation.code, evaluation.threshold},
+                           predictor.code_of(*evaluation.code, view)});
     }
     if (studies.empty()) return {};
     const CountedTruth counted{line_stencils(harness::stencils_of(truth)),

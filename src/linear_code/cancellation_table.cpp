@@ -55,14 +55,14 @@ const CancellationTable& table() {
             {"measured_missed", "px", "of them without a match"},
             [](auto& r) -> auto& { return r.row.count.measured_missed; });
         table.add(
-            {"predicted_missing", "px", "of them with nothing in reach, as predicted"},
-            [](auto& r) -> auto& { return r.row.count.predicted_missing; });
+            {"predicted_false_negatives", "px", "of them with nothing in reach, as predicted"},
+            [](auto& r) -> auto& { return r.row.count.predicted_false_negatives; });
         table.add(
-            {"measured_missing", "px", "of them with nothing drawn in reach"},
-            [](auto& r) -> auto& { return r.row.count.measured_missing; });
+            {"measured_false_negatives", "px", "of them with nothing drawn in reach"},
+            [](auto& r) -> auto& { return r.row.count.measured_false_negatives; });
         table.add(
-            {"both_missing", "px", "of them both"},
-            [](auto& r) -> auto& { return r.row.count.both_missing; });
+            {"both_false_negatives", "px", "of them both"},
+            [](auto& r) -> auto& { return r.row.count.both_false_negatives; });
         return table;
     }();
     return kTable;

@@ -94,20 +94,20 @@ core::Image<std::uint16_t> codes_of(const ChannelPlanes& planes, const method::L
     return codes;
 }
 
-edge::EdgeImage strengths_of(const ChannelPlanes& planes,
+edge::EdgeImage responses_of(const ChannelPlanes& planes,
                              const method::LinearCode& code,
                              int threads) {
     const core::Image<std::uint16_t> codes = codes_of(planes, code);
-    edge::EdgeImage strengths(codes.width_px(), codes.height_px());
+    edge::EdgeImage edge_responses(codes.width_px(), codes.height_px());
     const int width = codes.width_px() - 2;
     const int height = codes.height_px() - 2;
-    if (width <= 0 || height <= 0) return strengths;
+    if (width <= 0 || height <= 0) return edge_responses;
     const core::ImageView<const std::uint16_t> inner{
         codes.row(1) + 1, width, height, codes.width_px()};
     const core::ImageView<std::uint8_t> out{
-        strengths.row(1) + 1, width, height, strengths.width_px()};
+        edge_responses.row(1) + 1, width, height, edge_responses.width_px()};
     edge::laplacian(inner, out, code.response, threads);
-    return strengths;
+    return edge_responses;
 }
 
 }  // namespace ink::linear_code

@@ -21,9 +21,9 @@ namespace ink::linear_code {
 ///     code = limit(floor(offset + w0 c0 + w1 c1 + w2 c2 + w3 c3 + 1/2)),   sky_code on sky,
 ///     L(x, y) = 4 code(x, y) - code(x-1, y) - code(x+1, y) - code(x, y-1) - code(x, y+1),
 ///
-/// `limit` saturates or wraps at 2^bits, and edge::respond(L, response) is the pixel's strength:
-/// codes_of() and strengths_of() below do just that. Without rounding and limit L is w . v with
-/// v the Laplacians of the four channels, wherever offset and sky_code are 0.
+/// `limit` saturates or wraps at 2^bits, and edge::respond(L, response) is the pixel's edge
+/// response: codes_of() and responses_of() below do just that. Without rounding and limit L is w .
+/// v with v the Laplacians of the four channels, wherever offset and sky_code are 0.
 struct ChannelPlanes {
     std::array<core::Image<float>, 4> channels;
     edge::Mask is_sky;  ///< 1 where nothing is seen
@@ -32,7 +32,7 @@ struct ChannelPlanes {
     [[nodiscard]] int height_px() const { return is_sky.height_px(); }
 };
 
-/// Makes the planes of a scene's views, never from a method's picture: which triangle a pixel
+/// Makes the planes of a scene's views, never from a method's image: which triangle a pixel
 /// centre sees is the truth's, depth and normals are the scene's (harness/truth_code.h).
 class ChannelSource {
   public:
@@ -41,7 +41,7 @@ class ChannelSource {
     ChannelSource(const scene::Scene& scene, const method::LinearCode& code);
 
     /// The planes of `view`, of whose pixels `triangle` (truth::Layers::triangle, the view's size)
-    /// says what they see. Rows are shared among `threads`; the result hangs on neither.
+    /// says what they see. Rows are shared among `threads`; the result depends on neither.
     [[nodiscard]] ChannelPlanes planes(const scene::View& view,
                                        const core::Image<std::uint32_t>& triangle,
                                        int threads) const;
@@ -56,9 +56,9 @@ class ChannelSource {
 [[nodiscard]] core::Image<std::uint16_t> codes_of(const ChannelPlanes& planes,
                                                   const method::LinearCode& code);
 
-/// What its filter makes of that: strengths, 0 in the picture's outermost pixels, whose stencils
+/// What its filter makes of that: edge responses, 0 in the image's outermost pixels, whose stencils
 /// the frame cuts.
-[[nodiscard]] edge::EdgeImage strengths_of(const ChannelPlanes& planes,
+[[nodiscard]] edge::EdgeImage responses_of(const ChannelPlanes& planes,
                                            const method::LinearCode& code,
                                            int threads);
 

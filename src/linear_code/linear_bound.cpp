@@ -108,8 +108,8 @@ class Search {
 }  // namespace
 
 double LinearCount::f() const {
-    const double all =
-        static_cast<double>(found + n_truth) + kInkShare * static_cast<double>(false_ink);
+    const double all = static_cast<double>(found + n_truth) +
+                       kFarPositiveShare * static_cast<double>(far_positives);
     return all > 0 ? 2.0 * static_cast<double>(found) / all : 1.0;
 }
 
@@ -141,7 +141,7 @@ LinearCount linear_count(const LinearStencils& stencils,
         above += r >= 1 + rounding;
         below += -r >= 1 + rounding;
     }
-    count.false_ink = is_absolute ? std::max(above, below) : above;
+    count.far_positives = is_absolute ? std::max(above, below) : above;
     return count;
 }
 

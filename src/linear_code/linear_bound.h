@@ -10,21 +10,21 @@ namespace ink::linear_code {
 
 /// What is counted of the ink that lies off every line.
 ///
-/// Thinning makes less of it: a solid patch of false ink becomes a few strokes.
+/// Thinning makes less of it: a solid patch of far positives becomes a few strokes.
 /// found: of 200 random weights on each of the catalogue's scenes at 640x360 (first views, T from
 /// 1 to 40 codes) no measured F lies more than 0.0001 above the model's with 1/4; with 1/2 that of
 /// one scene did by 0.024 (`flag` in T below 2, where all of it is ink), with 1 those of eleven.
-inline constexpr double kInkShare = 0.25;
+inline constexpr double kFarPositiveShare = 0.25;
 
 /// What weights come to on a set of stencils.
 struct LinearCount {
     std::int64_t found = 0;  ///< truth pixels of which a candidate fires
     /// Far stencils that fire on the side that fires more often, w . v >= 1 or w . v <= -1 (by a
     /// `positive` response the first): along a step each side is one pixel wide.
-    std::int64_t false_ink = 0;
+    std::int64_t far_positives = 0;
     std::int64_t n_truth = 0;
 
-    /// 2 found / (found + n_truth + kInkShare false_ink); 1 if all are 0.
+    /// 2 found / (found + n_truth + kFarPositiveShare far_positives); 1 if all are 0.
     [[nodiscard]] double f() const;
 };
 
@@ -61,11 +61,12 @@ struct LinearBound {
 ///
 /// Why that bounds what the scorer measures, F = 2K / (n_pred + n_truth) at 2 px: a matched truth
 /// pixel has a drawn pixel in reach, and thinning adds none, so K <= found; drawn pixels out of
-/// reach of truth and of ignored pixels are never matched, so n_pred >= K + off_line, and F <=
-/// 2K / (K + off_line + n_truth), which grows with K. Left is off_line >= kInkShare * false_ink:
-/// that is measured (see kInkShare), not proven; all else is certain but for what rounding of codes
-/// does, which the domain's `rounding` takes in. Forgiven are surplus ink in reach of a line, and
-/// two truth pixels that one drawn pixel finds.
+/// reach of truth and of ignored pixels are never matched, so n_pred >= K + false_positives, and F
+/// <= 2K / (K + false_positives + n_truth), which grows with K. Left is false_positives >=
+/// kFarPositiveShare * far_positives: that is measured (see kFarPositiveShare), not proven; all
+/// else is certain but for what rounding of codes does, which the domain's `rounding` takes in.
+/// Forgiven are unmatched duplicates in reach of a line, and two truth pixels that one drawn pixel
+/// finds.
 ///
 /// Branch and bound over boxes of weights: in a box a stencil can fire if the largest w . v does
 /// and must fire if the smallest does; what can be found over what must be ink is an upper bound,

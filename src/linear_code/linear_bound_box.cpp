@@ -117,8 +117,8 @@ void BoxCounter::look_at_far(const Probe& probe,
                              const std::vector<std::uint32_t>& pixels,
                              LookedAtBox& result,
                              Undecided& left) const {
-    std::int64_t above = result.box.ink_above;
-    std::int64_t below = result.box.ink_below;
+    std::int64_t above = result.box.positives_above;
+    std::int64_t below = result.box.positives_below;
     for (const std::uint32_t i : pixels) {
         const StencilVector& v = stencils_.far()[i];
         const float tried = product(probe.tried, v);
@@ -128,12 +128,12 @@ void BoxCounter::look_at_far(const Probe& probe,
         const float spread = probe.spread(v);
         const bool must_above = middle - spread >= must_fire_;
         const bool must_below = -middle - spread >= must_fire_;
-        result.box.ink_above += must_above;
-        result.box.ink_below += must_below;
+        result.box.positives_above += must_above;
+        result.box.positives_below += must_below;
         const bool can = sided(middle) + spread >= can_fire_;
         if (can && !must_above && !must_below) left.far.push_back(i);
     }
-    result.count.false_ink = ink(above, below);
+    result.count.far_positives = positives(above, below);
 }
 
 /// A sample will do to choose by: every 16th of what is undecided.
@@ -163,9 +163,10 @@ LookedAtBox BoxCounter::looked_at(WeightBox box, const Undecided& undecided) con
     look_at_truth(probe, undecided.truth, result, *left);
     look_at_far(probe, undecided.far, result, *left);
 
-    const LinearCount most{.found = result.box.found + std::ssize(left->truth),
-                           .false_ink = ink(result.box.ink_above, result.box.ink_below),
-                           .n_truth = stencils_.n_truth()};
+    const LinearCount most{
+        .found = result.box.found + std::ssize(left->truth),
+        .far_positives = positives(result.box.positives_above, result.box.positives_below),
+        .n_truth = stencils_.n_truth()};
     result.box.f_upper = std::min(result.box.f_upper, most.f());
     result.box.widest = widest(probe, *left);
     result.box.undecided = std::move(left);

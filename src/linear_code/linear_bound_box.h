@@ -21,9 +21,9 @@ struct Undecided {
 struct WeightBox {
     LinearWeights low{};
     LinearWeights high{};
-    std::int64_t found = 0;      ///< truth pixels that all of its weights find
-    std::int64_t ink_above = 0;  ///< far pixels with w . v >= 1 for all of its weights
-    std::int64_t ink_below = 0;  ///< the same for w . v <= -1
+    std::int64_t found = 0;            ///< truth pixels that all of its weights find
+    std::int64_t positives_above = 0;  ///< far pixels with w . v >= 1 for all of its weights
+    std::int64_t positives_below = 0;  ///< the same for w . v <= -1
     std::shared_ptr<const Undecided> undecided;
     double f_upper = 1;
     int widest = 0;  ///< the weight to halve next: the one that moves the undecided most
@@ -74,7 +74,7 @@ class BoxCounter {
     [[nodiscard]] float sided(float response) const {
         return is_absolute_ && response < 0 ? -response : response;
     }
-    [[nodiscard]] std::int64_t ink(std::int64_t above, std::int64_t below) const {
+    [[nodiscard]] std::int64_t positives(std::int64_t above, std::int64_t below) const {
         return is_absolute_ && below > above ? below : above;
     }
 

@@ -16,15 +16,15 @@ bool WeightDomain::contains(const LinearWeights& weights) const {
     return sum <= most_sum;
 }
 
-std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response, int strength) {
+std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response, int edge_response) {
     for (int laplacian = 0; laplacian <= 4 * 65535; ++laplacian) {
-        if (edge::respond(laplacian, response) >= strength) return laplacian;
+        if (edge::respond(laplacian, response) >= edge_response) return laplacian;
     }
     return std::nullopt;
 }
 
-LinearWeights weights_of(const method::LinearCode& code, int strength) {
-    const double threshold = threshold_in_codes(code.response, strength).value_or(4 * 65535);
+LinearWeights weights_of(const method::LinearCode& code, int edge_response) {
+    const double threshold = threshold_in_codes(code.response, edge_response).value_or(4 * 65535);
     return {code.depth_weight / threshold,
             code.normal_weight[0] / threshold,
             code.normal_weight[1] / threshold,

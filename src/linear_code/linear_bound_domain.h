@@ -29,13 +29,14 @@ struct WeightDomain {
     [[nodiscard]] bool contains(const LinearWeights& weights) const;
 };
 
-/// The least |L| whose strength is `strength` (1..255) or more, in codes; nothing if none is.
+/// The least |L| whose edge response is `edge_response` (1..255) or more, in codes; nothing if none
+/// is.
 [[nodiscard]] std::optional<int> threshold_in_codes(const edge::LaplacianResponse& response,
-                                                    int strength);
+                                                    int edge_response);
 
-/// The weights over the threshold of a code whose lines have `strength` or more. The code passes
-/// weight_domain().
-[[nodiscard]] LinearWeights weights_of(const method::LinearCode& code, int strength);
+/// The weights over the threshold of a code whose lines have `edge_response` or more. The code
+/// passes weight_domain().
+[[nodiscard]] LinearWeights weights_of(const method::LinearCode& code, int edge_response);
 
 /// All weights that a code of these bits and this response can have: of one sign and within its
 /// range at every pixel, or, `is_signed`, with sizes that come to no more than its range. Its

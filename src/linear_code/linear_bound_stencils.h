@@ -31,7 +31,7 @@ class LinearStencils {
     void add(const LinearStencils& others);
     /// Adds one truth pixel with the stencils that would find it.
     void add_truth_pixel(std::vector<StencilVector> candidates);
-    /// Adds one pixel that is false ink if it fires.
+    /// Adds one pixel that is a far positive if it fires.
     void add_far_pixel(const StencilVector& v);
 
     [[nodiscard]] const WeightDomain& domain() const { return domain_; }

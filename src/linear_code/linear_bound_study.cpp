@@ -38,14 +38,14 @@ struct Asked {
 };
 
 Asked what_is_asked(const BoundStudyOptions& options) {
-    const method::MethodInfo& info = *options.entrant.info;
-    const auto code = info.make(options.entrant.settings)->code();
+    const method::MethodInfo& info = *options.config.info;
+    const auto code = info.make(options.config.settings)->code();
     if (!code) {
         throw core::Error(info.name,
                           "with these settings it has no code that is one linear sum",
                           "mote4, or mote16, mote2 with one sum");
     }
-    const int threshold = std::stoi(info.complete(options.entrant.settings).at("threshold"));
+    const int threshold = std::stoi(info.complete(options.config.settings).at("threshold"));
     return {*code,
             weight_domain(info.name, *code, options.is_signed, options.least_threshold),
             weights_of(*code, threshold)};
@@ -65,17 +65,18 @@ class Study {
                 .stencils = LinearStencils(asked_.domain)};
     }
 
-    [[nodiscard]] Pool pool_of(const harness::Subject& subject) const {
-        const bool is_train = subject.scene.split == scene::Split::train;
-        Pool pool = empty_pool(subject.scene.name, is_train ? "train" : "heldout");
+    [[nodiscard]] Pool pool_of(const harness::SceneViews& scene_views) const {
+        const bool is_train = scene_views.scene.split == scene::Split::train;
+        Pool pool = empty_pool(scene_views.scene.name, is_train ? "train" : "heldout");
         pool.scenes = 1;
-        harness::PreparedMethod method(options_.entrant, subject.scene);
+        harness::PreparedMethod method(options_.config, scene_views.scene);
         if (!method.failure().empty()) {
-            throw core::Error(subject.scene.name, method.failure(), "a scene that it can prepare");
+            throw core::Error(
+                scene_views.scene.name, method.failure(), "a scene that it can prepare");
         }
-        const ChannelSource source(subject.scene, asked_.code);
-        truth::SceneModel model(subject.scene, options_.trace.truth);
-        for (const scene::View& view : subject.views)
+        const ChannelSource source(scene_views.scene, asked_.code);
+        truth::SceneModel model(scene_views.scene, options_.trace.truth);
+        for (const scene::View& view : scene_views.views)
             add_view(view, source, model, method, pool);
         return pool;
     }
@@ -110,10 +111,10 @@ class Study {
         const int threads = options_.search.threads;
         pool.stencils.add(source.planes(view, truth.traced.layers.triangle, threads),
                           truth.scoring);
-        edge::EdgeImage picture(view.width_px, view.height_px);
-        method.method().draw({view, threads}, picture);
+        edge::EdgeImage image(view.width_px, view.height_px);
+        method.method().draw({view, threads}, image);
         const score::Score scored =
-            score::score(picture, truth.scoring, harness::score_options(method.threshold()));
+            score::score(image, truth.scoring, harness::score_options(method.threshold()));
         pool.measured += {scored.k, scored.n_pred, scored.n_truth};
         ++pool.views;
     }
@@ -128,19 +129,19 @@ std::string share(double f) {
 
 }  // namespace
 
-std::vector<BoundRow> study_bounds(const std::vector<harness::Subject>& subjects,
+std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scenes,
                                    const BoundStudyOptions& options) {
     Study study(options);
     Study of_pools(options);
-    core::Progress progress("bound", static_cast<int>(subjects.size()) + 3);
+    core::Progress progress("bound", static_cast<int>(scenes.size()) + 3);
     std::vector<BoundRow> rows;
     Pool train = study.empty_pool("(training)", "train");
     Pool heldout = study.empty_pool("(held-out)", "heldout");
     int done = 0;
-    for (const harness::Subject& subject : subjects) {
+    for (const harness::SceneViews& scene_views : scenes) {
         if (harness::is_interrupted()) return rows;
-        progress.report(done++, subject.scene.name);
-        const Pool pool = study.pool_of(subject);
+        progress.report(done++, scene_views.scene.name);
+        const Pool pool = study.pool_of(scene_views);
         (pool.split == "train" ? train : heldout).add(pool);
         rows.push_back(study.row_of(pool));
         of_pools.remember(rows.back().bound.weights);

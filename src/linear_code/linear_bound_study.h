@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "linear_code/linear_bound.h"
@@ -13,9 +13,9 @@ namespace ink::linear_code {
 
 /// Which code is asked about, and how its bound is looked for.
 struct BoundStudyOptions {
-    harness::Entrant entrant;  ///< a method that declares its code
-    bool is_signed = false;    ///< weights below 0 too
-    int least_threshold = 0;   ///< codes; 0: the least that the filter draws
+    harness::MethodConfig config;  ///< a method that declares its code
+    bool is_signed = false;        ///< weights below 0 too
+    int least_threshold = 0;       ///< codes; 0: the least that the filter draws
     harness::TraceOptions trace;
     LinearBoundOptions search;  ///< its threads draw and trace, too; `starts` are added to
 };
@@ -30,13 +30,13 @@ struct BoundRow {
     LinearBound bound;
 };
 
-/// A row for every subject, in their order, then one for the training scenes, the held-out ones and
+/// A row for every scene, in their order, then one for the training scenes, the held-out ones and
 /// all of them, where that is more than one scene and not the same as a row before.
 ///
 /// What a scene's search found is tried first on the pools. After Ctrl-C (see InterruptGuard) the
 /// rows that are done. Throws core::Error (where = the method) if it declares no code or one that
 /// weight_domain() refuses, (where = the scene) if its truth is too large to trace.
-[[nodiscard]] std::vector<BoundRow> study_bounds(const std::vector<harness::Subject>& subjects,
+[[nodiscard]] std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scenes,
                                                  const BoundStudyOptions& options);
 
 /// For a terminal: a line per row.

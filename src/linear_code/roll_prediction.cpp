@@ -53,9 +53,9 @@ std::vector<double> RollPrediction::vanishing_rad() const {
 
 bool RollPrediction::is_blind(double roll_rad, int threshold) const {
     const int twice = static_cast<int>(std::lround(2 * std::abs(step(roll_rad))));
-    const auto strength = [&](int laplacian) { return edge::respond(laplacian, response_); };
-    return std::max(strength(twice), strength(-twice)) < threshold &&
-           std::max(strength(twice / 2), strength(-(twice / 2))) < threshold;
+    const auto edge_response = [&](int laplacian) { return edge::respond(laplacian, response_); };
+    return std::max(edge_response(twice), edge_response(-twice)) < threshold &&
+           std::max(edge_response(twice / 2), edge_response(-(twice / 2))) < threshold;
 }
 
 }  // namespace ink::linear_code

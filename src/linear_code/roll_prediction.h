@@ -14,7 +14,7 @@ struct CreaseNormals {
     glm::dvec3 n1_view{0};
 };
 
-/// What a linear code makes of a crease while its camera rolls about its gaze, by
+/// What a linear code makes of a crease while its camera rolls about its view direction, by
 /// scene::PathKind::roll.
 ///
 /// Faces are flat to the code (their corners have the faces' own normals), and depth is the same on

@@ -18,7 +18,7 @@ double depth_bytes(raster::DepthFormat format) {
     return depth_only.bytes_per_px();
 }
 
-/// Of the encoded depth, from the distance along the gaze: raster::encode_depth.
+/// Of the encoded depth, from the distance along the view direction: raster::encode_depth.
 double encode_operations(raster::DepthEncoding encoding) {
     using raster::DepthEncoding;
     constexpr double kWindowDepth = kSlowOperations + 2;  // far / w, less 1, scaled

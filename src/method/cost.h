@@ -10,7 +10,7 @@ namespace ink::method {
 /// What is done at one pixel. Fractions mean nothing; numbers are real because they are multiplied.
 struct PixelWork {
     double bytes_read = 0;     ///< of buffers; what a stencil reads again from a cache counts once
-    double bytes_written = 0;  ///< of buffers and of the picture
+    double bytes_written = 0;  ///< of buffers and of the image
     double operations = 0;     ///< on one number each: see cost.cpp for how they are counted
 };
 

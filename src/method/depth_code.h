@@ -10,7 +10,7 @@ namespace ink::method {
 
 /// Where a depth encoding's 0 and 1 come from.
 enum class RangeSource {
-    fit,     ///< the extent of the scene's bounding sphere along the gaze
+    fit,     ///< the extent of the scene's bounding sphere along the view direction
     camera,  ///< the camera's near and far
 };
 

@@ -26,14 +26,14 @@ namespace ink::method {
 /// What a method is told of one frame.
 struct Frame {
     scene::View view;
-    int threads = 1;             ///< 1 is plain serial; the picture must not depend on it
-    raster::SkipSet skips = {};  ///< what may be left undone; the picture must not depend on it
+    int threads = 1;             ///< 1 is plain serial; the image must not depend on it
+    raster::SkipSet skips = {};  ///< what may be left undone; the image must not depend on it
 };
 
 /// What a linear code reads of the surface, and how it comes to the pixels.
 struct CodeInputs {
     scene::NormalSource normals = scene::NormalSource::patch;
-    double crease_rad = 0;  ///< bend from which on an edge parts two patches
+    double crease_rad = 0;  ///< dihedral deviation from which on an edge parts two patches
     RangeSource depth_range = RangeSource::fit;
     raster::Interpolation interpolation = raster::Interpolation::affine;
     bool at_vertices = true;  ///< summed at vertices and interpolated; else summed at pixels
@@ -63,18 +63,18 @@ struct PlanLine {
     std::string why;
 };
 
-/// A picture of something that a method has inside, for who wants to see why it errs.
+/// An image of something that a method has inside, for who wants to see why it errs.
 struct Layer {
     std::string name;  ///< what `inkbench draw --layer` calls it: small letters and underscores
     core::Image<glm::u8vec3> rgb;  ///< of the view's size
     std::string note = {};         ///< what it counted, in a line of plain text; empty: nothing
 };
 
-/// One outline method. It sees a scene and a camera and draws strengths; it never sees the truth,
-/// the score, another method or the clock. The harness owns the clock and calls the stages in this
-/// order.
+/// One outline method. It sees a scene and a camera and draws edge responses; it never sees the
+/// truth, the score, another method or the clock. The harness owns the clock and calls the stages
+/// in this order.
 ///
-/// A method is used by one thread at a time. Drawing the same view twice gives the same picture,
+/// A method is used by one thread at a time. Drawing the same view twice gives the same image,
 /// and an empty or invisible scene gives zeros.
 class Method {
   public:
@@ -85,14 +85,14 @@ class Method {
     virtual void prepare(const scene::Scene& scene) = 0;
 
     /// Whenever a vertex or an instance moved, and once after prepare: world positions and what
-    /// hangs on them. `scene` has the topology that was prepared.
+    /// depends on them. `scene` has the topology that was prepared.
     virtual void pose(const scene::Scene& scene) = 0;
 
     /// Once per frame: everything it does there, its own rasterization included. `out` arrives with
-    /// the view's size and any content, and leaves with a strength in every pixel.
+    /// the view's size and any content, and leaves with an edge response in every pixel.
     virtual void draw(const Frame& frame, edge::EdgeImage& out) = 0;
 
-    /// Pictures of what it has inside for this frame, the names the same for every frame: drawn
+    /// Images of what it has inside for this frame, the names the same for every frame: drawn
     /// anew, not timed, the same for every thread count. Empty for a method that shows nothing.
     [[nodiscard]] virtual std::vector<Layer> layers(const Frame& /*frame*/) { return {}; }
 
@@ -130,12 +130,13 @@ struct SumLimit {
 /// A row of the registry: all that is known of a method before it is made. Charts, tables, tuner
 /// and notebooks read this and keep no lists of their own.
 struct MethodInfo {
-    std::string name;                 ///< = folder = TOML key = value in rows = legend
-    std::string source;               ///< who described it, and where
-    std::string summary;              ///< one line for `inkbench list`
-    std::vector<core::Param> params;  ///< includes `threshold`, the strength at which it is scored
-    Family family = Family::other;    ///< its colour and panel; every registered method has one
-    Marker marker = Marker::circle;   ///< its own within its family
+    std::string name;     ///< = folder = TOML key = value in rows = legend
+    std::string source;   ///< who described it, and where
+    std::string summary;  ///< one line for `inkbench list`
+    std::vector<core::Param>
+        params;  ///< includes `threshold`, the edge response at which it is scored
+    Family family = Family::other;   ///< its colour and panel; every registered method has one
+    Marker marker = Marker::circle;  ///< its own within its family
     /// What `inkbench tune` searches unless told otherwise, in this order; none: the threshold.
     std::vector<Tunable> tunables = {};
     std::vector<SumLimit> sum_limits = {};
@@ -158,7 +159,7 @@ struct MethodInfo {
     }
 };
 
-/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its knobs and a
+/// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters and a
 /// constructor from `Params`.
 template <class M>
 [[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {

@@ -5,14 +5,26 @@ namespace ink::raster {
 const std::array<SkipInfo, kSkipCount>& skip_infos() {
     static constexpr std::array<SkipInfo, kSkipCount> kInfos = {{
         {Skip::attributes, "attributes", "channels", "Channels that the code gives no weight."},
-        {Skip::frustum, "frustum", "clusters", "Clusters of triangles outside the picture."},
-        {Skip::backs, "backs", "clusters", "Clusters turned away, of sealed solids."},
+        {Skip::frustum_culling,
+         "frustum_culling",
+         "clusters",
+         "Clusters of triangles outside the image."},
+        {Skip::back_face_culling,
+         "back_face_culling",
+         "clusters",
+         "Clusters turned away, of watertight solids."},
         {Skip::no_sample, "no_sample", "triangles", "Triangles that cover no pixel centre."},
-        {Skip::hidden, "hidden", "triangles", "Triangles behind what is drawn already."},
+        {Skip::occlusion_culling,
+         "occlusion_culling",
+         "triangles",
+         "Triangles behind what is drawn already."},
         {Skip::empty_tiles, "empty_tiles", "tiles", "Tiles that nobody draws to."},
         {Skip::flat_tiles, "flat_tiles", "tiles", "Tiles inside one plane: the filter gives 0."},
         {Skip::flat_stencils, "flat_stencils", "pixels", "Stencils inside one triangle: 0 too."},
-        {Skip::still_tiles, "still_tiles", "tiles", "Tiles that nothing moved in since last time."},
+        {Skip::temporal_reuse,
+         "temporal_reuse",
+         "tiles",
+         "Tiles that nothing moved in since last time."},
     }};
     return kInfos;
 }

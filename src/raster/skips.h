@@ -8,17 +8,17 @@
 
 namespace ink::raster {
 
-/// What can be left undone because the picture does not need it. A skip never changes a bit.
+/// What can be left undone because the image does not need it. A skip never changes a bit.
 enum class Skip {
-    attributes,     ///< channels of the surface that no declared code reads
-    frustum,        ///< clusters outside the picture
-    backs,          ///< clusters turned away, of solids sealed in this view
-    no_sample,      ///< triangles that cover no pixel centre
-    hidden,         ///< triangles and blocks behind what is drawn already
-    empty_tiles,    ///< tiles that nobody draws to
-    flat_tiles,     ///< tiles inside one plane, where a filter answers 0
-    flat_stencils,  ///< stencils that touch one triangle only
-    still_tiles,    ///< tiles that nothing moved in since the last frame
+    attributes,         ///< channels of the surface that no declared code reads
+    frustum_culling,    ///< clusters outside the image
+    back_face_culling,  ///< clusters turned away, of solids watertight in this view
+    no_sample,          ///< triangles that cover no pixel centre
+    occlusion_culling,  ///< triangles and blocks behind what is drawn already
+    empty_tiles,        ///< tiles that nobody draws to
+    flat_tiles,         ///< tiles inside one plane, where a filter answers 0
+    flat_stencils,      ///< stencils that touch one triangle only
+    temporal_reuse,     ///< tiles that nothing moved in since the last frame
 };
 inline constexpr std::size_t kSkipCount = 9;
 
@@ -33,7 +33,7 @@ struct SkipInfo {
 /// All skips in the order of the enumeration.
 [[nodiscard]] const std::array<SkipInfo, kSkipCount>& skip_infos();
 
-/// Which skips are allowed; all of them unless said otherwise.
+/// Which skips are allowed; all of them by default.
 class SkipSet {
   public:
     SkipSet() { on_.set(); }

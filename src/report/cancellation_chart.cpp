@@ -156,18 +156,18 @@ void draw_stretch(Svg& svg, const Stretch& stretch, truth::LineClass line_class)
 void draw_curves(Svg& svg, const Panel& panel, const MethodKinds& m) {
     draw_share_axis(svg, panel);
     const double bottom = panel.y_at(0);
-    for (int bend_deg = 0; bend_deg <= 180; bend_deg += 30) {
-        const double x = panel.x_at(bend_deg / 180.0);
+    for (int deviation_deg = 0; deviation_deg <= 180; deviation_deg += 30) {
+        const double x = panel.x_at(deviation_deg / 180.0);
         svg.line(x, panel.y_at(1), x, bottom, kGrid);
-        svg.text(x, bottom + 16, fmt::format("{}°", bend_deg), {"middle", kFaint, 11});
+        svg.text(x, bottom + 16, fmt::format("{}°", deviation_deg), {"middle", kFaint, 11});
     }
     if (m.silent_deg) {
         std::vector<double> xy;
-        for (int bend_deg = 0; bend_deg <= 180; bend_deg += 2) {
+        for (int deviation_deg = 0; deviation_deg <= 180; deviation_deg += 2) {
             constexpr double kRadians = std::numbers::pi / 180;
-            xy.push_back(panel.x_at(bend_deg / 180.0));
+            xy.push_back(panel.x_at(deviation_deg / 180.0));
             xy.push_back(panel.y_at(
-                linear_code::law_of_misses(bend_deg * kRadians, *m.silent_deg * kRadians)));
+                linear_code::law_of_misses(deviation_deg * kRadians, *m.silent_deg * kRadians)));
         }
         svg.polyline(xy, kLaw);
     }
@@ -234,7 +234,7 @@ Svg cancellation_chart(const std::vector<linear_code::CancellationRow>& rows) {
         if (m.silent_deg) {
             svg.text(kWidth - 16,
                      top + 14,
-                     fmt::format("keeps bends up to {:.1f}° silent", *m.silent_deg),
+                     fmt::format("keeps dihedral deviations up to {:.1f}° silent", *m.silent_deg),
                      {"end", kFaint, 12});
         }
         draw_scatter(svg, {{kScatterLeft, top + kHeading, kPanel, kPanel}}, m);

@@ -34,15 +34,15 @@ struct Side {
 const std::array<Side, 2>& sides() {
     static const std::array<Side, 2> kSides = {{
         {"not found, share of the true pixels",
-         score::kMissCauses,
+         score::kFalseNegativeCauses,
          &experiment::CauseTotals::n_truth,
-         &experiment::CauseTotals::lost,
-         "lost beside a drawn line"},
+         &experiment::CauseTotals::unmatched_truth,
+         "unmatched truth beside a drawn line"},
         {"drawn wrongly, share of the drawn pixels",
-         score::kOffLineCauses,
+         score::kFalsePositiveCauses,
          &experiment::CauseTotals::n_pred,
-         &experiment::CauseTotals::surplus,
-         "surplus beside a true line"},
+         &experiment::CauseTotals::unmatched_duplicates,
+         "unmatched duplicates beside a true line"},
     }};
     return kSides;
 }
@@ -139,7 +139,7 @@ Svg cause_chart(const std::vector<experiment::CauseTotals>& totals) {
         svg.text(kGutter - 14,
                  kTop + kRowHeight * static_cast<double>(i) + 18,
                  name.size() <= 15 ? name : name.substr(0, 14) + "~",
-                 {"end", harness::is_bracket(name) ? "#6b7280" : "#20242a"});
+                 {"end", harness::is_baseline(name) ? "#6b7280" : "#20242a"});
     }
     const double width = (kWidth - kGutter - kPanelGap) / 2;
     double x = kGutter;

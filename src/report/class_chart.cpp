@@ -31,7 +31,7 @@ using Ranges = std::map<std::string, statistics::Interval>;
 Summaries shown_in_chart(const std::vector<experiment::MethodSummary>& summaries) {
     Summaries shown;
     for (const experiment::MethodSummary& s : summaries) {
-        if (!s.is_bracket || s.method == "sampled") shown.push_back(&s);
+        if (!s.is_baseline || s.method == "sampled") shown.push_back(&s);
     }
     return shown;
 }
@@ -88,7 +88,7 @@ void draw_panel(Svg& svg,
         const auto found = shown[i]->recall_by_class.find(name);
         if (found == shown[i]->recall_by_class.end()) continue;
         const double length = full * found->second;
-        const char* faint = shown[i]->is_bracket ? R"( opacity="0.45")" : "";
+        const char* faint = shown[i]->is_baseline ? R"( opacity="0.45")" : "";
         svg.rect({panel.x, y + 5, length, kBarHeight}, fill + faint);
         const auto range = ranges[i].find(name);
         if (range != ranges[i].end())
@@ -118,7 +118,7 @@ Svg class_chart(const std::vector<experiment::MethodSummary>& summaries,
         svg.text(kGutter - 14,
                  y,
                  clipped(shown[i]->method, 20),
-                 {"end", shown[i]->is_bracket ? "#6b7280" : "#20242a"});
+                 {"end", shown[i]->is_baseline ? "#6b7280" : "#20242a"});
     }
     const auto count = static_cast<double>(truth::kLineClasses.size());
     const double width = (kWidth - kGutter - kPanelGap * (count - 1)) / count;

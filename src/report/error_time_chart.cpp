@@ -184,7 +184,7 @@ void draw_labels(Svg& svg,
 std::vector<TimedError> timed_errors(const std::vector<experiment::MethodSummary>& summaries) {
     std::vector<TimedError> points;
     for (const experiment::MethodSummary& s : summaries) {
-        if (s.is_bracket || !s.f_2px || !s.draw_ms || *s.draw_ms <= 0) continue;
+        if (s.is_baseline || !s.f_2px || !s.draw_ms || *s.draw_ms <= 0) continue;
         TimedError point{s.method, *s.draw_ms, s.draw_ms_quartiles, 1 - *s.f_2px};
         if (s.f_2px_range)
             point.error_range =

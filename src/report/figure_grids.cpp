@@ -20,18 +20,18 @@ int shrink_factor(int width_px) {
     return std::max(1, (width_px + kCell_px / 2) / kCell_px);
 }
 
-/// `picture` at 1/factor of its size: each pixel the mean of its block.
-draw::RgbImage averaged(const draw::RgbImage& picture, int factor) {
-    if (factor == 1) return picture;
+/// `image` at 1/factor of its size: each pixel the mean of its block.
+draw::RgbImage averaged(const draw::RgbImage& image, int factor) {
+    if (factor == 1) return image;
     const auto shrunk = [factor](int size) { return (size + factor - 1) / factor; };
-    draw::RgbImage small(shrunk(picture.width_px()), shrunk(picture.height_px()));
+    draw::RgbImage small(shrunk(image.width_px()), shrunk(image.height_px()));
     for (int y = 0; y < small.height_px(); ++y) {
         for (int x = 0; x < small.width_px(); ++x) {
             glm::ivec3 sum{0};
             int count = 0;
-            for (int v = y * factor; v < std::min((y + 1) * factor, picture.height_px()); ++v) {
-                for (int u = x * factor; u < std::min((x + 1) * factor, picture.width_px()); ++u) {
-                    sum += glm::ivec3(picture.at(u, v));
+            for (int v = y * factor; v < std::min((y + 1) * factor, image.height_px()); ++v) {
+                for (int u = x * factor; u < std::min((x + 1) * factor, image.width_px()); ++u) {
+                    sum += glm::ivec3(image.at(u, v));
                     ++count;
                 }
             }
@@ -41,58 +41,59 @@ draw::RgbImage averaged(const draw::RgbImage& picture, int factor) {
     return small;
 }
 
-GridCell errors_cell(const FigureShot& shot) {
-    const int factor = shrink_factor(shot.marks.width_px());
-    return {draw::error_picture(draw::shrink(shot.marks, factor)),
-            "F " + core::format_share(shot.row.f_2px)};
+GridCell errors_cell(const FigureEvaluation& evaluation) {
+    const int factor = shrink_factor(evaluation.marks.width_px());
+    return {draw::error_image(draw::shrink(evaluation.marks, factor)),
+            "F " + core::format_share(evaluation.row.f_2px)};
 }
 
 GridCell truth_cell(const FigureView& view) {
     const auto& labels = view.truth.traced.labels;
-    return {draw::truth_picture(draw::shrink(labels, shrink_factor(labels.width_px())))};
+    return {draw::truth_image(draw::shrink(labels, shrink_factor(labels.width_px())))};
 }
 
-GridCell layer_cell(const FigureShot& shot, std::string_view name) {
-    for (const method::Layer& layer : shot.layers) {
+GridCell layer_cell(const FigureEvaluation& evaluation, std::string_view name) {
+    for (const method::Layer& layer : evaluation.layers) {
         if (layer.name == name) return {averaged(layer.rgb, shrink_factor(layer.rgb.width_px()))};
     }
     return {};
 }
 
-bool has_layer(const FigureShot& shot, std::string_view name) {
-    return std::any_of(shot.layers.begin(), shot.layers.end(), [&](const method::Layer& layer) {
-        return layer.name == name;
-    });
+bool has_layer(const FigureEvaluation& evaluation, std::string_view name) {
+    return std::any_of(evaluation.layers.begin(),
+                       evaluation.layers.end(),
+                       [&](const method::Layer& layer) { return layer.name == name; });
 }
 
 /// Methods that drew at least one of the views, in their order.
 std::vector<std::string> methods_of(const std::vector<FigureView>& views) {
     std::vector<std::string> methods;
     for (const FigureView& view : views) {
-        for (const FigureShot& shot : view.shots) {
-            if (std::find(methods.begin(), methods.end(), shot.row.method) == methods.end())
-                methods.push_back(shot.row.method);
+        for (const FigureEvaluation& evaluation : view.evaluations) {
+            if (std::find(methods.begin(), methods.end(), evaluation.row.method) == methods.end())
+                methods.push_back(evaluation.row.method);
         }
     }
     return methods;
 }
 
-const FigureShot* find_shot(const FigureView& view, const std::string& method) {
-    for (const FigureShot& shot : view.shots) {
-        if (shot.row.method == method) return &shot;
+const FigureEvaluation* find_evaluation(const FigureView& view, const std::string& method) {
+    for (const FigureEvaluation& evaluation : view.evaluations) {
+        if (evaluation.row.method == method) return &evaluation;
     }
     return nullptr;
 }
 
 GridRow strip_row(const FigureView& view, const std::vector<std::string>& methods) {
     double best = 0;
-    for (const FigureShot& shot : view.shots)
-        best = std::max(best, shot.row.f_2px.value_or(0));
+    for (const FigureEvaluation& evaluation : view.evaluations)
+        best = std::max(best, evaluation.row.f_2px.value_or(0));
     GridRow row{view.scene, view.view, {truth_cell(view)}};
     for (const std::string& method : methods) {
-        const FigureShot* shot = find_shot(view, method);
-        row.cells.push_back(shot == nullptr ? GridCell{{}, "failed"} : errors_cell(*shot));
-        row.cells.back().is_strong = shot != nullptr && shot->row.f_2px == best;
+        const FigureEvaluation* evaluation = find_evaluation(view, method);
+        row.cells.push_back(evaluation == nullptr ? GridCell{{}, "failed"}
+                                                  : errors_cell(*evaluation));
+        row.cells.back().is_strong = evaluation != nullptr && evaluation->row.f_2px == best;
     }
     return row;
 }
@@ -111,12 +112,13 @@ std::vector<std::vector<std::string>> even_runs(const std::vector<std::string>& 
 GridBand buffers_band(const FigureView& view, const std::vector<std::string>& methods) {
     GridBand band{fmt::format("{}, {}", view.scene, view.view), {}, {}};
     band.rows = {{"packed", "what is stored", {}},
-                 {"filtered", "strength", {}},
+                 {"filtered", "edge response", {}},
                  {"errors", "at its threshold", {}}};
-    const auto full = std::find_if(view.shots.begin(), view.shots.end(), [](const FigureShot& s) {
-        return has_layer(s, "depth") && has_layer(s, "normal");
-    });
-    if (full != view.shots.end()) {
+    const auto full = std::find_if(
+        view.evaluations.begin(), view.evaluations.end(), [](const FigureEvaluation& s) {
+            return has_layer(s, "depth") && has_layer(s, "normal");
+        });
+    if (full != view.evaluations.end()) {
         band.columns.push_back("full buffers");
         band.rows[0].cells.push_back(layer_cell(*full, "depth"));
         band.rows[1].cells.push_back(layer_cell(*full, "normal"));
@@ -130,11 +132,13 @@ GridBand buffers_band(const FigureView& view, const std::vector<std::string>& me
     band.rows[2].cells.push_back(truth_cell(view));
     band.rows[2].cells[0].caption = "truth";
     for (const std::string& method : methods) {
-        const FigureShot* shot = find_shot(view, method);
+        const FigureEvaluation* evaluation = find_evaluation(view, method);
         band.columns.push_back(method);
-        band.rows[0].cells.push_back(shot == nullptr ? GridCell{} : layer_cell(*shot, "packed"));
-        band.rows[1].cells.push_back(shot == nullptr ? GridCell{} : layer_cell(*shot, "filtered"));
-        band.rows[2].cells.push_back(shot == nullptr ? GridCell{} : errors_cell(*shot));
+        band.rows[0].cells.push_back(evaluation == nullptr ? GridCell{}
+                                                           : layer_cell(*evaluation, "packed"));
+        band.rows[1].cells.push_back(evaluation == nullptr ? GridCell{}
+                                                           : layer_cell(*evaluation, "filtered"));
+        band.rows[2].cells.push_back(evaluation == nullptr ? GridCell{} : errors_cell(*evaluation));
     }
     return band;
 }
@@ -143,10 +147,10 @@ GridBand buffers_band(const FigureView& view, const std::vector<std::string>& me
 
 GridFigure strips_figure(const std::vector<FigureView>& views) {
     GridFigure figure;
-    std::vector<const FigureShot*> shots;
+    std::vector<const FigureEvaluation*> evaluations;
     for (const FigureView& view : views) {
-        for (const FigureShot& shot : view.shots)
-            shots.push_back(&shot);
+        for (const FigureEvaluation& evaluation : view.evaluations)
+            evaluations.push_back(&evaluation);
     }
     for (const std::vector<std::string>& methods : even_runs(methods_of(views), kMethodsInBand)) {
         GridBand band{"", {"truth"}, {}};
@@ -155,7 +159,7 @@ GridFigure strips_figure(const std::vector<FigureView>& views) {
             band.rows.push_back(strip_row(view, methods));
         figure.bands.push_back(std::move(band));
     }
-    figure.legend = legend_of(views, shots);
+    figure.legend = legend_of(views, evaluations);
     return figure;
 }
 
@@ -163,14 +167,15 @@ GridFigure buffers_figure(const std::vector<FigureView>& views) {
     GridFigure figure;
     std::vector<std::string> packed;
     bool has_full = false;
-    std::vector<const FigureShot*> shown;
+    std::vector<const FigureEvaluation*> shown;
     for (const FigureView& view : views) {
-        for (const FigureShot& shot : view.shots) {
-            has_full = has_full || (has_layer(shot, "depth") && has_layer(shot, "normal"));
-            if (!has_layer(shot, "packed")) continue;
-            shown.push_back(&shot);
-            if (std::find(packed.begin(), packed.end(), shot.row.method) == packed.end())
-                packed.push_back(shot.row.method);
+        for (const FigureEvaluation& evaluation : view.evaluations) {
+            has_full =
+                has_full || (has_layer(evaluation, "depth") && has_layer(evaluation, "normal"));
+            if (!has_layer(evaluation, "packed")) continue;
+            shown.push_back(&evaluation);
+            if (std::find(packed.begin(), packed.end(), evaluation.row.method) == packed.end())
+                packed.push_back(evaluation.row.method);
         }
     }
     if (packed.empty() && !has_full) return figure;

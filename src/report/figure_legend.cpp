@@ -19,24 +19,24 @@ std::array<bool, 256> values_in(const core::Image<T>& image, std::array<bool, 25
 
 }  // namespace
 
-std::vector<std::vector<LegendEntry>> legend_of(const std::vector<FigureView>& views,
-                                                const std::vector<const FigureShot*>& shots) {
+std::vector<std::vector<LegendEntry>> legend_of(
+    const std::vector<FigureView>& views, const std::vector<const FigureEvaluation*>& evaluations) {
     std::array<bool, 256> marks{};
     std::array<bool, 256> labels{};
-    for (const FigureShot* shot : shots)
-        marks = values_in(shot->marks, marks);
+    for (const FigureEvaluation* evaluation : evaluations)
+        marks = values_in(evaluation->marks, marks);
     for (const FigureView& view : views)
         labels = values_in(view.truth.traced.labels, labels);
     const auto has = [&marks](draw::Mark mark) { return marks[static_cast<std::size_t>(mark)]; };
 
     std::vector<LegendEntry> misses = {{draw::kHitColour, "right"}};
-    for (const score::Cause cause : score::kMissCauses) {
+    for (const score::Cause cause : score::kFalseNegativeCauses) {
         if (has(draw::mark_of(cause)))
             misses.push_back(
                 {draw::colour_of(cause), fmt::format("missing: {}", experiment::label_of(cause))});
     }
     std::vector<LegendEntry> extras;
-    for (const score::Cause cause : score::kOffLineCauses) {
+    for (const score::Cause cause : score::kFalsePositiveCauses) {
         if (has(draw::mark_of(cause)))
             extras.push_back(
                 {draw::colour_of(cause), fmt::format("false: {}", experiment::label_of(cause))});

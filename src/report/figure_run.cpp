@@ -72,20 +72,19 @@ std::vector<std::string> drawable_scenes(const std::vector<harness::Row>& rows, 
     return chosen;
 }
 
-std::vector<harness::Entrant> entrants_of(const std::vector<harness::Row>& rows) {
-    std::vector<harness::Entrant> entrants;
+std::vector<harness::MethodConfig> configs_of(const std::vector<harness::Row>& rows) {
+    std::vector<harness::MethodConfig> configs;
     for (const harness::Row& row : rows) {
         const bool is_known =
-            std::any_of(entrants.begin(), entrants.end(), [&](const harness::Entrant& e) {
+            std::any_of(configs.begin(), configs.end(), [&](const harness::MethodConfig& e) {
                 return e.info->name == row.method;
             });
-        if (is_known || harness::is_bracket(row.method)) continue;
-        harness::Entrant entrant{&methods::find_method(row.method), values_of(row.params)};
-        static_cast<void>(
-            entrant.info->complete(entrant.settings));  // throws for what it knows not
-        entrants.push_back(std::move(entrant));
+        if (is_known || harness::is_baseline(row.method)) continue;
+        harness::MethodConfig config{&methods::find_method(row.method), values_of(row.params)};
+        static_cast<void>(config.info->complete(config.settings));  // throws for what it knows not
+        configs.push_back(std::move(config));
     }
-    return entrants;
+    return configs;
 }
 
 }  // namespace ink::report

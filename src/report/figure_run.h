@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/row.h"
 
 namespace ink::report {
@@ -21,8 +21,8 @@ namespace ink::report {
 [[nodiscard]] std::vector<std::string> drawable_scenes(const std::vector<harness::Row>& rows,
                                                        std::size_t most);
 
-/// The methods of `rows` with the settings they had there, brackets left out. Throws core::Error
+/// The methods of `rows` with the settings they had there, baselines left out. Throws core::Error
 /// for a method or a setting that this program does not know.
-[[nodiscard]] std::vector<harness::Entrant> entrants_of(const std::vector<harness::Row>& rows);
+[[nodiscard]] std::vector<harness::MethodConfig> configs_of(const std::vector<harness::Row>& rows);
 
 }  // namespace ink::report

@@ -35,17 +35,17 @@ std::string rows_csv(const std::vector<harness::Row>& rows) {
 }
 
 bool takes_part(const FigureOptions& options, const std::string& method) {
-    const auto& entrants = options.drawing.entrants;
-    return std::any_of(entrants.begin(), entrants.end(), [&](const harness::Entrant& entrant) {
-        return entrant.info->name == method;
+    const auto& configs = options.drawing.configs;
+    return std::any_of(configs.begin(), configs.end(), [&](const harness::MethodConfig& config) {
+        return config.info->name == method;
     });
 }
 
 /// The methods to enlarge; equal ones if only one takes part.
 Pair pair_of(const FigureOptions& options) {
     std::vector<std::string> names;
-    for (const harness::Entrant& entrant : options.drawing.entrants)
-        names.push_back(entrant.info->name);
+    for (const harness::MethodConfig& config : options.drawing.configs)
+        names.push_back(config.info->name);
     if (options.pair) {
         for (const std::string& name : {options.pair->first, options.pair->second}) {
             if (takes_part(options, name)) continue;
@@ -91,8 +91,8 @@ class Writer {
         FigureFiles files;
         for (const Entry& entry : entries_) {
             text += fmt::format("\n## {}\n\n", entry.name);
-            const bool is_picture = !entry.files.empty() && entry.files[0].ends_with(".svg");
-            if (is_picture) text += fmt::format("![{}]({})\n\n", entry.name, entry.files[0]);
+            const bool is_image = !entry.files.empty() && entry.files[0].ends_with(".svg");
+            if (is_image) text += fmt::format("![{}]({})\n\n", entry.name, entry.files[0]);
             text += entry.caption + "\n";
             if (!entry.files.empty())
                 text += fmt::format("\nFiles: {}\n", fmt::join(entry.files, ", "));
@@ -182,7 +182,7 @@ void write_charts(const std::vector<harness::Row>& rows,
                  error_time_chart(timed_errors(summaries), sampled_error),
                  fmt::format("Error 1 - F at 2 px of the counts pooled over all views against the "
                              "median time to draw a frame, both axes logarithmic. Upright bars: 95 "
-                             "% intervals, scenes drawn again with all their views. Lying bars: "
+                             "% intervals, scenes resampled with all their views. Lying bars: "
                              "quartiles of the time over views. Grey stair: the lowest error to be "
                              "had at each time. Hollow: tuned settings. Dotted: exact lines seen "
                              "once a pixel centre. {}",
@@ -191,17 +191,17 @@ void write_charts(const std::vector<harness::Row>& rows,
                  class_chart(summaries, rows),
                  fmt::format("Share of the true pixels of each class found within 2 px, each class "
                              "by a matching of its own, pooled over views; lines: 95 % intervals, "
-                             "scenes drawn again. {}",
+                             "scenes resampled. {}",
                              source));
 }
 
 }  // namespace
 
-FigureFiles make_figures(const std::vector<harness::Subject>& subjects,
+FigureFiles make_figures(const std::vector<harness::SceneViews>& scenes,
                          const FigureOptions& options) {
     const Pair pair = pair_of(options);
     harness::make_out_folder(options.out);
-    const DrawnScenes drawn = draw_scenes(subjects, options.drawing);
+    const DrawnScenes drawn = draw_scenes(scenes, options.drawing);
     Writer writer(options.out);
     write_grids(drawn.shown, pair, writer);
     const std::vector<harness::Row>& rows = options.charts ? options.charts->rows : drawn.rows;

@@ -33,7 +33,7 @@ struct FigureFiles {
     bool is_interrupted = false;
 };
 
-/// Draws `subjects` with all methods and writes into `options.out`: strips, buffers and zoom, each
+/// Draws `scenes` with all methods and writes into `options.out`: strips, buffers and zoom, each
 /// as .png and .svg (figure_grids.h), error_time.svg, classes.svg, figure_summary.csv and
 /// figure_rows.csv (the numbers of charts and of pictures; rows.csv may be a run's) and figures.md
 /// with a caption for each.
@@ -42,7 +42,7 @@ struct FigureFiles {
 /// removed, so that it does not pass for this one's. Every file appears whole or not at all. Throws
 /// core::Error, before any work, if the folder cannot be made or `pair` names a method that does
 /// not take part.
-[[nodiscard]] FigureFiles make_figures(const std::vector<harness::Subject>& subjects,
+[[nodiscard]] FigureFiles make_figures(const std::vector<harness::SceneViews>& scenes,
                                        const FigureOptions& options);
 
 }  // namespace ink::report

@@ -44,12 +44,12 @@ class AreaSums {
     std::vector<int> sums_;
 };
 
-/// The part of `picture` in the window, each pixel kZoom x kZoom large.
-draw::RgbImage enlarged(const draw::RgbImage& picture, const Window& w) {
+/// The part of `image` in the window, each pixel kZoom x kZoom large.
+draw::RgbImage enlarged(const draw::RgbImage& image, const Window& w) {
     draw::RgbImage large(w.width * kZoom, w.height * kZoom);
     for (int y = 0; y < large.height_px(); ++y) {
         for (int x = 0; x < large.width_px(); ++x)
-            large.at(x, y) = picture.at(w.left + x / kZoom, w.top + y / kZoom);
+            large.at(x, y) = image.at(w.left + x / kZoom, w.top + y / kZoom);
     }
     return large;
 }
@@ -103,7 +103,7 @@ GridCell where_cell(const FigureView& view, const Window& w, int width) {
     const double right = (w.left + w.width) * s;
     const double top = w.top * s;
     const double bottom = (w.top + w.height) * s;
-    GridCell cell{draw::truth_picture(draw::shrink(labels, factor)),
+    GridCell cell{draw::truth_image(draw::shrink(labels, factor)),
                   fmt::format("{}: x {}..{}, y {}..{}",
                               view.scene,
                               w.left,
@@ -115,24 +115,29 @@ GridCell where_cell(const FigureView& view, const Window& w, int width) {
     return cell;
 }
 
-std::vector<GridCell> layer_cells(const FigureShot& shot, const FigureView& view, const Window& w) {
+std::vector<GridCell> layer_cells(const FigureEvaluation& evaluation,
+                                  const FigureView& view,
+                                  const Window& w) {
     std::vector<GridCell> cells;
-    for (const method::Layer& layer : shot.layers) {
+    for (const method::Layer& layer : evaluation.layers) {
         if (cells.size() == 2) break;
         cells.push_back({enlarged(layer.rgb, w),
-                         fmt::format("{}: {}", shot.row.method, layer.name),
+                         fmt::format("{}: {}", evaluation.row.method, layer.name),
                          truth_lines(view.truth.traced, w)});
     }
     return cells;
 }
 
-GridCell method_cell(const FigureShot& shot, const FigureView& view, const Window& w, int wrong) {
-    return {enlarged(draw::error_picture(shot.marks), w),
-            fmt::format("{}: {} wrong here", shot.row.method, wrong),
+GridCell method_cell(const FigureEvaluation& evaluation,
+                     const FigureView& view,
+                     const Window& w,
+                     int wrong) {
+    return {enlarged(draw::error_image(evaluation.marks), w),
+            fmt::format("{}: {} wrong here", evaluation.row.method, wrong),
             truth_lines(view.truth.traced, w)};
 }
 
-GridBand zoom_band(const FigureView& view, const FigureShot& a, const FigureShot& b) {
+GridBand zoom_band(const FigureView& view, const FigureEvaluation& a, const FigureEvaluation& b) {
     const int width = std::min(kWindow_px, a.marks.width_px());
     const int height =
         std::clamp(width * a.marks.height_px() / a.marks.width_px(), 1, a.marks.height_px());
@@ -140,7 +145,7 @@ GridBand zoom_band(const FigureView& view, const FigureShot& a, const FigureShot
     GridBand band;
     GridRow above;
     above.cells.push_back(where_cell(view, w, width * kZoom));
-    above.cells.push_back({enlarged(draw::truth_picture(view.truth.traced.labels), w),
+    above.cells.push_back({enlarged(draw::truth_image(view.truth.traced.labels), w),
                            "truth",
                            truth_lines(view.truth.traced, w)});
     above.cells.push_back(method_cell(a, view, w, AreaSums(a.marks).in(w)));
@@ -154,11 +159,12 @@ GridBand zoom_band(const FigureView& view, const FigureShot& a, const FigureShot
     return band;
 }
 
-const FigureShot* find_shot(const FigureView& view, const std::string& method) {
-    const auto found = std::find_if(view.shots.begin(), view.shots.end(), [&](const auto& shot) {
-        return shot.row.method == method;
-    });
-    return found == view.shots.end() ? nullptr : &*found;
+const FigureEvaluation* find_evaluation(const FigureView& view, const std::string& method) {
+    const auto found =
+        std::find_if(view.evaluations.begin(), view.evaluations.end(), [&](const auto& evaluation) {
+            return evaluation.row.method == method;
+        });
+    return found == view.evaluations.end() ? nullptr : &*found;
 }
 
 /// The window that lies nearest to the mean of all; the first of equal ones.
@@ -204,10 +210,10 @@ Window most_different(const draw::Marks& a, const draw::Marks& b, int width, int
 GridFigure zoom_figure(const std::vector<FigureView>& views,
                        const std::pair<std::string, std::string>& methods) {
     GridFigure figure;
-    std::vector<const FigureShot*> shown;
+    std::vector<const FigureEvaluation*> shown;
     for (const FigureView& view : views) {
-        const FigureShot* a = find_shot(view, methods.first);
-        const FigureShot* b = find_shot(view, methods.second);
+        const FigureEvaluation* a = find_evaluation(view, methods.first);
+        const FigureEvaluation* b = find_evaluation(view, methods.second);
         if (a == nullptr || b == nullptr) continue;
         figure.bands.push_back(zoom_band(view, *a, *b));
         shown.insert(shown.end(), {a, b});

@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "core/text_table.h"
 #include "core/whole_file.h"
-#include "draw/error_picture.h"
+#include "draw/error_image.h"
 #include "draw/palette.h"
 #include "experiment/cause_totals.h"
 #include "image_io/image_file.h"
@@ -75,7 +75,7 @@ void put_frame(draw::RgbImage& canvas, const cv::Rect& frame) {
 
 /// A picture of a strip with the words below it.
 struct Cell {
-    draw::RgbImage picture;
+    draw::RgbImage image;
     std::string caption;
 };
 
@@ -103,11 +103,11 @@ std::vector<MarkedView> mark_views(const std::vector<harness::ShownView>& views)
     std::vector<MarkedView> marked(views.size());
     core::parallel_for(views.size(), core::hardware_threads(), [&](std::size_t i) {
         marked[i].view = &views[i];
-        for (const harness::MethodPicture& picture : views[i].pictures) {
+        for (const harness::MethodImage& image : views[i].images) {
             const draw::Marks marks =
                 draw::mark_errors(views[i].labels,
-                                  picture.strength,
-                                  {.threshold = picture.threshold, .wrong = picture.wrong});
+                                  image.edge_response,
+                                  {.threshold = image.threshold, .wrong = image.wrong});
             marked[i].marks.push_back(marks);
         }
     });
@@ -120,18 +120,18 @@ std::vector<Cell> cells_of(const std::vector<harness::Row>& rows,
     const harness::ShownView& view = *marked.view;
     const int factor = shrink_factor(view.labels.width_px(), cell_px);
     std::vector<Cell> cells;
-    cells.push_back({draw::truth_picture(draw::shrink(view.labels, factor)),
+    cells.push_back({draw::truth_image(draw::shrink(view.labels, factor)),
                      fmt::format("{} {}: truth", view.scene, view.view)});
     for (std::size_t i = 0; i < marked.marks.size(); ++i) {
-        cells.push_back({draw::error_picture(draw::shrink(marked.marks[i], factor)),
-                         caption_of(rows, view, view.pictures[i].method)});
+        cells.push_back({draw::error_image(draw::shrink(marked.marks[i], factor)),
+                         caption_of(rows, view, view.images[i].method)});
     }
     return cells;
 }
 
 draw::RgbImage strip_of(const std::vector<Cell>& cells) {
-    const int width = cells.front().picture.width_px();
-    const int height = cells.front().picture.height_px();
+    const int width = cells.front().image.width_px();
+    const int height = cells.front().image.height_px();
     const auto count = static_cast<int>(cells.size());
     const int lines = (count + kLineCells - 1) / kLineCells;
     const int in_line = (count + lines - 1) / lines;  // lines of even length
@@ -142,7 +142,7 @@ draw::RgbImage strip_of(const std::vector<Cell>& cells) {
         const int left = kGap_px + (i % in_line) * (width + kGap_px);
         const int top = kGap_px + (i / in_line) * line_height;
         const Cell& cell = cells[static_cast<std::size_t>(i)];
-        put_image(strip, left, top, cell.picture);
+        put_image(strip, left, top, cell.image);
         put_frame(strip, {left - 1, top - 1, width + 2, height + 2});
         // Captions that are too long are cut where the next picture's begins.
         const auto letters = static_cast<std::size_t>(width / kLetter_px);
@@ -162,11 +162,11 @@ std::vector<std::vector<LegendEntry>> legend_groups() {
     for (const truth::LineClass c : truth::kLineClasses)
         truth_lines.push_back({draw::colour_of(c), std::string(truth::name(c))});
     std::vector<LegendEntry> misses = {{draw::kHitColour, "right"}};
-    for (const score::Cause cause : score::kMissCauses)
+    for (const score::Cause cause : score::kFalseNegativeCauses)
         misses.push_back(
             {draw::colour_of(cause), fmt::format("missing: {}", experiment::label_of(cause))});
     std::vector<LegendEntry> false_lines = {{draw::kIgnoredColour, "not counted"}};
-    for (const score::Cause cause : score::kOffLineCauses)
+    for (const score::Cause cause : score::kFalsePositiveCauses)
         false_lines.push_back(
             {draw::colour_of(cause), fmt::format("false: {}", experiment::label_of(cause))});
     return {misses, false_lines, truth_lines};

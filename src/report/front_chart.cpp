@@ -57,26 +57,26 @@ void widen(const experiment::SettingSummary& setting, FrontScale& scale) {
 }
 
 /// The ceiling is on the chart: what is there still to win.
-void widen(const std::vector<experiment::MethodSummary>& brackets, FrontScale& scale) {
-    for (const experiment::MethodSummary& s : brackets) {
+void widen(const std::vector<experiment::MethodSummary>& baselines, FrontScale& scale) {
+    for (const experiment::MethodSummary& s : baselines) {
         if (s.method == "sampled" && s.f_2px && *s.f_2px < 1)
             scale.error_min = std::min(scale.error_min, 1 - *s.f_2px);
     }
 }
 
 FrontScale scale_of(const std::vector<Series>& series,
-                    const std::vector<experiment::MethodSummary>& brackets) {
+                    const std::vector<experiment::MethodSummary>& baselines) {
     FrontScale scale{1e9, -1e9, 1, 0};
     for (const Series& s : series) {
         for (const experiment::SettingSummary& setting : s.sweep->settings)
             widen(setting, scale);
     }
-    widen(brackets, scale);
+    widen(baselines, scale);
     // Room for the labels; at least a factor of ten, so that noise does not look like a difference.
     const double middle = (scale.log_min + scale.log_max) / 2;
     const double half = std::max(0.5, (scale.log_max - scale.log_min) / 2 + 0.18);
     const double error_min = std::max(scale.error_min / 1.8, 1e-4);
-    // Near the top of all there is, chance and an empty picture are on the chart too.
+    // Near the top of all there is, the random baseline and an empty picture are on the chart too.
     const double most = scale.error_max * 1.4;
     const double error_max = most > 0.7 ? 1.6 : std::max(most, 10 * error_min);
     return {middle - half, middle + half, std::min(error_min, error_max / 10), error_max};
@@ -232,10 +232,10 @@ Svg front_chart(const experiment::Fronts& fronts) {
                  {"middle", kFaintText, 14});
         return svg;
     }
-    const FrontScale scale = scale_of(series, fronts.brackets);
+    const FrontScale scale = scale_of(series, fronts.baselines);
     draw_front_axes(svg, scale);
     draw_front_of_all(svg, scale, series);
-    const std::vector<Box> taken = draw_levels(svg, scale, fronts.brackets);
+    const std::vector<Box> taken = draw_levels(svg, scale, fronts.baselines);
     for (const Series& s : series)
         draw_front(svg, scale, s);
     for (const Series& s : series) {

@@ -61,20 +61,19 @@ struct Level {
     double error = 0;
 };
 
-std::vector<Level> levels_of(const std::vector<experiment::MethodSummary>& brackets) {
+std::vector<Level> levels_of(const std::vector<experiment::MethodSummary>& baselines) {
     std::vector<Level> levels;
     const auto add = [&levels](const char* name, double f, const char* meaning) {
         levels.push_back({fmt::format("{}: {:.3f}, {}", name, 1 - f, meaning), 1 - f});
     };
-    for (const experiment::MethodSummary& s : brackets) {
+    for (const experiment::MethodSummary& s : baselines) {
         if (!s.f_2px) continue;
-        if (s.method == "none") add("none", *s.f_2px, "an empty picture");
+        if (s.method == "none") add("none", *s.f_2px, "an empty image");
         if (s.method == "sampled")
             add("sampled", *s.f_2px, "the best that one sample a pixel can do");
         if (s.method != "oracle") continue;
         add("oracle", *s.f_2px, "the truth itself");
-        if (s.f_chance)
-            add("chance", *s.f_chance, "a random picture of as many pixels as the truth");
+        if (s.f_random) add("random", *s.f_random, "a random image of as many pixels as the truth");
     }
     std::stable_sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
         return a.error > b.error;
@@ -100,8 +99,8 @@ void draw_front_axes(Svg& svg, const FrontScale& scale) {
 
 std::vector<Box> draw_levels(Svg& svg,
                              const FrontScale& scale,
-                             const std::vector<experiment::MethodSummary>& brackets) {
-    const std::vector<Level> levels = levels_of(brackets);
+                             const std::vector<experiment::MethodSummary>& baselines) {
+    const std::vector<Level> levels = levels_of(baselines);
     constexpr double kSize = 12;
     constexpr double kStep = 16;
     const double right = kFrontPlot.x + kFrontPlot.width - 4;

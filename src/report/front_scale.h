@@ -38,10 +38,10 @@ struct FrontScale {
 void draw_front_axes(Svg& svg, const FrontScale& scale);
 
 /// The rows that are no methods as dotted lines across: floor, ceiling, the truth itself, and what
-/// chance scores with as many pixels as the truth has. What lies above the plot is a note at its
-/// top. Returns where their labels stand, each clear of the others.
+/// the random baseline scores with as many pixels as the truth has. What lies above the plot is a
+/// note at its top. Returns where their labels stand, each clear of the others.
 std::vector<Box> draw_levels(Svg& svg,
                              const FrontScale& scale,
-                             const std::vector<experiment::MethodSummary>& brackets);
+                             const std::vector<experiment::MethodSummary>& baselines);
 
 }  // namespace ink::report

@@ -167,7 +167,7 @@ Svg motion_chart(const std::vector<studies::MotionTotal>& totals) {
         svg.text(kGutter - 14,
                  kTop + kRowHeight * static_cast<double>(i) + 18,
                  name.size() <= 15 ? name : name.substr(0, 14) + "~",
-                 {"end", harness::is_bracket(name) ? kFaint : "#20242a"});
+                 {"end", harness::is_baseline(name) ? kFaint : "#20242a"});
     }
     const std::array panels = {flicker_panel(totals), pop_panel(totals), life_panel(totals)};
     const double width = (kWidth - kGutter - 2 * kPanelGap) / 3;

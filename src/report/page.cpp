@@ -17,6 +17,7 @@
 #include "report/page_cancellation.h"
 #include "report/page_causes.h"
 #include "report/page_cost.h"
+#include "report/page_crosscheck.h"
 #include "report/page_motion.h"
 #include "report/page_place.h"
 #include "report/page_scenes.h"
@@ -24,14 +25,13 @@
 #include "report/page_statistics.h"
 #include "report/page_tables.h"
 #include "report/page_verdict.h"
-#include "report/page_witness.h"
 #include "report/verdict.h"
 
 namespace ink::report {
 namespace {
 
 // The page stays under 20 MB; tables and charts take the rest.
-constexpr std::size_t kPictureBudget_bytes = 16'000'000;
+constexpr std::size_t kImageBudget_bytes = 16'000'000;
 
 /// What the parts of the page are made from.
 struct Material {
@@ -40,9 +40,9 @@ struct Material {
     experiment::Verdict verdict;
     PageScenes scenes;
     std::string failures;
-    std::string witness = {};  ///< HTML, "" if no truth was held against it
+    std::string crosscheck = {};  ///< HTML, "" if no truth was held against it
     experiment::Fronts fronts;
-    std::string leads;        ///< HTML, "" with fewer than two methods
+    std::string differences;  ///< HTML, "" with fewer than two methods
     std::string statistics;   ///< HTML, "" if there are none
     std::string cost = {};    ///< HTML, "" if no method declares any
     std::string skips = {};   ///< HTML, "" if no row says what was skipped
@@ -68,7 +68,7 @@ std::string context_sentences(const Material& m) {
     std::vector<experiment::CostPoint> costs;
     std::vector<const experiment::MethodSummary*> methods;
     for (const experiment::MethodSummary& s : m.summaries) {
-        if (s.is_bracket || !s.f_2px || !s.draw_ms) continue;
+        if (s.is_baseline || !s.f_2px || !s.draw_ms) continue;
         costs.push_back({*s.draw_ms, 1 - *s.f_2px});
         methods.push_back(&s);
     }
@@ -98,7 +98,7 @@ std::string facts_html(const Material& m) {
     }
     int methods = 0;
     for (const experiment::MethodSummary& s : m.summaries)
-        methods += s.is_bracket ? 0 : 1;
+        methods += s.is_baseline ? 0 : 1;
     std::string facts;
     if (const experiment::MethodSummary* best = m.verdict.best) {
         facts += fact("F at 2 px", core::format_share(best->f_2px));
@@ -129,17 +129,17 @@ std::string invalid_html(const std::vector<std::string>& faults) {
 
 /// An interrupted run says what is missing, so that nobody takes the part for the whole.
 std::string missing_html(const ReportData& data) {
-    if (data.missing.empty()) return "";
+    if (data.false_negatives.empty()) return "";
     constexpr std::size_t kMostNamed = 20;
     std::string items;
-    for (std::size_t i = 0; i < std::min(kMostNamed, data.missing.size()); ++i)
-        items += fmt::format("<li>{}</li>", core::escape(data.missing[i]));
-    if (data.missing.size() > kMostNamed)
-        items += fmt::format("<li>and {} more</li>", data.missing.size() - kMostNamed);
+    for (std::size_t i = 0; i < std::min(kMostNamed, data.false_negatives.size()); ++i)
+        items += fmt::format("<li>{}</li>", core::escape(data.false_negatives[i]));
+    if (data.false_negatives.size() > kMostNamed)
+        items += fmt::format("<li>and {} more</li>", data.false_negatives.size() - kMostNamed);
     return warning("This run is not finished.",
                    fmt::format("{} of {} parts are missing, and every number below is of the rest. "
                                "The same command goes on where it stopped. Missing:",
-                               data.missing.size(),
+                               data.false_negatives.size(),
                                data.blocks),
                    items);
 }
@@ -177,7 +177,7 @@ std::string nav_html(const Material& m) {
         links += fmt::format("<a href=\"#{}\">{}</a>", anchor, words);
     };
     link("verdict", "Verdict");
-    if (!m.leads.empty()) link("leads", "Leads");
+    if (!m.differences.empty()) link("leads", "Differences");
     link("time", "Error against time");
     if (!m.cost.empty()) link("cost", "Cost");
     if (!m.statistics.empty()) link("statistics", "Thresholds");
@@ -196,7 +196,7 @@ std::string nav_html(const Material& m) {
     link("pictures", "Pictures");
     if (!m.motion.empty()) link("motion", "In motion");
     if (!m.skips.empty()) link("skips", "Skips");
-    if (!m.witness.empty()) link("witness", "Witness");
+    if (!m.crosscheck.empty()) link("crosscheck", "Cross-check");
     if (!m.failures.empty()) link("failed", "Failed cells");
     link("rows", "All rows");
     link("about", "How to read this");
@@ -250,16 +250,16 @@ std::string main_html(const Material& m) {
     const std::vector<harness::Row>& rows = m.data.rows;
     std::string html = section("verdict",
                                "Verdict",
-                               "Best of each column in bold. Grey rows are brackets, not methods.",
+                               "Best of each column in bold. Grey rows are baselines, not methods.",
                                verdict_html(m.summaries));
-    if (!m.leads.empty()) {
+    if (!m.differences.empty()) {
         html +=
             section("leads",
-                    "Who leads whom",
+                    "Paired differences",
                     "By how much F of a line's method exceeds that of a column's, with its 95 % "
-                    "interval: scenes drawn again with all their views, both methods on the same "
-                    "ones. Bold: beyond chance. Of twenty such intervals one may miss by chance.",
-                    m.leads);
+                    "interval: scenes resampled with all their views, both methods on the same "
+                    "ones. Bold: significant. Of twenty such intervals one may miss by chance.",
+                    m.differences);
     }
     html += section("time",
                     "Error against time",
@@ -272,7 +272,7 @@ std::string main_html(const Material& m) {
             section("statistics",
                     "Other thresholds and tolerances",
                     "What a method could reach at another threshold, how near its lines lie, and "
-                    "what blind luck would score with as much ink.",
+                    "what a random image with as many positive pixels scores.",
                     m.statistics);
     }
     html += section("classes",
@@ -282,13 +282,14 @@ std::string main_html(const Material& m) {
     html += section("causes",
                     "Where the error goes",
                     "Each missing and each false pixel has one cause, read off the exact truth at "
-                    "the pixel centres round it; pooled over views. Grey, or lost and surplus in "
+                    "the pixel centres round it; pooled over views. Grey, or unmatched truth and "
+                    "unmatched duplicates in "
                     "the table, is what one-to-one pairing left over beside lines that were found: "
                     "doubled, frayed or shortened ones.",
                     causes_html(rows));
     if (!m.data.cancellation.empty()) {
         html += section("cancellation",
-                        "Cancellation: misses foretold",
+                        "Cancellation: misses predicted",
                         cancellation_intro(),
                         cancellation_html(m.data.cancellation));
     }
@@ -302,7 +303,7 @@ std::string main_html(const Material& m) {
             "right if a true line runs between it and one of its four neighbours. Offset: thinned "
             "pixels from the nearest true curve, positive to its empty side. Width: across the "
             "true "
-            "curves. False ink: unthinned pixels further than 2 px from every true one.",
+            "curves. Far positives: unthinned pixels further than 2 px from every true one.",
             place);
         html += section("bins",
                         "Recall by kind of place",
@@ -325,27 +326,28 @@ std::string main_html(const Material& m) {
         scenes_html(m.scenes, rows, m.verdict.best == nullptr ? "" : m.verdict.best->method));
     if (!m.motion.empty()) html += section("motion", "In motion", motion_intro(), m.motion);
     if (!m.skips.empty()) html += section("skips", "Skips", skips_intro(), m.skips);
-    if (!m.witness.empty()) {
-        html += section("witness",
-                        "Truth against its witness",
-                        "The witness finds the lines by dense sampling of what is seen and shares "
-                        "only mesh and camera with the truth. Disagreement: the share of both "
-                        "lengths, class by class, that the other lacks within 0.25 px.",
-                        m.witness);
+    if (!m.crosscheck.empty()) {
+        html +=
+            section("crosscheck",
+                    "Truth against the cross-check",
+                    "The cross-check finds the lines by dense sampling of what is seen and shares "
+                    "only mesh and camera with the truth. Disagreement: the share of both "
+                    "lengths, class by class, that the other lacks within 0.25 px.",
+                    m.crosscheck);
     }
     if (!m.failures.empty()) {
         html += section("failed", "Failed cells", "They enter no mean and no chart.", m.failures);
     }
-    html +=
-        section("rows",
-                "All rows",
-                "The same rows, with every column, are in <code>rows.csv</code>; the curves "
-                "over 99 thresholds in <code>curves.csv</code>, the tolerances in "
-                "<code>ladder.csv</code>, the settings of the sweeps, with the same columns, in "
-                "<code>sweep.csv</code>. Press a heading to sort.",
-                "<div class=\"tools\"><label>Filter <input type=\"search\" id=\"filter-rows\" "
-                "placeholder=\"method, scene ...\"></label></div>" +
-                    rows_html(rows));
+    html += section(
+        "rows",
+        "All rows",
+        "The same rows, with every column, are in <code>rows.csv</code>; the curves "
+        "over 99 thresholds in <code>curves.csv</code>, the tolerances in "
+        "<code>tolerances.csv</code>, the settings of the sweeps, with the same columns, in "
+        "<code>sweep.csv</code>. Press a heading to sort.",
+        "<div class=\"tools\"><label>Filter <input type=\"search\" id=\"filter-rows\" "
+        "placeholder=\"method, scene ...\"></label></div>" +
+            rows_html(rows));
     html += section("about", "How to read this", "", about_html() + provenance_html(m.data));
     return html;
 }
@@ -355,16 +357,16 @@ std::string main_html(const Material& m) {
 std::string report_page(const ReportData& data) {
     Material material{
         data, experiment::summarise(data.rows), {}, {}, failures_html(data.rows), {}, {}, {}, {}};
-    material.witness = witness_html(data.rows);
+    material.crosscheck = crosscheck_html(data.rows);
     material.skips = skips_html(data.rows, data.skip_study);
     material.motion = motion_html(data.motion, data.rolls);
     experiment::add_curves(data.curves, material.summaries);
     material.fronts = experiment::summarise_fronts(data.rows, data.sweep);
-    material.leads = leads_html(data.rows);
+    material.differences = paired_differences_html(data.rows);
     material.cost = cost_html(data);
     material.statistics = statistics_html(material.summaries);
     material.verdict = experiment::find_verdict(material.summaries);
-    material.scenes = encode_scenes(data.views, kPictureBudget_bytes);
+    material.scenes = encode_scenes(data.views, kImageBudget_bytes);
     return fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

@@ -20,7 +20,7 @@ each counting alike, and median takes every view alike. A cell that failed is in
 views, for views of one scene are hard or easy together; with one scene there is none. The bars along the time
 axis are quartiles over views. <strong>Truth</strong> is traced from the exact polyhedron as
 given. Methods were tuned, if at all, on <strong>training</strong> scenes only; look at the
-<strong>held-out</strong> column before you believe a lead.</p>
+<strong>held-out</strong> column before you believe a difference.</p>
 <p>Three rows are no methods. <strong>none</strong> draws nothing. <strong>oracle</strong> is the stored truth
 itself. <strong>sampled</strong> knows the exact lines but sees each pixel once, at its centre: the real
 ceiling of every method that does so.</p>

@@ -56,7 +56,7 @@ th:first-child, td.name { text-align: left; }
 tbody th { position: sticky; left: 0; background: #fff; }
 tr.best th, tr.best td { background: #eef6fb; }
 tr.bracket th, tr.bracket td { color: var(--soft); font-weight: 400; }
-tr.first-bracket th, tr.first-bracket td { border-top: 1px solid #b9bfc8; }
+tr.first-baseline th, tr.first-baseline td { border-top: 1px solid #b9bfc8; }
 .verdict { font-size: .86rem; }
 .verdict th, .verdict td { padding: 6px 5.5px; }
 .group { border-left: 1px solid var(--line); }

@@ -57,7 +57,7 @@ std::string worst_words(const std::vector<linear_code::CancellationRow>& rows) {
     return fmt::format(
         "{} of {} pairs of method and kind of line (class and ten degrees of dihedral) agree "
         "within two points. Furthest off is {} and {}: {:.1f} % predicted, {:.1f} % measured of {} "
-        "px. Only ink along true lines is foretold; what a code draws besides, between the facets "
+        "px. Only ink along true lines is predicted; what a code draws besides, between the facets "
         "of round things, may lie in a missed line's reach and be matched to it, or run together "
         "with a seen one and be thinned away with it.{}",
         close,
@@ -99,7 +99,7 @@ std::string class_table(const std::vector<linear_code::CancellationRow>& rows) {
         heading("missed, predicted"),
         heading("missed, measured"),
         heading("difference, points"),
-        heading("pixels foretold rightly"),
+        heading("pixels predicted rightly"),
         body);
 }
 
@@ -108,7 +108,8 @@ std::string class_table(const std::vector<linear_code::CancellationRow>& rows) {
 std::string_view cancellation_intro() {
     return "A sum is blind where its channels cancel: a crease whose change of normal is at right "
            "angles to the weights leaves no trace in the code. What a declared code must miss is "
-           "foretold here from the truth's geometry and the weights alone, never from the method's "
+           "predicted here from the truth's geometry and the weights alone, never from the "
+           "method's "
            "picture: each pixel centre's depth and normal are summed, rounded and filtered where a "
            "stencil sees a true line, and the ink is thinned and matched as a picture's is. Where "
            "both agree, a miss is the code's, not the rasterizer's, and only other weights, "
@@ -121,9 +122,10 @@ std::string cancellation_html(const std::vector<linear_code::CancellationRow>& r
     return fmt::format(
         "<div class=\"scroll chart\">{}</div><p class=\"note\">{}</p><p class=\"soft\">Dotted: of "
         "creases that lie in all directions alike, a sum with this threshold must miss sin(s/2) / "
-        "sin(dihedral/2), with s the largest bend that it keeps silent in every direction. Creases "
+        "sin(dihedral/2), with s the largest dihedral deviation that it keeps silent in every "
+        "direction. Creases "
         "that are seen do not lie so: both their faces look at the eye, and solids stand upright, "
-        "so a code may do better or worse than that. What is foretold rightly of single pixels is "
+        "so a code may do better or worse than that. What is predicted rightly of single pixels is "
         "whether any ink comes within 2 px. The counts are in <code>cancellation.csv</code>.</p>{}",
         cancellation_chart(rows).inline_element(
             "Predicted against measured miss rates per method, class and dihedral"),

@@ -73,8 +73,8 @@ std::string half_head(std::string_view whole,
 
 std::string cause_legend_html() {
     return fmt::format("<div class=\"cause-legend\">{}{}</div>",
-                       legend_list("Missing lines, in warm colours", score::kMissCauses),
-                       legend_list("False lines, in cool colours", score::kOffLineCauses));
+                       legend_list("Missing lines, in warm colours", score::kFalseNegativeCauses),
+                       legend_list("False lines, in cool colours", score::kFalsePositiveCauses));
 }
 
 std::string cause_table_html(const std::vector<experiment::CauseTotals>& totals) {
@@ -83,20 +83,24 @@ std::string cause_table_html(const std::vector<experiment::CauseTotals>& totals)
     for (const experiment::CauseTotals& t : totals) {
         body += fmt::format(
             "<tr{}><th scope=\"row\">{}</th>{}{}</tr>\n",
-            harness::is_bracket(t.method) ? " class=\"bracket\"" : "",
+            harness::is_baseline(t.method) ? " class=\"baseline\"" : "",
             core::escape(t.method),
-            half_line({t.n_truth, t.missing, score::kMissCauses, t.lost}, t.causes),
-            half_line({t.n_pred, t.off_line, score::kOffLineCauses, t.surplus}, t.causes));
+            half_line(
+                {t.n_truth, t.false_negatives, score::kFalseNegativeCauses, t.unmatched_truth},
+                t.causes),
+            half_line(
+                {t.n_pred, t.false_positives, score::kFalsePositiveCauses, t.unmatched_duplicates},
+                t.causes));
     }
     return fmt::format(
         "<div class=\"scroll\"><table class=\"cause-table\"><thead><tr class=\"groups\"><td></td>"
         "<td colspan=\"{}\" class=\"group\">true pixels: what was not found</td>"
         "<td colspan=\"{}\" class=\"group\">drawn pixels: what is on no line</td></tr>"
         "<tr><th scope=\"col\">method</th>{}{}</tr></thead><tbody>{}</tbody></table></div>",
-        score::kMissCauses.size() + 3,
-        score::kOffLineCauses.size() + 3,
-        half_head("true", "missing", score::kMissCauses, "lost"),
-        half_head("drawn", "off line", score::kOffLineCauses, "surplus"),
+        score::kFalseNegativeCauses.size() + 3,
+        score::kFalsePositiveCauses.size() + 3,
+        half_head("true", "false negatives", score::kFalseNegativeCauses, "unmatched truth"),
+        half_head("drawn", "false positives", score::kFalsePositiveCauses, "unmatched duplicates"),
         body);
 }
 

@@ -7,7 +7,7 @@
 namespace ink::report {
 
 /// The section on cost as HTML: what each method declares beside what it took and what the model
-/// foretold, the prices that were fitted, and scaling_html. "" if there is nothing of it.
+/// predicted, the prices that were fitted, and scaling_html. "" if there is nothing of it.
 [[nodiscard]] std::string cost_html(const ReportData& data);
 
 /// What that section shows, in a few plain sentences.

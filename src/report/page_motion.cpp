@@ -31,7 +31,7 @@ std::string heading(std::string_view text) {
 
 std::string line_start(const std::string& method) {
     return fmt::format("<tr{}><th scope=\"row\">{}</th>",
-                       harness::is_bracket(method) ? " class=\"bracket\"" : "",
+                       harness::is_baseline(method) ? " class=\"baseline\"" : "",
                        core::escape(method));
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/parallel.h"
-#include "draw/error_picture.h"
+#include "draw/error_image.h"
 #include "image_io/image_file.h"
 #include "report/html.h"
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kThumbWidth_px = 208;  // shown at half of that: sharp on dense screens
 
-std::string uri_of(const draw::RgbImage& picture) {
-    return png_uri(image_io::encode_png(picture));
+std::string uri_of(const draw::RgbImage& image) {
+    return png_uri(image_io::encode_png(image));
 }
 
 int thumb_factor(int width_px) {
@@ -23,45 +23,45 @@ int thumb_factor(int width_px) {
 PagePicture truth_of(const harness::ShownView& view, int factor) {
     const auto whole = factor == 1 ? draw::thicken(view.labels) : draw::shrink(view.labels, factor);
     const auto thumb = draw::shrink(view.labels, thumb_factor(view.labels.width_px()));
-    return {"", uri_of(draw::truth_picture(whole)), uri_of(draw::truth_picture(thumb))};
+    return {"", uri_of(draw::truth_image(whole)), uri_of(draw::truth_image(thumb))};
 }
 
 PagePicture errors_of(const harness::ShownView& view,
-                      const harness::MethodPicture& picture,
+                      const harness::MethodImage& image,
                       int factor) {
     const draw::Marks marks = draw::mark_errors(
-        view.labels, picture.strength, {.threshold = picture.threshold, .wrong = picture.wrong});
+        view.labels, image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
     const draw::Marks whole = factor == 1 ? draw::thicken(marks) : draw::shrink(marks, factor);
     const draw::Marks thumb = draw::shrink(marks, thumb_factor(view.labels.width_px()));
-    return {picture.method, uri_of(draw::error_picture(whole)), uri_of(draw::error_picture(thumb))};
+    return {image.method, uri_of(draw::error_image(whole)), uri_of(draw::error_image(thumb))};
 }
 
 std::vector<PageScene> encode_at(const std::vector<harness::ShownView>& views, int factor) {
     struct Job {
         std::size_t view;
-        std::size_t picture;
+        std::size_t image;
     };
     std::vector<PageScene> scenes;
     std::vector<Job> jobs;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const std::size_t count = views[i].pictures.size() + 1;
+        const std::size_t count = views[i].images.size() + 1;
         scenes.push_back({&views[i], std::vector<PagePicture>(count)});
         for (std::size_t j = 0; j < count; ++j)
             jobs.push_back({i, j});
     }
     core::parallel_for(jobs.size(), core::hardware_threads(), [&](std::size_t index) {
         const auto [i, j] = jobs[index];
-        PagePicture& out = scenes[i].pictures[j];
+        PagePicture& out = scenes[i].images[j];
         out = j == 0 ? truth_of(views[i], factor)
-                     : errors_of(views[i], views[i].pictures[j - 1], factor);
+                     : errors_of(views[i], views[i].images[j - 1], factor);
     });
     return scenes;
 }
 
 std::size_t size_of(const PageScene& scene) {
     std::size_t size = 0;
-    for (const PagePicture& picture : scene.pictures)
-        size += picture.size();
+    for (const PagePicture& image : scene.images)
+        size += image.size();
     return size;
 }
 

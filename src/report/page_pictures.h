@@ -20,7 +20,7 @@ struct PagePicture {
 /// The pictures of one shown view, truth first.
 struct PageScene {
     const harness::ShownView* view = nullptr;
-    std::vector<PagePicture> pictures;
+    std::vector<PagePicture> images;
 };
 
 /// All pictures that fit on the page.

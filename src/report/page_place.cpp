@@ -22,7 +22,7 @@ struct Pooled {
     score::CrackScore cracks;
     score::Moments offsets;
     score::Moments widths;
-    score::InkCount ink;
+    score::PositiveCount positives;
     std::map<std::pair<std::size_t, double>, harness::BinCount>
         bins;  ///< by attribute and lower end
 };
@@ -40,8 +40,8 @@ void add(const harness::LineScores& from, Pooled& into) {
     into.cracks.all.n_truth += from.cracks.all.n_truth;
     add(from.offsets.all, into.offsets);
     add(from.widths.all, into.widths);
-    into.ink.n_drawn += from.ink.n_drawn;
-    into.ink.n_false += from.ink.n_false;
+    into.positives.n_drawn += from.positives.n_drawn;
+    into.positives.n_false += from.positives.n_false;
     for (const harness::BinCount& bin : from.bins) {
         auto [at, is_new] = into.bins.try_emplace({bin.attribute, bin.low}, bin);
         if (is_new) continue;
@@ -50,7 +50,7 @@ void add(const harness::LineScores& from, Pooled& into) {
     }
 }
 
-/// One entry per method, in order of first appearance, brackets last.
+/// One entry per method, in order of first appearance, baselines last.
 std::vector<Pooled> pool(const std::vector<harness::Row>& rows) {
     std::vector<Pooled> methods;
     for (const harness::Row& row : rows) {
@@ -66,7 +66,7 @@ std::vector<Pooled> pool(const std::vector<harness::Row>& rows) {
         add(*row.lines, *at);
     }
     std::stable_partition(methods.begin(), methods.end(), [](const Pooled& p) {
-        return !harness::is_bracket(p.method);
+        return !harness::is_baseline(p.method);
     });
     return methods;
 }
@@ -79,8 +79,8 @@ std::string px(const std::optional<double>& value, bool is_signed = false) {
 }
 
 std::optional<double> false_share(const Pooled& p) {
-    if (p.ink.n_drawn == 0) return std::nullopt;
-    return static_cast<double>(p.ink.n_false) / static_cast<double>(p.ink.n_drawn);
+    if (p.positives.n_drawn == 0) return std::nullopt;
+    return static_cast<double>(p.positives.n_false) / static_cast<double>(p.positives.n_drawn);
 }
 
 std::string place_line(const Pooled& p) {
@@ -88,7 +88,7 @@ std::string place_line(const Pooled& p) {
         "<tr class=\"{}\"><th scope=\"row\">{}</th><td class=\"group\">{}</td><td>{}</td>"
         "<td>{}</td><td class=\"group\">{}</td><td>{}</td><td>{}</td><td class=\"group\">{}</td>"
         "<td>{}</td><td class=\"group\">{}</td></tr>\n",
-        harness::is_bracket(p.method) ? "bracket" : "",
+        harness::is_baseline(p.method) ? "baseline" : "",
         core::escape(p.method),
         core::format_share(p.cracks.f()),
         core::format_share(p.cracks.precision()),
@@ -151,7 +151,7 @@ std::string attribute_table(const std::vector<Pooled>& methods, std::size_t attr
             bins.push_back(found == p.bins.end() ? nullptr : &found->second);
         }
         body += fmt::format("<tr class=\"{}\"><th scope=\"row\">{}</th>",
-                            harness::is_bracket(p.method) ? "bracket" : "",
+                            harness::is_baseline(p.method) ? "baseline" : "",
                             core::escape(p.method));
         for (std::size_t i = 0; i < bins.size(); ++i)
             body += recall_cell(bins, i);

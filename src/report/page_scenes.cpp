@@ -30,22 +30,23 @@ std::string words_on(const harness::Row* row) {
     std::string line = "F " + core::format_share(row->f_2px);
     if (row->draw_ns)
         line += fmt::format(" · {} ms", format_ms(static_cast<double>(*row->draw_ns) * 1e-6));
-    return fmt::format(
-        "<span>{}</span><span>{} missing, {} off line</span>", line, row->missing, row->off_line);
+    return fmt::format("<span>{}</span><span>{} false negatives, {} false positives</span>",
+                       line,
+                       row->false_negatives,
+                       row->false_positives);
 }
 
 std::string alt_of(const harness::ShownView& view,
-                   const PagePicture& picture,
+                   const PagePicture& image,
                    const harness::Row* row) {
     const std::string place = fmt::format("{}, view {}", view.scene, view.view);
-    if (picture.method.empty())
-        return core::escape("True lines of " + place + ", coloured by class");
-    std::string text = fmt::format("Lines of {} on {}, errors in colour", picture.method, place);
+    if (image.method.empty()) return core::escape("True lines of " + place + ", coloured by class");
+    std::string text = fmt::format("Lines of {} on {}, errors in colour", image.method, place);
     if (row != nullptr && row->is_ok()) {
-        text += fmt::format(": F {}, {} pixels missing, {} off the lines",
+        text += fmt::format(": F {}, {} false negatives, {} false positives",
                             core::format_share(row->f_2px),
-                            row->missing,
-                            row->off_line);
+                            row->false_negatives,
+                            row->false_positives);
     }
     return core::escape(text);
 }
@@ -70,19 +71,19 @@ std::string legend_html() {
 
 /// Which picture of a scene is seen at first; 0, the truth, if there is no other.
 std::size_t first_shown(const PageScene& scene, const std::string& first_method) {
-    for (std::size_t i = 1; i < scene.pictures.size(); ++i) {
-        if (scene.pictures[i].method == first_method) return i;
+    for (std::size_t i = 1; i < scene.images.size(); ++i) {
+        if (scene.images[i].method == first_method) return i;
     }
-    return scene.pictures.size() > 1 ? 1 : 0;
+    return scene.images.size() > 1 ? 1 : 0;
 }
 
 std::string tools_html(const PageScenes& scenes, const std::string& first_method) {
     std::vector<std::string> methods;
     for (const PageScene& scene : scenes.scenes) {
-        for (const PagePicture& picture : scene.pictures) {
+        for (const PagePicture& image : scene.images) {
             const bool is_known =
-                std::find(methods.begin(), methods.end(), picture.method) != methods.end();
-            if (!picture.method.empty() && !is_known) methods.push_back(picture.method);
+                std::find(methods.begin(), methods.end(), image.method) != methods.end();
+            if (!image.method.empty() && !is_known) methods.push_back(image.method);
         }
     }
     std::string options;
@@ -104,17 +105,17 @@ std::string stage_html(const PageScene& scene,
                        std::size_t shown) {
     const harness::ShownView& view = *scene.view;
     std::string images;
-    for (std::size_t i = 0; i < scene.pictures.size(); ++i) {
-        const PagePicture& picture = scene.pictures[i];
-        const harness::Row* row = find_row(rows, view, picture.method);
+    for (std::size_t i = 0; i < scene.images.size(); ++i) {
+        const PagePicture& image = scene.images[i];
+        const harness::Row* row = find_row(rows, view, image.method);
         const std::string kind = i == 0 ? "truth" : i == shown ? "pred on" : "pred";
         images += fmt::format(R"(<img class="{}" data-method="{}" alt="{}" src="{}">)",
                               kind,
-                              core::escape(picture.method),
-                              alt_of(view, picture, row),
-                              picture.whole);
+                              core::escape(image.method),
+                              alt_of(view, image, row),
+                              image.whole);
     }
-    const bool has_methods = scene.pictures.size() > 1;
+    const bool has_methods = scene.images.size() > 1;
     const std::string range = fmt::format(
         R"(<input type="range" min="0" max="100" step="1" value="50" aria-label="Divider between truth, left, and method, right, on {}">)",
         core::escape(view.scene));
@@ -128,7 +129,7 @@ std::string stage_html(const PageScene& scene,
         images,
         has_methods ? "<span class=\"grip\" aria-hidden=\"true\"></span>" : "",
         has_methods ? range : "",
-        has_methods ? core::escape(scene.pictures[shown].method) + ", errors in colour" : "");
+        has_methods ? core::escape(scene.images[shown].method) + ", errors in colour" : "");
 }
 
 std::string picker_html(const PageScene& scene,
@@ -136,16 +137,16 @@ std::string picker_html(const PageScene& scene,
                         const std::string& anchor,
                         std::size_t shown) {
     std::string choices;
-    for (std::size_t i = 1; i < scene.pictures.size(); ++i) {
-        const PagePicture& picture = scene.pictures[i];
+    for (std::size_t i = 1; i < scene.images.size(); ++i) {
+        const PagePicture& image = scene.images[i];
         choices += fmt::format(
             R"(<label><input type="radio" name="{}" value="{}"{}><img alt="" src="{}"><span><b>{}</b>{}</span></label>)",
             anchor,
-            core::escape(picture.method),
+            core::escape(image.method),
             i == shown ? " checked" : "",
-            picture.thumb,
-            core::escape(picture.method),
-            words_on(find_row(rows, *scene.view, picture.method)));
+            image.thumb,
+            core::escape(image.method),
+            words_on(find_row(rows, *scene.view, image.method)));
     }
     if (choices.empty()) return "<p class=\"note\">No method drew this view.</p>";
     return fmt::format(

@@ -4,7 +4,7 @@
 
 #include "core/escape.h"
 #include "core/text_table.h"
-#include "experiment/leads.h"
+#include "experiment/paired_differences.h"
 #include "report/statistics.h"
 #include "report/verdict.h"
 
@@ -34,12 +34,12 @@ std::string definitions_html() {
     return fmt::format("<dl class=\"terms\">{}</dl>", list);
 }
 
-std::string lead_cell(const std::vector<experiment::Lead>& leads,
-                      const std::string& a,
-                      const std::string& b) {
-    for (const experiment::Lead& lead : leads) {
-        if (lead.a != a || lead.b != b) continue;
-        const std::string text = core::escape(experiment::format_lead(lead));
+std::string paired_difference_cell(const std::vector<experiment::PairedDifference>& differences,
+                                   const std::string& a,
+                                   const std::string& b) {
+    for (const experiment::PairedDifference& paired : differences) {
+        if (paired.a != a || paired.b != b) continue;
+        const std::string text = core::escape(experiment::format_paired_difference(paired));
         const auto space = text.find(' ');
         const std::string range =
             space == std::string::npos
@@ -47,7 +47,7 @@ std::string lead_cell(const std::vector<experiment::Lead>& leads,
                 : fmt::format("<span class=\"range\">{}</span>", text.substr(space + 1));
         const std::string value = text.substr(0, space);
         return fmt::format(
-            "<td>{} {}</td>", lead.is_beyond_chance() ? "<b>" + value + "</b>" : value, range);
+            "<td>{} {}</td>", paired.is_significant() ? "<b>" + value + "</b>" : value, range);
     }
     return "<td></td>";
 }
@@ -75,7 +75,7 @@ std::string statistics_html(const std::vector<experiment::MethodSummary>& summar
     std::string body;
     for (std::size_t i = 0; i < summaries.size(); ++i) {
         body += fmt::format("<tr class=\"{}\"><th scope=\"row\">{}</th>",
-                            summaries[i].is_bracket ? "bracket" : "",
+                            summaries[i].is_baseline ? "baseline" : "",
                             core::escape(summaries[i].method));
         for (std::size_t column = 1; column < columns.size(); ++column)
             body += fmt::format("<td>{}</td>", core::escape(cells[i + 1][column]));
@@ -84,9 +84,10 @@ std::string statistics_html(const std::vector<experiment::MethodSummary>& summar
     return table("statistics", head, body) + definitions_html();
 }
 
-std::string leads_html(const std::vector<harness::Row>& rows) {
-    const std::vector<experiment::Lead> leads = experiment::all_leads(rows);
-    const core::Cells cells = lead_cells(leads);
+std::string paired_differences_html(const std::vector<harness::Row>& rows) {
+    const std::vector<experiment::PairedDifference> differences =
+        experiment::all_paired_differences(rows);
+    const core::Cells cells = paired_difference_cells(differences);
     if (cells.empty()) return "";
     std::string head;
     for (const std::string& text : cells.front())
@@ -95,7 +96,7 @@ std::string leads_html(const std::vector<harness::Row>& rows) {
     for (std::size_t i = 1; i < cells.size(); ++i) {
         body += fmt::format("<tr><th scope=\"row\">{}</th>", core::escape(cells[i].front()));
         for (std::size_t j = 1; j < cells.front().size(); ++j)
-            body += lead_cell(leads, cells[i].front(), cells.front()[j]);
+            body += paired_difference_cell(differences, cells[i].front(), cells.front()[j]);
         body += "</tr>\n";
     }
     return table(cells.front().size() > kMany ? "leads many" : "leads", head, body);

@@ -9,13 +9,13 @@
 
 namespace ink::report {
 
-/// Chance, thresholds (ODS, OIS, AP) and the ladder of tolerances as an HTML table with what the
-/// words mean below; "" if there is nothing of it.
+/// The random baseline, thresholds (ODS, OIS, AP) and the tolerance sweep as an HTML table with
+/// what the words mean below; "" if there is nothing of it.
 [[nodiscard]] std::string statistics_html(const std::vector<experiment::MethodSummary>& summaries);
 
-/// The matrix of leads as an HTML table, those beyond chance in bold; "" with fewer than two
-/// methods.
-[[nodiscard]] std::string leads_html(const std::vector<harness::Row>& rows);
+/// The matrix of paired differences as an HTML table, significant ones in bold; "" with fewer than
+/// two methods.
+[[nodiscard]] std::string paired_differences_html(const std::vector<harness::Row>& rows);
 
 /// The settings on each method's front, from the fastest to the best, as an HTML table; "" without
 /// a sweep.

@@ -46,7 +46,7 @@ std::string heat_line(const std::vector<const harness::Row*>& of_scene,
             if (row->method == method) of_cell.push_back(row);
         }
         values.push_back(experiment::pooled_f(of_cell));
-        if (!harness::is_bracket(method)) best = std::max(best, values.back());
+        if (!harness::is_baseline(method)) best = std::max(best, values.back());
     }
     std::string line;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -54,7 +54,7 @@ std::string heat_line(const std::vector<const harness::Row*>& of_scene,
             line += "<td>-</td>";
             continue;
         }
-        const bool is_best = !harness::is_bracket(methods[i]) && values[i] == best;
+        const bool is_best = !harness::is_baseline(methods[i]) && values[i] == best;
         line += fmt::format(R"(<td style="{}">{}{}{}</td>)",
                             heat_style(*values[i]),
                             is_best ? "<b>" : "",
@@ -108,15 +108,15 @@ std::vector<RowColumn> row_page_columns() {
          [](const harness::Row& row) {
              return row.is_ok() ? fmt::format("{}", row.truth_px) : "-";
          }},
-        {"missing",
+        {"false negatives",
          false,
          [](const harness::Row& row) {
-             return row.is_ok() ? fmt::format("{}", row.missing) : "-";
+             return row.is_ok() ? fmt::format("{}", row.false_negatives) : "-";
          }},
-        {"off line",
+        {"false positives",
          false,
          [](const harness::Row& row) {
-             return row.is_ok() ? fmt::format("{}", row.off_line) : "-";
+             return row.is_ok() ? fmt::format("{}", row.false_positives) : "-";
          }},
         {"status", true, [](const harness::Row& row) { return row.status; }},
         {"parameters", true, [](const harness::Row& row) { return row.params; }},
@@ -148,7 +148,7 @@ std::string scene_heat_html(const std::vector<harness::Row>& rows,
     std::vector<std::string> methods;
     std::string head = "<th scope=\"col\">scene</th><td></td>";
     for (const experiment::MethodSummary& s : summaries) {
-        if (s.is_bracket && s.method != "sampled") continue;
+        if (s.is_baseline && s.method != "sampled") continue;
         methods.push_back(s.method);
         head += fmt::format("<th scope=\"col\">{}</th>", core::escape(s.method));
     }

@@ -118,13 +118,13 @@ std::string verdict_head(const std::vector<VerdictColumn>& columns) {
     return fmt::format("<thead>{}</tr>{}</tr></thead>", groups, headings);
 }
 
-/// The highest value of a column among methods; brackets do not compete.
+/// The highest value of a column among methods; baselines do not compete.
 std::optional<double> best_of(const VerdictColumn& column,
                               const std::vector<experiment::MethodSummary>& summaries) {
     std::optional<double> best;
     if (!column.value) return best;
     for (const experiment::MethodSummary& s : summaries) {
-        if (!s.is_bracket) best = std::max(best, column.value(s));
+        if (!s.is_baseline) best = std::max(best, column.value(s));
     }
     return best;
 }
@@ -133,16 +133,16 @@ std::string table_html(const std::vector<experiment::MethodSummary>& summaries, 
     const std::vector<VerdictColumn> columns = verdict_columns(summaries, scope);
     const experiment::Verdict verdict = experiment::find_verdict(summaries);
     std::string body;
-    bool has_bracket = false;
+    bool has_baseline = false;
     for (const experiment::MethodSummary& s : summaries) {
         std::string classes = &s == verdict.best ? "best" : "";
-        if (s.is_bracket) classes = has_bracket ? "bracket" : "bracket first-bracket";
-        has_bracket = has_bracket || s.is_bracket;
+        if (s.is_baseline) classes = has_baseline ? "baseline" : "baseline first-baseline";
+        has_baseline = has_baseline || s.is_baseline;
         body += fmt::format(
             R"(<tr class="{}"><th scope="row">{}</th>)", classes, core::escape(s.method));
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const std::optional<double> best = best_of(columns[i], summaries);
-            const bool is_best = !s.is_bracket && best && columns[i].value(s) == best;
+            const bool is_best = !s.is_baseline && best && columns[i].value(s) == best;
             body += fmt::format("<td{}>{}{}{}</td>",
                                 starts_group(columns, i) ? " class=\"group\"" : "",
                                 is_best ? "<b>" : "",

@@ -26,8 +26,8 @@ struct Measures {
                 measure(row);
         }
         // On a page 7 inches wide a 76th of the width is 6.6 points.
-        const int pictures_px = columns * (cell_width_px + gap_px);
-        letter_px = std::clamp(pictures_px / 76.0, 13.0, 30.0);
+        const int images_px = columns * (cell_width_px + gap_px);
+        letter_px = std::clamp(images_px / 76.0, 13.0, 30.0);
         for (const GridBand& band : bands) {
             for (const GridRow& row : band.rows) {
                 const double label = sheet_text_width(row.label, label_style());
@@ -35,7 +35,7 @@ struct Measures {
                 gutter_px = std::max(gutter_px, static_cast<int>(std::max(label, note)));
             }
         }
-        gutter_px = std::min(gutter_px, std::max(200, pictures_px / 5));
+        gutter_px = std::min(gutter_px, std::max(200, images_px / 5));
         if (gutter_px > 0) gutter_px += static_cast<int>(letter_px);
     }
 
@@ -74,8 +74,8 @@ struct Measures {
     void measure(const GridRow& row) {
         columns = std::max(columns, static_cast<int>(row.cells.size()));
         for (const GridCell& cell : row.cells) {
-            cell_width_px = std::max(cell_width_px, cell.picture.width_px());
-            cell_height_px = std::max(cell_height_px, cell.picture.height_px());
+            cell_width_px = std::max(cell_width_px, cell.image.width_px());
+            cell_height_px = std::max(cell_height_px, cell.image.height_px());
         }
     }
 };
@@ -123,8 +123,8 @@ void put_legend_line(Sheet& sheet,
     }
 }
 
-void put_picture(Sheet& sheet, int left, int top, const GridCell& cell) {
-    if (!cell.picture.is_empty()) sheet.picture(left, top, cell.picture);
+void put_image(Sheet& sheet, int left, int top, const GridCell& cell) {
+    if (!cell.image.is_empty()) sheet.image(left, top, cell.image);
     for (SheetLine line : cell.lines) {
         for (std::size_t k = 0; k + 1 < line.xy.size(); k += 2) {
             line.xy[k] += left;
@@ -146,10 +146,10 @@ void put_row(Sheet& sheet, int top, const GridRow& row, const Measures& m) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
         const GridCell& cell = row.cells[i];
         const int left = m.column_left(i);
-        put_picture(sheet,
-                    left + (m.cell_width_px - cell.picture.width_px()) / 2,
-                    top + (m.cell_height_px - cell.picture.height_px()) / 2,
-                    cell);
+        put_image(sheet,
+                  left + (m.cell_width_px - cell.image.width_px()) / 2,
+                  top + (m.cell_height_px - cell.image.height_px()) / 2,
+                  cell);
         const TextStyle style = m.caption_style(cell.is_strong);
         sheet.text(fitted({left + m.cell_width_px / 2.0,
                            top + m.cell_height_px + 1.12 * m.letter_px,

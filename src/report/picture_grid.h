@@ -9,7 +9,7 @@ namespace ink::report {
 
 /// A picture of a grid; an empty one leaves its place free.
 struct GridCell {
-    draw::RgbImage picture;
+    draw::RgbImage image;
     std::string caption = {};           ///< below it
     std::vector<SheetLine> lines = {};  ///< over it, in its own pixels
     bool is_strong = false;             ///< the caption in bold

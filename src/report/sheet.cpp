@@ -112,21 +112,21 @@ void put_line(draw::RgbImage& canvas, const SheetLine& line) {
                   kShift);
 }
 
-void put_picture(draw::RgbImage& canvas, int left, int top, const draw::RgbImage& picture) {
-    for (int y = 0; y < picture.height_px(); ++y)
-        std::copy_n(picture.row(y), picture.width_px(), canvas.row(top + y) + left);
+void put_image(draw::RgbImage& canvas, int left, int top, const draw::RgbImage& image) {
+    for (int y = 0; y < image.height_px(); ++y)
+        std::copy_n(image.row(y), image.width_px(), canvas.row(top + y) + left);
     cv::Mat pixels(canvas.height_px(), canvas.width_px(), CV_8UC3, canvas.data());
     cv::rectangle(pixels,
-                  cv::Rect(left - 1, top - 1, picture.width_px() + 2, picture.height_px() + 2),
+                  cv::Rect(left - 1, top - 1, image.width_px() + 2, image.height_px() + 2),
                   scalar_of(draw::kMist.rgb));
 }
 
 }  // namespace
 
-void Sheet::picture(int left, int top, draw::RgbImage picture) {
-    assert(left >= 0 && top >= 0 && left + picture.width_px() <= width_px_ &&
-           top + picture.height_px() <= height_px_);
-    pictures_.push_back({left, top, std::move(picture)});
+void Sheet::image(int left, int top, draw::RgbImage image) {
+    assert(left >= 0 && top >= 0 && left + image.width_px() <= width_px_ &&
+           top + image.height_px() <= height_px_);
+    images_.push_back({left, top, std::move(image)});
 }
 
 void Sheet::box(const Box& box, const draw::Colour& colour) {
@@ -149,8 +149,8 @@ std::vector<Box> Sheet::text_boxes() const {
 
 draw::RgbImage Sheet::raster() const {
     draw::RgbImage canvas(width_px_, height_px_, draw::kPaper.rgb);
-    for (const Placed& placed : pictures_)
-        put_picture(canvas, placed.left, placed.top, placed.picture);
+    for (const Placed& placed : images_)
+        put_image(canvas, placed.left, placed.top, placed.image);
     cv::Mat pixels(canvas.height_px(), canvas.width_px(), CV_8UC3, canvas.data());
     for (const Filled& filled : boxes_) {
         const cv::Rect rect(static_cast<int>(filled.box.x),
@@ -168,16 +168,16 @@ draw::RgbImage Sheet::raster() const {
 
 std::string Sheet::svg(std::string_view title) const {
     Svg svg(width_px_, height_px_);
-    for (const Placed& placed : pictures_) {
-        const int width = placed.picture.width_px();
-        const int height = placed.picture.height_px();
+    for (const Placed& placed : images_) {
+        const int width = placed.image.width_px();
+        const int height = placed.image.height_px();
         svg.raw(fmt::format(
             R"(<image x="{}" y="{}" width="{}" height="{}" style="image-rendering:pixelated" href="{}"/>)",
             placed.left,
             placed.top,
             width,
             height,
-            png_uri(image_io::encode_png(placed.picture))));
+            png_uri(image_io::encode_png(placed.image))));
         svg.rect({placed.left - 0.5, placed.top - 0.5, width + 1.0, height + 1.0},
                  fmt::format(R"(fill="none" stroke="{}")", draw::kMist.hex));
     }

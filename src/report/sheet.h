@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "draw/error_picture.h"
+#include "draw/error_image.h"
 #include "draw/palette.h"
 #include "report/svg.h"
 
@@ -34,7 +34,7 @@ class Sheet {
     [[nodiscard]] int height_px() const { return height_px_; }
 
     /// A picture with a thin frame round it. It must lie on the sheet.
-    void picture(int left, int top, draw::RgbImage picture);
+    void image(int left, int top, draw::RgbImage image);
     void line(SheetLine line) { lines_.push_back(std::move(line)); }
     /// A filled box.
     void box(const Box& box, const draw::Colour& colour);
@@ -51,7 +51,7 @@ class Sheet {
     struct Placed {
         int left;
         int top;
-        draw::RgbImage picture;
+        draw::RgbImage image;
     };
     struct Filled {
         Box box;
@@ -60,7 +60,7 @@ class Sheet {
 
     int width_px_;
     int height_px_;
-    std::vector<Placed> pictures_;
+    std::vector<Placed> images_;
     std::vector<Filled> boxes_;
     std::vector<SheetLine> lines_;
     std::vector<SheetText> texts_;

@@ -47,42 +47,45 @@ const experiment::MethodSummary* find(const std::vector<experiment::MethodSummar
 std::vector<TextColumn> statistics_columns(
     const std::vector<experiment::MethodSummary>& summaries) {
     std::vector<TextColumn> columns;
-    if (any(summaries, [](const experiment::MethodSummary& s) { return s.f_chance.has_value(); })) {
-        columns.push_back(share_column("chance", &experiment::MethodSummary::f_chance));
+    if (any(summaries, [](const experiment::MethodSummary& s) { return s.f_random.has_value(); })) {
+        columns.push_back(share_column("random", &experiment::MethodSummary::f_random));
     }
     if (any(summaries, [](const experiment::MethodSummary& s) { return s.curve.has_value(); })) {
         add_threshold_columns(columns);
     }
-    if (any(summaries, [](const experiment::MethodSummary& s) { return !s.f_ladder.empty(); })) {
-        for (std::size_t i = 0; i < harness::kLadder_px.size(); ++i) {
-            columns.push_back({fmt::format("{} px", harness::kLadder_px[i]),
+    if (any(summaries,
+            [](const experiment::MethodSummary& s) { return !s.f_at_tolerances.empty(); })) {
+        for (std::size_t i = 0; i < harness::kTolerances_px.size(); ++i) {
+            columns.push_back({fmt::format("{} px", harness::kTolerances_px[i]),
                                [i](const experiment::MethodSummary& s) {
-                                   return i < s.f_ladder.size() ? core::format_share(s.f_ladder[i])
-                                                                : "-";
+                                   return i < s.f_at_tolerances.size()
+                                              ? core::format_share(s.f_at_tolerances[i])
+                                              : "-";
                                }});
         }
     }
     return columns;
 }
 
-core::Cells lead_cells(const std::vector<experiment::Lead>& leads) {
+core::Cells paired_difference_cells(const std::vector<experiment::PairedDifference>& differences) {
     std::vector<std::string> methods;
-    for (const experiment::Lead& lead : leads) {
-        if (std::find(methods.begin(), methods.end(), lead.a) == methods.end()) {
-            methods.push_back(lead.a);
+    for (const experiment::PairedDifference& paired : differences) {
+        if (std::find(methods.begin(), methods.end(), paired.a) == methods.end()) {
+            methods.push_back(paired.a);
         }
     }
     if (methods.empty()) return {};
-    core::Cells cells(1, {"leads by"});
+    core::Cells cells(1, {"F minus F of"});
     cells[0].insert(cells[0].end(), methods.begin(), methods.end());
     for (const std::string& a : methods) {
         std::vector<std::string>& line = cells.emplace_back(1, a);
         for (const std::string& b : methods) {
-            const auto lead =
-                std::find_if(leads.begin(), leads.end(), [&](const experiment::Lead& l) {
+            const auto paired = std::find_if(
+                differences.begin(), differences.end(), [&](const experiment::PairedDifference& l) {
                     return l.a == a && l.b == b;
                 });
-            line.push_back(lead == leads.end() ? "" : experiment::format_lead(*lead));
+            line.push_back(
+                paired == differences.end() ? "" : experiment::format_paired_difference(*paired));
         }
     }
     return cells;
@@ -91,10 +94,10 @@ core::Cells lead_cells(const std::vector<experiment::Lead>& leads) {
 const std::vector<std::pair<std::string, std::string>>& definitions() {
     static const std::vector<std::pair<std::string, std::string>> kDefinitions = {
         {"F", "matched pixels, counted twice, over drawn plus true ones, of all views together"},
-        {"95 %", "where F would lie for other scenes like these: scenes drawn again 2000 times"},
+        {"95 %", "where F would lie for other scenes like these: scenes resampled 2000 times"},
         {"macro", "mean over scenes, each counting alike; F counts every pixel alike"},
-        {"chance", "F of a random picture of as many pixels"},
-        {"threshold", "of strength, at which the method is scored"},
+        {"random", "F of a random image of as many pixels"},
+        {"threshold", "of edge response, at which the method is scored"},
         {"best", "the threshold with the highest F over these views, which is ODS"},
         {"OIS", "F if every view had its own best threshold"},
         {"AP", "area under precision against recall over all thresholds"},

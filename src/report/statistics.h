@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/leads.h"
+#include "experiment/paired_differences.h"
 #include "experiment/summary.h"
 #include "harness/row.h"
 #include "report/text_table.h"
@@ -12,14 +12,15 @@
 
 namespace ink::report {
 
-/// What goes beyond the pooled F: chance, thresholds (ODS, OIS, AP) and the ladder of tolerances.
-/// Columns that no summary has anything for are left out; none is left if nothing is.
+/// What goes beyond the pooled F: the random baseline, thresholds (ODS, OIS, AP) and the tolerance
+/// sweep. Columns that no summary has anything for are left out; none is left if nothing is.
 [[nodiscard]] std::vector<TextColumn> statistics_columns(
     const std::vector<experiment::MethodSummary>& summaries);
 
-/// The matrix of leads: a line per method, best first, by how much it leads each other. Empty with
-/// fewer than two methods.
-[[nodiscard]] core::Cells lead_cells(const std::vector<experiment::Lead>& leads);
+/// The matrix of paired differences: a line per method, best first, by how much it leads each
+/// other. Empty with fewer than two methods.
+[[nodiscard]] core::Cells paired_difference_cells(
+    const std::vector<experiment::PairedDifference>& differences);
 
 /// What the words in the tables mean, a sentence each, in the order in which they appear.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& definitions();

@@ -40,7 +40,7 @@ std::vector<Line> lines_of(method::Family family,
     std::vector<Line> lines;
     std::vector<std::string_view> bases;
     for (const experiment::StressCurve& curve : curves) {
-        if (harness::is_bracket(curve.method) || look_of(curve.method).family != family) continue;
+        if (harness::is_baseline(curve.method) || look_of(curve.method).family != family) continue;
         if (curve.best() == nullptr) continue;
         const std::string_view base = base_of(curve.method);
         auto at = std::find(bases.begin(), bases.end(), base);

@@ -22,7 +22,7 @@ std::string fact(std::string_view name, const std::string& value) {
 std::string headline(const experiment::RunData& run, const studies::StressCounts& counts) {
     if (!run.record.missing.empty()) return "Stopped before its end; what was finished is here";
     if (counts.is_clean()) {
-        return "Nothing crashed, nothing overflowed, every number is finite, every picture is the "
+        return "Nothing crashed, nothing overflowed, every number is finite, every image is the "
                "same that must be";
     }
     return "Something went wrong that must not: see the counts";
@@ -43,7 +43,7 @@ std::string facts_html(const std::vector<studies::StressRow>& rows,
                        const studies::StressCounts& counts) {
     std::set<std::string> methods;
     for (const studies::StressRow& row : rows)
-        if (!harness::is_bracket(row.row.method)) methods.insert(row.row.method);
+        if (!harness::is_baseline(row.row.method)) methods.insert(row.row.method);
     return fmt::format("<dl class=\"facts\">{}{}{}{}{}{}{}</dl>",
                        fact("methods", std::to_string(methods.size())),
                        fact("axes", std::to_string(axes_of(rows).size())),
@@ -102,7 +102,7 @@ std::string table_html(const studies::StressAxis& axis,
     std::string body;
     for (const experiment::StressCurve& curve : curves) {
         body += fmt::format("<tr{}><th scope=\"row\">{}</th>",
-                            harness::is_bracket(curve.method) ? " class=\"bracket\"" : "",
+                            harness::is_baseline(curve.method) ? " class=\"baseline\"" : "",
                             core::escape(curve.method));
         for (const experiment::StressPointSummary& point : curve.points)
             body += point_cell(point);
@@ -131,7 +131,7 @@ std::string counts_sentence(const std::vector<experiment::StressCurve>& curves) 
         counts.non_finite,
         counts.overflow,
         counts.lost,
-        counts.differing > 0 ? fmt::format(", {} pictures that differ", counts.differing) : "");
+        counts.differing > 0 ? fmt::format(", {} images that differ", counts.differing) : "");
 }
 
 std::string axis_html(const studies::StressAxis& axis,
@@ -159,7 +159,7 @@ std::string about_html(const experiment::RunData& run) {
         "intervals of the cluster bootstrap over these scenes; with so few they are wide and "
         "rough. Dotted: exact lines seen once per pixel centre, the ceiling of what looks at "
         "pixels. Dashed: tuned rows, in the colour of their base. Truth is of the polyhedron as "
-        "given. Pictures are {} x {} px; nothing here is timed.</p>"
+        "given. Images are {} x {} px; nothing here is timed.</p>"
         "<p>Non-finite: vertices placed and projected, normals, full buffers in every depth "
         "encoding, the truth's curves, scores. Overflow: depths outside 0..1, and "
         "pixels at which a packed code that is made to fit its bits comes out otherwise "

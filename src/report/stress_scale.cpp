@@ -35,7 +35,7 @@ StressScale::StressScale(const studies::StressAxis& axis,
         for (const experiment::StressPointSummary& point : curve.points) {
             if (std::find(values_.begin(), values_.end(), point.value) == values_.end())
                 values_.push_back(point.value);
-            if (harness::is_bracket(curve.method) || !point.f) continue;
+            if (harness::is_baseline(curve.method) || !point.f) continue;
             most = std::max(most, point.f_range ? 1 - point.f_range->low : *point.error());
         }
     }

@@ -20,7 +20,7 @@ struct TextColumn {
 [[nodiscard]] TextColumn share_column(std::string heading,
                                       std::optional<double> experiment::MethodSummary::*field);
 
-/// The method's name, a bracket's with a star; cut to 16 characters, so that a table keeps its
+/// The method's name, a baseline's with a star; cut to 16 characters, so that a table keeps its
 /// width whatever methods are called.
 [[nodiscard]] TextColumn name_column();
 

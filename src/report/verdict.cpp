@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "draw/witness_report.h"
-#include "experiment/leads.h"
+#include "draw/crosscheck_report.h"
+#include "experiment/paired_differences.h"
 #include "report/statistics.h"
 #include "report/text_table.h"
 #include "truth/line_class.h"
@@ -65,8 +65,8 @@ std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummar
     return columns;
 }
 
-constexpr const char* kBracketNote =
-    "* brackets, not methods: `none` draws nothing, `sampled` sees the exact lines once per pixel "
+constexpr const char* kBaselineNote =
+    "* baselines, not methods: `none` draws nothing, `sampled` sees the exact lines once per pixel "
     "centre,\n  `oracle` is the truth itself.";
 
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
@@ -85,21 +85,25 @@ std::string cost_of(const experiment::Verdict& verdict) {
                        core::format_share(cheapest->f_2px));
 }
 
-/// Whether the lead of the winner is more than chance; nothing where scenes are too few to tell.
+/// Whether the paired difference of the winner is significant; nothing where scenes are too few to
+/// tell.
 std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdict& verdict) {
     if (verdict.runner_up == nullptr) return "";
-    const auto lead = experiment::lead_of(rows, verdict.best->method, verdict.runner_up->method);
-    if (!lead || !lead->range) return "";
+    const auto paired =
+        experiment::paired_difference_of(rows, verdict.best->method, verdict.runner_up->method);
+    if (!paired || !paired->range) return "";
     const std::string other = fmt::format(
         "{} (F {})", verdict.runner_up->method, core::format_share(verdict.runner_up->f_2px));
-    if (lead->is_beyond_chance()) {
-        return fmt::format(
-            " Its lead over {} is {}: beyond chance.", other, experiment::format_lead(*lead));
+    if (paired->is_significant()) {
+        return fmt::format(" Its paired difference to {} is {}: significant.",
+                           other,
+                           experiment::format_paired_difference(*paired));
     }
     return fmt::format(
-        " These scenes cannot tell it from {}: the lead is {}, and the 95 % interval holds 0.",
+        " These scenes cannot tell it from {}: the paired difference is {}, and the 95 % interval "
+        "holds 0.",
         other,
-        experiment::format_lead(*lead));
+        experiment::format_paired_difference(*paired));
 }
 
 std::string failures(const std::vector<experiment::MethodSummary>& summaries) {
@@ -181,11 +185,11 @@ std::string verdict_table(const std::vector<harness::Row>& rows,
     };
     add("recall of", class_columns(summaries));
     add("F at other thresholds and tolerances", statistics_columns(summaries));
-    text += fmt::format("\n{}\n\n", kBracketNote);
+    text += fmt::format("\n{}\n\n", kBaselineNote);
     for (const auto& [term, meaning] : definitions())
         text += fmt::format("{:<14}{}\n", term, meaning);
-    const std::string witness = draw::witness_sentence(rows);
-    return fmt::format("{}\n{}{}{}", text, sentence, witness.empty() ? "" : "\n", witness);
+    const std::string crosscheck = draw::crosscheck_sentence(rows);
+    return fmt::format("{}\n{}{}{}", text, sentence, crosscheck.empty() ? "" : "\n", crosscheck);
 }
 
 std::string verdict_markdown(const std::vector<harness::Row>& rows,
@@ -199,20 +203,21 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
         columns.push_back({"recall " + column.heading, column.text});
     }
     std::string text = core::markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
-    const std::string witness = draw::witness_sentence(rows);
-    if (!witness.empty()) text += "\n" + witness + "\n";
+    const std::string crosscheck = draw::crosscheck_sentence(rows);
+    if (!crosscheck.empty()) text += "\n" + crosscheck + "\n";
     std::vector<TextColumn> statistics = statistics_columns(summaries);
     if (!statistics.empty()) {
         statistics.insert(statistics.begin(), name_column());
         text += "\nAt other thresholds and tolerances:\n\n" +
                 core::markdown(cells_of(statistics, summaries));
     }
-    const core::Cells leads = lead_cells(experiment::all_leads(rows));
-    if (!leads.empty()) {
+    const core::Cells differences =
+        paired_difference_cells(experiment::all_paired_differences(rows));
+    if (!differences.empty()) {
         text +=
             "\nBy how much F of a line's method exceeds that of a column's, with 95 % intervals "
-            "(scenes drawn again, both methods on the same ones):\n\n" +
-            core::markdown(leads);
+            "(scenes resampled, both methods on the same ones):\n\n" +
+            core::markdown(differences);
     }
     text += '\n';
     for (const auto& [term, meaning] : definitions())

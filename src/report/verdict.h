@@ -15,16 +15,16 @@ namespace ink::report {
 [[nodiscard]] std::string format_range(const std::optional<statistics::Interval>& range);
 
 /// The tables of a comparison for a terminal, at most 110 columns wide: a line per method, the
-/// brackets `none`, `sampled` and `oracle` marked with a star; recalls per class, thresholds and
+/// baselines `none`, `sampled` and `oracle` marked with a star; recalls per class, thresholds and
 /// tolerances below; what the words mean; and one sentence that names the method with the lowest
-/// error, what it costs against the cheapest, and whether its lead is beyond chance.
+/// error, what it costs against the cheapest, and whether its paired difference is significant.
 ///
 /// `curves` give ODS, OIS and AP; without them those columns are left out. Ends without a line
 /// break. No rows give the sentence alone.
 [[nodiscard]] std::string verdict_table(const std::vector<harness::Row>& rows,
                                         const std::vector<statistics::CellCurve>& curves = {});
 
-/// The same in Markdown, for a README, with the matrix of leads.
+/// The same in Markdown, for a README, with the matrix of paired differences.
 [[nodiscard]] std::string verdict_markdown(const std::vector<harness::Row>& rows,
                                            const std::vector<statistics::CellCurve>& curves = {});
 
@@ -32,7 +32,8 @@ namespace ink::report {
 [[nodiscard]] std::string verdict_headline(const experiment::Verdict& verdict);
 
 /// What follows "... makes the fewest errors: " in the sentence, plain text: the winner's F, what
-/// it costs against the cheapest, whether its lead may be chance, how many cells failed.
+/// it costs against the cheapest, whether its paired difference not significant, how many cells
+/// failed.
 [[nodiscard]] std::string verdict_details(const std::vector<harness::Row>& rows,
                                           const std::vector<experiment::MethodSummary>& summaries);
 

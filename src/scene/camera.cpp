@@ -27,8 +27,8 @@ Camera look_at(const glm::dvec3& eye_world,
                const glm::dvec3& target_world,
                const glm::dvec3& up_world,
                double fov_y_rad) {
-    const glm::dvec3 gaze = target_world - eye_world;
-    const double distance = glm::length(gaze);
+    const glm::dvec3 view_direction = target_world - eye_world;
+    const double distance = glm::length(view_direction);
     if (!is_finite(eye_world) || !is_finite(target_world) || !is_finite(up_world)) {
         throw core::Error("camera", "eye, target or up is not finite", "finite numbers");
     }
@@ -36,7 +36,7 @@ Camera look_at(const glm::dvec3& eye_world,
         throw core::Error(
             "camera", "eye and target are the same point or too far apart", "two different points");
     }
-    const glm::dvec3 back = gaze / -distance;
+    const glm::dvec3 back = view_direction / -distance;
     glm::dvec3 right = glm::cross(up_world, back);
     // Below this the direction of `right` is rounding noise, not the user's up.
     if (glm::length(right) <= 1e-9 * glm::length(up_world) || glm::length(up_world) == 0) {
@@ -53,8 +53,8 @@ Camera look_at(const glm::dvec3& eye_world,
 }
 
 void fit_clip_range(Camera& camera, const Sphere& bounds) {
-    // Along the gaze, where depth is measured: a ball off to the side begins before distance -
-    // radius.
+    // Along the view direction, where depth is measured: a ball off to the side begins before
+    // distance - radius.
     const glm::dvec3 center_view =
         camera.view_from_world * (bounds.center_world - camera.eye_world);
     const double radius = bounds.radius > 0 ? bounds.radius : 1.0;

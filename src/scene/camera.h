@@ -23,7 +23,7 @@ struct Camera {
     double far = 100;  ///< only scales depth encodings and z buffers; nothing is clipped there
 };
 
-/// A camera and the size of its picture.
+/// A camera and the size of its image.
 struct View {
     Camera camera;
     int width_px = 0;
@@ -32,17 +32,18 @@ struct View {
 
 /// A camera at `eye_world` that looks at `target_world`, near and far not yet fitted.
 ///
-/// `up_world` need not be orthogonal to the gaze. If the two are parallel (or `up` is zero),
-/// another axis is taken, so the result is always a rotation. Throws Error if eye and target
+/// `up_world` need not be orthogonal to the view direction. If the two are parallel (or `up` is
+/// zero), another axis is taken, so the result is always a rotation. Throws Error if eye and target
 /// coincide or any number is not finite.
 [[nodiscard]] Camera look_at(const glm::dvec3& eye_world,
                              const glm::dvec3& target_world,
                              const glm::dvec3& up_world,
                              double fov_y_rad);
 
-/// Sets near and far so that `bounds` fits between them: with d the depth of its centre along the gaze,
-/// far = d + radius, near = d - radius but at least 1e-4 radii, so that an eye inside the scene keeps
-/// what stands close to it (far is twice near if all of it lies behind the eye).
+/// Sets near and far so that `bounds` fits between them: with d the depth of its centre along the
+/// view direction, far = d + radius, near = d - radius but at least 1e-4 radii, so that an eye
+/// inside the scene keeps what stands close to it (far is twice near if all of it lies behind the
+/// eye).
 void fit_clip_range(Camera& camera, const Sphere& bounds);
 
 /// Puts points where a view sees them. Everything is made eye-relative in double first.
@@ -62,8 +63,8 @@ class Projection {
         return {
             focal_px_ * p_view.x + center_px_.x * w, center_px_.y * w - focal_px_ * p_view.y, w};
     }
-    /// The unit-depth direction through a point of the picture, world space: eye + w * direction
-    /// lies at distance w along the gaze and projects to (x_px, y_px).
+    /// The unit-depth direction through a point of the image, world space: eye + w * direction
+    /// lies at distance w along the view direction and projects to (x_px, y_px).
     [[nodiscard]] glm::dvec3 ray_world(double x_px, double y_px) const;
 
     [[nodiscard]] const glm::dvec3& eye_world() const { return eye_world_; }

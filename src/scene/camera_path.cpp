@@ -63,7 +63,7 @@ void orbit(Camera& camera, const glm::dvec3& center_world, double angle_rad) {
     camera.view_from_world = glm::transpose(world_from_view);
 }
 
-/// How far along the gaze the middle of the ball lies.
+/// How far along the view direction the middle of the ball lies.
 double middle_depth(const Camera& camera, const Sphere& bounds) {
     return -(camera.view_from_world * (bounds.center_world - camera.eye_world)).z;
 }
@@ -92,7 +92,7 @@ double chance(std::uint64_t seed, int frame, int axis) {
     throw core::Error(fmt::format("{} path", name(kind)), what, accepted);
 }
 
-/// The angle of an orbit that carries the ball's nearest point `step_px` across the picture.
+/// The angle of an orbit that carries the ball's nearest point `step_px` across the image.
 double orbit_turn_rad(const View& start, const Sphere& bounds, double step_px) {
     const glm::dvec3 out_world = start.camera.eye_world - bounds.center_world;
     const double distance = glm::length(out_world);
@@ -122,7 +122,7 @@ std::span<const PathKind> path_kinds() {
 
 CameraPath make_path(PathKind kind, const View& start, const Sphere& bounds, double step_px) {
     if (!std::isfinite(step_px)) refuse(kind, "the step is not finite", "px a frame");
-    if (start.height_px <= 0) refuse(kind, "the picture has no height", "1 px or more");
+    if (start.height_px <= 0) refuse(kind, "the image has no height", "1 px or more");
     CameraPath path{.kind = kind, .start = start, .bounds = bounds};
     const double half_height_px = start.height_px / 2.0;
     switch (kind) {

@@ -12,10 +12,10 @@ namespace ink::scene {
 enum class PathKind {
     still,  ///< not at all: what moves then is the scene
     orbit,  ///< about the vertical through the middle of the scene, from +z towards +x
-    dolly,  ///< along its gaze, towards the middle of the scene, which it never reaches
+    dolly,  ///< along its view direction, towards the middle of the scene, which it never reaches
     pan,    ///< turns about its own up, to the right
     shake,  ///< turns by chance, in every frame anew, round where it started
-    roll,   ///< turns about its gaze, to the left: the picture turns clockwise
+    roll,   ///< turns about its view direction, to the left: the image turns clockwise
 };
 
 /// "still", "orbit", ...: the one spelling of options, columns and legends.
@@ -43,16 +43,16 @@ struct PathFrame {
     View view;
 };
 
-/// A path from `start` on which the picture moves by `step_px` a frame (a shake: by at most that
+/// A path from `start` on which the image moves by `step_px` a frame (a shake: by at most that
 /// much from its rest, either way), negative for the other direction. What moves so far is
 /// - orbit: the point of `bounds` that is nearest the eye;
-/// - dolly, roll: a point in the plane of the ball's middle, half the picture's height from the
-///   middle of the picture; a dolly's at its first frame, then a little more each frame;
-/// - pan, shake: the middle of the picture.
+/// - dolly, roll: a point in the plane of the ball's middle, half the image's height from the
+///   middle of the image; a dolly's at its first frame, then a little more each frame;
+/// - pan, shake: the middle of the image.
 /// Everything else moves about as far, the background of an orbit the other way.
 ///
 /// Frame count, rate and seed are the defaults; a caller may overwrite `turn_rad` for a path of
-/// given angles. Throws Error if `step_px` is not finite, the picture has no height, a dolly leaves
+/// given angles. Throws Error if `step_px` is not finite, the image has no height, a dolly leaves
 /// the ball's middle behind it or would pass it (|step| of half the height or more), or an orbit
 /// starts inside the ball or above its middle.
 [[nodiscard]] CameraPath make_path(PathKind kind,

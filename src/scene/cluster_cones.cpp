@@ -176,7 +176,7 @@ void refresh(const Surface& moved, Clusters& clusters) {
         Solid& solid = clusters.solids[s];
         solid.bounds = {sums[s].box.center(), 0};
         // A million terms that each lose 1e-16 stay below; a sheet with two sides does not pass.
-        solid.is_sealed =
+        solid.is_watertight =
             solid.is_closed && sums[s].is_whole && sums[s].volume > 1e-10 * sums[s].size;
     }
     for (const Cluster& cluster : clusters.clusters) {
@@ -199,7 +199,7 @@ bool is_turned_away(const Cluster& cluster, const glm::dvec3& eye_world) {
     //   there)
     //               = axis . v cos s - |v - axis (axis . v)| sin s - h.
     // The usual axis . v >= |v| sin s + r is the same with cos(t + s) >= cos t - sin s and h <= r.
-    // It holds for each plane as a whole, wherever in the picture: the perspective is in v.
+    // It holds for each plane as a whole, wherever in the image: the perspective is in v.
     const glm::dvec3 v = cluster.bounds.center_world - eye_world;
     const double along = glm::dot(v, cluster.cone_axis);
     if (!(along > 0)) return false;

@@ -36,7 +36,7 @@ struct Solid {
     bool is_closed = false;
     /// Closed, consistently oriented and turned outwards (its signed volume is positive): seen from
     /// outside, a face turned away always lies behind one that is not.
-    bool is_sealed = false;
+    bool is_watertight = false;
 };
 
 inline constexpr std::size_t kMaxClusterVertices = 64;
@@ -62,7 +62,7 @@ struct Clusters {
 
 /// Bounds, cones and seals anew after the surface's corners moved; the same triangles as before.
 ///
-/// A solid that came apart at its seams, or a face of which lost its area, is not sealed. If a
+/// A solid that came apart at its seams, or a face of which lost its area, is not watertight. If a
 /// triangle that was degenerate now has an area, the surface is cut anew.
 void refresh(const Surface& moved, Clusters& clusters);
 

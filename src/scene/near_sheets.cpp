@@ -18,7 +18,7 @@ struct Sheet {
     std::array<int, 3> direction{};
     double offset = 0;
     const Face* face = nullptr;
-    std::uint32_t piece = 0;
+    std::uint32_t component = 0;
 };
 
 Sheet sheet_of(const Topology& topology, const Face& face) {
@@ -43,15 +43,15 @@ Sheet sheet_of(const Topology& topology, const Face& face) {
 
 /// Whether the boxes of two faces share an area, the axis along which they look left out.
 bool stand_before_each_other(const Topology& topology, const Sheet& a, const Sheet& b) {
-    int gaze = 0;
+    int view_direction = 0;
     for (int i = 1; i < 3; ++i) {
         if (std::abs(a.direction[static_cast<std::size_t>(i)]) >
-            std::abs(a.direction[static_cast<std::size_t>(gaze)])) {
-            gaze = i;
+            std::abs(a.direction[static_cast<std::size_t>(view_direction)])) {
+            view_direction = i;
         }
     }
     for (int axis = 0; axis < 3; ++axis) {
-        if (axis == gaze) continue;
+        if (axis == view_direction) continue;
         const auto span = [&](const Face& face) {
             double low = std::numeric_limits<double>::infinity(), high = -low;
             for (const std::uint32_t v : face.vertices) {
@@ -69,12 +69,12 @@ bool stand_before_each_other(const Topology& topology, const Sheet& a, const She
 
 }  // namespace
 
-NearSheets find_near_sheets(const Topology& topology, const Pieces& pieces, double radius) {
+NearSheets find_near_sheets(const Topology& topology, const Components& components, double radius) {
     std::vector<Sheet> sheets;
     sheets.reserve(topology.faces.size());
     for (std::size_t f = 0; f < topology.faces.size(); ++f) {
         sheets.push_back(sheet_of(topology, topology.faces[f]));
-        sheets.back().piece = pieces.piece_of[f];
+        sheets.back().component = components.component_of[f];
     }
     std::sort(sheets.begin(), sheets.end(), [](const Sheet& a, const Sheet& b) {
         return std::tie(a.direction, a.offset, a.face) < std::tie(b.direction, b.offset, b.face);
@@ -86,7 +86,7 @@ NearSheets find_near_sheets(const Topology& topology, const Pieces& pieces, doub
         for (std::size_t j = i + 1; j < end; ++j) {
             const double gap = sheets[j].offset - sheets[i].offset;
             if (sheets[j].direction != sheets[i].direction || gap > kNearShare * radius) break;
-            if (sheets[i].piece == sheets[j].piece) continue;
+            if (sheets[i].component == sheets[j].component) continue;
             if (!stand_before_each_other(topology, sheets[i], sheets[j])) continue;
             ++found.pairs;
             least = std::min(least, gap);

@@ -28,7 +28,7 @@ namespace ink::scene {
 
 /// The side of the plane of face (a, b, c) on which the eye lies: 1 it sees the front
 /// (counter-clockwise), -1 the back, 0 the face is exactly edge-on. Facing by the eye's position,
-/// never by the gaze.
+/// never by the view direction.
 [[nodiscard]] inline int facing(const glm::dvec3& a,
                                 const glm::dvec3& b,
                                 const glm::dvec3& c,

@@ -31,7 +31,7 @@ struct Instance {
 /// taken with two corners swapped, so that their fronts stay fronts (glTF 2.0, section 3.7.4).
 [[nodiscard]] bool is_mirrored(const Instance& instance);
 
-/// A lamp for the shaded pictures; outlines do not know it.
+/// A lamp for the shaded images; outlines do not know it.
 struct OmniLight {
     glm::dvec3 p_world{0};
     glm::vec3 color{1};
@@ -67,7 +67,7 @@ struct Scene {
 /// array has the wrong length, or there is no triangle at all. Importers and the catalogue call it.
 void check_scene(const Scene& scene);
 
-/// A hash of everything that could change a picture of the scene, cameras and lights excepted.
+/// A hash of everything that could change an image of the scene, cameras and lights excepted.
 [[nodiscard]] std::uint64_t scene_hash(const Scene& scene);
 
 /// `count` cameras round the bounding sphere (section 10 of the design: `--views N`), evenly turned

@@ -265,10 +265,10 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
     return topology;
 }
 
-double bend_rad(const Topology& topology,
-                const Edge& edge,
-                std::uint32_t face0,
-                std::uint32_t face1) {
+double deviation_rad(const Topology& topology,
+                     const Edge& edge,
+                     std::uint32_t face0,
+                     std::uint32_t face1) {
     const glm::dvec3 d0 = inward(topology, edge, topology.faces[face0]);
     const glm::dvec3 d1 = inward(topology, edge, topology.faces[face1]);
     return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));

@@ -73,9 +73,9 @@ struct WeldOptions {
 
 /// The angle by which the two faces at an edge deviate from flat, 0..pi, whichever way each is
 /// oriented: pi minus the angle between the directions from the edge into the two faces.
-[[nodiscard]] double bend_rad(const Topology& topology,
-                              const Edge& edge,
-                              std::uint32_t face0,
-                              std::uint32_t face1);
+[[nodiscard]] double deviation_rad(const Topology& topology,
+                                   const Edge& edge,
+                                   std::uint32_t face0,
+                                   std::uint32_t face1);
 
 }  // namespace ink::scene

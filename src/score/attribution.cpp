@@ -78,7 +78,7 @@ class BandTruth {
     Disk disk_;
 };
 
-Cause off_line_cause(const TruthStencils& stencils, const BandTruth& band, Pixel pixel) {
+Cause false_positive_cause(const TruthStencils& stencils, const BandTruth& band, Pixel pixel) {
     const auto [x, y] = pixel;
     const bool has_neighbours = x > 0 && y > 0 && x < stencils.triangle.width_px() - 1 &&
                                 y < stencils.triangle.height_px() - 1;
@@ -89,7 +89,9 @@ Cause off_line_cause(const TruthStencils& stencils, const BandTruth& band, Pixel
     return square.is_uniform(stencils.patch) ? Cause::one_patch : Cause::other;
 }
 
-Cause miss_cause(const std::vector<Pixel>& seeing, const edge::Mask& drawn, Cause predicted) {
+Cause false_negative_cause(const std::vector<Pixel>& seeing,
+                           const edge::Mask& drawn,
+                           Cause predicted) {
     if (seeing.empty()) return Cause::sub_pixel;
     if (predicted == Cause::cancelled || predicted == Cause::below_threshold) return predicted;
     const bool is_drawn = std::any_of(
@@ -158,20 +160,20 @@ Attribution attribute(const WrongPixels& wrong,
                       const TruthStencils& stencils,
                       std::span<const Cause> predicted,
                       const ScoreOptions& options) {
-    assert(predicted.empty() || predicted.size() == wrong.missing.size());
+    assert(predicted.empty() || predicted.size() == wrong.false_negatives.size());
     Attribution result;
     const auto add = [&result](Pixel pixel, Cause cause) {
         result.pixels.push_back({pixel, cause});
         ++result.counts[cause];
     };
     const BandTruth band(stencils.labels, options);
-    for (const Pixel pixel : wrong.off_line)
-        add(pixel, off_line_cause(stencils, band, pixel));
-    for (std::size_t i = 0; i < wrong.missing.size(); ++i) {
-        const Pixel pixel = wrong.missing[i];
+    for (const Pixel pixel : wrong.false_positives)
+        add(pixel, false_positive_cause(stencils, band, pixel));
+    for (std::size_t i = 0; i < wrong.false_negatives.size(); ++i) {
+        const Pixel pixel = wrong.false_negatives[i];
         const Cause cause = predicted.empty() ? Cause::undeclared : predicted[i];
         assert(is_miss(cause));
-        add(pixel, miss_cause(seeing_stencils(stencils, pixel), wrong.drawn, cause));
+        add(pixel, false_negative_cause(seeing_stencils(stencils, pixel), wrong.drawn, cause));
     }
     return result;
 }

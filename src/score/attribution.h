@@ -13,13 +13,14 @@
 
 namespace ink::score {
 
-/// Why a pixel is wrong. The first five are of predicted pixels off every line (`Score::off_line`),
-/// the others of truth pixels that nothing was drawn near (`Score::missing`).
+/// Why a pixel is wrong. The first five are of predicted pixels off every line
+/// (`Score::false_positives`), the others of truth pixels that nothing was drawn near
+/// (`Score::false_negatives`).
 enum class Cause : std::uint8_t {
     one_triangle,  ///< its stencil sees a single triangle (or sky alone): grazing, quantisation
     one_patch,     ///< a single smooth patch, several triangles of it: tessellation
     crack,         ///< a true line crosses the stencil, out of reach: doubled or offset
-    frame,         ///< the picture ends in the stencil, or the band took a true pixel in reach away
+    frame,         ///< the image ends in the stencil, or the band took a true pixel in reach away
     other,         ///< several surfaces without a true line between them
 
     cancelled,        ///< a channel of the declared code alone would have fired, their sum does not
@@ -30,18 +31,19 @@ enum class Cause : std::uint8_t {
     undeclared,       ///< a stencil sees it, it is not drawn, and the method declares no code
 };
 
-inline constexpr std::array kOffLineCauses = {
+inline constexpr std::array kFalsePositiveCauses = {
     Cause::one_triangle, Cause::one_patch, Cause::crack, Cause::frame, Cause::other};
-inline constexpr std::array kMissCauses = {Cause::cancelled,
-                                           Cause::below_threshold,
-                                           Cause::sub_pixel,
-                                           Cause::thinned,
-                                           Cause::unexplained,
-                                           Cause::undeclared};
-inline constexpr std::size_t kCauseCount = kOffLineCauses.size() + kMissCauses.size();
+inline constexpr std::array kFalseNegativeCauses = {Cause::cancelled,
+                                                    Cause::below_threshold,
+                                                    Cause::sub_pixel,
+                                                    Cause::thinned,
+                                                    Cause::unexplained,
+                                                    Cause::undeclared};
+inline constexpr std::size_t kCauseCount =
+    kFalsePositiveCauses.size() + kFalseNegativeCauses.size();
 
 [[nodiscard]] constexpr bool is_miss(Cause cause) {
-    return cause >= kMissCauses.front();
+    return cause >= kFalseNegativeCauses.front();
 }
 
 /// "one_triangle", ...: the one spelling of columns, keys and legends.
@@ -69,7 +71,7 @@ struct TruthStencils {
 };
 
 /// Whether the four-neighbour stencil round a pixel sees a line: a crack runs between its centre
-/// and a neighbour inside the picture, and its five centres do not all see the same triangle. A
+/// and a neighbour inside the image, and its five centres do not all see the same triangle. A
 /// crack between centres that do is the line of something thinner than their distance.
 ///
 /// The two need not lie between the same two centres: of a line straight through a centre, cracks
@@ -89,9 +91,9 @@ struct WrongPixel {
     friend bool operator==(const WrongPixel&, const WrongPixel&) = default;
 };
 
-/// Every off-line and every missing pixel of a comparison with one cause, in the order of
-/// WrongPixels, off-line ones first. The counts of kOffLineCauses add up to Score::off_line, those
-/// of kMissCauses to Score::missing.
+/// Every false positive and every false negative of a comparison with one cause, in the order of
+/// WrongPixels, false positives first. The counts of kFalsePositiveCauses add up to
+/// Score::false_positives, those of kFalseNegativeCauses to Score::false_negatives.
 struct Attribution {
     std::vector<WrongPixel> pixels;
     CauseCounts counts;
@@ -99,18 +101,18 @@ struct Attribution {
 
 /// Says of each wrong pixel why it is wrong, from the truth alone (design, section 7).
 ///
-/// An off-line pixel is judged by the 3 x 3 pixels round it, the smallest square that holds the
+/// A false positive is judged by the 3 x 3 pixels round it, the smallest square that holds the
 /// stencil of every filter in use (the cross of MOTE's Laplacian, Decaudin's square), so that the
 /// counts of different methods mean the same. The first of these holds: `frame`, `one_triangle`,
 /// `crack`, `one_patch`, `other`. `frame` comes first because there the truth itself was cut; one
 /// triangle before a crack, because a line between centres that see the same triangle was seen by
 /// no filter.
 ///
-/// A missing pixel is `sub_pixel` if no stencil sees its line (seeing_stencils() is empty). Else it
-/// is what `predicted` says of it: `cancelled`, `below_threshold` or `unexplained` for each of
-/// `wrong.missing`, or nothing at all for a method that declares no code (`undeclared`). Neither of
-/// the first two looks at a picture; the last two do, and become `thinned` where one of the
-/// stencils that see the line was drawn before thinning.
+/// A false negative is `sub_pixel` if no stencil sees its line (seeing_stencils() is empty). Else
+/// it is what `predicted` says of it: `cancelled`, `below_threshold` or `unexplained` for each of
+/// `wrong.false_negatives`, or nothing at all for a method that declares no code (`undeclared`).
+/// Neither of the first two looks at an image; the last two do, and become `thinned` where one of
+/// the stencils that see the line was drawn before thinning.
 ///
 /// `options` are those that `wrong` was found with.
 [[nodiscard]] Attribution attribute(const WrongPixels& wrong,

@@ -37,7 +37,7 @@ struct CrackCount {
     std::int64_t n_truth = 0;
 };
 
-/// A thresholded picture against cracks. No tolerance, no thinning: a line on either side of a
+/// A thresholded image against cracks. No tolerance, no thinning: a line on either side of a
 /// crack, or on both, is in its place; a line one pixel further on is not.
 struct CrackScore {
     CrackCount all;
@@ -64,7 +64,7 @@ struct CrackScore {
                                         const ScoreOptions& options);
 
 /// Scores what is drawn (before any thinning) against prepared cracks of the same size. Costs one
-/// pass over the picture.
+/// pass over the image.
 ///
 /// Throws core::Error for another size.
 [[nodiscard]] CrackScore score_cracks(const edge::Mask& drawn, const CrackTruth& truth);

@@ -12,37 +12,38 @@
 namespace ink::score {
 namespace {
 
-/// The drawn pixels of a picture, the strongest first.
-class ByStrength {
+/// The drawn pixels of an image, the strongest first.
+class ByResponse {
   public:
     struct Place {
         int x;
         int y;
     };
 
-    explicit ByStrength(const edge::EdgeImage& picture) {
-        visit(picture, [&](int strength, Place) { ++count_[static_cast<std::size_t>(strength)]; });
+    explicit ByResponse(const edge::EdgeImage& image) {
+        visit(image,
+              [&](int edge_response, Place) { ++count_[static_cast<std::size_t>(edge_response)]; });
         for (std::size_t s = 255; s > 0; --s)
             count_[s] += count_[s + 1];
         places_.resize(count_[1]);
         std::array<std::size_t, 257> next = count_;
-        visit(picture, [&](int strength, Place place) {
-            places_[next[static_cast<std::size_t>(strength) + 1]++] = place;
+        visit(image, [&](int edge_response, Place place) {
+            places_[next[static_cast<std::size_t>(edge_response) + 1]++] = place;
         });
     }
 
-    /// How many have at least this strength, 1..255: that many from the first on.
-    [[nodiscard]] std::size_t count(int strength) const {
-        return count_[static_cast<std::size_t>(strength)];
+    /// How many have at least this edge response, 1..255: that many from the first on.
+    [[nodiscard]] std::size_t count(int edge_response) const {
+        return count_[static_cast<std::size_t>(edge_response)];
     }
     [[nodiscard]] const Place& at(std::size_t i) const { return places_[i]; }
 
   private:
     template <class Visit>
-    static void visit(const edge::EdgeImage& picture, Visit visit) {
-        for (int y = 0; y < picture.height_px(); ++y) {
-            const std::uint8_t* row = picture.row(y);
-            edge::visit_set_pixels(row, picture.width_px(), [&](int x) {
+    static void visit(const edge::EdgeImage& image, Visit visit) {
+        for (int y = 0; y < image.height_px(); ++y) {
+            const std::uint8_t* row = image.row(y);
+            edge::visit_set_pixels(row, image.width_px(), [&](int x) {
                 visit(int{row[x]}, Place{x, y});
             });
         }
@@ -70,13 +71,13 @@ std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                        const ScoringTruth& truth,
                                        const ScoreOptions& options) {
     const TruthLists lists = checked_lists(prediction, truth, options);
-    const ByStrength pixels(prediction);
+    const ByResponse pixels(prediction);
     std::array<CurveCount, 99> curve;
     // From the highest threshold down, each mask is the one before and some pixels more.
     edge::BitMask drawn(prediction.width_px(), prediction.height_px());
     std::size_t n_drawn = 0;
     for (std::size_t i = curve.size(); i-- > 0;) {
-        const int threshold = edge::strength_at_percent(static_cast<int>(i) + 1);
+        const int threshold = edge::response_at_percent(static_cast<int>(i) + 1);
         const std::size_t n_now = pixels.count(threshold);
         if (n_now == n_drawn && i + 1 < curve.size()) {
             curve[i] = curve[i + 1];
@@ -91,12 +92,12 @@ std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
     return curve;
 }
 
-std::vector<CurveCount> ladder_of_strokes(const Strokes& strokes,
-                                          const ScoringTruth& truth,
-                                          const ScoreOptions& options,
-                                          std::span<const double> tolerances_px) {
-    std::vector<CurveCount> ladder;
-    if (tolerances_px.empty()) return ladder;
+std::vector<CurveCount> tolerance_sweep_of_strokes(const Strokes& strokes,
+                                                   const ScoringTruth& truth,
+                                                   const ScoreOptions& options,
+                                                   std::span<const double> tolerances_px) {
+    std::vector<CurveCount> tolerance_sweep;
+    if (tolerances_px.empty()) return tolerance_sweep;
     ScoreOptions at = options;
     at.tolerance_px = tolerances_px.front();
     TruthLists lists = checked_lists(strokes.drawn, truth, at);
@@ -104,21 +105,21 @@ std::vector<CurveCount> ladder_of_strokes(const Strokes& strokes,
         at.tolerance_px = tolerance_px;
         check(at);
         lists.disk = Disk(tolerance_px);
-        ladder.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
+        tolerance_sweep.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
     }
-    return ladder;
+    return tolerance_sweep;
 }
 
-std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
-                                     const ScoringTruth& truth,
-                                     const ScoreOptions& options,
-                                     std::span<const double> tolerances_px) {
+std::vector<CurveCount> score_tolerance_sweep(const edge::EdgeImage& prediction,
+                                              const ScoringTruth& truth,
+                                              const ScoreOptions& options,
+                                              std::span<const double> tolerances_px) {
     if (tolerances_px.empty()) return {};
     ScoreOptions first = options;
     first.tolerance_px = tolerances_px.front();
     check(first);
     check_same_size(prediction, truth.labels);
-    return ladder_of_strokes(
+    return tolerance_sweep_of_strokes(
         make_strokes(prediction, options.threshold, options), truth, options, tolerances_px);
 }
 

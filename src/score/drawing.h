@@ -67,11 +67,12 @@ struct TruthLists {
                                   const ScoringTruth& truth,
                                   const ScoreOptions& options);
 
-/// The same of score_ladder().
-[[nodiscard]] std::vector<CurveCount> ladder_of_strokes(const Strokes& strokes,
-                                                        const ScoringTruth& truth,
-                                                        const ScoreOptions& options,
-                                                        std::span<const double> tolerances_px);
+/// The same of score_tolerance_sweep().
+[[nodiscard]] std::vector<CurveCount> tolerance_sweep_of_strokes(
+    const Strokes& strokes,
+    const ScoringTruth& truth,
+    const ScoreOptions& options,
+    std::span<const double> tolerances_px);
 
 /// Sets the pixels closer than `band_px` to the frame to 0.
 void clear_band(core::Image<std::uint8_t>& image, int band_px);

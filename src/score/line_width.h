@@ -24,7 +24,7 @@ struct WidthProbe {
 /// One probe for each pixel of the curves' whole length, in their order (what a curve has left over
 /// counts towards the next, so that many short ones have as many as a long one); those in the band
 /// or in ignored pixels are left out. Made once a view. Reads `band_px` of the options; `truth` is
-/// of the curves' picture.
+/// of the curves' image.
 [[nodiscard]] std::vector<WidthProbe> place_probes(std::span<const truth::Curve> curves,
                                                    const ScoringTruth& truth,
                                                    const ScoreOptions& options);
@@ -46,7 +46,7 @@ struct Widths {
 /// one-pixel diagonal 0.71 px, and the mean over a long line is its drawn area over its length
 /// whatever its angle.
 ///
-/// `drawn` is of the picture in which the probes were placed.
+/// `drawn` is of the image in which the probes were placed.
 [[nodiscard]] Widths measure_widths(const edge::Mask& drawn, std::span<const WidthProbe> probes);
 
 }  // namespace ink::score

@@ -24,7 +24,7 @@ struct CandidateGraph {
 /// The graph of all pairs within `disk`.
 ///
 /// Throws core::Error if there are more than 250 million pairs (2 GB): only a wide tolerance on
-/// densely filled pictures comes there.
+/// densely filled images comes there.
 [[nodiscard]] CandidateGraph candidate_graph(const PixelList& left,
                                              const PixelList& right,
                                              const Disk& disk);

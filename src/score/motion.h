@@ -18,14 +18,14 @@ namespace ink::score {
 // tolerance from one to the next. Everything here is a serial function of its arguments, and the
 // same for a sequence that runs backwards.
 
-/// One picture of a sequence.
+/// One image of a sequence.
 struct MotionFrame {
-    PixelList drawn;    ///< every pixel of the thinned picture
+    PixelList drawn;    ///< every pixel of the thinned image
     PixelList counted;  ///< of them those that count: outside the band, not ignored
     PixelList truth;    ///< every true pixel, ignored ones left out
 };
 
-/// A thresholded and thinned picture (score::Strokes::thinned) beside its truth.
+/// A thresholded and thinned image (score::Strokes::thinned) beside its truth.
 ///
 /// `truth` is prepared without a band (a line that comes out of the band has not appeared);
 /// band and tolerance are the options'. Throws core::Error for another size or options outside
@@ -51,8 +51,8 @@ struct Flicker {
 
 /// Flicker beyond the truth's own change, over all steps of a sequence; reach is the tolerance.
 ///
-/// The truth itself has none, nor has a picture that stands still, right or wrong, nor one whose
-/// lines all move by no more than the tolerance. A picture drawn anew by chance in every frame has
+/// The truth itself has none, nor has an image that stands still, right or wrong, nor one whose
+/// lines all move by no more than the tolerance. An image drawn anew by chance in every frame has
 /// nearly 1, unless it is dense. A frame with nothing drawn between two full ones makes all of
 /// both flicker. One frame or none: all counts 0.
 [[nodiscard]] Flicker flicker(std::span<const MotionFrame> frames, double tolerance_px);
@@ -138,7 +138,7 @@ struct PopCount {
 };
 
 /// Counts the pops of a sequence, one see_features() per frame. A feature that is away for a frame
-/// (hidden, out of the picture, of another class) starts a new run. Nothing for no frames.
+/// (hidden, out of the image, of another class) starts a new run. Nothing for no frames.
 [[nodiscard]] PopCount count_pops(std::span<const std::vector<FeatureSight>> frames,
                                   const PopRules& rules = {});
 

@@ -34,7 +34,7 @@ struct NearestCurves {
     core::Image<std::uint32_t> index;  ///< 0 none in reach, else into `offsets` plus one
     std::vector<CurveOffset> offsets;
 
-    /// The offset of the centre of pixel (x, y) inside the picture; null if no curve is in reach.
+    /// The offset of the centre of pixel (x, y) inside the image; null if no curve is in reach.
     [[nodiscard]] const CurveOffset* find(int x, int y) const {
         const std::uint32_t i = index.at(x, y);
         return i == 0 ? nullptr : &offsets[i - 1];
@@ -46,7 +46,7 @@ struct NearestCurves {
                                                 int width_px,
                                                 int height_px);
 
-/// A translation of the picture.
+/// A translation of the image.
 struct Shift {
     double x_px = 0;
     double y_px = 0;
@@ -56,7 +56,7 @@ struct Shift {
 struct Offsets {
     Moments all;                     ///< px
     std::array<Moments, 8> classes;  ///< by truth::LineClass of the nearest curve
-    /// The translation that explains the offsets best (least squares over the normals): a picture
+    /// The translation that explains the offsets best (least squares over the normals): an image
     /// drawn half a pixel too far right and down has (0.5, 0.5), one drawn all round outside
     /// (0, 0). Thinning moves lines too, to the left above all: of lines two pixels wide by half a
     /// pixel, which measuring the drawing before thinning shows. Nothing if the curves run in
@@ -64,8 +64,8 @@ struct Offsets {
     std::optional<Shift> shift;
 };
 
-/// The offsets of drawn pixels, thinned and with band and ignore taken out (counted_pixels), of a
-/// picture of the curves' size. Pixels out of reach of every curve, or past the end of the nearest,
+/// The offsets of drawn pixels, thinned and with band and ignore taken out (counted_pixels), of an
+/// image of the curves' size. Pixels out of reach of every curve, or past the end of the nearest,
 /// have none.
 [[nodiscard]] Offsets measure_offsets(const PixelList& drawn, const NearestCurves& curves);
 

@@ -11,8 +11,8 @@
 
 namespace ink::score {
 
-/// The pixels of a set, row by row and from left to right: lines cover a percent or two of a
-/// picture, so everything after the thinning works on these lists and not on images.
+/// The pixels of a set, row by row and from left to right: lines cover a percent or two of an
+/// image, so everything after the thinning works on these lists and not on images.
 class PixelList {
   public:
     PixelList() = default;
@@ -62,7 +62,7 @@ class Disk {
 };
 
 /// Calls `visit(i, first, last)` for each pixel i of `from`, in order, and each row of the disk
-/// round it that holds pixels of `to`: they are first..last-1. Both lists are of pictures of one
+/// round it that holds pixels of `to`: they are first..last-1. Both lists are of images of one
 /// height.
 template <class Visit>
 void visit_reach(const PixelList& from, const PixelList& to, const Disk& disk, Visit visit) {

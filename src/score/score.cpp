@@ -130,10 +130,10 @@ Score score_strokes(const Strokes& strokes,
     result.k = counts.k;
     result.n_pred = static_cast<std::int64_t>(drawn.size());
     result.n_truth = static_cast<std::int64_t>(lists.truth.size());
-    result.surplus = counts.left_reached - counts.k;
-    result.off_line = result.n_pred - counts.left_reached;
-    result.lost = counts.right_reached - counts.k;
-    result.missing = result.n_truth - counts.right_reached;
+    result.unmatched_duplicates = counts.left_reached - counts.k;
+    result.false_positives = result.n_pred - counts.left_reached;
+    result.unmatched_truth = counts.right_reached - counts.k;
+    result.false_negatives = result.n_truth - counts.right_reached;
     result.mean_width_px = strokes.mean_width_px();
     if (!truth.is_binary) result.classes = match_classes(drawn, truth, lists.disk);
     return result;

@@ -11,11 +11,11 @@
 
 namespace ink::score {
 
-/// How two pictures are compared (section 7 of the design).
+/// How two images are compared (section 7 of the design).
 struct ScoreOptions {
     /// Matched pixels are at most this far apart, centre to centre; more than 0, at most 64.
     double tolerance_px = 2;
-    int threshold = 128;  ///< predicted pixels have at least this strength, 1..255
+    int threshold = 128;  ///< predicted pixels have at least this edge response, 1..255
     bool thin = true;     ///< thin the prediction (Guo-Hall) after the threshold
     int band_px = 0;      ///< pixels this close to the frame are taken out of both sets; >= 0
     /// Truth label that is neither required nor penalised; 1..255.
@@ -34,15 +34,18 @@ struct ClassCount {
 
 /// The counts of one comparison; every number is unique, whatever algorithm found it.
 ///
-/// n_pred = k + surplus + off_line and n_truth = k + lost + missing.
+/// n_pred = k + unmatched_duplicates + false_positives and n_truth = k + unmatched_truth +
+/// false_negatives.
 struct Score {
     std::int64_t k = 0;  ///< size of a maximum one-to-one matching
     std::int64_t n_pred = 0;
     std::int64_t n_truth = 0;
-    std::int64_t surplus = 0;   ///< unmatched predicted pixels that have a truth pixel in reach
-    std::int64_t off_line = 0;  ///< predicted pixels without a truth pixel in reach
-    std::int64_t lost = 0;      ///< unmatched truth pixels that have a predicted pixel in reach
-    std::int64_t missing = 0;   ///< truth pixels without a predicted pixel in reach
+    std::int64_t unmatched_duplicates =
+        0;  ///< unmatched predicted pixels that have a truth pixel in reach
+    std::int64_t false_positives = 0;  ///< predicted pixels without a truth pixel in reach
+    std::int64_t unmatched_truth =
+        0;  ///< unmatched truth pixels that have a predicted pixel in reach
+    std::int64_t false_negatives = 0;  ///< truth pixels without a predicted pixel in reach
     double mean_width_px =
         0;  ///< drawn pixels over thinned pixels, both before the band; 0 if none
     std::vector<ClassCount>
@@ -56,8 +59,8 @@ struct Score {
     [[nodiscard]] std::optional<double> recall() const;
 };
 
-/// Matches, drawn and true pixels of one picture at one threshold and tolerance, or their sums over
-/// pictures: counts add up where F does not.
+/// Matches, drawn and true pixels of one image at one threshold and tolerance, or their sums over
+/// images: counts add up where F does not.
 struct CurveCount {
     std::int64_t k = 0;
     std::int64_t n_pred = 0;
@@ -89,9 +92,9 @@ struct ScoringTruth {
                                          const ScoreOptions& options,
                                          bool rethin);
 
-/// Scores a strength image against a prepared truth of the same size: threshold, thin, band,
+/// Scores an edge response image against a prepared truth of the same size: threshold, thin, band,
 /// ignore, match, in this order. Exact; its time grows with the drawn pixels, hardly with the
-/// picture's size.
+/// image's size.
 ///
 /// Throws core::Error for another size (both are named) or options outside their range. Empty
 /// images score 1, as any empty prediction of an empty truth does.
@@ -99,7 +102,7 @@ struct ScoringTruth {
                           const ScoringTruth& truth,
                           const ScoreOptions& options);
 
-/// (k, n_pred, n_truth) at the 99 thresholds k/100, on where strength * 100 >= 255 * k, in
+/// (k, n_pred, n_truth) at the 99 thresholds k/100, on where edge response * 100 >= 255 * k, in
 /// integers. Equal masks are matched once. Entry i is threshold (i+1)/100. `options.threshold` is
 /// not read.
 ///
@@ -114,10 +117,10 @@ struct ScoringTruth {
 /// Without ignored pixels n_pred is the same at every tolerance and k never falls as it grows; with
 /// them n_pred may differ, since drawn pixels in reach of an ignored one alone do not count.
 /// Throws core::Error as score() does.
-[[nodiscard]] std::vector<CurveCount> score_ladder(const edge::EdgeImage& prediction,
-                                                   const ScoringTruth& truth,
-                                                   const ScoreOptions& options,
-                                                   std::span<const double> tolerances_px);
+[[nodiscard]] std::vector<CurveCount> score_tolerance_sweep(const edge::EdgeImage& prediction,
+                                                            const ScoringTruth& truth,
+                                                            const ScoreOptions& options,
+                                                            std::span<const double> tolerances_px);
 
 /// Area under the precision envelope from recall 0 (all points with n_pred > 0).
 /// Without any truth: 1 if no threshold fires anywhere, else 0.

@@ -28,8 +28,8 @@ WrongPixels wrong_pixels(const Strokes& strokes,
     const PixelList counted = counted_pixels(strokes.thinned, lists, options);
     edge::Mask drawn = strokes.drawn;
     clear_band(drawn, options.band_px);
-    return {.off_line = out_of_reach(counted, lists.truth, lists.disk),
-            .missing = out_of_reach(lists.truth, counted, lists.disk),
+    return {.false_positives = out_of_reach(counted, lists.truth, lists.disk),
+            .false_negatives = out_of_reach(lists.truth, counted, lists.disk),
             .drawn = std::move(drawn)};
 }
 

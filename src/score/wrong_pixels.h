@@ -8,7 +8,7 @@
 
 namespace ink::score {
 
-/// A pixel of a picture.
+/// A pixel of an image.
 struct Pixel {
     int x_px = 0;
     int y_px = 0;
@@ -18,16 +18,17 @@ struct Pixel {
 
 /// The pixels that are wrong whatever matching is found, row by row: as many as score() counts.
 ///
-/// Of surplus and lost pixels only the numbers are unique, so they are not here: an unmatched pixel
-/// with a partner in reach can take the place of the one that partner is matched to, and the
-/// matching is as large as before. No single one of them can be called wrong.
+/// Of unmatched duplicates and unmatched truth only the numbers are unique, so they are not here:
+/// an unmatched pixel with a partner in reach can take the place of the one that partner is matched
+/// to, and the matching is as large as before. No single one of them can be called wrong.
 struct WrongPixels {
-    std::vector<Pixel> off_line;  ///< predicted (thinned) pixels without a truth pixel in reach
-    std::vector<Pixel> missing;   ///< truth pixels without a predicted pixel in reach
-    edge::Mask drawn;             ///< 1 where something was drawn, not yet thinned; band taken out
+    std::vector<Pixel>
+        false_positives;  ///< predicted (thinned) pixels without a truth pixel in reach
+    std::vector<Pixel> false_negatives;  ///< truth pixels without a predicted pixel in reach
+    edge::Mask drawn;  ///< 1 where something was drawn, not yet thinned; band taken out
 };
 
-/// Which pixels score() calls off-line and missing.
+/// Which pixels score() calls false positives and false negatives.
 ///
 /// Throws core::Error for another size or options outside their range. Empty images have none.
 [[nodiscard]] WrongPixels wrong_pixels(const edge::EdgeImage& prediction,

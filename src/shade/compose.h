@@ -16,17 +16,17 @@ using Rgb = glm::u8vec3;
 /// What lines are drawn with.
 struct Ink {
     Rgb color{0, 0, 0};
-    int threshold = 128;  ///< 1..255: strengths of at least this much are line
+    int threshold = 128;  ///< 1..255: edge responses of at least this much are line
 };
 
-/// `picture` with ink wherever a strength reaches the threshold; both of the same size.
-[[nodiscard]] core::Image<Rgb> compose(const core::Image<std::uint8_t>& strengths,
-                                       core::Image<Rgb> picture,
+/// `image` with ink wherever an edge response reaches the threshold; both of the same size.
+[[nodiscard]] core::Image<Rgb> compose(const core::Image<std::uint8_t>& edge_responses,
+                                       core::Image<Rgb> image,
                                        const Ink& ink);
 
 /// The mean of every n x n pixels, rounded to nearest per channel; width and height are multiples
 /// of n >= 1.
-[[nodiscard]] core::Image<Rgb> average(const core::Image<Rgb>& picture, int n);
-[[nodiscard]] core::Image<std::uint8_t> average(const core::Image<std::uint8_t>& picture, int n);
+[[nodiscard]] core::Image<Rgb> average(const core::Image<Rgb>& image, int n);
+[[nodiscard]] core::Image<std::uint8_t> average(const core::Image<std::uint8_t>& image, int n);
 
 }  // namespace ink::shade

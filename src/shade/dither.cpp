@@ -14,11 +14,11 @@ std::array<int, 3> top_levels(DitherFormat format) {
     return {255, 255, 255};
 }
 
-core::Image<Rgb> dither(core::Image<Rgb> picture, DitherFormat format) {
+core::Image<Rgb> dither(core::Image<Rgb> image, DitherFormat format) {
     const std::array<int, 3> top = top_levels(format);
-    for (int y = 0; y < picture.height_px(); ++y) {
-        Rgb* row = picture.row(y);
-        for (int x = 0; x < picture.width_px(); ++x) {
+    for (int y = 0; y < image.height_px(); ++y) {
+        Rgb* row = image.row(y);
+        for (int x = 0; x < image.width_px(); ++x) {
             const int rank =
                 kBayer4[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 3)];
             for (int c = 0; c < 3; ++c) {
@@ -30,7 +30,7 @@ core::Image<Rgb> dither(core::Image<Rgb> picture, DitherFormat format) {
             }
         }
     }
-    return picture;
+    return image;
 }
 
 }  // namespace ink::shade

@@ -28,6 +28,6 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kBayer4 = {
 /// Of value v and top level t, v t / 255 is cut to whole levels, and a level is added where the
 /// rest exceeds (rank + 1/2) / 16. So an even colour keeps its mean over 4x4 pixels within 1/32
 /// level, and a colour that is a level stays as it is. Levels come back as 0..255, rounded.
-[[nodiscard]] core::Image<Rgb> dither(core::Image<Rgb> picture, DitherFormat format);
+[[nodiscard]] core::Image<Rgb> dither(core::Image<Rgb> image, DitherFormat format);
 
 }  // namespace ink::shade

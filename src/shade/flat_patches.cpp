@@ -84,10 +84,10 @@ UniformSpots patch_spots(const scene::Scene& scene, double crease_rad) {
     for (const scene::Edge& edge : topology.edges) {
         if (!goes_on(topology, edge)) continue;
         const auto faces = topology.faces_of(edge);
-        const double bend = scene::bend_rad(topology, edge, faces[0], faces[1]);
-        if (bend < kFlat_rad) {
+        const double deviation = scene::deviation_rad(topology, edge, faces[0], faces[1]);
+        if (deviation < kFlat_rad) {
             groups.join(faces[0], faces[1]);
-        } else if (bend < crease_rad) {
+        } else if (deviation < crease_rad) {
             smooth.insert(smooth.end(), faces.begin(), faces.end());
         }
     }

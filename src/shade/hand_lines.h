@@ -31,7 +31,7 @@ struct HandPen {
     std::uint64_t seed = 0;
 };
 
-/// The lines of a thinned mask drawn again by hand: strength 255 where a stroke
+/// The lines of a thinned mask drawn again by hand: edge response 255 where a stroke
 /// covers a pixel's centre, else 0.
 ///
 /// Each line between corners is one stroke. It is smoothed, runs beyond its ends by about
@@ -39,7 +39,7 @@ struct HandPen {
 /// `line_width_px` wide, more or less by `width_spread`, thinner at its ends. `passes` strokes lie
 /// over each other, each with its own waves. Lines shorter than `least_px` are left out.
 ///
-/// The same seed gives the same picture on every machine: the waves are value noise from hashes.
+/// The same seed gives the same image on every machine: the waves are value noise from hashes.
 [[nodiscard]] core::Image<std::uint8_t> draw_by_hand(const core::Image<std::uint8_t>& thinned,
                                                      const HandParams& params,
                                                      const HandPen& pen);

@@ -166,7 +166,8 @@ std::vector<LineChain> cut_at_corners(const std::vector<LineChain>& chains,
                                       double corner_rad,
                                       int reach_px) {
     std::vector<LineChain> pieces;
-    // Rasters turn by exactly 45 degrees and the like: a tie must not hang on the last bit of cos.
+    // Rasters turn by exactly 45 degrees and the like: a tie must not depend on the last bit of
+    // cos.
     const double most_cosine = std::cos(corner_rad) - 1e-9;
     const auto reach = static_cast<std::size_t>(reach_px);
     for (const LineChain& chain : chains) {

@@ -8,7 +8,7 @@
 
 namespace ink::shade {
 
-/// Pixels of a line in order, as points of the picture (px, pixel centres at +0.5).
+/// Pixels of a line in order, as points of the image (px, pixel centres at +0.5).
 struct LineChain {
     std::vector<glm::dvec2> points_px;  ///< two or more; a ring does not repeat its first
     bool is_closed = false;

@@ -9,7 +9,7 @@
 
 namespace ink::shade {
 
-/// What all tiles of a picture read; borrowed.
+/// What all tiles of an image read; borrowed.
 struct PaintJob {
     const scene::Surface& surface;
     const UniformSpots& spots;
@@ -44,7 +44,7 @@ class SeenTriangle {
         tones_ = {&tones[a], &tones[b], &tones[c]};
     }
 
-    /// The tone at a point of the picture; one just outside takes that of the border.
+    /// The tone at a point of the image; one just outside takes that of the border.
     [[nodiscard]] Tone at(double x_px, double y_px) const {
         if (uniform_ != nullptr) return *uniform_;
         double shares[3];

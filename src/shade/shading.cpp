@@ -23,19 +23,19 @@ class PaintSink : public raster::TileSink {
     PaintSink(const PaintJob& job,
               const Paint& paint,
               const ToneParams& params,
-              core::Image<Rgb>& picture)
+              core::Image<Rgb>& image)
         : job_(job),
           paint_(paint),
           alpha_(params.splash_alpha),
           power_(params.splash_power),
           paper_(to_8_bit(job.frame.colors.paper)),
-          picture_(picture) {}
+          image_(image) {}
 
     void finish(const raster::Tile& tile) override {
         std::uint32_t last = kNoTriangle;
         std::optional<SeenTriangle> triangle;
         for (int y = 0; y < tile.height_px; ++y) {
-            Rgb* to = picture_.row(tile.y0_px + y) + tile.x0_px;
+            Rgb* to = image_.row(tile.y0_px + y) + tile.x0_px;
             const std::uint32_t* ids = tile.row<std::uint32_t>(0, y);
             for (int x = 0; x < tile.width_px; ++x) {
                 if (ids[x] == kNoTriangle) {
@@ -60,7 +60,7 @@ class PaintSink : public raster::TileSink {
     double alpha_;
     int power_;
     Rgb paper_;
-    core::Image<Rgb>& picture_;
+    core::Image<Rgb>& image_;
 };
 
 /// Draws which triangle each pixel sees, by the plain pass: it has a constant per triangle, and one
@@ -110,7 +110,7 @@ void Shader::prepare(const scene::Scene& scene) {
 
 core::Image<Rgb> Shader::draw(const ShadeFrame& frame) const {
     const scene::View& view = frame.view;
-    core::Image<Rgb> picture(view.width_px, view.height_px);
+    core::Image<Rgb> image(view.width_px, view.height_px);
     const auto lamps = lamps_.empty() ? studio_lamps(view.camera, bounds_) : lamps_;
     const glm::vec3 ambient(static_cast<float>(tone_params(style_).ambient));
     const SurfaceTones tones = make_tones(surface_, spots_, lamps, ambient);
@@ -118,11 +118,11 @@ core::Image<Rgb> Shader::draw(const ShadeFrame& frame) const {
     const PaintJob job{surface_, spots_, tones, p_clip, frame};
     std::visit(
         [&](const auto& params) {
-            PaintSink sink(job, paint_of(params, frame), params, picture);
+            PaintSink sink(job, paint_of(params, frame), params, image);
             draw_tiles(job, sink);
         },
         style_);
-    return picture;
+    return image;
 }
 
 }  // namespace ink::shade

@@ -14,7 +14,7 @@
 
 namespace ink::shade {
 
-/// A shading with its knobs.
+/// A shading with its parameters.
 using Style = std::variant<GouraudParams, ToonParams, GoochParams, StrokeParams>;
 
 /// A row of the list of shadings.

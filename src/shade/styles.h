@@ -6,8 +6,8 @@
 #include "scene/surface.h"
 #include "shade/tones.h"
 
-/// The shadings, each as the struct of its knobs and the function from a tone to a colour. No libm
-/// but square roots: the last bit of others differs between machines.
+/// The shadings, each as the struct of its parameters and the function from a tone to a colour. No
+/// libm but square roots: the last bit of others differs between machines.
 namespace ink::shade {
 
 /// What lies in the picture, as brightness 0 .. 1 per channel.
@@ -17,7 +17,7 @@ struct Colors {
     glm::vec3 ink{0};                       ///< of strokes
 };
 
-/// The knobs of every shading.
+/// The parameters of every shading.
 struct ToneParams {
     ShadeBy by = ShadeBy::vertex;
     scene::NormalSource normals = scene::NormalSource::patch;

@@ -37,22 +37,22 @@ std::vector<DiscRow> disc_rows(int diameter_px) {
 
 }  // namespace
 
-core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& strengths, int diameter_px) {
+core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses, int diameter_px) {
     assert(diameter_px >= 1);
-    if (diameter_px == 1) return strengths;
-    const int width = strengths.width_px();
-    const int height = strengths.height_px();
+    if (diameter_px == 1) return edge_responses;
+    const int width = edge_responses.width_px();
+    const int height = edge_responses.height_px();
     core::Image<std::uint8_t> result(width, height);
     const std::vector<DiscRow> rows = disc_rows(diameter_px);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const std::uint8_t strength = strengths.row(y)[x];
-            if (strength == 0) continue;
+            const std::uint8_t edge_response = edge_responses.row(y)[x];
+            if (edge_response == 0) continue;
             for (const DiscRow& row : rows) {
                 if (y + row.y < 0 || y + row.y >= height) continue;
                 std::uint8_t* to = result.row(y + row.y);
                 for (int i = std::max(x + row.x0, 0); i < std::min(x + row.x1, width); ++i)
-                    to[i] = std::max(to[i], strength);
+                    to[i] = std::max(to[i], edge_response);
             }
         }
     }

@@ -41,9 +41,9 @@ std::optional<Interval> f_interval(const std::vector<score::CurveCount>& cluster
         clusters.size(), options, [&](const Drawn& drawn) { return f_of(clusters, drawn); });
 }
 
-std::optional<Interval> lead_interval(const std::vector<score::CurveCount>& a,
-                                      const std::vector<score::CurveCount>& b,
-                                      const BootstrapOptions& options) {
+std::optional<Interval> paired_interval(const std::vector<score::CurveCount>& a,
+                                        const std::vector<score::CurveCount>& b,
+                                        const BootstrapOptions& options) {
     assert(a.size() == b.size());
     return middle_of(
         a.size(), options, [&](const Drawn& drawn) { return f_of(a, drawn) - f_of(b, drawn); });

@@ -32,8 +32,8 @@ struct BootstrapOptions {
 
 /// The same of the difference of two pooled F, a's less b's. `a[i]` and `b[i]` are of one cluster
 /// and drawn together (paired), so that what makes a scene hard for both cancels out.
-[[nodiscard]] std::optional<Interval> lead_interval(const std::vector<score::CurveCount>& a,
-                                                    const std::vector<score::CurveCount>& b,
-                                                    const BootstrapOptions& options);
+[[nodiscard]] std::optional<Interval> paired_interval(const std::vector<score::CurveCount>& a,
+                                                      const std::vector<score::CurveCount>& b,
+                                                      const BootstrapOptions& options);
 
 }  // namespace ink::statistics

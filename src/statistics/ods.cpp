@@ -34,7 +34,7 @@ struct Pool {
         while (last + 1 < curve.size() && curve[last + 1].f() == f)
             ++last;
         const auto middle = static_cast<int>((best + last) / 2);
-        return {method, edge::strength_at_percent(middle + 1), f};
+        return {method, edge::response_at_percent(middle + 1), f};
     }
 };
 

@@ -15,10 +15,10 @@ struct CellCurve {
     std::array<score::CurveCount, 99> counts{};
 };
 
-/// The one threshold that is best for a whole set of pictures.
+/// The one threshold that is best for a whole set of images.
 struct OdsPoint {
     std::string method;
-    int threshold = 0;  ///< strength 1..255 at and above which a pixel is on
+    int threshold = 0;  ///< edge response 1..255 at and above which a pixel is on
     double f = 0;       ///< F of the counts pooled over the set, at that threshold
 };
 
@@ -38,8 +38,8 @@ struct CurveSummary {
     OdsPoint ods;
     /// Optimal image scale: F of the counts pooled over cells, each at the threshold where its own
     /// F is highest (the lowest on a tie). As a rule at least ODS, and what a perfect choice of
-    /// threshold per picture would gain; it can fall below by a little, because the highest F of
-    /// one picture need not add most to the pool.
+    /// threshold per image would gain; it can fall below by a little, because the highest F of
+    /// one image need not add most to the pool.
     double ois = 0;
     /// Area under the envelope of the pooled precision-recall curve, from recall 0.
     double ap = 0;

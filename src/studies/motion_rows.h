@@ -20,12 +20,12 @@ struct MotionRow {
     int threads = 1;
     int frames = 0;
     double frames_per_s = 60;
-    double step_px = 0;  ///< by which the picture moves a frame
+    double step_px = 0;  ///< by which the image moves a frame
     score::Flicker flicker = {};
     score::PopCount pops = {};
     std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
     std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
-    std::string images_hash = {};          ///< of all its pictures
+    std::string images_hash = {};          ///< of all its images
     std::string split = {};                ///< of the scene: train | heldout
     std::int64_t triangles = 0;            ///< of the scene, instances counted
 
@@ -50,7 +50,7 @@ struct MotionTotal {
 [[nodiscard]] std::vector<MotionTotal> motion_totals(const std::vector<MotionRow>& rows);
 
 /// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
-/// with one is void.
+/// with one is invalid.
 [[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);
 
 }  // namespace ink::studies

@@ -22,41 +22,41 @@ namespace {
 
 constexpr double kStep_px = 0.25;
 
-/// One method's pictures of a sequence as they are scored.
+/// One method's images of a sequence as they are scored.
 struct Record {
     std::vector<score::MotionFrame> frames;
     std::vector<std::vector<score::FeatureSight>> sights;
-    core::Hasher pictures;
+    core::Hasher images;
     std::string failure;
 };
 
-/// One picture of one frame, to be thinned and listed.
-struct Picture {
-    const edge::EdgeImage& strength;
+/// One image of one frame, to be thinned and listed.
+struct Image {
+    const edge::EdgeImage& edge_response;
     int threshold;
     Record& record;
 };
 
-void take(const Picture& picture, const truth::Truth& traced, const score::ScoringTruth& scoring) {
-    const score::ScoreOptions options = harness::score_options(picture.threshold);
+void take(const Image& image, const truth::Truth& traced, const score::ScoringTruth& scoring) {
+    const score::ScoreOptions options = harness::score_options(image.threshold);
     const score::Strokes strokes =
-        score::make_strokes(picture.strength, picture.threshold, options);
-    Record& record = picture.record;
+        score::make_strokes(image.edge_response, image.threshold, options);
+    Record& record = image.record;
     record.frames.push_back(score::motion_frame(strokes.thinned, scoring, options));
     record.sights.push_back(score::see_features(traced.curves, strokes.thinned, scoring, options));
-    record.pictures.bytes(picture.strength.data(), picture.strength.size());
+    record.images.bytes(image.edge_response.data(), image.edge_response.size());
 }
 
 /// A sequence under way: methods made ready, records that grow frame by frame.
 class Run {
   public:
-    Run(const std::vector<harness::Entrant>& entrants,
+    Run(const std::vector<harness::MethodConfig>& configs,
         Sequence& sequence,
         const MotionOptions& options)
-        : sequence_(sequence), options_(options), records_(entrants.size() + 2) {
+        : sequence_(sequence), options_(options), records_(configs.size() + 2) {
         options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
-        for (const harness::Entrant& entrant : entrants)
-            methods_.push_back(std::make_unique<harness::PreparedMethod>(entrant, sequence.scene));
+        for (const harness::MethodConfig& config : configs)
+            methods_.push_back(std::make_unique<harness::PreparedMethod>(config, sequence.scene));
     }
 
     void draw_all() {
@@ -115,15 +115,15 @@ class Run {
         std::vector<edge::EdgeImage> drawn;
         const std::vector<harness::DrawTimes> times =
             harness::draw_in_turns(methods_, view, options_.measure, drawn);
-        std::vector<Picture> pictures;
+        std::vector<Image> images;
         for (std::size_t i = 0; i < methods_.size(); ++i) {
             if (!times[i].failure.empty()) records_[i].failure = times[i].failure;
-            pictures.push_back({drawn[i], methods_[i]->threshold(), records_[i]});
+            images.push_back({drawn[i], methods_[i]->threshold(), records_[i]});
         }
-        pictures.push_back({traced.sampled, 128, records_[methods_.size()]});
-        pictures.push_back({scoring.labels, 1, records_.back()});
-        core::parallel_for(pictures.size(), core::hardware_threads(), [&](std::size_t i) {
-            if (pictures[i].record.failure.empty()) take(pictures[i], traced, scoring);
+        images.push_back({traced.sampled, 128, records_[methods_.size()]});
+        images.push_back({scoring.labels, 1, records_.back()});
+        core::parallel_for(images.size(), core::hardware_threads(), [&](std::size_t i) {
+            if (images[i].record.failure.empty()) take(images[i], traced, scoring);
         });
     }
 
@@ -158,7 +158,7 @@ class Run {
         row.lives = score::life_counts(lines);
         row.lives_cut =
             std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line.is_cut; });
-        row.images_hash = record.pictures.hex();
+        row.images_hash = record.images.hex();
     }
 
     Sequence& sequence_;
@@ -176,7 +176,7 @@ Sequence sequence_of(const std::string& name, scene::PathKind kind, scene::View 
     return sequence;
 }
 
-/// How fast the picture moves where it moves fastest at the start: over the first 60th of a second.
+/// How fast the image moves where it moves fastest at the start: over the first 60th of a second.
 double speed_px_per_s(scene::Scene scene, const scene::View& view) {
     constexpr double kMoment_s = 1.0 / 60;
     const scene::Projection projection(view);
@@ -223,10 +223,10 @@ score::ScoringTruth unbanded_truth(const truth::Truth& traced) {
     return score::prepare_truth(traced.labels, options, true);
 }
 
-std::vector<MotionRow> study_sequence(const std::vector<harness::Entrant>& entrants,
+std::vector<MotionRow> study_sequence(const std::vector<harness::MethodConfig>& configs,
                                       Sequence& sequence,
                                       const MotionOptions& options) {
-    Run run(entrants, sequence, options);
+    Run run(configs, sequence, options);
     run.draw_all();
     return harness::is_interrupted() ? std::vector<MotionRow>{} : run.rows();
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/cell.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/tracing.h"
 #include "scene/camera_path.h"
 #include "scene/scene.h"
@@ -32,15 +32,16 @@ struct MotionOptions {
 /// but with no band (see score::motion_frame).
 [[nodiscard]] score::ScoringTruth unbanded_truth(const truth::Truth& traced);
 
-/// Draws every frame of a sequence with every entrant and scores them against their truths and each
-/// other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per entrant,
-/// then the brackets `sampled` and `oracle`.
+/// Draws every frame of a sequence with every configuration and scores them against their truths
+/// and each other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per
+/// configuration, then the baselines `sampled` and `oracle`.
 ///
 /// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
 /// sequence: every row says so. On Ctrl-C there are no rows.
-[[nodiscard]] std::vector<MotionRow> study_sequence(const std::vector<harness::Entrant>& entrants,
-                                                    Sequence& sequence,
-                                                    const MotionOptions& options);
+[[nodiscard]] std::vector<MotionRow> study_sequence(
+    const std::vector<harness::MethodConfig>& configs,
+    Sequence& sequence,
+    const MotionOptions& options);
 
 /// The sequences of the study: scenes of the catalogue, `frame_count` frames, each path a quarter
 /// of a pixel a frame, so that lines pass slowly over the pixel grid; last the gears, which turn as

@@ -94,7 +94,7 @@ const MotionTable& motion() {
             {"frames_per_s", "1/s", "at which it is shown"},
             [](auto& r) -> auto& { return r.row.frames_per_s; });
         table.add(
-            {"step_px", "px", "by which the picture moves a frame"},
+            {"step_px", "px", "by which the image moves a frame"},
             [](auto& r) -> auto& { return r.row.step_px; });
         add_flicker(table);
         add_pops(table);

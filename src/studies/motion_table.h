@@ -10,7 +10,7 @@
 namespace ink::studies {
 
 /// The row of rows.csv of one method on one sequence: its view is the path, its image_hash that of
-/// all its pictures; it has no scores and no times.
+/// all its images; it has no scores and no times.
 [[nodiscard]] harness::Row motion_row(const MotionRow& of);
 
 /// The columns of motion.csv: cell, the sequence, then flicker, pops and false lines.

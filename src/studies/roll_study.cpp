@@ -99,13 +99,13 @@ Entry make_entry(harness::PreparedMethod& prepared,
     return entry;
 }
 
-/// What a picture shows of each crease, by its place in `creases`.
-std::vector<RollSample> see_creases(const edge::EdgeImage& picture,
+/// What an image shows of each crease, by its place in `creases`.
+std::vector<RollSample> see_creases(const edge::EdgeImage& image,
                                     int threshold,
                                     const truth::Truth& truth,
                                     const std::vector<Crease>& creases) {
     const score::ScoreOptions options = harness::score_options(threshold);
-    const score::Strokes strokes = score::make_strokes(picture, threshold, options);
+    const score::Strokes strokes = score::make_strokes(image, threshold, options);
     std::vector<RollSample> samples(creases.size());
     for (const score::FeatureSight& sight :
          score::see_features(truth.curves, strokes.thinned, unbanded_truth(truth), options)) {
@@ -122,14 +122,14 @@ std::vector<RollSample> see_creases(const edge::EdgeImage& picture,
 /// The study under way: everything that does not depend on the angle.
 class Roll {
   public:
-    Roll(const std::vector<harness::Entrant>& entrants, const RollOptions& options)
+    Roll(const std::vector<harness::MethodConfig>& configs, const RollOptions& options)
         : options_(options),
           scene_(roll_scene()),
           path_(roll_path(scene_, options)),
           model_(scene_, truth_options()) {
         options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
-        for (const harness::Entrant& entrant : entrants)
-            methods_.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene_));
+        for (const harness::MethodConfig& config : configs)
+            methods_.push_back(std::make_unique<harness::PreparedMethod>(config, scene_));
         creases_ = creases_of(trace(0), scene_);
         for (const auto& method : methods_)
             entries_.push_back(make_entry(*method, scene_, creases_, path_.start.camera));
@@ -203,16 +203,16 @@ class Roll {
     template <class Take>
     void draw(double roll_rad, Take take) {
         const truth::Truth truth = trace(roll_rad);
-        std::vector<edge::EdgeImage> pictures;
+        std::vector<edge::EdgeImage> images;
         const std::vector<harness::DrawTimes> times =
-            harness::draw_in_turns(methods_, view_at(roll_rad), options_.measure, pictures);
+            harness::draw_in_turns(methods_, view_at(roll_rad), options_.measure, images);
         core::parallel_for(entries_.size(), core::hardware_threads(), [&](std::size_t m) {
             Entry& entry = entries_[m];
             if (!entry.has_failed() && !times[m].failure.empty())
                 entry.failed.status = times[m].failure;
             if (entry.has_failed()) return;
             const int threshold = methods_[m]->threshold();
-            auto samples = see_creases(pictures[m], threshold, truth, creases_);
+            auto samples = see_creases(images[m], threshold, truth, creases_);
             for (std::size_t i = 0; i < samples.size(); ++i) {
                 samples[i].roll_rad = roll_rad;
                 if (const auto& prediction = entry.predictions[i]) {
@@ -257,9 +257,9 @@ scene::CameraPath roll_path(const scene::Scene& scene, const RollOptions& option
     return path;
 }
 
-std::vector<RollCurve> study_roll(const std::vector<harness::Entrant>& entrants,
+std::vector<RollCurve> study_roll(const std::vector<harness::MethodConfig>& configs,
                                   const RollOptions& options) {
-    Roll roll(entrants, options);
+    Roll roll(configs, options);
     roll.turn_round();
     roll.visit_predictions();
     return harness::is_interrupted() ? std::vector<RollCurve>{} : roll.curves();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/cell.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "scene/camera_path.h"
 #include "scene/scene.h"
 
@@ -50,23 +50,22 @@ struct RollCurve {
     [[nodiscard]] double mean_recall() const;
 };
 
-/// The cube roll: a cube whose three seen faces turn round the gaze.
+/// The cube roll: a cube whose three seen faces turn round the view direction.
 struct RollOptions {
     harness::MeasureOptions measure = {};
     std::filesystem::path cache = {};  ///< of truths; empty: none
     int frame_count = 180;             ///< over one whole turn
-    int size_px = 320;                 ///< of the square picture
+    int size_px = 320;                 ///< of the square image
 };
 
 /// The scene of the roll and its path.
 [[nodiscard]] scene::Scene roll_scene();
 [[nodiscard]] scene::CameraPath roll_path(const scene::Scene& scene, const RollOptions& options);
 
-/// Draws the roll with every entrant: a curve per method and crease. A method that fails has one,
-/// without samples, that says why.
-/// Predictions come from declared codes and the cube's geometry alone
-/// (linear_code/roll_prediction.h). On Ctrl-C there are no curves.
-[[nodiscard]] std::vector<RollCurve> study_roll(const std::vector<harness::Entrant>& entrants,
+/// Draws the roll with every configuration: a curve per method and crease. A method that fails has
+/// one, without samples, that says why. Predictions come from declared codes and the cube's
+/// geometry alone (linear_code/roll_prediction.h). On Ctrl-C there are no curves.
+[[nodiscard]] std::vector<RollCurve> study_roll(const std::vector<harness::MethodConfig>& configs,
                                                 const RollOptions& options);
 
 /// Where a crease vanished near `predicted_rad`: the middle of the samples in a row, round the

@@ -19,13 +19,13 @@ namespace {
 constexpr int kRounds = 3;
 constexpr int kRepetitions = 15;  // of a round, at most
 
-/// A picture to time: which sphere, how large a picture, how much of it covered.
+/// An image to time: which sphere, how large an image, how much of it covered.
 struct Station {
     std::vector<ScalingAxis> axes;  ///< on which it is a point
     std::int64_t triangles = 10'000;
     int width_px = 1280;
     int height_px = 720;
-    double covered_share = 0.25;  ///< the disc then touches no side of any of the pictures
+    double covered_share = 0.25;  ///< the disc then touches no side of any of the images
 };
 
 /// All stations, by sphere, so that each is prepared once. The middle one lies on every axis.
@@ -57,7 +57,7 @@ scene::Scene sphere_scene(std::int64_t triangles) {
     return scene;
 }
 
-/// A camera that sees the unit ball's disc fill `share` of the picture, its middle in the middle;
+/// A camera that sees the unit ball's disc fill `share` of the image, its middle in the middle;
 /// all of it from a share of 1 on.
 scene::View view_of(const Station& station, const scene::Scene& scene) {
     const double width = station.width_px;
@@ -115,16 +115,16 @@ using Times = std::vector<RoundTimes>;
 /// A sphere with every method ready for it.
 class PreparedSphere {
   public:
-    PreparedSphere(const std::vector<harness::Entrant>& entrants, std::int64_t triangles)
+    PreparedSphere(const std::vector<harness::MethodConfig>& configs, std::int64_t triangles)
         : scene_(sphere_scene(triangles)) {
-        for (const harness::Entrant& entrant : entrants)
-            methods_.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene_));
+        for (const harness::MethodConfig& config : configs)
+            methods_.push_back(std::make_unique<harness::PreparedMethod>(config, scene_));
     }
 
     void draw(const Station& station, const harness::MeasureOptions& measure, Times& times) {
-        std::vector<edge::EdgeImage> pictures;
+        std::vector<edge::EdgeImage> images;
         std::vector<harness::DrawTimes> round =
-            harness::draw_in_turns(methods_, view_of(station, scene_), measure, pictures);
+            harness::draw_in_turns(methods_, view_of(station, scene_), measure, images);
         times.resize(round.size());
         for (std::size_t i = 0; i < round.size(); ++i)
             times[i].append(std::move(round[i]));
@@ -165,10 +165,10 @@ class PreparedSphere {
 
 /// One sphere at all its stations, round after round: what slows the machine for a second then
 /// spoils one round of several stations, not all rounds of one.
-std::vector<ScalingPoint> measure(const std::vector<harness::Entrant>& entrants,
+std::vector<ScalingPoint> measure(const std::vector<harness::MethodConfig>& configs,
                                   const std::vector<Station>& stations,
                                   const ScalingOptions& options) {
-    PreparedSphere sphere(entrants, stations.front().triangles);
+    PreparedSphere sphere(configs, stations.front().triangles);
     const harness::MeasureOptions once{.threads = options.threads,
                                        .min_repetitions = 1,
                                        .max_repetitions = kRepetitions,
@@ -191,8 +191,8 @@ std::vector<ScalingPoint> measure(const std::vector<harness::Entrant>& entrants,
 const std::array<ScalingAxisInfo, 3>& scaling_axes() {
     static constexpr std::array<ScalingAxisInfo, 3> kAxes = {{
         {ScalingAxis::triangles, "triangles", "triangles", "triangles of the sphere"},
-        {ScalingAxis::pixels, "pixels", "pixels", "pixels of the picture"},
-        {ScalingAxis::covered, "covered", "of the picture", "share of the picture that is covered"},
+        {ScalingAxis::pixels, "pixels", "pixels", "pixels of the image"},
+        {ScalingAxis::covered, "covered", "of the image", "share of the image that is covered"},
     }};
     return kAxes;
 }
@@ -210,10 +210,10 @@ std::vector<ScalingSphere> scaling_spheres() {
     return spheres;
 }
 
-std::vector<ScalingPoint> time_sphere(const std::vector<harness::Entrant>& entrants,
+std::vector<ScalingPoint> time_sphere(const std::vector<harness::MethodConfig>& configs,
                                       std::size_t sphere,
                                       const ScalingOptions& options) {
-    return measure(entrants, stations().at(sphere), options);
+    return measure(configs, stations().at(sphere), options);
 }
 
 }  // namespace ink::studies

@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::studies {
 
 /// What grows while everything else stays as it is.
 enum class ScalingAxis {
-    triangles,  ///< of a sphere that keeps its place in the picture
-    pixels,     ///< of the picture
-    covered,    ///< the share of the picture that the sphere's disc fills
+    triangles,  ///< of a sphere that keeps its place in the image
+    pixels,     ///< of the image
+    covered,    ///< the share of the image that the sphere's disc fills
 };
 
 struct ScalingAxisInfo {
@@ -33,12 +33,12 @@ inline constexpr double kTimeNoise = 0.1;
 struct ScalingPoint {
     ScalingAxis axis = ScalingAxis::triangles;
     std::string method;
-    std::string params;  ///< every knob, as in rows.csv
+    std::string params;  ///< every parameter, as in rows.csv
     double x = 0;        ///< in the axis' unit
     int width_px = 0;
     int height_px = 0;
     std::int64_t triangles = 0;
-    double covered_share = 0;  ///< of the picture, 0..1
+    double covered_share = 0;  ///< of the image, 0..1
     int threads = 1;
     std::int64_t draw_ns_min = 0;
     int draw_n = 0;             ///< timed frames
@@ -58,20 +58,21 @@ struct ScalingOptions {
 struct ScalingSphere {
     std::int64_t triangles = 0;
     int points = 0;  ///< of a method, over all axes
-    double mpx = 0;  ///< of all its pictures
+    double mpx = 0;  ///< of all its images
 };
 
 /// The spheres made by code that are drawn: 10^2 to 10^6 triangles, 0.3 to 33 million pixels, a
-/// thousandth to all of the picture covered.
+/// thousandth to all of the image covered.
 [[nodiscard]] std::vector<ScalingSphere> scaling_spheres();
 
-/// Draws the n-th sphere with every entrant, in turns, and takes the least times.
+/// Draws the n-th sphere with every configuration, in turns, and takes the least times.
 ///
 /// A point's noise is what its three rounds say: how far the second of their least times lies above
 /// the first, kTimeNoise at least. A method that fails at a point has one there without
 /// times, which says why. Ctrl-C ends it after a round, without points.
-[[nodiscard]] std::vector<ScalingPoint> time_sphere(const std::vector<harness::Entrant>& entrants,
-                                                    std::size_t sphere,
-                                                    const ScalingOptions& options);
+[[nodiscard]] std::vector<ScalingPoint> time_sphere(
+    const std::vector<harness::MethodConfig>& configs,
+    std::size_t sphere,
+    const ScalingOptions& options);
 
 }  // namespace ink::studies

@@ -40,10 +40,10 @@ const harness::TableOf<Record>& table() {
                 field.refuse(all);
             });
         table.add(
-            {"x", "of axis", "triangles, pixels, or the share of the picture covered"},
+            {"x", "of axis", "triangles, pixels, or the share of the image covered"},
             [](auto& r) -> auto& { return r.point.x; });
         table.add(
-            {"covered_share", "0..1", "of the picture, by the sphere"},
+            {"covered_share", "0..1", "of the image, by the sphere"},
             [](auto& r) -> auto& { return r.point.covered_share; });
         table.add(
             {"noise", "0..1", "what draw_ns_min may be off by, as a share of it", true},

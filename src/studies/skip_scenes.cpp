@@ -63,14 +63,15 @@ SkipScene corner_of_a_field(int levels) {
     }
     // Beside the first row, looking along it and out of the field.
     stage.view(EyeShot{"corner_of_a_field", {9, 3, 7}, {0, 0, -1}, 30});
-    return scene_for(Skip::frustum, "A field of 256 balls, of which a few are in view.", stage);
+    return scene_for(
+        Skip::frustum_culling, "A field of 256 balls, of which a few are in view.", stage);
 }
 
 SkipScene dense_ball(int levels) {
     Stage stage;
     stage.add("ball", catalogue::make_icosphere(1, levels - 2));
     stage.view(EyeShot{"dense_ball", {0, 0, 3}, {0, 0, 0}, 42});
-    return scene_for(Skip::backs, "A dense closed ball; half of it looks away.", stage);
+    return scene_for(Skip::back_face_culling, "A dense closed ball; half of it looks away.", stage);
 }
 
 SkipScene dust(int levels) {
@@ -87,7 +88,8 @@ SkipScene behind_a_wall(int levels) {
     stage.add("wall", catalogue::make_sheet({-2, -1.5, 1.5}, {4, 0, 0}, {0, 3, 0}));
     stage.add("ball", catalogue::make_icosphere(1, levels - 2));
     stage.view(EyeShot{"behind_a_wall", {0, 0, 6}, {0, 0, 0}, 42});
-    return scene_for(Skip::hidden, "A dense ball behind a wall that is drawn first.", stage);
+    return scene_for(
+        Skip::occlusion_culling, "A dense ball behind a wall that is drawn first.", stage);
 }
 
 SkipScene far_teapot() {
@@ -127,18 +129,18 @@ SkipScene one_of_nine_turns(int levels) {
     }
     stage.view(EyeShot{"one_of_nine_turns", {0, 0, 14}, {0, 0, 0}, 42});
     SkipScene made = scene_for(
-        Skip::still_tiles, "Nine rings, one of which turns, before a fixed camera.", stage);
+        Skip::temporal_reuse, "Nine rings, one of which turns, before a fixed camera.", stage);
     for (int frame = 0; frame < 4; ++frame)
         made.poses.push_back(catalogue::placed({{0, 0, 0}, {70 + 4.0 * frame, 0, 0}}));
     return made;
 }
 
-SkipScene view_of_ball(int levels, const EyeShot& shot, std::string summary) {
+SkipScene view_of_ball(int levels, const EyeShot& evaluation, std::string summary) {
     Stage stage;
     stage.add("ball", wavy_ball(levels - 2));
-    stage.view(shot);
+    stage.view(evaluation);
     scene::Scene made = finished(stage);
-    return {shot.name, std::move(summary), std::nullopt, std::move(made)};
+    return {evaluation.name, std::move(summary), std::nullopt, std::move(made)};
 }
 
 }  // namespace
@@ -148,13 +150,13 @@ SkipScene skip_scene(raster::Skip skip, int levels) {
     switch (skip) {
         case Skip::attributes:
             return no_normals(levels);
-        case Skip::frustum:
+        case Skip::frustum_culling:
             return corner_of_a_field(levels);
-        case Skip::backs:
+        case Skip::back_face_culling:
             return dense_ball(levels);
         case Skip::no_sample:
             return dust(levels);
-        case Skip::hidden:
+        case Skip::occlusion_culling:
             return behind_a_wall(levels);
         case Skip::empty_tiles:
             return far_teapot();
@@ -162,7 +164,7 @@ SkipScene skip_scene(raster::Skip skip, int levels) {
             return wall();
         case Skip::flat_stencils:
             return facets();
-        case Skip::still_tiles:
+        case Skip::temporal_reuse:
             return one_of_nine_turns(levels);
     }
     assert(false);

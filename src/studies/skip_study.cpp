@@ -22,12 +22,12 @@ bool knows(const method::MethodInfo& info, const std::string& key) {
     });
 }
 
-/// The entrant with those settings of the scene that its method knows.
-harness::Entrant entrant_for(harness::Entrant entrant, const SkipScene& scene) {
+/// The configuration with those settings of the scene that its method knows.
+harness::MethodConfig config_for(harness::MethodConfig config, const SkipScene& scene) {
     for (const auto& [key, value] : scene.settings) {
-        if (knows(*entrant.info, key)) entrant.settings[key] = value;
+        if (knows(*config.info, key)) config.settings[key] = value;
     }
-    return entrant;
+    return config;
 }
 
 raster::SkipSet skips_of(SkipArm arm, const SkipScene& scene) {
@@ -55,13 +55,15 @@ struct Round {
 /// A method before a scene, ready to draw it in any arm.
 class Easel {
   public:
-    Easel(const harness::Entrant& entrant, const SkipScene& scene, const SkipStudyOptions& options)
+    Easel(const harness::MethodConfig& config,
+          const SkipScene& scene,
+          const SkipStudyOptions& options)
         : poses_(scene.poses),
           scene_(scene.scene),
           view_{scene_.cameras.front(), options.width_px, options.height_px},
           threads_(options.threads),
-          method_(entrant.info->make(entrant.settings)),
-          picture_(options.width_px, options.height_px) {
+          method_(config.info->make(config.settings)),
+          image_(options.width_px, options.height_px) {
         method_->prepare(scene_);
         method_->pose(scene_);
     }
@@ -76,9 +78,9 @@ class Easel {
                 method_->pose(scene_);
             }
             const auto start = Clock::now();
-            method_->draw({view_, threads_, allowed}, picture_);
+            method_->draw({view_, threads_, allowed}, image_);
             const auto end = Clock::now();
-            hasher.text(core::image_hash(picture_));
+            hasher.text(core::image_hash(image_));
             // The first frame of a sequence follows the last of another run: it is not of this one.
             if (frame == 0 && frames > 1) continue;
             round.draw_ns.push_back(
@@ -95,7 +97,7 @@ class Easel {
     scene::View view_;
     int threads_;
     std::unique_ptr<method::Method> method_;
-    edge::EdgeImage picture_;
+    edge::EdgeImage image_;
 };
 
 void fill_times(std::vector<std::int64_t> draw_ns, SkipTime& time) {
@@ -122,7 +124,7 @@ void draw_in_turns(Easel& easel, const SkipStudyOptions& options, std::vector<Sk
             }
             if (drawn.hash != times.front().image_hash && times[i].status == "ok") {
                 times[i].status = i == 0 ? "differs: two drawings of one scene differ"
-                                         : fmt::format("differs: the picture is another without {}",
+                                         : fmt::format("differs: the image is another without {}",
                                                        harness::forbidden_skips(times[i].allowed));
             }
             if (round == 0) continue;
@@ -151,10 +153,10 @@ SkipScene nth_scene(std::size_t n, int levels) {
 
 }  // namespace
 
-std::vector<SkipTime> time_skips(const harness::Entrant& entrant,
+std::vector<SkipTime> time_skips(const harness::MethodConfig& config,
                                  const SkipScene& scene,
                                  const SkipStudyOptions& options) {
-    const harness::Entrant set = entrant_for(entrant, scene);
+    const harness::MethodConfig set = config_for(config, scene);
     SkipTime time;
     time.scene = scene.name;
     time.skip = scene.skip;
@@ -187,14 +189,14 @@ std::string skip_scene_name(std::size_t n) {
     return nth_scene(n, 2).name;
 }
 
-std::vector<SkipTime> study_skip_scene(const std::vector<harness::Entrant>& entrants,
+std::vector<SkipTime> study_skip_scene(const std::vector<harness::MethodConfig>& configs,
                                        std::size_t n,
                                        const SkipStudyOptions& options) {
     std::vector<SkipTime> study;
     const SkipScene scene = nth_scene(n, options.levels);
-    for (const harness::Entrant& entrant : entrants) {
+    for (const harness::MethodConfig& config : configs) {
         if (harness::is_interrupted()) break;
-        std::vector<SkipTime> times = time_skips(entrant, scene, options);
+        std::vector<SkipTime> times = time_skips(config, scene, options);
         std::move(times.begin(), times.end(), std::back_inserter(study));
     }
     return study;

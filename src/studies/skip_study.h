@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "raster/skips.h"
 #include "studies/skip_scenes.h"
 
@@ -50,11 +50,11 @@ struct SkipTime {
 /// so that a machine that slows down slows all alike.
 ///
 /// The three views have no skip of their own, and so no second line. Where nothing moves,
-/// `still_tiles` is off in every arm (skips_of_repeated_drawings). Where something does, the first
-/// frame of a round is not timed, nor is `pose`. The first round warms up. A method that throws
-/// says so in the status of its lines; so does one whose picture is another than with every skip:
-/// "differs: ...".
-[[nodiscard]] std::vector<SkipTime> time_skips(const harness::Entrant& entrant,
+/// `temporal_reuse` is off in every arm (skips_of_repeated_drawings). Where something does, the
+/// first frame of a round is not timed, nor is `pose`. The first round warms up. A method that
+/// throws says so in the status of its lines; so does one whose image is another than with every
+/// skip: "differs: ...".
+[[nodiscard]] std::vector<SkipTime> time_skips(const harness::MethodConfig& config,
                                                const SkipScene& scene,
                                                const SkipStudyOptions& options);
 
@@ -62,12 +62,13 @@ struct SkipTime {
 [[nodiscard]] std::size_t skip_scene_count();
 [[nodiscard]] std::string skip_scene_name(std::size_t n);
 
-/// Times the n-th scene with every entrant, one after the other. Ends early on Ctrl-C.
-[[nodiscard]] std::vector<SkipTime> study_skip_scene(const std::vector<harness::Entrant>& entrants,
-                                                     std::size_t n,
-                                                     const SkipStudyOptions& options);
+/// Times the n-th scene with every configuration, one after the other. Ends early on Ctrl-C.
+[[nodiscard]] std::vector<SkipTime> study_skip_scene(
+    const std::vector<harness::MethodConfig>& configs,
+    std::size_t n,
+    const SkipStudyOptions& options);
 
-/// A sentence for each line whose picture differs: a run with one is void.
+/// A sentence for each line whose image differs: a run with one is invalid.
 [[nodiscard]] std::vector<std::string> skip_differences(const std::vector<SkipTime>& study);
 
 }  // namespace ink::studies

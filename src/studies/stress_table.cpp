@@ -37,7 +37,7 @@ const harness::TableOf<Record>& table() {
             {"lost_cell", "", "1 if the cell has no result"},
             [](auto& r) -> auto& { return r.row.counts.lost; });
         table.add(
-            {"differing", "", "1 if the picture differs where the axis allows none to"},
+            {"differing", "", "1 if the image differs where the axis allows none to"},
             [](auto& r) -> auto& { return r.row.counts.differing; });
         return table;
     }();

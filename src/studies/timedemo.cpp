@@ -48,7 +48,7 @@ class PlainFill : public raster::TileSink {
     }
     void draw(const scene::View& view, int threads) {
         if (surface_->triangles.empty()) return;
-        picture_ = core::Image<std::uint8_t>(view.width_px, view.height_px, 0);
+        image_ = core::Image<std::uint8_t>(view.width_px, view.height_px, 0);
         raster::MeshInput input;
         input.mesh = &mesh_;
         input.view = view;
@@ -60,7 +60,7 @@ class PlainFill : public raster::TileSink {
         if (tile.is_empty) return;
         for (int y = 0; y < tile.height_px; ++y) {
             const auto* depth = tile.depth_row<float>(y);
-            std::uint8_t* to = picture_.row(tile.y0_px + y) + tile.x0_px;
+            std::uint8_t* to = image_.row(tile.y0_px + y) + tile.x0_px;
             for (int x = 0; x < tile.width_px; ++x)
                 to[x] = depth[x] > 0 ? 255 : 0;
         }
@@ -71,26 +71,26 @@ class PlainFill : public raster::TileSink {
     raster::LaneMesh mesh_;
     raster::MeshPass pass_;
     scene::Sphere bounds_;
-    core::Image<std::uint8_t> picture_;
+    core::Image<std::uint8_t> image_;
 };
 
 /// A method under way along one path.
 struct Player {
-    const harness::Entrant* entrant = nullptr;
+    const harness::MethodConfig* config = nullptr;
     std::unique_ptr<method::Method> method;
     int threshold = 128;
-    edge::EdgeImage strengths;
+    edge::EdgeImage edge_responses;
     std::vector<std::string> hashes;  ///< of its frames, as first drawn
 };
 
 std::vector<Player> make_players(const TimedemoOptions& options, const scene::View& view) {
     std::vector<Player> players;
-    for (const harness::Entrant& entrant : options.entrants) {
+    for (const harness::MethodConfig& config : options.configs) {
         Player player;
-        player.entrant = &entrant;
-        player.method = entrant.info->make(entrant.settings);
-        player.threshold = std::stoi(entrant.info->complete(entrant.settings).at("threshold"));
-        player.strengths = edge::EdgeImage(view.width_px, view.height_px);
+        player.config = &config;
+        player.method = config.info->make(config.settings);
+        player.threshold = std::stoi(config.info->complete(config.settings).at("threshold"));
+        player.edge_responses = edge::EdgeImage(view.width_px, view.height_px);
         players.push_back(std::move(player));
     }
     return players;
@@ -146,12 +146,12 @@ std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene:
 class Demo {
   public:
     /// `camera` is that of the scene which is followed instead of the path.
-    Demo(const harness::Subject& subject,
+    Demo(const harness::SceneViews& scene_views,
          const scene::CameraPath& path,
          std::optional<std::size_t> camera,
          const TimedemoOptions& options,
          core::Progress& progress)
-        : scene_(subject.scene),
+        : scene_(scene_views.scene),
           path_(path),
           camera_(camera),
           options_(options),
@@ -211,18 +211,18 @@ class Demo {
               const core::Image<shade::Rgb>& shaded,
               DemoFrame& line) {
         method::Method& method = *player.method;
-        line.method = player.entrant->info->name;
+        line.method = player.config->info->name;
         line.pose_ns = time_ns([&] {
             if (is_new_) method.prepare(scene_);
             if (scene_.animation || is_new_) method.pose(scene_);
         });
         line.draw_ns = time_ns([&] {
-            method.draw({view, options_.threads, options_.skips}, player.strengths);
+            method.draw({view, options_.threads, options_.skips}, player.edge_responses);
         });
         line.compose_ns = time_ns([&] {
-            picture_ = shade::compose(player.strengths, shaded, {{0, 0, 0}, player.threshold});
+            image_ = shade::compose(player.edge_responses, shaded, {{0, 0, 0}, player.threshold});
         });
-        line.image_hash = core::image_hash(player.strengths);
+        line.image_hash = core::image_hash(player.edge_responses);
         if (line.pass == 0) player.hashes.push_back(line.image_hash);
         if (player.hashes[static_cast<std::size_t>(line.frame)] != line.image_hash) {
             throw core::Error(line.method,
@@ -241,28 +241,28 @@ class Demo {
     std::vector<Player> players_;
     PlainFill fill_;
     shade::Shader shader_{shade::GouraudParams{}};
-    core::Image<shade::Rgb> picture_;
+    core::Image<shade::Rgb> image_;
     bool is_new_ = true;
 };
 
 }  // namespace
 
-std::vector<DemoFrame> run_timedemo(const harness::Subject& subject,
+std::vector<DemoFrame> run_timedemo(const harness::SceneViews& scene_views,
                                     const TimedemoOptions& options) {
-    const scene::View& start = subject.views.front();
-    const scene::Sphere bounds = bounds_of_demo(subject.scene, options.frames);
+    const scene::View& start = scene_views.views.front();
+    const scene::Sphere bounds = bounds_of_demo(scene_views.scene, options.frames);
     std::vector<DemoFrame> frames;
-    const auto camera = moving_camera(subject.scene, start);
+    const auto camera = moving_camera(scene_views.scene, start);
     const std::vector<scene::CameraPath> paths = demo_paths(start, bounds, options);
     const auto path_count = static_cast<int>(paths.size()) + (camera ? 1 : 0);
     core::Progress progress("timedemo", path_count * (options.cached_passes + 1) * options.frames);
     int done = 0;
     if (camera) {
         const auto own = scene::make_path(scene::PathKind::still, start, bounds, 0);
-        Demo(subject, own, camera, options, progress).play(frames, done);
+        Demo(scene_views, own, camera, options, progress).play(frames, done);
     }
     for (const scene::CameraPath& path : paths)
-        Demo(subject, path, std::nullopt, options, progress).play(frames, done);
+        Demo(scene_views, path, std::nullopt, options, progress).play(frames, done);
     if (harness::is_interrupted()) return {};
     return frames;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/table.h"
 #include "raster/skips.h"
@@ -14,7 +14,7 @@ namespace ink::studies {
 
 /// How an animation is timed.
 struct TimedemoOptions {
-    std::vector<harness::Entrant> entrants;
+    std::vector<harness::MethodConfig> configs;
     int frames = 60;        ///< of a path, spread evenly over the animation; stored ones whole
     int cached_passes = 2;  ///< over the same frames again, after the first
     int threads = 1;
@@ -37,15 +37,15 @@ struct DemoFrame {
     std::int64_t pose_ns = 0;   ///< of the method; of the very first frame, with its prepare
     std::int64_t draw_ns = 0;
     std::int64_t compose_ns = 0;  ///< the lines put over the shading
-    std::string image_hash;       ///< of the strengths
+    std::string image_hash;       ///< of the edge responses
 };
 
-/// Draws the subject's animation (or its still scene) along each path with every method in turns,
-/// frame by frame; the camera starts at the subject's first view. If that is one of the model's own
+/// Draws the scene's animation (or its still scene) along each path with every method in turns,
+/// frame by frame; the camera starts at the scene's first view. If that is one of the model's own
 /// cameras and the animation moves it, it goes its own way first. Frames that a method drew before
 /// must come out the same again: throws Error (where = the method) if not. Once an end was asked
 /// for (interrupt.h) there are no frames.
-[[nodiscard]] std::vector<DemoFrame> run_timedemo(const harness::Subject& subject,
+[[nodiscard]] std::vector<DemoFrame> run_timedemo(const harness::SceneViews& scene_views,
                                                   const TimedemoOptions& options);
 
 /// Frames per second of one kind of frame, the median and its 95 % interval (of order statistics).
@@ -71,14 +71,14 @@ struct DemoRate {
 [[nodiscard]] std::string timedemo_legend();
 
 /// What is shown, in a line: scene, seconds, stored frames, size, threads.
-[[nodiscard]] std::string timedemo_heading(const harness::Subject& subject,
+[[nodiscard]] std::string timedemo_heading(const harness::SceneViews& scene_views,
                                            const TimedemoOptions& options);
 
 /// The columns of timedemo.csv.
 [[nodiscard]] const harness::TableInfo& timedemo_frames_table();
 
 /// Writes timedemo.csv: a line per frame, pass, path and method.
-void write_timedemo(const harness::Subject& subject,
+void write_timedemo(const harness::SceneViews& scene_views,
                     const std::vector<DemoFrame>& frames,
                     const std::filesystem::path& path);
 

@@ -76,7 +76,7 @@ std::string rate_text(const std::vector<DemoRate>& rates, const DemoRate& of) {
 
 /// A frame and what it is of.
 struct FrameLine {
-    const harness::Subject& subject;
+    const harness::SceneViews& scene_views;
     const DemoFrame& frame;
 };
 
@@ -93,11 +93,11 @@ harness::TableOf<FrameLine> make_frames_table() {
                           [ns](const FrameLine& l) { return l.frame.*ns; });
     };
     using L = FrameLine;
-    add({"scene", "", "that moves"}, [](const L& l) { return l.subject.scene.name; });
-    add({"width", "px", "of the picture"},
-        [](const L& l) { return l.subject.views.front().width_px; });
-    add({"height", "px", "of the picture"},
-        [](const L& l) { return l.subject.views.front().height_px; });
+    add({"scene", "", "that moves"}, [](const L& l) { return l.scene_views.scene.name; });
+    add({"width", "px", "of the image"},
+        [](const L& l) { return l.scene_views.views.front().width_px; });
+    add({"height", "px", "of the image"},
+        [](const L& l) { return l.scene_views.views.front().height_px; });
     add({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
         [](const L& l) { return l.frame.path; });
     add({"method", "", "as registered"}, [](const L& l) { return l.frame.method; });
@@ -109,7 +109,7 @@ harness::TableOf<FrameLine> make_frames_table() {
     add_time("pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
     add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
     add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
-    add({"image_hash", "", "of the strengths"}, [](const L& l) { return l.frame.image_hash; });
+    add({"image_hash", "", "of the edge responses"}, [](const L& l) { return l.frame.image_hash; });
     return table;
 }
 
@@ -189,8 +189,9 @@ std::string timedemo_legend() {
            "cached    the same frames again: methods that keep what they have seen are faster\n";
 }
 
-std::string timedemo_heading(const harness::Subject& subject, const TimedemoOptions& options) {
-    const auto& animation = subject.scene.animation;
+std::string timedemo_heading(const harness::SceneViews& scene_views,
+                             const TimedemoOptions& options) {
+    const auto& animation = scene_views.scene.animation;
     const std::string motion =
         animation == nullptr ? "which does not move"
         : animation->frame_count() > 0
@@ -198,11 +199,11 @@ std::string timedemo_heading(const harness::Subject& subject, const TimedemoOpti
             : fmt::format("{:g} s of keys", animation->duration_s);
     return fmt::format(
         "{}, {}, {} drawn along each path, {}x{}, {} thread{}; frames per second, median [95 %]",
-        subject.scene.name,
+        scene_views.scene.name,
         motion,
         options.frames,
-        subject.views.front().width_px,
-        subject.views.front().height_px,
+        scene_views.views.front().width_px,
+        scene_views.views.front().height_px,
         options.threads,
         options.threads == 1 ? "" : "s");
 }
@@ -211,12 +212,12 @@ const harness::TableInfo& timedemo_frames_table() {
     return frames_table().info();
 }
 
-void write_timedemo(const harness::Subject& subject,
+void write_timedemo(const harness::SceneViews& scene_views,
                     const std::vector<DemoFrame>& frames,
                     const std::filesystem::path& path) {
     std::string text = harness::heading(timedemo_frames_table());
     for (const DemoFrame& frame : frames)
-        text += frames_table().line({subject, frame});
+        text += frames_table().line({scene_views, frame});
     core::write_whole_file(path, text);
 }
 

@@ -131,9 +131,9 @@ std::optional<Continuation> continuation(const Border& border,
     for (const double sign : {1.0, -1.0}) {
         const glm::dvec3 into = across * (sign / sine);
         const double cosine = glm::dot(border.inward, into);
-        const double bend =
+        const double deviation =
             std::acos(-1.0) - std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
-        if (bend >= options.crease_rad) continue;
+        if (deviation >= options.crease_rad) continue;
         const Stretch s = shared_stretch(border, triangle, into, options.tolerance);
         if (s.end <= s.begin) continue;
         return Continuation{border.edge, s.begin, s.end, 0, into};

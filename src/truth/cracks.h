@@ -17,8 +17,8 @@ namespace ink::truth {
 /// through both would cross, no segment twice and none left out; a closed line crosses a closed
 /// ring of segments an even number of times.
 ///
-/// Costs about the length of the curves. Curves may lie outside the picture in part or whole. An
-/// empty picture gives empty images.
+/// Costs about the length of the curves. Curves may lie outside the image in part or whole. An
+/// empty image gives empty images.
 [[nodiscard]] Cracks draw_cracks(std::span<const Curve> curves, int width_px, int height_px);
 
 }  // namespace ink::truth

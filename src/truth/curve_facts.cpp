@@ -21,7 +21,7 @@ glm::dvec3 normal_of(const scene::Topology& topology, std::uint32_t f) {
     return glm::cross(p[b] - p[a], p[c] - p[a]);
 }
 
-/// The middle of a piece on the picture, in space: 1/w is linear along it.
+/// The middle of a piece on the image, in space: 1/w is linear along it.
 glm::dvec3 middle_of(const EyeView& eye, const Curve& curve, double& w) {
     w = 2 * curve.begin.w * curve.end.w / (curve.begin.w + curve.end.w);
     const double x_px = (curve.begin.x_px + curve.end.x_px) / 2;
@@ -62,7 +62,7 @@ float view_angle_rad(const EyeView& eye, std::uint32_t face, const glm::dvec3& t
                                          std::abs(glm::dot(normal, to_point))));
 }
 
-/// How far behind the point a face meets the line of sight, along the gaze.
+/// How far behind the point a face meets the line of sight, along the view direction.
 float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& point) {
     const scene::Topology& topology = eye.model.topology;
     const glm::dvec3 normal = normal_of(topology, hit.face);
@@ -73,7 +73,7 @@ float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& poin
     return along == 0 ? 0.0F : static_cast<float>(std::max(0.0, beyond / along * point.w));
 }
 
-/// Faces and empty side. An edge's side 1 is the left as one goes from a to b on the picture: the
+/// Faces and empty side. An edge's side 1 is the left as one goes from a to b on the image: the
 /// front of a face that runs along the edge lies there, counter-clockwise.
 void fill_faces(const EyeView& eye, double t, Curve& curve) {
     const scene::Topology& topology = eye.model.topology;

@@ -9,7 +9,7 @@
 
 namespace ink::truth {
 
-/// Fills what a traced piece says of its faces and surroundings, at its middle on the picture:
+/// Fills what a traced piece says of its faces and surroundings, at its middle on the image:
 /// `face0`, `face1`, `empty_side`, `gap` and `view_angle_rad`.
 ///
 /// Pieces of mesh edges run from the edge's a to its b. One seen from one side only (contour,

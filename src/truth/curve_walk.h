@@ -8,7 +8,7 @@ namespace ink::truth {
 
 /// Calls `visit(x, y)` for the pixel of each sample of a curve, every 1/16 px along it, both ends
 /// included, rounded down: the one rule of which pixels a line is drawn in. A pixel is visited as
-/// often as samples fall into it, and may lie outside the picture.
+/// often as samples fall into it, and may lie outside the image.
 template <class Visit>
 void visit_pixels(const Curve& curve, Visit visit) {
     constexpr double kSamplesPerPx = 16;

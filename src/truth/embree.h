@@ -2,7 +2,7 @@
 
 /// The one door to Embree: what versions 3 and 4 call differently has one name here.
 ///
-/// Only `eye_scene.cpp`, `witness_rays.cpp` (the two constructions of the truth, which share
+/// Only `eye_scene.cpp`, `sight_rays.cpp` (the two constructions of the truth, which share
 /// nothing else of it) and the benchmarks include this header. Filters travel with the query in
 /// both versions; in 3 they sit in the context, in 4 in the arguments, and the scene must be told
 /// so when it is made.

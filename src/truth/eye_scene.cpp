@@ -86,7 +86,7 @@ void confirm_any(const RTCFilterFunctionNArguments* args) {
     }
 }
 
-/// Equal distances go to the lower face, or the answer would hang on the order of the tree's
+/// Equal distances go to the lower face, or the answer would depend on the order of the tree's
 /// leaves.
 void confirm_first(const RTCFilterFunctionNArguments* args) {
     auto& query = *reinterpret_cast<EyeSceneQuery*>(args->context);

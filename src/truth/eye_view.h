@@ -18,7 +18,7 @@ struct SeenFaces {
 };
 
 /// What one eye makes of a model: the exact facing of faces and class of edges, and where vertices
-/// are on the picture. Borrows the model.
+/// are on the image. Borrows the model.
 struct EyeView {
     const Model& model;
     scene::Projection projection;

@@ -27,10 +27,10 @@ struct LabelImage {
 /// Differs from the design, which says a quarter full and no ring. One diagonal line alone fills
 /// nearly a quarter (15 of 64 pixels), so a quarter calls every meeting of two lines crowded: of
 /// the truth of temple.glb at 1280x720 83 %, of the 511 triangles of knight.mdl 42 %. And each line
-/// that runs into an ignored block costs a perfect prediction about two surplus pixels there (those
-/// within the tolerance of the line's last truth pixel), so `sampled` fell to F = .83 and .94. With
-/// three quarters and the ring it is .956 and .989. The ring takes in the rim of filled patches,
-/// where what thinning keeps is chance.
+/// that runs into an ignored block costs a perfect prediction about two unmatched duplicates there
+/// (those within the tolerance of the line's last truth pixel), so `sampled` fell to F = .83 and
+/// .94. With three quarters and the ring it is .956 and .989. The ring takes in the rim of filled
+/// patches, where what thinning keeps is chance.
 [[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px);
 
 }  // namespace ink::truth

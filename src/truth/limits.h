@@ -9,7 +9,7 @@
 namespace ink::truth {
 
 /// What the truth of a view may cost, in things that are counted, never in time: so whether a view
-/// is too large does not hang on the machine, the load or the number of threads.
+/// is too large does not depend on the machine, the load or the number of threads.
 ///
 /// The defaults keep one thread of a machine of 2023 below a minute, and every machine below 4 GB,
 /// at 1920 x 1080 (bench/README.md has the measurements).

@@ -98,7 +98,7 @@ std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const 
 LineClass Model::class_across(const scene::Edge& edge,
                               std::uint32_t face0,
                               std::uint32_t face1) const {
-    if (scene::bend_rad(topology, edge, face0, face1) >= crease_rad) return LineClass::crease;
+    if (scene::deviation_rad(topology, edge, face0, face1) >= crease_rad) return LineClass::crease;
     return is_seam(face0, face1) ? LineClass::seam : LineClass::none;
 }
 

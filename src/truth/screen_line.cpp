@@ -56,9 +56,9 @@ WorldSegment segment_of(const EyeView& eye, const Crossing& crossing) {
     return {kNoEdge, &crossing, a, b, eye.projection.to_clip(a), eye.projection.to_clip(b)};
 }
 
-std::optional<ScreenLine> clip_to_picture(const EyeView& eye,
-                                          const WorldSegment& segment,
-                                          const ClassStretch& stretch) {
+std::optional<ScreenLine> clip_to_image(const EyeView& eye,
+                                        const WorldSegment& segment,
+                                        const ClassStretch& stretch) {
     const glm::dvec3& a = segment.a_clip;
     const glm::dvec3& b = segment.b_clip;
     double t0 = stretch.t_begin, t1 = stretch.t_end;

@@ -19,7 +19,7 @@ struct WorldSegment {
     glm::dvec3 a_clip{0}, b_clip{0};
 };
 
-/// A stretch of a segment inside the picture, parameterised by s in 0..1, uniform on the screen.
+/// A stretch of a segment inside the image, parameterised by s in 0..1, uniform on the screen.
 struct ScreenLine {
     WorldSegment segment;
     LineClass line_class = LineClass::none;
@@ -42,10 +42,10 @@ struct ScreenLine {
 /// The crossing as a segment, which borrows it.
 [[nodiscard]] WorldSegment segment_of(const EyeView& eye, const Crossing& crossing);
 
-/// The part of a stretch of `segment` beyond the near plane and inside the picture; nothing if
+/// The part of a stretch of `segment` beyond the near plane and inside the image; nothing if
 /// there is none.
-[[nodiscard]] std::optional<ScreenLine> clip_to_picture(const EyeView& eye,
-                                                        const WorldSegment& segment,
-                                                        const ClassStretch& stretch);
+[[nodiscard]] std::optional<ScreenLine> clip_to_image(const EyeView& eye,
+                                                      const WorldSegment& segment,
+                                                      const ClassStretch& stretch);
 
 }  // namespace ink::truth

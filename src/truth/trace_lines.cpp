@@ -106,33 +106,34 @@ class LineTracer {
                                                      : ContourKind::none;
         curve.begin = line_->point_at(begin);
         curve.end = line_->point_at(end);
-        curve.bend_rad = line_->segment.crossing != nullptr ? bend_of_crossing()
-                                                            : bend(begin + (end - begin) / 2);
+        curve.deviation_rad = line_->segment.crossing != nullptr
+                                  ? deviation_of_crossing()
+                                  : deviation(begin + (end - begin) / 2);
         out_.curves.push_back(curve);
     }
 
     /// How far the two seen faces deviate from flat; of a contour its first two faces.
-    [[nodiscard]] float bend(double s) const {
+    [[nodiscard]] float deviation(double s) const {
         const scene::Topology& topology = eye_.model.topology;
         const std::uint32_t e = line_->segment.edge;
         const scene::Edge& edge = topology.edges[e];
         const bool is_outline =
             line_->line_class == LineClass::contour || line_->line_class == LineClass::boundary;
         if (eye_.model.is_touched[e] != 0 && !is_outline) {
-            return static_cast<float>(seen_bend_rad(eye_, e, line_->segment_parameter(s)));
+            return static_cast<float>(seen_deviation_rad(eye_, e, line_->segment_parameter(s)));
         }
         if (edge.face_count < 2) return 0;
         const SeenFaces seen = eye_.seen_faces(edge);
         if (seen.left == kNoFace || seen.right == kNoFace) {
             const auto faces = topology.faces_of(edge);
-            return static_cast<float>(scene::bend_rad(topology, edge, faces[0], faces[1]));
+            return static_cast<float>(scene::deviation_rad(topology, edge, faces[0], faces[1]));
         }
-        return static_cast<float>(scene::bend_rad(topology, edge, seen.left, seen.right));
+        return static_cast<float>(scene::deviation_rad(topology, edge, seen.left, seen.right));
     }
 
     /// The same of a crossing. One face is seen on either side, both from where the eye is, so it
     /// is the angle between the normals that face the eye.
-    [[nodiscard]] float bend_of_crossing() const {
+    [[nodiscard]] float deviation_of_crossing() const {
         const Crossing& crossing = *line_->segment.crossing;
         const auto& p = eye_.model.topology.p_world;
         const auto normal_of = [&](std::uint32_t f) {
@@ -188,7 +189,7 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
     for (std::size_t i = begin; i < end; ++i) {
         if (i >= tracing.edges.size()) {
             const Crossing& crossing = *tracing.crossings[i - tracing.edges.size()];
-            const auto line = clip_to_picture(
+            const auto line = clip_to_image(
                 tracing.eye, segment_of(tracing.eye, crossing), {LineClass::intersection, 0, 1});
             if (line) tracer.trace(*line);
             continue;
@@ -196,7 +197,7 @@ TracedLines trace_chunk(const Tracing& tracing, std::size_t begin, std::size_t e
         const std::uint32_t e = tracing.edges[i];
         bool is_inside = false;
         for (const ClassStretch& stretch : line_stretches(tracing.eye, e)) {
-            const auto line = clip_to_picture(tracing.eye, segment_of(tracing.eye, e), stretch);
+            const auto line = clip_to_image(tracing.eye, segment_of(tracing.eye, e), stretch);
             if (!line) continue;
             is_inside = true;
             tracer.trace(*line);
@@ -219,7 +220,7 @@ class Account {
         const std::unique_lock lock(reporting_, std::try_to_lock);
         if (trace_.progress && lock) trace_.progress(done, tasks_);
     }
-    /// Once it is, it stays so: whether it ends so does not hang on the order of the tasks.
+    /// Once it is, it stays so: whether it ends so does not depend on the order of the tasks.
     [[nodiscard]] bool is_overdrawn() const {
         return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
     }

@@ -12,13 +12,13 @@ namespace ink::truth {
 /// The visible lines of a view and what finding them cost.
 struct TracedLines {
     std::vector<Curve> curves;  ///< sorted by edge, then along it from a to b; then the crossings
-    std::size_t candidate_edges = 0;  ///< edges with a line inside the picture
+    std::size_t candidate_edges = 0;  ///< edges with a line inside the image
     std::size_t samples = 0;
     std::size_t rays = 0;
 };
 
 /// Construction A: clips every feature edge and every crossing of two faces to near plane and
-/// picture, samples it at most 1/4 px apart and bisects each change of visibility (of a contour
+/// image, samples it at most 1/4 px apart and bisects each change of visibility (of a contour
 /// also each change of what lies behind it) to 1/512 px. The same for every thread count. Throws
 /// TooLarge once samples or rays exceed `trace.limits`.
 [[nodiscard]] TracedLines trace_lines(const EyeView& eye,

@@ -33,7 +33,7 @@ struct Layers {
         triangle;                      ///< global triangle index, `kNoTriangle` where there is sky
     core::Image<std::uint32_t> patch;  ///< smooth patch, `kNoTriangle` where there is sky
     core::Image<float> n_dot_v;        ///< |cos| between facet normal and ray; 0 for sky
-    core::Image<float> w;              ///< distance along the gaze; infinity for sky
+    core::Image<float> w;              ///< distance along the view direction; infinity for sky
 };
 
 /// Counts of one trace, for rows and for the curious.
@@ -43,7 +43,7 @@ struct TruthCounts {
     std::size_t duplicate = 0;
     std::size_t joined_vertices = 0;  ///< by the weld's epsilon alone
     std::size_t collapsed = 0;        ///< triangles that the weld's epsilon alone made degenerate
-    std::size_t defect_edges = 0;     ///< boundaries that no picture can show; not scored
+    std::size_t defect_edges = 0;     ///< boundaries that no image can show; not scored
     std::size_t candidate_edges = 0;  ///< feature edges inside the frustum
     std::size_t samples = 0;
     std::size_t rays = 0;
@@ -70,7 +70,7 @@ struct Truth {
 /// from the eye; a line point is visible if the open segment from the eye meets no triangle but the
 /// line's own faces. Of surfaces at the same depth the lowest face is seen; where an edge lies in
 /// faces that are not its own, touching.h has the rule. Same result for every thread count. An
-/// empty picture or a scene that shows nothing gives labels of zeros. Throws TooLarge where the
+/// empty image or a scene that shows nothing gives labels of zeros. Throws TooLarge where the
 /// view would exceed the options' limits.
 [[nodiscard]] Truth trace_truth(const scene::Scene& scene,
                                 const scene::View& view,

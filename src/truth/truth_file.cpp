@@ -126,7 +126,7 @@ void write_curve(Writer& out, const Curve& curve) {
     out.value(curve.edge);
     out.value(curve.face0);
     out.value(curve.face1);
-    out.value(curve.bend_rad);
+    out.value(curve.deviation_rad);
     out.value(curve.gap);
     out.value(curve.view_angle_rad);
     out.value(curve.begin);
@@ -141,7 +141,7 @@ Curve read_curve(Reader& in) {
     curve.edge = in.value<std::uint32_t>();
     curve.face0 = in.value<std::uint32_t>();
     curve.face1 = in.value<std::uint32_t>();
-    curve.bend_rad = in.value<float>();
+    curve.deviation_rad = in.value<float>();
     curve.gap = in.value<float>();
     curve.view_angle_rad = in.value<float>();
     curve.begin = in.value<CurvePoint>();

@@ -15,7 +15,7 @@ namespace ink::truth {
 struct LinePoint {
     std::uint32_t edge = kNoEdge;  ///< kNoEdge on a crossing
     glm::dvec3 p_world{0};
-    double w = 0;  ///< distance along the gaze
+    double w = 0;  ///< distance along the view direction
     const Crossing* crossing = nullptr;
 };
 

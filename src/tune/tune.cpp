@@ -26,9 +26,9 @@ namespace {
 /// Thrown between two evaluations after Ctrl-C.
 struct Interrupted {};
 
-/// The settings that the user fixed, with those of the knobs over them.
-harness::Entrant with(const harness::Entrant& entrant, const core::ParamValues& settings) {
-    harness::Entrant changed = entrant;
+/// The settings that the user fixed, with those of the parameters over them.
+harness::MethodConfig with(const harness::MethodConfig& config, const core::ParamValues& settings) {
+    harness::MethodConfig changed = config;
     for (const auto& [name, value] : settings)
         changed.settings[name] = value;
     return changed;
@@ -49,7 +49,7 @@ class Tuner {
           space_(space),
           bench_(bench),
           log_(log),
-          has_planes_(!options.budget_ms && bench.planes().can_search(options.entrant, space)),
+          has_planes_(!options.budget_ms && bench.planes().can_search(options.config, space)),
           progress_("tune", options.plan.evaluations * (options.random ? 2 : 1)) {}
 
     [[nodiscard]] TuneValue value_of(const core::ParamValues& settings) {
@@ -77,7 +77,7 @@ class Tuner {
     /// By planes where that can be, unless it may be the best yet: that the method itself decides.
     /// Hangs on the search alone and on nothing that is on disk already.
     [[nodiscard]] TuneValue candidate(const core::ParamValues& settings) {
-        if (has_planes_ && bench_.planes().can_draw(with(options_.entrant, settings))) {
+        if (has_planes_ && bench_.planes().can_draw(with(options_.config, settings))) {
             const TuneValue found = value_by(settings, DrawnBy::planes);
             if (found.value >= best_) return found;
         }
@@ -90,19 +90,19 @@ class Tuner {
         std::optional<TuneValue> found = log_.find(key);
         if (!found) {
             if (harness::is_interrupted()) throw Interrupted();
-            found = measured(with(options_.entrant, settings), by);
+            found = measured(with(options_.config, settings), by);
             log_.add(key, *found);
         }
         found->is_by_planes = is_by_planes;
         return *found;
     }
 
-    [[nodiscard]] TuneValue measured(const harness::Entrant& entrant, DrawnBy by) {
+    [[nodiscard]] TuneValue measured(const harness::MethodConfig& config, DrawnBy by) {
         TuneValue found;
         if (options_.objective == TuneObjective::ap) {
-            found.error = 1 - score::average_precision(bench_.curve(entrant, by));
+            found.error = 1 - score::average_precision(bench_.curve(config, by));
         } else {
-            const std::vector<score::CurveCount> scenes = bench_.counts(entrant, by);
+            const std::vector<score::CurveCount> scenes = bench_.counts(config, by);
             const bool is_pooled = options_.objective == TuneObjective::error;
             found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
         }
@@ -132,56 +132,59 @@ const TuneStep& best_of(const std::vector<TuneStep>& steps) {
     });
 }
 
-/// All that a result of the search hangs on.
+/// All that a result of the search depends on.
 std::string key_of(const TuneOptions& options, const TuneSpace& space, const std::string& inputs) {
     core::Hasher hasher;
-    hasher.text(options.command).text(inputs).text(options.entrant.info->name);
-    hasher.text(harness::join_params(options.entrant.info->complete(options.entrant.settings)));
-    for (const TunedKnob& knob : space.knobs())
-        hasher.text(knob.param.name).value(knob.low).value(knob.high);
+    hasher.text(options.command).text(inputs).text(options.config.info->name);
+    hasher.text(harness::join_params(options.config.info->complete(options.config.settings)));
+    for (const TunedParameter& parameter : space.parameters())
+        hasher.text(parameter.param.name).value(parameter.low).value(parameter.high);
     return hasher.hex();
 }
 
 TuneSpace checked_space(const TuneOptions& options) {
-    TuneSpace space(*options.entrant.info, options.knobs);
+    TuneSpace space(*options.config.info, options.parameters);
     if (options.objective == TuneObjective::ap && space.has("threshold")) {
-        if (!options.knobs.empty()) {
+        if (!options.parameters.empty()) {
             throw core::Error("--params",
                               "average precision is over all thresholds",
                               "no threshold with --objective ap");
         }
         std::string others;
-        for (const std::string& knob : harness::split_list(default_knobs(*options.entrant.info))) {
-            if (!knob.starts_with("threshold")) others += knob + ",";
+        for (const std::string& parameter :
+             harness::split_list(default_parameters(*options.config.info))) {
+            if (!parameter.starts_with("threshold")) others += parameter + ",";
         }
-        space = TuneSpace(*options.entrant.info, others);
+        space = TuneSpace(*options.config.info, others);
     }
-    for (const TunedKnob& knob : space.knobs()) {
-        if (options.entrant.settings.count(knob.param.name) == 0) continue;
+    for (const TunedParameter& parameter : space.parameters()) {
+        if (options.config.settings.count(parameter.param.name) == 0) continue;
         throw core::Error("--set",
-                          fmt::format("{} is tuned", knob.param.name),
-                          "knobs that --params does not name");
+                          fmt::format("{} is tuned", parameter.param.name),
+                          "parameters that --params does not name");
     }
     return space;
 }
 
-/// The knobs' values among all settings of `entrant`.
-core::ParamValues knobs_of(const harness::Entrant& entrant, const TuneSpace& space) {
-    const core::ParamValues all = entrant.info->complete(entrant.settings);
-    core::ParamValues knobs;
-    for (const TunedKnob& knob : space.knobs())
-        knobs[knob.param.name] = all.at(knob.param.name);
-    return knobs;
+/// The parameters' values among all settings of `config`.
+core::ParamValues parameters_of(const harness::MethodConfig& config, const TuneSpace& space) {
+    const core::ParamValues all = config.info->complete(config.settings);
+    core::ParamValues parameters;
+    for (const TunedParameter& parameter : space.parameters())
+        parameters[parameter.param.name] = all.at(parameter.param.name);
+    return parameters;
 }
 
-void set_best_threshold(const harness::Entrant& entrant, TuneBench& bench, TunedSettings& found) {
-    const statistics::CellCurve curve{found.name, true, bench.curve(with(entrant, found.settings))};
+void set_best_threshold(const harness::MethodConfig& config,
+                        TuneBench& bench,
+                        TunedSettings& found) {
+    const statistics::CellCurve curve{found.name, true, bench.curve(with(config, found.settings))};
     found.settings["threshold"] =
         std::to_string(statistics::ods_on_training({curve}).front().threshold);
 }
 
 void write_results(const TuneOptions& options, const TuneSpace& space, TuneResult& result) {
-    methods::PresetFile file{options.name, options.entrant.info, options.entrant.settings, {}};
+    methods::PresetFile file{options.name, options.config.info, options.config.settings, {}};
     for (const auto& [name, value] : result.tuned.settings)
         file.settings[name] = value;
     file.provenance = provenance_lines(result, options);
@@ -201,26 +204,28 @@ double scenes_error(const std::vector<score::CurveCount>& scenes) {
     return mean * mean;
 }
 
-void add_training_views(harness::Subject& subject, const harness::ViewRequest& request, int count) {
-    if (count == 0 || subject.scene.split != scene::Split::train) return;
+void add_training_views(harness::SceneViews& scene_views,
+                        const harness::ViewRequest& request,
+                        int count) {
+    if (count == 0 || scene_views.scene.split != scene::Split::train) return;
     harness::ViewRequest more = request;
     more.orbit_count = count;
     more.cameras.clear();
     more.file_cameras = false;
-    for (scene::View& view : harness::make_subject(subject.scene, more).views) {
+    for (scene::View& view : harness::make_scene_views(scene_views.scene, more).views) {
         view.camera.name = "more_" + view.camera.name;
-        subject.views.push_back(std::move(view));
+        scene_views.views.push_back(std::move(view));
     }
 }
 
-TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& options) {
+TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options) {
     const harness::InterruptGuard guard;
     const TuneSpace space = checked_space(options);
-    const auto middle = std::stable_partition(subjects.begin(), subjects.end(), [](auto& subject) {
-        return subject.scene.split == scene::Split::train;
+    const auto middle = std::stable_partition(scenes.begin(), scenes.end(), [](auto& scene_views) {
+        return scene_views.scene.split == scene::Split::train;
     });
-    const std::vector<harness::Subject> train(subjects.begin(), middle);
-    const std::vector<harness::Subject> heldout(middle, subjects.end());
+    const std::vector<harness::SceneViews> train(scenes.begin(), middle);
+    const std::vector<harness::SceneViews> heldout(middle, scenes.end());
     if (train.empty()) {
         throw core::Error("--scenes",
                           "none of them is a training scene",
@@ -229,10 +234,10 @@ TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& optio
     begin_folder(options, space);
 
     TuneResult result;
-    for (const harness::Subject& subject : train)
-        result.train_scenes.push_back(subject.scene.name);
-    for (const harness::Subject& subject : heldout)
-        result.heldout_scenes.push_back(subject.scene.name);
+    for (const harness::SceneViews& scene_views : train)
+        result.train_scenes.push_back(scene_views.scene.name);
+    for (const harness::SceneViews& scene_views : heldout)
+        result.heldout_scenes.push_back(scene_views.scene.name);
     TuneBench bench(train, options.trace, options.threads);
     if (harness::is_interrupted()) {
         result.is_interrupted = true;
@@ -243,10 +248,10 @@ TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& optio
     result.inputs_hash = bench.hash();
     TuneLog log(options.out / "evaluations.csv.part", key_of(options, space, bench.hash()));
     result.resumed = log.found();
-    const core::ParamValues start = knobs_of(options.entrant, space);
+    const core::ParamValues start = parameters_of(options.config, space);
     try {
         Tuner tuner(options, space, bench, log);
-        result.defaults = {options.entrant.info->name, start, tuner.value_of(start), {}, {}};
+        result.defaults = {options.config.info->name, start, tuner.value_of(start), {}, {}};
         search(tuner.into(result.steps), space.point_of(start), options.plan);
         if (options.random) {
             random_search(tuner.into(result.random_steps), space.size(), options.plan);
@@ -272,23 +277,22 @@ TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& optio
     if (result.random) all.push_back(&*result.random);
     if (options.objective == TuneObjective::ap) {
         for (TunedSettings* each : all) {
-            if (each != &result.defaults) set_best_threshold(options.entrant, bench, *each);
+            if (each != &result.defaults) set_best_threshold(options.config, bench, *each);
         }
     }
     for (TunedSettings* each : all)
-        each->train = bench.counts(with(options.entrant, each->settings));
+        each->train = bench.counts(with(options.config, each->settings));
     const bool has_planes = std::any_of(result.steps.begin(), result.steps.end(), [](auto& step) {
         return step.found.is_by_planes;
     });
-    if (has_planes)
-        result.agreement = bench.agreement(with(options.entrant, result.tuned.settings));
+    if (has_planes) result.agreement = bench.agreement(with(options.config, result.tuned.settings));
     if (!heldout.empty()) {
         TuneBench unseen(heldout, options.trace, options.threads);
         result.is_interrupted = harness::is_interrupted();
         if (result.is_interrupted) return result;
         result.heldout_views = unseen.view_count();
         for (TunedSettings* each : all)
-            each->heldout = unseen.counts(with(options.entrant, each->settings));
+            each->heldout = unseen.counts(with(options.config, each->settings));
     }
     write_results(options, space, result);
     log.remove();

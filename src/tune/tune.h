@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "score/score.h"
@@ -34,8 +34,8 @@ enum class TuneObjective {
 [[nodiscard]] double scenes_error(const std::vector<score::CurveCount>& scenes);
 
 struct TuneOptions {
-    harness::Entrant entrant;  ///< the method, with settings that stay as the user set them
-    std::string knobs;         ///< as TuneSpace reads them
+    harness::MethodConfig config;  ///< the method, with settings that stay as the user set them
+    std::string parameters;        ///< as TuneSpace reads them
     TuneObjective objective = TuneObjective::error;
     /// Settings whose median drawing takes longer are out. Times are measured, so a search with a
     /// budget depends on the machine.
@@ -60,7 +60,7 @@ struct TuneStep {
 /// Settings with what they score.
 struct TunedSettings {
     std::string name;
-    core::ParamValues settings;  ///< of the knobs, and the threshold where AP chose it
+    core::ParamValues settings;  ///< of the parameters, and the threshold where AP chose it
     TuneValue found;
     std::vector<score::CurveCount> train;    ///< a sum per training scene, at 2 px
     std::vector<score::CurveCount> heldout;  ///< a sum per held-out scene; none if there are none
@@ -70,7 +70,7 @@ struct TunedSettings {
 struct TuneResult {
     TunedSettings defaults;  ///< the method as the user would have it without the search
     TunedSettings tuned;
-    std::optional<TunedSettings> random;  ///< the best that chance found
+    std::optional<TunedSettings> random;  ///< the best that random search found
     std::vector<TuneStep> steps;          ///< the search's evaluations
     std::vector<TuneStep> random_steps;
     std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
@@ -84,12 +84,14 @@ struct TuneResult {
     std::filesystem::path preset;  ///< the file that was written
 };
 
-/// Adds `count` views round the scene of a training `subject`, of the request's size, beside those
-/// it has. Does nothing to a held-out one.
-void add_training_views(harness::Subject& subject, const harness::ViewRequest& request, int count);
+/// Adds `count` views round the scene of a training `scene_views`, of the request's size, beside
+/// those it has. Does nothing to a held-out one.
+void add_training_views(harness::SceneViews& scene_views,
+                        const harness::ViewRequest& request,
+                        int count);
 
 /// Looks for the settings of a method that make the fewest errors on the training scenes among
-/// `subjects`, starting from its defaults, so that what is lowered is never worse there; scores
+/// `scenes`, starting from its defaults, so that what is lowered is never worse there; scores
 /// them on the held-out scenes, which the search never sees.
 ///
 /// Truths are traced once, and what a linear code reads of the scenes is rendered once: settings of
@@ -99,6 +101,6 @@ void add_training_views(harness::Subject& subject, const harness::ViewRequest& r
 /// but times is the same for every thread count. Finished evaluations are kept in
 /// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
 /// if no training scene takes part, or `out` holds another run or cannot be written.
-[[nodiscard]] TuneResult tune(std::vector<harness::Subject> subjects, const TuneOptions& options);
+[[nodiscard]] TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options);
 
 }  // namespace ink::tune

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "edge/edge_image.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 #include "score/drawing.h"
@@ -33,34 +33,34 @@ struct PlaneAgreement {
 ///
 /// Truths are traced (or read) once and kept as lists of pixels; a setting is then drawn and
 /// matched at 2 px alone. Where its code is one linear sum it can be drawn from planes, without the
-/// scenes. The pictures of the last settings are kept, so that one that differs in its threshold
+/// scenes. The images of the last settings are kept, so that one that differs in its threshold
 /// alone is not drawn again.
 class TuneBench {
   public:
-    /// Traces every view of `subjects`, saying on a terminal how far it is. Borrows the subjects.
+    /// Traces every view of `scenes`, saying on a terminal how far it is. Borrows the scenes.
     /// Throws core::Error where a truth is too large or was interrupted.
-    TuneBench(const std::vector<harness::Subject>& subjects,
+    TuneBench(const std::vector<harness::SceneViews>& scenes,
               const harness::TraceOptions& trace,
               int threads);
 
     [[nodiscard]] std::size_t view_count() const { return views_.size(); }
-    [[nodiscard]] std::size_t scene_count() const { return subjects_.size(); }
+    [[nodiscard]] std::size_t scene_count() const { return scenes_.size(); }
     /// A hash of what is scored against: names, sizes, truth pixels.
     [[nodiscard]] const std::string& hash() const { return hash_; }
 
     /// What can be drawn from planes.
     [[nodiscard]] const TunePlanes& planes() const { return planes_; }
 
-    /// Counts at 2 px and the entrant's own threshold, summed over the views of each scene.
-    [[nodiscard]] std::vector<score::CurveCount> counts(const harness::Entrant& entrant,
+    /// Counts at 2 px and the configuration's own threshold, summed over the views of each scene.
+    [[nodiscard]] std::vector<score::CurveCount> counts(const harness::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);
 
     /// The same at the 99 thresholds, summed over all views: for average precision.
-    [[nodiscard]] std::array<score::CurveCount, 99> curve(const harness::Entrant& entrant,
+    [[nodiscard]] std::array<score::CurveCount, 99> curve(const harness::MethodConfig& config,
                                                           DrawnBy by = DrawnBy::method);
 
     /// Planes held against the method that draws the same.
-    [[nodiscard]] PlaneAgreement agreement(const harness::Entrant& entrant);
+    [[nodiscard]] PlaneAgreement agreement(const harness::MethodConfig& config);
 
     /// Median over the views of the milliseconds that one drawing took, one view after the other on
     /// one thread, when this was last asked to draw.
@@ -70,23 +70,23 @@ class TuneBench {
 
   private:
     struct BenchView {
-        std::size_t subject = 0;
+        std::size_t scene_index = 0;
         scene::View view;
         score::ScoringTruth truth;
         score::TruthLists lists;
     };
     struct Drawn {
         std::string key;  ///< all settings but the threshold, and who drew
-        std::vector<edge::EdgeImage> pictures;
+        std::vector<edge::EdgeImage> images;
     };
-    const std::vector<edge::EdgeImage>& pictures_of(const harness::Entrant& entrant, DrawnBy by);
-    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const harness::Entrant& entrant);
-    void draw_subject(const harness::Entrant& entrant,
-                      std::size_t subject,
-                      std::vector<edge::EdgeImage>& pictures,
-                      std::vector<double>& times_ms) const;
+    const std::vector<edge::EdgeImage>& images_of(const harness::MethodConfig& config, DrawnBy by);
+    [[nodiscard]] std::vector<edge::EdgeImage> drawn_by_method(const harness::MethodConfig& config);
+    void draw_scene(const harness::MethodConfig& config,
+                    std::size_t scene_index,
+                    std::vector<edge::EdgeImage>& images,
+                    std::vector<double>& times_ms) const;
 
-    const std::vector<harness::Subject>& subjects_;
+    const std::vector<harness::SceneViews>& scenes_;
     int threads_;
     bool takes_times_ = false;
     double draw_ms_ = 0;

@@ -8,20 +8,20 @@
 
 namespace ink::tune {
 
-std::string tune_bound_lines(const std::vector<harness::Subject>& subjects,
+std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
                              const TuneResult& result,
                              const TuneOptions& options) {
     const harness::InterruptGuard guard;
     linear_code::BoundStudyOptions study;
-    study.entrant = options.entrant;
+    study.config = options.config;
     for (const auto& [name, value] : result.tuned.settings)
-        study.entrant.settings[name] = value;
-    if (!study.entrant.info->make(study.entrant.settings)->code()) return "";
+        study.config.settings[name] = value;
+    if (!study.config.info->make(study.config.settings)->code()) return "";
     study.trace = options.trace;
     study.search.threads = options.threads;
     std::string text = "linear bound: no four weights of this code come above it\n";
     try {
-        const std::vector<linear_code::BoundRow> rows = linear_code::study_bounds(subjects, study);
+        const std::vector<linear_code::BoundRow> rows = linear_code::study_bounds(scenes, study);
         for (const char* split : {"train", "heldout"}) {
             const linear_code::BoundRow* pooled = nullptr;  // the pool's row follows its scenes'
             for (const linear_code::BoundRow& row : rows) {

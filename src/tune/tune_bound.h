@@ -13,7 +13,7 @@ namespace ink::tune {
 /// terminal: F of the tuned settings, the bound, how far below it they stay, and how certain the
 /// bound is. "" for a method that declares no linear code; the reason in a line where its code has
 /// no bound.
-[[nodiscard]] std::string tune_bound_lines(const std::vector<harness::Subject>& subjects,
+[[nodiscard]] std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
                                            const TuneResult& result,
                                            const TuneOptions& options);
 

@@ -21,14 +21,14 @@ namespace {
 
 std::string asked_text(const TuneOptions& options, const TuneSpace& space) {
     toml::table parameters;
-    for (const auto& [name, value] : options.entrant.info->complete(options.entrant.settings))
+    for (const auto& [name, value] : options.config.info->complete(options.config.settings))
         parameters.insert(name, value);
     toml::table searched;
-    for (const TunedKnob& knob : space.knobs())
-        searched.insert(knob.param.name, toml::array{knob.low, knob.high});
+    for (const TunedParameter& parameter : space.parameters())
+        searched.insert(parameter.param.name, toml::array{parameter.low, parameter.high});
     std::ostringstream text;
     text << toml::table{
-        {"methods", toml::table{{options.entrant.info->name, std::move(parameters)}}},
+        {"methods", toml::table{{options.config.info->name, std::move(parameters)}}},
         {"search",
          toml::table{{"parameters", std::move(searched)},
                      {"evaluations", options.plan.evaluations},
@@ -71,7 +71,7 @@ struct SceneRow {
 };
 
 std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
-    core::ParamValues all = options.entrant.settings;
+    core::ParamValues all = options.config.settings;
     for (const auto& [name, value] : of.settings.settings)
         all[name] = value;
     harness::Row row;
@@ -81,7 +81,7 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
     row.split = of.is_train ? "train" : "heldout";
     row.threads = options.threads;
     row.seed = options.plan.seed;
-    row.params = harness::join_params(options.entrant.info->complete(all));
+    row.params = harness::join_params(options.config.info->complete(all));
     row.k_2px = of.count.k;
     row.n_pred = of.count.n_pred;
     row.n_truth = of.count.n_truth;
@@ -102,8 +102,7 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
     std::int64_t cell = 0;
     for (const TunedSettings* each : all) {
         for (std::size_t i = 0; i < each->train.size(); ++i)
-            text += line_of(
-                cell++, {*each, result.train_scenes[i], each->train[i], true}, options);
+            text += line_of(cell++, {*each, result.train_scenes[i], each->train[i], true}, options);
         for (std::size_t i = 0; i < each->heldout.size(); ++i)
             text += line_of(
                 cell++, {*each, result.heldout_scenes[i], each->heldout[i], false}, options);
@@ -119,8 +118,9 @@ harness::TableInfo evaluations_table(const TuneSpace& space) {
         "A line per evaluation of the tuner, in the order in which it asked for them.",
         {{"evaluation", "", "its number within the search; the random one counts anew"},
          {"phase", "", "start, global, local or random"}}};
-    for (const TunedKnob& knob : space.knobs())
-        table.columns.push_back({knob.param.name, knob.param.unit, "the parameter's value"});
+    for (const TunedParameter& parameter : space.parameters())
+        table.columns.push_back(
+            {parameter.param.name, parameter.param.unit, "the parameter's value"});
     table.columns.push_back({"e_train", "0..1", "what the search lowers, over training views"});
     table.columns.push_back({"drawn_by", "", "the method itself, or planes made once a view"});
     table.columns.push_back({"draw_ms", "ms", "median, where there is a time budget", true});
@@ -137,7 +137,7 @@ void begin_folder(const TuneOptions& options, const TuneSpace& space) {
 void finish_folder(const TuneResult& result, const TuneOptions& options, const TuneSpace& space) {
     core::write_whole_file(options.out / "rows.csv", rows_csv(result, options));
     core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
-    core::write_whole_file(options.out / "methods.csv", harness::methods_csv({options.entrant}));
+    core::write_whole_file(options.out / "methods.csv", harness::methods_csv({options.config}));
     experiment::RunRecord record = record_of(options, space);
     record.state = experiment::RunState::finished;
     record.blocks_done = record.blocks;

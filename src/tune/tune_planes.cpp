@@ -16,12 +16,12 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr std::size_t kBytesPerPixel = 4 * sizeof(float) + 1;
 
 /// The code of these settings, if every scene has the same.
-std::optional<method::LinearCode> code_of(const harness::Entrant& entrant) {
-    if (entrant.info->is_planned) return std::nullopt;
-    return entrant.info->make(entrant.settings)->code();
+std::optional<method::LinearCode> code_of(const harness::MethodConfig& config) {
+    if (config.info->is_planned) return std::nullopt;
+    return config.info->make(config.settings)->code();
 }
 
-/// What planes hang on.
+/// What planes depend on.
 std::string inputs_key(const method::LinearCode& code) {
     const method::CodeInputs& in = code.inputs;
     return fmt::format("{} {} {} {} {} {} {}",
@@ -34,19 +34,19 @@ std::string inputs_key(const method::LinearCode& code) {
                        in.renormalise);
 }
 
-/// The key at an end of a knob's range; "" if there is no code there.
-std::string key_at(harness::Entrant entrant, const TunedKnob& knob, double value) {
-    entrant.settings[knob.param.name] = core::format_param(knob.param, value);
-    const auto code = code_of(entrant);
+/// The key at an end of a parameter's range; "" if there is no code there.
+std::string key_at(harness::MethodConfig config, const TunedParameter& parameter, double value) {
+    config.settings[parameter.param.name] = core::format_param(parameter.param, value);
+    const auto code = code_of(config);
     return code ? inputs_key(*code) : "";
 }
 
 }  // namespace
 
-void TunePlanes::add_view(std::size_t subject,
+void TunePlanes::add_view(std::size_t scene_index,
                           const scene::View& view,
                           core::Image<std::uint32_t> triangle) {
-    views_.push_back({subject, view, std::move(triangle)});
+    views_.push_back({scene_index, view, std::move(triangle)});
 }
 
 std::size_t TunePlanes::set_bytes() const {
@@ -56,18 +56,20 @@ std::size_t TunePlanes::set_bytes() const {
     return pixels * kBytesPerPixel;
 }
 
-bool TunePlanes::can_draw(const harness::Entrant& entrant) const {
-    return set_bytes() <= kMostBytes && code_of(entrant).has_value();
+bool TunePlanes::can_draw(const harness::MethodConfig& config) const {
+    return set_bytes() <= kMostBytes && code_of(config).has_value();
 }
 
-bool TunePlanes::can_search(const harness::Entrant& entrant, const TuneSpace& space) const {
-    return can_draw(entrant) &&
-           std::all_of(space.knobs().begin(), space.knobs().end(), [&](const TunedKnob& knob) {
-               const bool is_number = knob.param.kind == core::ParamKind::real ||
-                                      knob.param.kind == core::ParamKind::integer;
-               return !is_number ||
-                      key_at(entrant, knob, knob.low) == key_at(entrant, knob, knob.high);
-           });
+bool TunePlanes::can_search(const harness::MethodConfig& config, const TuneSpace& space) const {
+    return can_draw(config) &&
+           std::all_of(space.parameters().begin(),
+                       space.parameters().end(),
+                       [&](const TunedParameter& parameter) {
+                           const bool is_number = parameter.param.kind == core::ParamKind::real ||
+                                                  parameter.param.kind == core::ParamKind::integer;
+                           return !is_number || key_at(config, parameter, parameter.low) ==
+                                                    key_at(config, parameter, parameter.high);
+                       });
 }
 
 const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code, int threads) {
@@ -81,10 +83,10 @@ const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code
     while (!kept_.empty() && (kept_.size() + 1) * set_bytes() > kMostBytes)
         kept_.erase(kept_.begin());
     PlaneSet set{key, std::vector<linear_code::ChannelPlanes>(views_.size())};
-    core::parallel_for(subjects_.size(), threads, [&](std::size_t s) {
-        const linear_code::ChannelSource source(subjects_[s].scene, code);
+    core::parallel_for(scenes_.size(), threads, [&](std::size_t s) {
+        const linear_code::ChannelSource source(scenes_[s].scene, code);
         for (std::size_t i = 0; i < views_.size(); ++i) {
-            if (views_[i].subject != s) continue;
+            if (views_[i].scene_index != s) continue;
             set.views[i] = source.planes(views_[i].view, views_[i].triangle, 1);
         }
     });
@@ -92,15 +94,15 @@ const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code
     return kept_.back();
 }
 
-std::vector<edge::EdgeImage> TunePlanes::pictures(const harness::Entrant& entrant, int threads) {
-    const auto code = code_of(entrant);
+std::vector<edge::EdgeImage> TunePlanes::images(const harness::MethodConfig& config, int threads) {
+    const auto code = code_of(config);
     assert(code);
     const PlaneSet& set = planes_of(*code, threads);
-    std::vector<edge::EdgeImage> pictures(views_.size());
+    std::vector<edge::EdgeImage> images(views_.size());
     core::parallel_for(views_.size(), threads, [&](std::size_t i) {
-        pictures[i] = linear_code::strengths_of(set.views[i], *code, 1);
+        images[i] = linear_code::responses_of(set.views[i], *code, 1);
     });
-    return pictures;
+    return images;
 }
 
 }  // namespace ink::tune

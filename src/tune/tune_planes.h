@@ -6,7 +6,7 @@
 
 #include "core/image.h"
 #include "edge/edge_image.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "linear_code/channel_planes.h"
 #include "tune/tune_space.h"
@@ -16,33 +16,34 @@ namespace ink::tune {
 /// Draws settings whose code is one linear sum without their method: from channel planes
 /// (linear_code/channel_planes.h) that are made once per view and serve every set of weights.
 ///
-/// Planes hang on what the code reads (normals, bend, encoding, range, interpolation) alone and are
-/// kept by that. A picture of them is the method's but for pixels that rounding decides, so it
-/// serves to choose among settings; what is reported is the method's.
+/// Planes depend on what the code reads (normals, dihedral deviation, encoding, range,
+/// interpolation) alone and are kept by that. An image of them is the method's but for pixels that
+/// rounding decides, so it serves to choose among settings; what is reported is the method's.
 class TunePlanes {
   public:
-    /// Borrows the subjects.
-    explicit TunePlanes(const std::vector<harness::Subject>& subjects) : subjects_(subjects) {}
+    /// Borrows the scenes.
+    explicit TunePlanes(const std::vector<harness::SceneViews>& scenes) : scenes_(scenes) {}
 
-    /// The next view of `subject`; `triangle` is what its pixels see (truth::Layers::triangle).
-    void add_view(std::size_t subject,
+    /// The next view of `scene_views`; `triangle` is what its pixels see (truth::Layers::triangle).
+    void add_view(std::size_t scene_index,
                   const scene::View& view,
                   core::Image<std::uint32_t> triangle);
 
     /// Whether these settings can be drawn so: they declare a code that is the same in every scene,
     /// and a set of planes takes no more than a gigabyte. Hangs on no earlier call.
-    [[nodiscard]] bool can_draw(const harness::Entrant& entrant) const;
+    [[nodiscard]] bool can_draw(const harness::MethodConfig& config) const;
 
     /// Whether it is worth it to search `space` so: none of its numbers makes new planes.
-    [[nodiscard]] bool can_search(const harness::Entrant& entrant, const TuneSpace& space) const;
+    [[nodiscard]] bool can_search(const harness::MethodConfig& config,
+                                  const TuneSpace& space) const;
 
-    /// The views' pictures, in the order in which they were added. can_draw() is the caller's duty.
-    [[nodiscard]] std::vector<edge::EdgeImage> pictures(const harness::Entrant& entrant,
-                                                        int threads);
+    /// The views' images, in the order in which they were added. can_draw() is the caller's duty.
+    [[nodiscard]] std::vector<edge::EdgeImage> images(const harness::MethodConfig& config,
+                                                      int threads);
 
   private:
     struct Seen {
-        std::size_t subject = 0;
+        std::size_t scene_index = 0;
         scene::View view;
         core::Image<std::uint32_t> triangle;
     };
@@ -53,7 +54,7 @@ class TunePlanes {
     [[nodiscard]] std::size_t set_bytes() const;
     const PlaneSet& planes_of(const method::LinearCode& code, int threads);
 
-    const std::vector<harness::Subject>& subjects_;
+    const std::vector<harness::SceneViews>& scenes_;
     std::vector<Seen> views_;
     std::vector<PlaneSet> kept_;  ///< the latest last
 };

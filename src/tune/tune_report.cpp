@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiment/leads.h"
+#include "experiment/paired_differences.h"
 #include "methods/preset.h"
 #include "statistics/bootstrap.h"
 #include "tune/tune_folder.h"
@@ -50,13 +50,15 @@ std::string error_line(const TunedSettings& each) {
                               heldout - train);
 }
 
-std::string lead_line(const char* where,
-                      const std::vector<score::CurveCount>& a,
-                      const std::vector<score::CurveCount>& b) {
-    const experiment::Lead lead{"", "", f_of(a) - f_of(b), statistics::lead_interval(a, b, {})};
+std::string paired_difference_line(const char* where,
+                                   const std::vector<score::CurveCount>& a,
+                                   const std::vector<score::CurveCount>& b) {
+    const experiment::PairedDifference paired{
+        "", "", f_of(a) - f_of(b), statistics::paired_interval(a, b, {})};
     const char* verdict = "";
-    if (lead.range) verdict = lead.is_beyond_chance() ? ": beyond chance" : ": may be chance";
-    return fmt::format("  on {} scenes {}{}\n", where, experiment::format_lead(lead), verdict);
+    if (paired.range) verdict = paired.is_significant() ? ": significant" : ": not significant";
+    return fmt::format(
+        "  on {} scenes {}{}\n", where, experiment::format_paired_difference(paired), verdict);
 }
 
 /// Best value after the first `n` steps.
@@ -110,7 +112,7 @@ std::string agreement_line(const TuneResult& result) {
 
 std::string settings_lines(const TuneResult& result, const TuneOptions& options) {
     std::string text;
-    const core::ParamValues defaults = options.entrant.info->complete(options.entrant.settings);
+    const core::ParamValues defaults = options.config.info->complete(options.config.settings);
     for (const auto& [name, value] : result.tuned.settings)
         text += fmt::format("  {:<16} {:>10} -> {}\n", name, defaults.at(name), value);
     return text;
@@ -124,8 +126,8 @@ std::string evaluations_csv(const TuneResult& result, const TuneSpace& space) {
         for (std::size_t i = 0; i < steps->size(); ++i) {
             const TuneStep& step = (*steps)[i];
             text += fmt::format("{},{}", i + 1, step.phase);
-            for (const TunedKnob& knob : space.knobs())
-                text += "," + step.settings.at(knob.param.name);
+            for (const TunedParameter& parameter : space.parameters())
+                text += "," + step.settings.at(parameter.param.name);
             text += fmt::format(
                 ",{},{}", step.found.error, step.found.is_by_planes ? "planes" : "method");
             text += step.found.draw_ms ? fmt::format(",{}\n", *step.found.draw_ms) : ",\n";
@@ -158,7 +160,7 @@ std::vector<std::pair<std::string, std::string>> provenance_lines(const TuneResu
 std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     std::string text = fmt::format(
         "{}: {} evaluations of {} over {} views of {} training scenes, seed {}{}\n\n",
-        options.entrant.info->name,
+        options.config.info->name,
         result.steps.size(),
         objective_words(options.objective),
         result.train_views,
@@ -174,10 +176,10 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     text += error_line(result.tuned);
     if (result.random) text += error_line(*result.random);
     text +=
-        fmt::format("\nlead of {} over {} in F, 95 %:\n", options.name, options.entrant.info->name);
-    text += lead_line("training", result.tuned.train, result.defaults.train);
+        fmt::format("\nlead of {} over {} in F, 95 %:\n", options.name, options.config.info->name);
+    text += paired_difference_line("training", result.tuned.train, result.defaults.train);
     if (result.heldout_views > 0) {
-        text += lead_line("unseen", result.tuned.heldout, result.defaults.heldout);
+        text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);
     }
     const bool is_late = options.budget_ms && result.tuned.found.value > 1;
     if (is_late) text += "none of the settings keeps within the time budget\n";

@@ -15,9 +15,9 @@ namespace ink::tune {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> provenance_lines(
     const TuneResult& result, const TuneOptions& options);
 
-/// What came of a search, for a terminal: errors of the defaults, of what was found and of chance
-/// on training and held-out scenes, the gap between them, intervals, the paired lead, how the
-/// search came down, the settings.
+/// What came of a search, for a terminal: errors of the defaults, of what was found and of random
+/// search on training and held-out scenes, the gap between them, intervals, the paired difference,
+/// how the search came down, the settings.
 [[nodiscard]] std::string tune_summary(const TuneResult& result, const TuneOptions& options);
 
 }  // namespace ink::tune

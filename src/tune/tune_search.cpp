@@ -14,8 +14,8 @@ namespace {
 /// Settings are rounded, so a search may ask for one again and again: at most so many questions for
 /// each evaluation.
 constexpr int kMostCallsPerEvaluation = 20;
-/// First steps of the local searches, shares of a knob's range; one that ends early is followed by
-/// the next.
+/// First steps of the local searches, shares of a parameter's range; one that ends early is
+/// followed by the next.
 constexpr std::array kLocalSteps = {0.1, 0.03, 0.2, 0.01, 0.05, 0.15};
 
 nlopt_algorithm algorithm_of(const std::string& name) {

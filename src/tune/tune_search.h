@@ -42,7 +42,7 @@ void search(const SearchObjective& objective,
             const std::vector<double>& start,
             const SearchPlan& plan);
 
-/// Looks at as many points, even over the cube, that chance alone chooses: what every search must
+/// Looks at as many points, even over the cube, chosen at random alone: what every search must
 /// beat.
 void random_search(const SearchObjective& objective, std::size_t size, const SearchPlan& plan);
 

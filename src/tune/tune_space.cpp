@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 
 namespace ink::tune {
 namespace {
@@ -37,8 +37,8 @@ bool is_number(const core::Param& param) {
     return param.kind == core::ParamKind::real || param.kind == core::ParamKind::integer;
 }
 
-/// "low..high" into the knob.
-void narrow(const std::string& range, TunedKnob& knob) {
+/// "low..high" into the parameter.
+void narrow(const std::string& range, TunedParameter& parameter) {
     const auto dots = range.find("..");
     std::optional<double> low;
     std::optional<double> high;
@@ -46,7 +46,7 @@ void narrow(const std::string& range, TunedKnob& knob) {
         low = parse_number(std::string_view(range).substr(0, dots));
         high = parse_number(std::string_view(range).substr(dots + 2));
     }
-    const core::Param& param = knob.param;
+    const core::Param& param = parameter.param;
     if (!is_number(param) || !low || !high || !(*low < *high) || *low < param.min ||
         *high > param.max) {
         throw core::Error("--params",
@@ -55,26 +55,27 @@ void narrow(const std::string& range, TunedKnob& knob) {
                               ? fmt::format("low..high within {}..{}", param.min, param.max)
                               : "the name alone: every choice is tried");
     }
-    knob.low = *low;
-    knob.high = *high;
+    parameter.low = *low;
+    parameter.high = *high;
 }
 
-KnobScale scale_of(const TunedKnob& knob, bool is_limited) {
-    if (!is_number(knob.param) || is_limited) return KnobScale::linear;
-    if (knob.low > 0 && knob.high / knob.low >= kLogFactor) return KnobScale::log;
-    const bool has_zero = knob.low <= 0 && knob.high >= 0;
-    if (has_zero && knob.high - knob.low >= kSymLogWidth) return KnobScale::sym_log;
-    return KnobScale::linear;
+ParameterScale scale_of(const TunedParameter& parameter, bool is_limited) {
+    if (!is_number(parameter.param) || is_limited) return ParameterScale::linear;
+    if (parameter.low > 0 && parameter.high / parameter.low >= kLogFactor)
+        return ParameterScale::log;
+    const bool has_zero = parameter.low <= 0 && parameter.high >= 0;
+    if (has_zero && parameter.high - parameter.low >= kSymLogWidth) return ParameterScale::sym_log;
+    return ParameterScale::linear;
 }
 
-double bent(KnobScale scale, double value) {
-    if (scale == KnobScale::log) return std::log(value);
-    return scale == KnobScale::sym_log ? std::asinh(value) : value;
+double bent(ParameterScale scale, double value) {
+    if (scale == ParameterScale::log) return std::log(value);
+    return scale == ParameterScale::sym_log ? std::asinh(value) : value;
 }
 
-double straight(KnobScale scale, double value) {
-    if (scale == KnobScale::log) return std::exp(value);
-    return scale == KnobScale::sym_log ? std::sinh(value) : value;
+double straight(ParameterScale scale, double value) {
+    if (scale == ParameterScale::log) return std::exp(value);
+    return scale == ParameterScale::sym_log ? std::sinh(value) : value;
 }
 
 /// `value` to kDigits decimal digits, towards 0 where `is_down`. Through text, so that it is the
@@ -91,40 +92,40 @@ double rounded(double value, bool is_down) {
     return result;
 }
 
-double value_at(const TunedKnob& knob, double at) {
+double value_at(const TunedParameter& parameter, double at) {
     const double t = std::clamp(at, 0.0, 1.0);
-    if (!is_number(knob.param)) {
-        return std::floor(std::min(t, kAlmostOne) * (knob.param.max + 1));
+    if (!is_number(parameter.param)) {
+        return std::floor(std::min(t, kAlmostOne) * (parameter.param.max + 1));
     }
-    const double low = bent(knob.scale, knob.low);
-    const double high = bent(knob.scale, knob.high);
-    const double value =
-        std::clamp(straight(knob.scale, low + t * (high - low)), knob.low, knob.high);
-    if (knob.param.kind == core::ParamKind::integer) return std::round(value);
-    return std::clamp(rounded(value, false), knob.low, knob.high);
+    const double low = bent(parameter.scale, parameter.low);
+    const double high = bent(parameter.scale, parameter.high);
+    const double value = std::clamp(
+        straight(parameter.scale, low + t * (high - low)), parameter.low, parameter.high);
+    if (parameter.param.kind == core::ParamKind::integer) return std::round(value);
+    return std::clamp(rounded(value, false), parameter.low, parameter.high);
 }
 
-double point_at(const TunedKnob& knob, double value) {
-    if (!is_number(knob.param)) return (value + 0.5) / (knob.param.max + 1);
-    const double low = bent(knob.scale, knob.low);
-    const double high = bent(knob.scale, knob.high);
-    const double at = bent(knob.scale, std::clamp(value, knob.low, knob.high));
+double point_at(const TunedParameter& parameter, double value) {
+    if (!is_number(parameter.param)) return (value + 0.5) / (parameter.param.max + 1);
+    const double low = bent(parameter.scale, parameter.low);
+    const double high = bent(parameter.scale, parameter.high);
+    const double at = bent(parameter.scale, std::clamp(value, parameter.low, parameter.high));
     return std::clamp((at - low) / (high - low), 0.0, 1.0);
 }
 
 }  // namespace
 
-std::string default_knobs(const method::MethodInfo& method) {
-    std::string knobs;
+std::string default_parameters(const method::MethodInfo& method) {
+    std::string parameters;
     for (const method::Tunable& tunable : method.tunables) {
-        knobs += (knobs.empty() ? "" : ",") + tunable.param;
+        parameters += (parameters.empty() ? "" : ",") + tunable.param;
         if (tunable.range)
-            knobs += fmt::format("={}..{}", tunable.range->first, tunable.range->second);
+            parameters += fmt::format("={}..{}", tunable.range->first, tunable.range->second);
     }
-    return knobs.empty() ? "threshold" : knobs;
+    return parameters.empty() ? "threshold" : parameters;
 }
 
-TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& knobs)
+TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& parameters)
     : limits_(method.sum_limits) {
     const auto is_limited = [&](const std::string& name) {
         return std::any_of(limits_.begin(), limits_.end(), [&](const method::SumLimit& limit) {
@@ -132,55 +133,58 @@ TuneSpace::TuneSpace(const method::MethodInfo& method, const std::string& knobs)
         });
     };
     for (const std::string& text :
-         harness::split_list(knobs.empty() ? default_knobs(method) : knobs)) {
+         harness::split_list(parameters.empty() ? default_parameters(method) : parameters)) {
         const auto equals = text.find('=');
         const std::string name = text.substr(0, equals);
         if (has(name)) {
             throw core::Error("--params", fmt::format("'{}' is named twice", name), "each once");
         }
         const core::Param& param = find_param(method, name);
-        TunedKnob knob{param, param.min, param.max, KnobScale::linear};
-        if (equals != std::string::npos) narrow(text.substr(equals + 1), knob);
-        knob.scale = scale_of(knob, is_limited(name));
-        knobs_.push_back(std::move(knob));
+        TunedParameter parameter{param, param.min, param.max, ParameterScale::linear};
+        if (equals != std::string::npos) narrow(text.substr(equals + 1), parameter);
+        parameter.scale = scale_of(parameter, is_limited(name));
+        parameters_.push_back(std::move(parameter));
     }
-    if (knobs_.empty()) throw core::Error("--params", "it names no knob", "a,b or a=low..high");
+    if (parameters_.empty())
+        throw core::Error("--params", "it names no parameter", "a,b or a=low..high");
 }
 
 bool TuneSpace::has(const std::string& name) const {
-    return std::any_of(knobs_.begin(), knobs_.end(), [&](const TunedKnob& knob) {
-        return knob.param.name == name;
-    });
+    return std::any_of(
+        parameters_.begin(), parameters_.end(), [&](const TunedParameter& parameter) {
+            return parameter.param.name == name;
+        });
 }
 
 core::ParamValues TuneSpace::settings_at(const std::vector<double>& point) const {
     std::vector<double> values;
-    for (std::size_t i = 0; i < knobs_.size(); ++i)
-        values.push_back(value_at(knobs_[i], point[i]));
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+        values.push_back(value_at(parameters_[i], point[i]));
     for (const method::SumLimit& limit : limits_) {
         const auto is_in = [&](std::size_t i) {
-            return std::count(limit.params.begin(), limit.params.end(), knobs_[i].param.name) > 0;
+            return std::count(limit.params.begin(), limit.params.end(), parameters_[i].param.name) >
+                   0;
         };
         double sum = 0;
-        for (std::size_t i = 0; i < knobs_.size(); ++i)
+        for (std::size_t i = 0; i < parameters_.size(); ++i)
             sum += is_in(i) ? values[i] : 0;
         if (sum <= limit.limit) continue;
-        for (std::size_t i = 0; i < knobs_.size(); ++i) {
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
             if (is_in(i)) values[i] = rounded(values[i] * (limit.limit / sum), true);
         }
     }
     core::ParamValues settings;
-    for (std::size_t i = 0; i < knobs_.size(); ++i)
-        settings[knobs_[i].param.name] = core::format_param(knobs_[i].param, values[i]);
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+        settings[parameters_[i].param.name] = core::format_param(parameters_[i].param, values[i]);
     return settings;
 }
 
 std::vector<double> TuneSpace::point_of(const core::ParamValues& settings) const {
     std::vector<double> point;
-    for (const TunedKnob& knob : knobs_) {
-        const double value =
-            core::parse_param(knob.param, settings.at(knob.param.name), knob.param.name);
-        point.push_back(point_at(knob, value));
+    for (const TunedParameter& parameter : parameters_) {
+        const double value = core::parse_param(
+            parameter.param, settings.at(parameter.param.name), parameter.param.name);
+        point.push_back(point_at(parameter, value));
     }
     return point;
 }

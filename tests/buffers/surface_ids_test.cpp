@@ -98,7 +98,7 @@ bool has_line(const edge::EdgeImage& image) {
     return std::any_of(image.data(), image.data() + image.size(), [](int s) { return s > 0; });
 }
 
-/// `scene` from above, all of the picture within it.
+/// `scene` from above, all of the image within it.
 edge::EdgeImage from_above(const scene::Scene& scene,
                            const std::string& method,
                            const core::ParamValues& values) {
@@ -131,7 +131,7 @@ TEST(methods::Ids, FollowAPatchThatComesApart) {
     EXPECT_TRUE(has_line(lifted));
 }
 
-/// One object: a low square, and a smaller one above it. Seen from above it fills the picture.
+/// One object: a low square, and a smaller one above it. Seen from above it fills the image.
 scene::Scene raised_square() {
     scene::Mesh mesh = methods::floor_mesh(3);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());

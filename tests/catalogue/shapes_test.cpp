@@ -103,9 +103,9 @@ TEST(Shapes, ExtrudedConcaveOutlineKeepsItsArea) {
 }
 
 TEST(Shapes, TubesAreClosedAndFaceOutwards) {
-    const TubeNode bend[] = {
+    const TubeNode deviation[] = {
         {{0, 0, 0}, 0.1}, {{0, 1, 0}, 0.1}, {{1, 1.5, 0.5}, 0.2}, {{2, 1, 1}, 0.1}};
-    const scene::Mesh tube = make_tube(smoothed(bend, 8), 16);
+    const scene::Mesh tube = make_tube(smoothed(deviation, 8), 16);
     expect_closed(tube, 2);
     EXPECT_GT(volume(tube), 0);
 

@@ -12,18 +12,18 @@ enum class Fruit { apple, pear };
 struct Shared {
     int count = 3;
 };
-struct Knobs : Shared {
+struct Parameters : Shared {
     double size = 0.5;
     bool is_ripe = true;
     Fruit fruit = Fruit::pear;
 };
 
-ParamTable<Knobs> table() {
-    return ParamTable<Knobs>()
-        .number(&Knobs::size, "size", {0, 1}, "px", "How large.")
-        .number(&Knobs::count, "count", {0, 9}, "", "How many.")
-        .flag(&Knobs::is_ripe, "is_ripe", "Whether it can be eaten.")
-        .choice(&Knobs::fruit, "fruit", {"apple", "pear"}, "Which.");
+ParamTable<Parameters> table() {
+    return ParamTable<Parameters>()
+        .number(&Parameters::size, "size", {0, 1}, "px", "How large.")
+        .number(&Parameters::count, "count", {0, 9}, "", "How many.")
+        .flag(&Parameters::is_ripe, "is_ripe", "Whether it can be eaten.")
+        .choice(&Parameters::fruit, "fruit", {"apple", "pear"}, "Which.");
 }
 
 std::string message_of(const ParamValues& values) {
@@ -44,7 +44,7 @@ TEST(ParamTable, DefaultsComeFromTheFields) {
 }
 
 TEST(ParamTable, ReadsEveryKind) {
-    const Knobs k = table().read(
+    const Parameters k = table().read(
         {{"size", "0.25"}, {"count", "9"}, {"is_ripe", "false"}, {"fruit", "apple"}}, "basket");
     EXPECT_EQ(k.size, 0.25);
     EXPECT_EQ(k.count, 9);
@@ -53,7 +53,7 @@ TEST(ParamTable, ReadsEveryKind) {
 }
 
 TEST(ParamTable, WhatIsWrittenIsReadBack) {
-    Knobs k;
+    Parameters k;
     k.size = 0.1;
     k.fruit = Fruit::apple;
     const ParamValues values = table().write(k);

@@ -13,24 +13,26 @@ namespace {
 MethodExplanation explained(const std::string& scene,
                             const std::string& method,
                             const std::vector<std::string>& settings = {}) {
-    const harness::Subject subject = harness::make_subject(harness::load_scene(scene), {});
-    return explain(subject, harness::make_entrants(method, settings), 40).methods.front();
+    const harness::SceneViews scene_views =
+        harness::make_scene_views(harness::load_scene(scene), {});
+    return explain(scene_views, harness::make_configs(method, settings), 40).methods.front();
 }
 
-const Omission& find(const std::vector<Omission>& omissions, const std::string& what) {
+const Optimisation& find(const std::vector<Optimisation>& optimisations, const std::string& what) {
     return *std::find_if(
-        omissions.begin(), omissions.end(), [&](const auto& o) { return o.what == what; });
+        optimisations.begin(), optimisations.end(), [&](const auto& o) { return o.what == what; });
 }
 
 TEST(Explain, ListsEverySkipForEveryMethod) {
-    const harness::Subject subject = harness::make_subject(harness::load_scene("cube"), {});
-    const auto entrants = harness::make_entrants("", {});
-    const Explanation all = explain(subject, entrants, 40);
-    ASSERT_EQ(all.methods.size(), entrants.size());
-    EXPECT_EQ(all.views.size(), subject.views.size());
+    const harness::SceneViews scene_views =
+        harness::make_scene_views(harness::load_scene("cube"), {});
+    const auto configs = harness::make_configs("", {});
+    const Explanation all = explain(scene_views, configs, 40);
+    ASSERT_EQ(all.methods.size(), configs.size());
+    EXPECT_EQ(all.views.size(), scene_views.views.size());
     for (const MethodExplanation& method : all.methods) {
         ASSERT_EQ(method.skips.size(), raster::kSkipCount) << method.method;
-        for (const Omission& skip : method.skips)
+        for (const Optimisation& skip : method.skips)
             EXPECT_FALSE(skip.why.empty()) << method.method << ", " << skip.what;
     }
 }
@@ -56,9 +58,9 @@ TEST(Explain, FlatTilesNeedACodeThatIsLinearOnTheScreen) {
     EXPECT_FALSE(find(explained("cube", "decaudin").skips, "flat_tiles").may);
 }
 
-TEST(Explain, BacksNeedSealedPieces) {
-    EXPECT_TRUE(find(explained("cube", "mote4").skips, "backs").may);
-    EXPECT_FALSE(find(explained("tiles", "mote4").skips, "backs").may);
+TEST(Explain, BackFaceCullingNeedsWatertightComponents) {
+    EXPECT_TRUE(find(explained("cube", "mote4").skips, "back_face_culling").may);
+    EXPECT_FALSE(find(explained("tiles", "mote4").skips, "back_face_culling").may);
 }
 
 TEST(Explain, AttributesAreLeftOutWhereTheirWeightIsZero) {
@@ -81,9 +83,10 @@ TEST(Explain, OnlyAutoHasAPlan) {
 }
 
 TEST(Explain, TextHasAHeadingForEachPart) {
-    const harness::Subject subject = harness::make_subject(harness::load_scene("torus"), {});
-    const std::string text = as_text(explain(subject, harness::make_entrants("auto", {}), 40));
-    for (const char* part : {"torus: its ledger",
+    const harness::SceneViews scene_views =
+        harness::make_scene_views(harness::load_scene("torus"), {});
+    const std::string text = as_text(explain(scene_views, harness::make_configs("auto", {}), 40));
+    for (const char* part : {"torus: its scene statistics",
                              "torus, seen from ",
                              "auto: what it may leave out",
                              "auto: channels that tell nothing",

@@ -7,8 +7,8 @@
 
 #include "catalogue/shapes.h"
 #include "draw/exr_layers.h"
+#include "draw/image_output.h"
 #include "draw/outline_svg.h"
-#include "draw/picture.h"
 #include "image_io/exr_file.h"
 #include "tests/report/markup.h"
 
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// A cube of side 2 face-on at depth 5, as many px wide as its formula says, in a 64 x 48 frame.
-harness::Subject cube() {
+harness::SceneViews cube() {
     harness::ViewRequest request;
     request.width_px = 64;
     request.height_px = 48;
@@ -34,11 +34,11 @@ harness::Subject cube() {
     scene.name = "cube";
     scene.meshes = {catalogue::make_box({-1, -1, -1}, {1, 1, 1})};
     scene.instances = {{0, glm::dmat4(1), "only"}};
-    return harness::make_subject(std::move(scene), request);
+    return harness::make_scene_views(std::move(scene), request);
 }
 
-truth::Truth traced(const harness::Subject& subject) {
-    return truth::trace_truth(subject.scene, subject.views.front(), {});
+truth::Truth traced(const harness::SceneViews& scene_views) {
+    return truth::trace_truth(scene_views.scene, scene_views.views.front(), {});
 }
 
 template <class Held>
@@ -57,10 +57,10 @@ std::string text_attribute(const image_io::ExrFile& file, const std::string& nam
 }
 
 TEST(TruthExr, HoldsEveryLayerAsItIs) {
-    const harness::Subject subject = cube();
-    const truth::Truth truth = traced(subject);
+    const harness::SceneViews scene_views = cube();
+    const truth::Truth truth = traced(scene_views);
     const fs::path path = fs::path(testing::TempDir()) / "truth_layers.exr";
-    write_truth_exr(subject, {}, truth, path);
+    write_truth_exr(scene_views, {}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
 
@@ -92,11 +92,11 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
 }
 
 TEST(TruthExr, LeavesOutWhatWasNotTraced) {
-    const harness::Subject subject = cube();
+    const harness::SceneViews scene_views = cube();
     const truth::Truth truth =
-        truth::trace_truth(subject.scene, subject.views.front(), {.layers = false});
+        truth::trace_truth(scene_views.scene, scene_views.views.front(), {.layers = false});
     const fs::path path = fs::path(testing::TempDir()) / "truth_labels.exr";
-    write_truth_exr(subject, {}, truth, path);
+    write_truth_exr(scene_views, {}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
     EXPECT_EQ(file.channels.size(), 6U) << "R, G, B, class.label, crack.right and crack.below";
@@ -108,33 +108,33 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     EXPECT_EQ(right->at(20, 24), 0U);
 }
 
-TEST(DrawingExr, HoldsPictureShadingStrengthAndLayers) {
-    const harness::Subject subject = cube();
-    const harness::Entrant entrant = harness::make_entrants("mote4", {}).front();
+TEST(DrawingExr, HoldsImageShadingResponseAndLayers) {
+    const harness::SceneViews scene_views = cube();
+    const harness::MethodConfig config = harness::make_configs("mote4", {}).front();
     DrawOptions options;
     options.shading = shade::GouraudParams{};
-    const Drawing drawing = make_drawing(subject, entrant, options);
-    const edge::EdgeImage& strengths = drawing.strengths;
+    const Drawing drawing = make_drawing(scene_views, config, options);
+    const edge::EdgeImage& edge_responses = drawing.edge_responses;
     const fs::path path = fs::path(testing::TempDir()) / "drawing.exr";
-    const auto layers = draw_layers(subject, entrant, options);
-    write_drawing_exr(subject, entrant, drawing, layers, path);
+    const auto layers = draw_layers(scene_views, config, options);
+    write_drawing_exr(scene_views, config, drawing, layers, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
-    const auto* strength = channel<image_io::HalfImage>(file, "strength.Y");
-    ASSERT_NE(strength, nullptr);
+    const auto* edge_response = channel<image_io::HalfImage>(file, "response.Y");
+    ASSERT_NE(edge_response, nullptr);
     ASSERT_NE(channel<image_io::HalfImage>(file, "G"), nullptr);
     EXPECT_NE(channel<image_io::HalfImage>(file, "shading.G"), nullptr);
     EXPECT_NE(channel<image_io::HalfImage>(file, "packed.R"), nullptr);
     EXPECT_NE(channel<image_io::HalfImage>(file, "filtered.B"), nullptr);
-    for (std::size_t i = 0; i < strengths.size(); ++i)
-        EXPECT_EQ(std::lround(strength->pixels.data()[i] * 255), strengths.data()[i]);
+    for (std::size_t i = 0; i < edge_responses.size(); ++i)
+        EXPECT_EQ(std::lround(edge_response->pixels.data()[i] * 255), edge_responses.data()[i]);
     EXPECT_EQ(text_attribute(file, "ink:method"), "mote4");
 }
 
 TEST(OutlineSvg, IsWellFormedAndSaysWhatEachLineIs) {
-    const harness::Subject subject = cube();
+    const harness::SceneViews scene_views = cube();
     const std::string svg =
-        outline_svg(traced(subject), "a \"cube\" & <more>", subject.views.front());
+        outline_svg(traced(scene_views), "a \"cube\" & <more>", scene_views.views.front());
     EXPECT_EQ(report::nesting_error(svg), "");
     EXPECT_THAT(svg, HasSubstr(R"(viewBox="0 0 64 48")"));
     EXPECT_THAT(svg, HasSubstr(R"(data-class="contour" data-kind="sky")"));

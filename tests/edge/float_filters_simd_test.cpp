@@ -45,7 +45,7 @@ std::vector<DecaudinChannel> channels_of(Planes& planes, const DecaudinK& k) {
     return channels;
 }
 
-/// p of one channel from a g of its own, one pixel wider than the picture.
+/// p of one channel from a g of its own, one pixel wider than the image.
 core::Image<float> plain_p(const DecaudinChannel& channel, int width_px, int height_px) {
     core::Image<float> g(width_px + 2, height_px + 2);
     for (int y = 0; y < g.height_px(); ++y) {
@@ -74,7 +74,7 @@ EdgeImage plain_decaudin(const std::vector<DecaudinChannel>& channels,
     }
     EdgeImage out(width_px, height_px);
     for (std::size_t i = 0; i < out.size(); ++i)
-        out.data()[i] = plain::decaudin_strength(joined.data()[i], join);
+        out.data()[i] = plain::decaudin_response(joined.data()[i], join);
     return out;
 }
 
@@ -103,7 +103,7 @@ TEST(DecaudinSimd, EveryWidthIsThePlainFilterAndNothingBesideIsWritten) {
     });
 }
 
-TEST(DecaudinSimd, PicturesOfManyStripsAreThePlainFilter) {
+TEST(DecaudinSimd, ImagesOfManyStripsAreThePlainFilter) {
     on_every_target([] { check_decaudin(2500, 37, DecaudinJoin::either, {0.9F}); });
 }
 
@@ -145,7 +145,7 @@ void check_full(int width_px, int height_px, const FullLaplacianResponse& r) {
     laplacian_f32x4(views, out.view(), r);
     for (int y = 0; y < height_px; ++y) {
         for (int x = 0; x < width_px; ++x)
-            ASSERT_EQ(out.view().at(x, y), plain::full_strength_at(views, y * views.stride + x, r))
+            ASSERT_EQ(out.view().at(x, y), plain::full_response_at(views, y * views.stride + x, r))
                 << x << "," << y << " of width " << width_px;
     }
     ASSERT_TRUE(out.is_margin_whole()) << "width " << width_px;

@@ -14,7 +14,7 @@
 
 namespace ink::edge {
 
-/// A picture inside a margin, at a chosen offset from where its memory begins, so that rows lie
+/// An image inside a margin, at a chosen offset from where its memory begins, so that rows lie
 /// anywhere between cache lines.
 template <class T>
 class Guarded {
@@ -36,7 +36,7 @@ class Guarded {
     }
     [[nodiscard]] std::vector<T>& pixels() { return pixels_; }
 
-    /// Whether nothing but the picture itself was written.
+    /// Whether nothing but the image itself was written.
     [[nodiscard]] bool is_margin_whole() const {
         for (std::size_t i = 0; i < pixels_.size(); ++i) {
             const auto at = static_cast<std::ptrdiff_t>(i) - offset_px_;

@@ -20,7 +20,7 @@ void expect_plain(const core::ImageView<T>& codes,
                   const LaplacianResponse& r) {
     for (int y = 0; y < codes.height_px; ++y) {
         for (int x = 0; x < codes.width_px; ++x) {
-            ASSERT_EQ(out.at(x, y), plain::strength_at(codes.row(y) + x, codes.stride, r))
+            ASSERT_EQ(out.at(x, y), plain::response_at(codes.row(y) + x, codes.stride, r))
                 << x << "," << y << " of width " << codes.width_px << ", response "
                 << static_cast<int>(r.response) << " clip " << r.clip_bits << " scale "
                 << r.scale_bits << " bits " << r.code_bits << " wraps " << r.code_wraps;

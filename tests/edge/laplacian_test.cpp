@@ -14,7 +14,7 @@ namespace ink::edge {
 namespace {
 
 /// The definition of the header once more, without a thought of speed.
-int plain_strength(long laplacian, const LaplacianResponse& r) {
+int plain_response(long laplacian, const LaplacianResponse& r) {
     const long modulus = 1L << r.code_bits;
     const long wrapped = ((laplacian % modulus) + modulus) % modulus;
     if (r.response == Response::wrap) {
@@ -60,7 +60,7 @@ TYPED_TEST(LaplacianRow, IsTheDefinitionOnRandomImages) {
         for (int x = 0; x < kWidth; ++x) {
             const long laplacian = 4L * image.at(x + 1, 1) - image.at(x + 1, 0) -
                                    image.at(x + 1, 2) - image.at(x, 1) - image.at(x + 2, 1);
-            ASSERT_EQ(out[x], plain_strength(laplacian, r))
+            ASSERT_EQ(out[x], plain_response(laplacian, r))
                 << "L " << laplacian << " clip " << r.clip_bits << " scale " << r.scale_bits;
             ASSERT_EQ(respond(static_cast<int>(laplacian), r), out[x]);
         }

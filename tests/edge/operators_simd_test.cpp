@@ -141,7 +141,7 @@ TEST(Sobel, AOnePixelStepIsTwoWideInBothDifferentials) {
               (std::vector<std::uint8_t>{0, 0, 40, 40, 0, 0}));
 }
 
-TEST(ThresholdSimd, IsTheComparisonAtEveryStrengthAndWidth) {
+TEST(ThresholdSimd, IsTheComparisonAtEveryResponseAndWidth) {
     for (const int at_least : {1, 2, 127, 128, 254, 255}) {
         expect_every_width<std::uint8_t>(
             [&](auto in, auto out) { threshold(in, at_least, out); },
@@ -153,9 +153,9 @@ TEST(ThresholdSimd, EqualsOpenCvs) {
     core::Image<std::uint8_t> image(97, 31);
     for (std::size_t i = 0; i < image.size(); ++i)
         image.data()[i] = static_cast<std::uint8_t>(i * 37);
-    const cv::Mat strengths(31, 97, CV_8U, image.data());
+    const cv::Mat edge_responses(31, 97, CV_8U, image.data());
     cv::Mat theirs;
-    cv::threshold(strengths, theirs, 99, 1, cv::THRESH_BINARY);  // strictly above
+    cv::threshold(edge_responses, theirs, 99, 1, cv::THRESH_BINARY);  // strictly above
     const Mask ours = threshold(image, 100);
     EXPECT_TRUE(std::equal(ours.data(), ours.data() + ours.size(), theirs.data));
 }

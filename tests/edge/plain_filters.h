@@ -22,7 +22,7 @@ int laplacian_at(const T* at, std::ptrdiff_t stride) {
 }
 
 template <class T>
-std::uint8_t strength_at(const T* at, std::ptrdiff_t stride, const LaplacianResponse& r) {
+std::uint8_t response_at(const T* at, std::ptrdiff_t stride, const LaplacianResponse& r) {
     const long laplacian = laplacian_at(at, stride);
     const long modulus = 1L << r.code_bits;
     const long wrapped = ((laplacian % modulus) + modulus) % modulus;
@@ -72,12 +72,12 @@ inline float join(float joined, float p, DecaudinJoin how) {
     return joined + p * p;
 }
 
-inline std::uint8_t decaudin_strength(float joined, DecaudinJoin how) {
+inline std::uint8_t decaudin_response(float joined, DecaudinJoin how) {
     const float p = how == DecaudinJoin::length ? std::sqrt(joined) : joined;
     return static_cast<std::uint8_t>(std::min(p, 1.0F) * 255 + 0.5F);
 }
 
-inline std::uint8_t full_strength_at(const FloatPlanes& planes,
+inline std::uint8_t full_response_at(const FloatPlanes& planes,
                                      std::ptrdiff_t offset,
                                      const FullLaplacianResponse& r) {
     float sum = 0;

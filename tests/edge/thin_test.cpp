@@ -89,7 +89,7 @@ Mask thin_by_passes(Mask mask) {
     return mask;
 }
 
-int count_pieces(Mask mask) {
+int count_components(Mask mask) {
     int pieces = 0;
     std::vector<std::pair<int, int>> front;
     for (int y = 0; y < mask.height_px(); ++y) {
@@ -110,7 +110,7 @@ int count_pieces(Mask mask) {
     return pieces;
 }
 
-// The expected pictures of the next tests are what scikit-image 0.19 makes of them.
+// The expected images of the next tests are what scikit-image 0.19 makes of them.
 
 TEST(Thin, MakesABlockASpine) {
     EXPECT_EQ(rows_of(thin(mask_of({"######",  //
@@ -232,11 +232,11 @@ TEST(Thin, KeepsEveryPieceInOnePiece) {
     std::mt19937 random(9);
     for (int i = 0; i < 200; ++i) {
         const Mask mask = random_mask(25, 25, (i % 10 + 0.5) / 10, random);
-        ASSERT_EQ(count_pieces(thin(mask)), count_pieces(mask)) << "mask " << i;
+        ASSERT_EQ(count_components(thin(mask)), count_components(mask)) << "mask " << i;
     }
 }
 
-TEST(Threshold, TakesTheStrengthItself) {
+TEST(Threshold, TakesTheResponseItself) {
     EdgeImage image(4, 1);
     image.at(0, 0) = 0;
     image.at(1, 0) = 127;
@@ -247,14 +247,14 @@ TEST(Threshold, TakesTheStrengthItself) {
     EXPECT_EQ(rows_of(ink::edge::threshold(image, 255)), Rows{"...#"});
 }
 
-TEST(Threshold, PercentsAreTheLeastStrengthThatReachesThem) {
-    EXPECT_EQ(ink::edge::strength_at_percent(1), 3);    // 255 / 100 = 2.55
-    EXPECT_EQ(ink::edge::strength_at_percent(20), 51);  // exactly 51
-    EXPECT_EQ(ink::edge::strength_at_percent(99), 253);
+TEST(Threshold, PercentsAreTheLeastResponseThatReachesThem) {
+    EXPECT_EQ(ink::edge::response_at_percent(1), 3);    // 255 / 100 = 2.55
+    EXPECT_EQ(ink::edge::response_at_percent(20), 51);  // exactly 51
+    EXPECT_EQ(ink::edge::response_at_percent(99), 253);
     for (int k = 1; k <= 99; ++k) {
-        const int strength = ink::edge::strength_at_percent(k);
-        EXPECT_GE(strength * 100, 255 * k);
-        EXPECT_LT((strength - 1) * 100, 255 * k);
+        const int edge_response = ink::edge::response_at_percent(k);
+        EXPECT_GE(edge_response * 100, 255 * k);
+        EXPECT_LT((edge_response - 1) * 100, 255 * k);
     }
 }
 

@@ -17,19 +17,21 @@ using score::Cause;
 using testing::HasSubstr;
 using testing::Not;
 
-harness::Row row_of(const std::string& method, std::int64_t missing, std::int64_t off_line) {
+harness::Row row_of(const std::string& method,
+                    std::int64_t false_negatives,
+                    std::int64_t false_positives) {
     harness::Row row;
     row.method = method;
     row.n_truth = 1000;
     row.n_pred = 500;
-    row.missing = missing;
-    row.off_line = off_line;
-    row.lost = 10;
-    row.surplus = 20;
+    row.false_negatives = false_negatives;
+    row.false_positives = false_positives;
+    row.unmatched_truth = 10;
+    row.unmatched_duplicates = 20;
     score::CauseCounts& causes = row.causes.emplace();
-    causes[Cause::cancelled] = missing - 1;
+    causes[Cause::cancelled] = false_negatives - 1;
     causes[Cause::thinned] = 1;
-    causes[Cause::other] = off_line;
+    causes[Cause::other] = false_positives;
     return row;
 }
 
@@ -42,17 +44,17 @@ TEST(CauseTotals, AddRowsOfAMethodUp) {
     EXPECT_EQ(totals[0].method, "a");
     EXPECT_EQ(totals[0].n_truth, 2000);
     EXPECT_EQ(totals[0].n_pred, 1000);
-    EXPECT_EQ(totals[0].missing, 300);
-    EXPECT_EQ(totals[0].off_line, 50);
-    EXPECT_EQ(totals[0].lost, 20);
-    EXPECT_EQ(totals[0].surplus, 40);
+    EXPECT_EQ(totals[0].false_negatives, 300);
+    EXPECT_EQ(totals[0].false_positives, 50);
+    EXPECT_EQ(totals[0].unmatched_truth, 20);
+    EXPECT_EQ(totals[0].unmatched_duplicates, 40);
     EXPECT_EQ(totals[0].causes[Cause::cancelled], 298);
     EXPECT_EQ(totals[0].causes[Cause::thinned], 2);
     EXPECT_EQ(totals[0].causes[Cause::other], 50);
     EXPECT_EQ(totals[1].method, "b");
 }
 
-TEST(CauseTotals, KeepSampledOfTheBracketsAndPutItLast) {
+TEST(CauseTotals, KeepSampledOfTheBaselinesAndPutItLast) {
     const auto totals = cause_totals({row_of("sampled", 1, 0),
                                       row_of("none", 1000, 0),
                                       row_of("oracle", 1, 0),
@@ -95,9 +97,10 @@ TEST(CauseChart, NamesEachPieceAndItsShare) {
     EXPECT_THAT(svg, HasSubstr("<title>cancelled: 100 px, 10.00 %</title>"));
     EXPECT_THAT(svg, HasSubstr("<title>thinned: 1 px, 0.10 %</title>"));
     EXPECT_THAT(svg, HasSubstr("<title>other: 50 px, 10.00 %</title>"));
-    EXPECT_THAT(svg, HasSubstr("<title>lost beside a drawn line: 10 px, 1.00 %</title>"));
-    EXPECT_THAT(svg, HasSubstr("11.1 %")) << "missing and lost";
-    EXPECT_THAT(svg, HasSubstr("14.0 %")) << "off line and surplus";
+    EXPECT_THAT(svg,
+                HasSubstr("<title>unmatched truth beside a drawn line: 10 px, 1.00 %</title>"));
+    EXPECT_THAT(svg, HasSubstr("11.1 %")) << "false negatives and unmatched truth";
+    EXPECT_THAT(svg, HasSubstr("14.0 %")) << "false positives and unmatched duplicates";
     EXPECT_THAT(svg, Not(HasSubstr("sub pixel"))) << "nothing of it";
     EXPECT_THAT(report::cause_chart({}).file("t"), HasSubstr("No method"));
 }

@@ -161,7 +161,7 @@ TEST(PredictCosts, SaysNothingWithFewerCellsThanUnits) {
         EXPECT_FALSE(row.predicted_ns || row.cost_residual);
 }
 
-TEST(PredictCosts, LeavesBracketsAndUndeclaredMethodsEmpty) {
+TEST(PredictCosts, LeavesBaselinesAndUndeclaredMethodsEmpty) {
     std::vector<harness::Row> rows = priced_rows(3, 1);
     harness::Row oracle;
     oracle.method = "oracle";

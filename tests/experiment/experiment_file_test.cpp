@@ -43,7 +43,7 @@ threads = [1, 2]
 repetitions = 4
 budget_ms = 10
 full_scores = false
-witness = false
+crosscheck = false
 times = false
 [settings]
 crease_deg = 30
@@ -66,21 +66,21 @@ fatten = [true, false]
     EXPECT_THAT(e.threads, ElementsAre(1, 2));
     EXPECT_EQ(e.repetitions, 4);
     EXPECT_DOUBLE_EQ(e.budget_s, 0.01);
-    EXPECT_FALSE(e.full_scores || e.witness || e.times);
+    EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
     EXPECT_EQ(e.own_sweep_views, 1);
     ASSERT_EQ(e.grids.size(), 1U);
-    EXPECT_EQ(grid_entrants(entrants_of(e).front(), e.grids.front()).size(), 4U);
-    const auto entrants = entrants_of(e);
-    EXPECT_EQ(entrants[0].settings.at("packing"), "pixel");
-    EXPECT_EQ(entrants[1].settings.at("crease_deg"), "30");
-    EXPECT_FALSE(entrants[1].settings.contains("packing"));
+    EXPECT_EQ(grid_configs(configs_of(e).front(), e.grids.front()).size(), 4U);
+    const auto configs = configs_of(e);
+    EXPECT_EQ(configs[0].settings.at("packing"), "pixel");
+    EXPECT_EQ(configs[1].settings.at("crease_deg"), "30");
+    EXPECT_FALSE(configs[1].settings.contains("packing"));
 }
 
 TEST(ExperimentFile, WithoutAGridIsEveryMethodOnTheCatalogue) {
     const Experiment e = parse(kHead);
     EXPECT_EQ(e.scenes, scenes_called("catalogue"));
-    EXPECT_EQ(e.methods.size(), entrants_of(e).size());
+    EXPECT_EQ(e.methods.size(), configs_of(e).size());
     EXPECT_GT(e.methods.size(), 10U);
     EXPECT_EQ(scenes_called("train").size() + scenes_called("heldout").size(), e.scenes.size());
 }
@@ -106,7 +106,7 @@ TEST(ExperimentFile, NamesFileLineKeyAndWhatIsAccepted) {
     EXPECT_THAT(
         of("[measure]\nwitness = 1\n"),
         testing::AllOf(
-            HasSubstr("e.toml:4"), HasSubstr("measure.witness"), HasSubstr("true | false")));
+            HasSubstr("e.toml:4"), HasSubstr("measure.crosscheck"), HasSubstr("true | false")));
     EXPECT_THAT(of("[settings]\nthreshold = 999\n"),
                 testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("999"), HasSubstr("1..255")));
     EXPECT_THAT(of("[sweep.mote4]\nrange_dept = [1, 2]\n"),
@@ -143,7 +143,7 @@ TEST(ExperimentFile, CommandLineReplacesSizeScenesMethodsAndViews) {
     EXPECT_EQ(e.grids.front().method, "ids");
     EXPECT_EQ(e.views, 1);
     EXPECT_FALSE(e.times);
-    EXPECT_EQ(entrants_of(e).size(), 1U);
+    EXPECT_EQ(configs_of(e).size(), 1U);
     overrides.size = "80";
     EXPECT_THROW((void)with_overrides(e, overrides), core::Error);
 }

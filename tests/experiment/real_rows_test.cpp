@@ -12,8 +12,8 @@
 namespace ink::experiment {
 namespace {
 
-/// The shots of one small view of a scene, scored in full.
-std::vector<harness::Shot> scored_shots(const std::string& name) {
+/// The evaluations of one small view of a scene, scored in full.
+std::vector<harness::Evaluation> scored_evaluations(const std::string& name) {
     const scene::Scene scene = catalogue::make_catalogue_scene(name);
     const scene::View view{scene.cameras.front(), 160, 90};
     harness::CellOptions options;
@@ -21,25 +21,26 @@ std::vector<harness::Shot> scored_shots(const std::string& name) {
     options.seed = 18446744073709551615ULL;
     truth::SceneModel model(scene, options.trace.truth);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (const harness::Entrant& entrant :
-         harness::make_entrants("mote4,decaudin,edge_list,auto", {}))
-        methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene));
-    std::vector<harness::Shot> shots = harness::method_shots(methods, view, options.measure);
+    for (const harness::MethodConfig& config :
+         harness::make_configs("mote4,decaudin,edge_list,auto", {}))
+        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
+    std::vector<harness::Evaluation> evaluations =
+        harness::method_evaluations(methods, view, options.measure);
     const harness::TracedView traced = harness::trace_with_facts(model, scene, view, options.trace);
-    harness::finish_shots(scene, view, traced, options, shots);
-    return shots;
+    harness::finish_evaluations(scene, view, traced, options, evaluations);
+    return evaluations;
 }
 
 TEST(RealRows, GoThroughTheirFilesUnchanged) {
     std::string rows, tolerances, bins, costs;
     std::int64_t cell = 0;
     for (const char* scene : {"cube", "teapot"}) {
-        for (const harness::Shot& shot : scored_shots(scene)) {
-            ASSERT_EQ(shot.row.status, "ok");
-            rows += harness::row_line(++cell, harness::Study::compare, shot.row);
-            tolerances += harness::tolerance_lines(cell, shot.row.ladder);
-            bins += harness::bin_lines(cell, shot.row.lines->bins);
-            costs += harness::cost_line(cell, shot.row);
+        for (const harness::Evaluation& evaluation : scored_evaluations(scene)) {
+            ASSERT_EQ(evaluation.row.status, "ok");
+            rows += harness::row_line(++cell, harness::Study::compare, evaluation.row);
+            tolerances += harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
+            bins += harness::bin_lines(cell, evaluation.row.lines->bins);
+            costs += harness::cost_line(cell, evaluation.row);
         }
     }
     std::vector<harness::RowRecord> read =
@@ -51,7 +52,7 @@ TEST(RealRows, GoThroughTheirFilesUnchanged) {
     std::string rows_again, tolerances_again, bins_again, costs_again;
     for (const harness::RowRecord& record : read) {
         rows_again += harness::row_line(record.cell, record.study, record.row);
-        tolerances_again += harness::tolerance_lines(record.cell, record.row.ladder);
+        tolerances_again += harness::tolerance_lines(record.cell, record.row.tolerance_sweep);
         bins_again += harness::bin_lines(record.cell, record.row.lines->bins);
         costs_again += harness::cost_line(record.cell, record.row);
     }
@@ -63,13 +64,13 @@ TEST(RealRows, GoThroughTheirFilesUnchanged) {
 }
 
 TEST(RealRows, HoldTheMatchesThatRecallOfAClassIsMadeFrom) {
-    for (const harness::Shot& shot : scored_shots("cube")) {
-        ASSERT_FALSE(shot.row.recall_by_class.empty());
-        for (const auto& [name, recall] : shot.row.recall_by_class) {
+    for (const harness::Evaluation& evaluation : scored_evaluations("cube")) {
+        ASSERT_FALSE(evaluation.row.recall_by_class.empty());
+        for (const auto& [name, recall] : evaluation.row.recall_by_class) {
             EXPECT_EQ(recall,
-                      static_cast<double>(shot.row.k_by_class.at(name)) /
-                          static_cast<double>(shot.row.truth_px_by_class.at(name)))
-                << shot.row.method << " " << name;
+                      static_cast<double>(evaluation.row.k_by_class.at(name)) /
+                          static_cast<double>(evaluation.row.truth_px_by_class.at(name)))
+                << evaluation.row.method << " " << name;
         }
     }
 }

@@ -101,7 +101,7 @@ TEST(StressChart, NamesEveryMethod) {
         report::stress_chart(studies::find_stress_axis("grazing"), curves).file("x");
     EXPECT_THAT(svg, HasSubstr(">mote4<"));
     EXPECT_THAT(svg, HasSubstr(">steady<"));
-    EXPECT_THAT(svg, HasSubstr("angle at which the gaze meets a floor, deg"));
+    EXPECT_THAT(svg, HasSubstr("angle at which the view direction meets a floor, deg"));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 

@@ -115,7 +115,7 @@ TEST(SummaryCsv, AClassOfOneSceneHasNoInterval) {
     EXPECT_NE(line.at("f_lo"), "");
 }
 
-TEST(SummaryCsv, BracketsComeLastAndCurvesGiveAveragePrecision) {
+TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
     statistics::CellCurve curve{.method = "a", .is_training = true};
     curve.counts.fill({50, 50, 100});  // precision 1 up to recall 0.5, nothing beyond
     const std::string csv =
@@ -123,7 +123,7 @@ TEST(SummaryCsv, BracketsComeLastAndCurvesGiveAveragePrecision) {
     EXPECT_EQ(line_of(csv, 1).at("method"), "a");
     EXPECT_EQ(line_of(csv, 1).at("ap"), "0.5");
     EXPECT_EQ(line_of(csv, 2).at("method"), "oracle");
-    EXPECT_EQ(line_of(csv, 2).at("kind"), "bracket");
+    EXPECT_EQ(line_of(csv, 2).at("kind"), "baseline");
     EXPECT_EQ(line_of(csv, 2).at("ap"), "");
 }
 

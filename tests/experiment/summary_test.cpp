@@ -87,7 +87,7 @@ TEST(Summarise, AFailedRowIsCountedAndNothingElse) {
     EXPECT_FALSE(s.f_2px_range) << "one view has no spread";
 }
 
-TEST(Summarise, PutsBracketsLast) {
+TEST(Summarise, PutsBaselinesLast) {
     const auto summaries = summarise({counted_row("none", "front", 0, 9),
                                       counted_row("b", "front", 1, 9),
                                       counted_row("a", "front", 1, 9)});
@@ -95,7 +95,7 @@ TEST(Summarise, PutsBracketsLast) {
     EXPECT_EQ(summaries[0].method, "b");
     EXPECT_EQ(summaries[1].method, "a");
     EXPECT_EQ(summaries[2].method, "none");
-    EXPECT_TRUE(summaries[2].is_bracket);
+    EXPECT_TRUE(summaries[2].is_baseline);
 }
 
 TEST(Summarise, TheIntervalHoldsThePooledValueAndRepeats) {
@@ -120,17 +120,17 @@ TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
     EXPECT_DOUBLE_EQ(*s.f_median, 0.9);  // of .9, .9, .5
 }
 
-TEST(Summarise, PoolsTheLadderAndChance) {
+TEST(Summarise, PoolsTheToleranceSweepAndTheRandomBaseline) {
     std::vector<harness::Row> rows = two_views();
-    EXPECT_TRUE(summarise(rows)[0].f_ladder.empty());
-    EXPECT_FALSE(summarise(rows)[0].f_chance);
-    rows[0].ladder = {{40, 100, 100}, {50, 100, 100}};
-    rows[1].ladder = {{200, 300, 300}, {300, 300, 300}};
-    rows[0].chance = score::CurveCount{10, 100, 100};
-    rows[1].chance = score::CurveCount{30, 300, 300};
+    EXPECT_TRUE(summarise(rows)[0].f_at_tolerances.empty());
+    EXPECT_FALSE(summarise(rows)[0].f_random);
+    rows[0].tolerance_sweep = {{40, 100, 100}, {50, 100, 100}};
+    rows[1].tolerance_sweep = {{200, 300, 300}, {300, 300, 300}};
+    rows[0].random_baseline = score::CurveCount{10, 100, 100};
+    rows[1].random_baseline = score::CurveCount{30, 300, 300};
     const MethodSummary s = summarise(rows)[0];
-    EXPECT_THAT(s.f_ladder, ElementsAre(0.6, 0.875));
-    EXPECT_DOUBLE_EQ(*s.f_chance, 0.1);
+    EXPECT_THAT(s.f_at_tolerances, ElementsAre(0.6, 0.875));
+    EXPECT_DOUBLE_EQ(*s.f_random, 0.1);
 }
 
 TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {

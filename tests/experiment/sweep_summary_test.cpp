@@ -74,11 +74,11 @@ TEST(SummariseFronts, PoolsASettingOverItsViews) {
     EXPECT_NEAR(fast.error_range->high, 0.6, 1e-12);
 }
 
-TEST(SummariseFronts, TakesBracketsFromTheSweptViewsAlone) {
+TEST(SummariseFronts, TakesBaselinesFromTheSweptViewsAlone) {
     const Fronts fronts = summarise_fronts(small_rows(), small_sweep());
-    ASSERT_EQ(fronts.brackets.size(), 2U);
-    EXPECT_EQ(fronts.brackets[1].method, "oracle");
-    EXPECT_EQ(fronts.brackets[1].views, 1) << "not that of the torus";
+    ASSERT_EQ(fronts.baselines.size(), 2U);
+    EXPECT_EQ(fronts.baselines[1].method, "oracle");
+    EXPECT_EQ(fronts.baselines[1].views, 1) << "not that of the torus";
 }
 
 TEST(SummariseFronts, WithoutASweepHasEachMethodAsItComes) {

@@ -13,33 +13,33 @@ using score::Cause;
 class SmallScene {
   public:
     SmallScene(const std::string& name, int width_px, int height_px)
-        : subject_(make_subject(catalogue::make_catalogue_scene(name),
-                                {.width_px = width_px,
-                                 .height_px = height_px,
-                                 .orbit_count = {},
-                                 .cameras = {},
-                                 .time_s = {},
-                                 .frame = {}})),
-          model_(subject_.scene, {}),
-          predictor_(subject_.scene) {
-        for (const scene::View& view : subject_.views)
+        : scene_views_(make_scene_views(catalogue::make_catalogue_scene(name),
+                                        {.width_px = width_px,
+                                         .height_px = height_px,
+                                         .orbit_count = {},
+                                         .cameras = {},
+                                         .time_s = {},
+                                         .frame = {}})),
+          model_(scene_views_.scene, {}),
+          predictor_(scene_views_.scene) {
+        for (const scene::View& view : scene_views_.views)
             truths_.push_back(trace_view(model_, view, {}));
     }
 
     /// Draws every view with a method, scores it, says why it is wrong, and hands that on.
     template <class Visit>
-    void explain(const Entrant& entrant, Visit visit) {
+    void explain(const MethodConfig& config, Visit visit) {
         std::vector<std::unique_ptr<PreparedMethod>> methods;
-        methods.push_back(std::make_unique<PreparedMethod>(entrant, subject_.scene));
+        methods.push_back(std::make_unique<PreparedMethod>(config, scene_views_.scene));
         for (std::size_t i = 0; i < truths_.size(); ++i) {
-            const scene::View& view = subject_.views[i];
-            std::vector<edge::EdgeImage> pictures;
-            (void)draw_in_turns(methods, view, {1, 0, 0, 0}, pictures);
+            const scene::View& view = scene_views_.views[i];
+            std::vector<edge::EdgeImage> images;
+            (void)draw_in_turns(methods, view, {1, 0, 0, 0}, images);
             const int threshold = methods[0]->threshold();
             const score::ScoreOptions options = score_options(threshold);
             Scored scored;
-            scored.at_2px = score::score(pictures[0], truths_[i].scoring, options);
-            scored.wrong_2px = score::wrong_pixels(pictures[0], truths_[i].scoring, options);
+            scored.at_2px = score::score(images[0], truths_[i].scoring, options);
+            scored.wrong_2px = score::wrong_pixels(images[0], truths_[i].scoring, options);
             scored.attribution = predictor_.attribute(
                 scored.wrong_2px, truths_[i], view, {methods[0]->method().code(), threshold});
             visit(truths_[i], scored);
@@ -47,7 +47,7 @@ class SmallScene {
     }
 
   private:
-    Subject subject_;
+    SceneViews scene_views_;
     truth::SceneModel model_;
     MissPredictor predictor_;
     std::vector<ViewTruth> truths_;
@@ -60,16 +60,16 @@ TEST_P(AttributionOfCatalogue, CausesAddUpForEveryMethodAndView) {
     int views = 0;
     for (const method::MethodInfo& info : methods::registry()) {
         scene.explain({&info, {}}, [&](const ViewTruth&, const Scored& scored) {
-            std::int64_t off_line = 0;
-            std::int64_t missing = 0;
-            for (const Cause cause : score::kOffLineCauses)
-                off_line += scored.attribution.counts[cause];
-            for (const Cause cause : score::kMissCauses)
-                missing += scored.attribution.counts[cause];
-            EXPECT_EQ(off_line, scored.at_2px.off_line) << info.name;
-            EXPECT_EQ(missing, scored.at_2px.missing) << info.name;
+            std::int64_t false_positives = 0;
+            std::int64_t false_negatives = 0;
+            for (const Cause cause : score::kFalsePositiveCauses)
+                false_positives += scored.attribution.counts[cause];
+            for (const Cause cause : score::kFalseNegativeCauses)
+                false_negatives += scored.attribution.counts[cause];
+            EXPECT_EQ(false_positives, scored.at_2px.false_positives) << info.name;
+            EXPECT_EQ(false_negatives, scored.at_2px.false_negatives) << info.name;
             EXPECT_EQ(static_cast<std::int64_t>(scored.attribution.pixels.size()),
-                      off_line + missing);
+                      false_positives + false_negatives);
             ++views;
         });
     }
@@ -112,12 +112,12 @@ TEST(MissPrediction, ForetellsWhatTheMethodDraws) {
     for (const std::string name : {"cube", "gear", "horizon", "hills", "room"}) {
         SmallScene scene(name, 320, 180);
         for (const core::ParamValues& settings : kSettings) {
-            std::int64_t missing = 0;
+            std::int64_t false_negatives = 0;
             std::int64_t unexplained = 0;
             std::int64_t drawn_after_all = 0;
-            const Entrant entrant{&methods::find_method("mote4"), settings};
-            scene.explain(entrant, [&](const ViewTruth& truth, const Scored& scored) {
-                missing += scored.at_2px.missing;
+            const MethodConfig config{&methods::find_method("mote4"), settings};
+            scene.explain(config, [&](const ViewTruth& truth, const Scored& scored) {
+                false_negatives += scored.at_2px.false_negatives;
                 unexplained += scored.attribution.counts[Cause::unexplained];
                 for (const auto& [pixel, cause] : scored.attribution.pixels) {
                     if (cause != Cause::cancelled && cause != Cause::below_threshold) continue;
@@ -128,9 +128,11 @@ TEST(MissPrediction, ForetellsWhatTheMethodDraws) {
                         });
                 }
             });
-            const std::int64_t allowed = 2 + missing / 100;
-            EXPECT_LE(unexplained, allowed) << name << " " << join_params(settings) << missing;
-            EXPECT_LE(drawn_after_all, allowed) << name << " " << join_params(settings) << missing;
+            const std::int64_t allowed = 2 + false_negatives / 100;
+            EXPECT_LE(unexplained, allowed)
+                << name << " " << join_params(settings) << false_negatives;
+            EXPECT_LE(drawn_after_all, allowed)
+                << name << " " << join_params(settings) << false_negatives;
         }
     }
 }

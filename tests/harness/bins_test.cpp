@@ -61,10 +61,10 @@ TEST(Bins, OfDihedralsLeaveBoundariesOut) {
                                  level(LineClass::crease, 30, 7, 1),
                                  level(LineClass::crease, 40, 8, 1),
                                  level(LineClass::boundary, 50, 9, 1)};
-    curves[0].bend_rad = static_cast<float>(5 * kDegree);
-    curves[1].bend_rad = static_cast<float>(90.001 * kDegree);
-    curves[2].bend_rad = static_cast<float>(89.999 * kDegree);
-    curves[3].bend_rad = std::numbers::pi_v<float>;
+    curves[0].deviation_rad = static_cast<float>(5 * kDegree);
+    curves[1].deviation_rad = static_cast<float>(90.001 * kDegree);
+    curves[2].deviation_rad = static_cast<float>(89.999 * kDegree);
+    curves[3].deviation_rad = std::numbers::pi_v<float>;
     EXPECT_EQ(bins_of(curves, 0),
               (std::vector<Bin>{{0, 20, 5}, {60, 90, 7}, {90, 120, 6}, {120, 180, 8}}));
 }

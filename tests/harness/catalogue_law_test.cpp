@@ -1,4 +1,4 @@
-// Laws of the score that hold on every picture, over every frame of the catalogue and every method.
+// Laws of the score that hold on every image, over every frame of the catalogue and every method.
 
 #include <gtest/gtest.h>
 
@@ -13,15 +13,15 @@
 namespace ink::harness {
 namespace {
 
-constexpr std::array kLadder_px = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0};
+constexpr std::array kTolerances_px = {0.5, 1.0, 1.5, 2.0, 3.0, 4.0};
 
 class EveryScene : public testing::TestWithParam<std::string> {};
 
 edge::EdgeImage drawing_of(const score::ScoringTruth& truth) {
-    edge::EdgeImage picture = truth.labels;
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        picture.data()[i] = picture.data()[i] != 0 ? 255 : 0;
-    return picture;
+    edge::EdgeImage image = truth.labels;
+    for (std::size_t i = 0; i < image.size(); ++i)
+        image.data()[i] = image.data()[i] != 0 ? 255 : 0;
+    return image;
 }
 
 ViewRequest small_views() {
@@ -45,7 +45,7 @@ truth::TruthOptions without_layers() {
 void expect_full_self_score(const ViewTruth& truth) {
     score::ScoreOptions options = score_options(128);
     const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, options);
-    for (const double tolerance_px : kLadder_px) {
+    for (const double tolerance_px : kTolerances_px) {
         options.tolerance_px = tolerance_px;
         const score::Score s = score::score_strokes(strokes, truth.scoring, options);
         EXPECT_EQ(s.k, s.n_truth) << tolerance_px;
@@ -54,16 +54,17 @@ void expect_full_self_score(const ViewTruth& truth) {
     }
 }
 
-void expect_laws(const edge::EdgeImage& picture, int threshold, const ViewTruth& truth) {
+void expect_laws(const edge::EdgeImage& image, int threshold, const ViewTruth& truth) {
     score::ScoreOptions options = score_options(threshold);
-    const auto strokes = score::make_strokes(picture, threshold, options);
+    const auto strokes = score::make_strokes(image, threshold, options);
     std::int64_t k_before = 0;
-    for (const double tolerance_px : kLadder_px) {
+    for (const double tolerance_px : kTolerances_px) {
         options.tolerance_px = tolerance_px;
         const score::Score s = score::score_strokes(strokes, truth.scoring, options);
-        EXPECT_EQ(s.n_pred, s.k + s.surplus + s.off_line) << tolerance_px;
-        EXPECT_EQ(s.n_truth, s.k + s.lost + s.missing) << tolerance_px;
-        for (const std::int64_t n : {s.k, s.surplus, s.off_line, s.lost, s.missing})
+        EXPECT_EQ(s.n_pred, s.k + s.unmatched_duplicates + s.false_positives) << tolerance_px;
+        EXPECT_EQ(s.n_truth, s.k + s.unmatched_truth + s.false_negatives) << tolerance_px;
+        for (const std::int64_t n :
+             {s.k, s.unmatched_duplicates, s.false_positives, s.unmatched_truth, s.false_negatives})
             EXPECT_GE(n, 0) << tolerance_px;
         EXPECT_GE(s.k, k_before) << tolerance_px;
         k_before = s.k;
@@ -78,20 +79,20 @@ void expect_laws(const edge::EdgeImage& picture, int threshold, const ViewTruth&
     }
 }
 
-/// Unthinned the score does not care which of the two pictures is the drawing.
-void expect_symmetry(const edge::EdgeImage& picture, int threshold, const ViewTruth& truth) {
+/// Unthinned the score does not care which of the two images is the drawing.
+void expect_symmetry(const edge::EdgeImage& image, int threshold, const ViewTruth& truth) {
     score::ScoreOptions options{.threshold = threshold, .thin = false};
-    const auto strokes = score::make_strokes(picture, threshold, options);
+    const auto strokes = score::make_strokes(image, threshold, options);
     const auto drawn_as_truth = score::prepare_truth(strokes.drawn, options, false);
     auto labels_as_truth = truth.scoring;
     labels_as_truth.ignore.fill(0);
     const score::Score there = score::score_strokes(strokes, labels_as_truth, options);
     const score::Score back = score::score(drawing_of(truth.scoring), drawn_as_truth, options);
     EXPECT_EQ(there.k, back.k);
-    EXPECT_EQ(there.surplus, back.lost);
-    EXPECT_EQ(there.off_line, back.missing);
-    EXPECT_EQ(there.lost, back.surplus);
-    EXPECT_EQ(there.missing, back.off_line);
+    EXPECT_EQ(there.unmatched_duplicates, back.unmatched_truth);
+    EXPECT_EQ(there.false_positives, back.false_negatives);
+    EXPECT_EQ(there.unmatched_truth, back.unmatched_duplicates);
+    EXPECT_EQ(there.false_negatives, back.false_positives);
 }
 
 /// Every bin of an attribute adds up to no more than is true, and the oracle finds all of each.
@@ -109,27 +110,28 @@ void expect_bins(const ViewTruth& truth) {
     EXPECT_EQ(n_truth[3], all);
     EXPECT_LE(n_truth[0], all);
     EXPECT_LE(n_truth[1], all);
-    EXPECT_EQ(s.ink.n_false, 0);
-    EXPECT_EQ(s.ink.n_drawn, all);
+    EXPECT_EQ(s.positives.n_false, 0);
+    EXPECT_EQ(s.positives.n_drawn, all);
 }
 
 TEST_P(EveryScene, KeepsTheLawsOfTheScore) {
-    const Subject subject = make_subject(load_scene(GetParam()), small_views());
-    truth::SceneModel model(subject.scene, without_layers());
+    const SceneViews scene_views = make_scene_views(load_scene(GetParam()), small_views());
+    truth::SceneModel model(scene_views.scene, without_layers());
     std::vector<std::unique_ptr<PreparedMethod>> methods;
     for (const method::MethodInfo& info : methods::registry())
-        methods.push_back(std::make_unique<PreparedMethod>(Entrant{&info, {}}, subject.scene));
-    for (const scene::View& view : subject.views) {
+        methods.push_back(
+            std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene_views.scene));
+    for (const scene::View& view : scene_views.views) {
         SCOPED_TRACE(view.camera.name);
         const ViewTruth truth = truth_of(model, view);
         expect_full_self_score(truth);
         expect_bins(truth);
         for (const auto& method : methods) {
-            SCOPED_TRACE(method->entrant().info->name);
-            edge::EdgeImage picture(view.width_px, view.height_px);
-            method->method().draw({view, core::hardware_threads()}, picture);
-            expect_laws(picture, method->threshold(), truth);
-            expect_symmetry(picture, method->threshold(), truth);
+            SCOPED_TRACE(method->config().info->name);
+            edge::EdgeImage image(view.width_px, view.height_px);
+            method->method().draw({view, core::hardware_threads()}, image);
+            expect_laws(image, method->threshold(), truth);
+            expect_symmetry(image, method->threshold(), truth);
         }
     }
 }
@@ -151,9 +153,9 @@ class EveryModel : public testing::TestWithParam<std::string> {};
 TEST_P(EveryModel, ScoresOneAgainstItself) {
     const auto path = shared_file("models/" + GetParam());
     INK_SKIP_WITHOUT(path);
-    const Subject subject = make_subject(load_scene(path.string()), small_views());
-    truth::SceneModel model(subject.scene, without_layers());
-    for (const scene::View& view : subject.views) {
+    const SceneViews scene_views = make_scene_views(load_scene(path.string()), small_views());
+    truth::SceneModel model(scene_views.scene, without_layers());
+    for (const scene::View& view : scene_views.views) {
         SCOPED_TRACE(view.camera.name);
         expect_full_self_score(truth_of(model, view));
     }

@@ -9,7 +9,7 @@
 namespace ink::harness {
 namespace {
 
-/// A method made for one test: draws what `picture` says, or fails where it is told to.
+/// A method made for one test: draws what `image` says, or fails where it is told to.
 class Puppet final : public method::Method {
   public:
     struct Script {
@@ -51,21 +51,21 @@ struct Stage {
     std::vector<std::unique_ptr<PreparedMethod>> methods;
 
     void add(const method::MethodInfo& info) {
-        methods.push_back(std::make_unique<PreparedMethod>(Entrant{&info, {}}, scene));
+        methods.push_back(std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene));
     }
 };
 
-TEST(DrawInTurns, RepeatsAtLeastTheMinimumAndKeepsThePicture) {
+TEST(DrawInTurns, RepeatsAtLeastTheMinimumAndKeepsTheImage) {
     Puppet::Script script;
     const auto info = info_of("good", script);
     Stage stage;
     stage.add(info);
-    std::vector<edge::EdgeImage> pictures;
-    const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000}, pictures);
+    std::vector<edge::EdgeImage> images;
+    const auto times = draw_in_turns(stage.methods, stage.view, {1, 3, 5, 1000}, images);
     EXPECT_EQ(times[0].failure, "");
     EXPECT_EQ(times[0].draw_ns.size(), 5U);
     EXPECT_EQ(script.drawings, 6);  // one to warm up
-    EXPECT_EQ(pictures[0].at(2, 2), 200);
+    EXPECT_EQ(images[0].at(2, 2), 200);
 }
 
 TEST(DrawInTurns, OneMethodsFailureIsItsOwn) {
@@ -80,8 +80,8 @@ TEST(DrawInTurns, OneMethodsFailureIsItsOwn) {
     Stage stage;
     for (const auto& info : infos)
         stage.add(info);
-    std::vector<edge::EdgeImage> pictures;
-    const auto times = draw_in_turns(stage.methods, stage.view, {1, 2, 2, 1}, pictures);
+    std::vector<edge::EdgeImage> images;
+    const auto times = draw_in_turns(stage.methods, stage.view, {1, 2, 2, 1}, images);
     EXPECT_EQ(times[0].failure, "");
     EXPECT_THAT(times[1].failure, testing::HasSubstr("out of ink"));
     EXPECT_THAT(times[2].failure, testing::HasSubstr("two drawings of one view differ"));
@@ -108,18 +108,18 @@ TEST(FillScores, CountsAddUpAndNullsStayNull) {
     core::Image<std::uint8_t> labels(40, 40);
     for (int x = 10; x < 30; ++x)
         labels.at(x, 20) = 1;
-    edge::EdgeImage picture(40, 40);
+    edge::EdgeImage image(40, 40);
     for (int x = 10; x < 20; ++x)
-        picture.at(x, 20) = 255;
+        image.at(x, 20) = 255;
     Row row;
-    fill_scores(score_picture(picture, score::prepare_truth(labels, options, true), 128), row);
-    EXPECT_EQ(row.k_2px + row.lost + row.missing, row.n_truth);
-    EXPECT_EQ(row.k_2px + row.surplus + row.off_line, row.n_pred);
+    fill_scores(score_image(image, score::prepare_truth(labels, options, true), 128), row);
+    EXPECT_EQ(row.k_2px + row.unmatched_truth + row.false_negatives, row.n_truth);
+    EXPECT_EQ(row.k_2px + row.unmatched_duplicates + row.false_positives, row.n_pred);
     EXPECT_EQ(row.precision_2px, 1.0);
 
     Row empty;
     fill_scores(
-        score_picture(edge::EdgeImage(40, 40), score::prepare_truth(labels, options, true), 128),
+        score_image(edge::EdgeImage(40, 40), score::prepare_truth(labels, options, true), 128),
         empty);
     EXPECT_EQ(empty.f_2px, 0.0);
     EXPECT_FALSE(empty.precision_2px.has_value());

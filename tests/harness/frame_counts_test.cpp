@@ -9,7 +9,7 @@
 namespace ink::harness {
 namespace {
 
-/// 200 x 100 px; at z = -1 the picture is 2 wide and 1 high.
+/// 200 x 100 px; at z = -1 the image is 2 wide and 1 high.
 scene::View simple_view() {
     scene::View view{{}, 200, 100};
     view.camera.eye_world = {0, 0, 0};
@@ -49,7 +49,7 @@ TEST(CountFrame, CutsAtTheFrame) {
 TEST(CountFrame, CutsAtTheNearPlane) {
     const scene::Scene behind = sheet_scene({-1, -0.5, 1}, {1, 0, 0}, {0, 1, 0});
     EXPECT_EQ(count_frame(behind, simple_view()).covered_px, 0);
-    // A floor from behind the eye to the horizon: the lower half of the picture.
+    // A floor from behind the eye to the horizon: the lower half of the image.
     const scene::Scene floor = sheet_scene({-1e7, -0.1, 10}, {2e7, 0, 0}, {0, 0, -1e7});
     EXPECT_NEAR(count_frame(floor, simple_view()).covered_px, 10000, 0.1);
 }

@@ -23,7 +23,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(MethodsTable, BracketRowsSayWhatTheyAreForAndNothingElse) {
+TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
     EXPECT_THAT(
         lines_of(methods_csv({})),
         ElementsAre("method,role,family,marker,tunables,bytes_per_px,preset_of,source,params",
@@ -33,8 +33,8 @@ TEST(MethodsTable, BracketRowsSayWhatTheyAreForAndNothingElse) {
 }
 
 TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
-    const std::vector<Entrant> entrants = make_entrants("decaudin", {"threshold=99"});
-    const std::string line = lines_of(methods_csv(entrants)).at(4);
+    const std::vector<MethodConfig> configs = make_configs("decaudin", {"threshold=99"});
+    const std::string line = lines_of(methods_csv(configs)).at(4);
     EXPECT_THAT(line,
                 StartsWith("decaudin,method,full_buffers,circle,"
                            "k_depth:0.001..1;k_normal:0.01..2;join:max|or|length;threshold:1..255,"
@@ -42,11 +42,11 @@ TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
     // The source has commas: one field in quotes.
     EXPECT_THAT(line, HasSubstr(",\"Decaudin, Cartoon-looking rendering"));
     EXPECT_THAT(line,
-                EndsWith("," + join_params(entrants[0].info->complete({{"threshold", "99"}}))));
+                EndsWith("," + join_params(configs[0].info->complete({{"threshold", "99"}}))));
 }
 
 TEST(MethodsTable, APresetNamesItsMethod) {
-    const std::string line = lines_of(methods_csv(make_entrants("mote4_tuned", {}))).at(4);
+    const std::string line = lines_of(methods_csv(make_configs("mote4_tuned", {}))).at(4);
     EXPECT_THAT(line, StartsWith("mote4_tuned,method,packed,square,range_depth:0..255;"));
     EXPECT_THAT(
         line,
@@ -55,19 +55,19 @@ TEST(MethodsTable, APresetNamesItsMethod) {
 
 TEST(MethodsTable, BytesFollowTheSettingsAndAreEmptyWhereTheSceneDecides) {
     const auto bytes = [](const std::string& method, const std::vector<std::string>& settings) {
-        const std::vector<Entrant> entrants = make_entrants(method, settings);
-        return entrants[0].info->bytes_per_px(entrants[0].settings);
+        const std::vector<MethodConfig> configs = make_configs(method, settings);
+        return configs[0].info->bytes_per_px(configs[0].settings);
     };
     EXPECT_EQ(bytes("mote4", {"depth_format=q32"}), 5);
     EXPECT_EQ(bytes("mote4", {"depth_format=z16"}), 3);
-    EXPECT_THAT(lines_of(methods_csv(make_entrants("mote4", {"depth_format=z16"}))).at(4),
+    EXPECT_THAT(lines_of(methods_csv(make_configs("mote4", {"depth_format=z16"}))).at(4),
                 HasSubstr("threshold:1..64,3,,"));
-    EXPECT_THAT(lines_of(methods_csv(make_entrants("auto", {}))).at(4),
+    EXPECT_THAT(lines_of(methods_csv(make_configs("auto", {}))).at(4),
                 StartsWith("auto,method,packed,up,threshold:1..255,,,"));
 }
 
-TEST(MethodsTable, HasALinePerEntrantOfARun) {
-    const std::vector<Entrant> all = make_entrants("", {});
+TEST(MethodsTable, HasALinePerConfigOfARun) {
+    const std::vector<MethodConfig> all = make_configs("", {});
     EXPECT_EQ(lines_of(methods_csv(all)).size(), 1 + 3 + all.size());
     EXPECT_EQ(lines_of(method_lines(all)).size(), 3 + all.size());
     EXPECT_NE(method_lines(all).back(), '\n');

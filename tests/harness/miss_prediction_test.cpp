@@ -63,15 +63,15 @@ Explained explain(const scene::Scene& scene,
                   const scene::View& view,
                   const std::string& method,
                   const core::ParamValues& settings) {
-    const Entrant entrant{&methods::find_method(method), settings};
+    const MethodConfig config{&methods::find_method(method), settings};
     std::vector<std::unique_ptr<PreparedMethod>> methods;
-    methods.push_back(std::make_unique<PreparedMethod>(entrant, scene));
-    std::vector<edge::EdgeImage> pictures;
-    (void)draw_in_turns(methods, view, {1, 0, 0, 0}, pictures);
+    methods.push_back(std::make_unique<PreparedMethod>(config, scene));
+    std::vector<edge::EdgeImage> images;
+    (void)draw_in_turns(methods, view, {1, 0, 0, 0}, images);
     truth::SceneModel model(scene, {});
     Explained result{trace_view(model, view, {}), {}};
     const int threshold = methods[0]->threshold();
-    result.scored = score_picture(pictures[0], result.truth.scoring, threshold);
+    result.scored = score_image(images[0], result.truth.scoring, threshold);
     MissPredictor predictor(scene);
     result.scored.attribution = predictor.attribute(
         result.scored.wrong_2px, result.truth, view, {methods[0]->method().code(), threshold});
@@ -136,9 +136,9 @@ TEST(MissPrediction, ASliverBetweenPixelCentresIsSubPixel) {
     sliver.triangles = {{0, 1, 2}, {0, 2, 3}};
     scene = scene::scene_of(sliver);
     const Explained explained = explain(scene, view, "mote4", {});
-    EXPECT_GT(explained.scored.at_2px.missing, 60) << "two units are 68 px";
+    EXPECT_GT(explained.scored.at_2px.false_negatives, 60) << "two units are 68 px";
     EXPECT_EQ(explained.scored.attribution.counts[Cause::sub_pixel],
-              explained.scored.at_2px.missing);
+              explained.scored.at_2px.false_negatives);
 }
 
 TEST(MissPrediction, ALineThatTheCodeShowsIsUnexplainedIfItIsSaidToBeMissing) {

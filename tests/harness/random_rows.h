@@ -57,10 +57,10 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     row.n_pred = any.count();
     row.n_truth = any.count();
     row.truth_px = any.count();
-    row.surplus = any.count();
-    row.off_line = any.count();
-    row.lost = any.count();
-    row.missing = any.count();
+    row.unmatched_duplicates = any.count();
+    row.false_positives = any.count();
+    row.unmatched_truth = any.count();
+    row.false_negatives = any.count();
     row.truth_merged_px = any.count();
     row.crowded_share = any.share();
     for (const truth::LineClass c : truth::kLineClasses) {
@@ -125,8 +125,8 @@ inline Row random_row(RandomValues& any) {
     row.contour_sky_px = any.maybe([&] { return any.real(); });
     row.contour_other_px = any.maybe([&] { return any.real(); });
     row.contour_self_px = any.maybe([&] { return any.real(); });
-    row.witness_disagreement = any.maybe([&] { return any.share(); });
-    row.witness_px = row.witness_disagreement ? any.real() : 0;
+    row.reference_disagreement = any.maybe([&] { return any.share(); });
+    row.crosscheck_px = row.reference_disagreement ? any.real() : 0;
     if (any.coin()) {
         row.causes.emplace();
         for (std::int64_t& px : row.causes->px)

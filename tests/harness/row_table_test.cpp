@@ -67,8 +67,8 @@ TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {
                              "k_crease",
                              "offset_sum_px",
                              "width_sum_sq_px2",
-                             "skip_hidden",
-                             "skip_hidden_of",
+                             "skip_occlusion_culling",
+                             "skip_occlusion_culling_of",
                              "commit",
                              "dirty",
                              "compiler",
@@ -119,10 +119,10 @@ TEST(RowTable, LeavesEmptyWhatWasNotMeasured) {
                              "offset_px",
                              "offset_sum_px",
                              "shift_x_px",
-                             "false_ink_px",
-                             "skip_hidden",
-                             "off_line_crack",
-                             "k_chance_2px",
+                             "far_positive_px",
+                             "skip_occlusion_culling",
+                             "false_positives_crack",
+                             "k_random_2px",
                              "recall_crease"}) {
         EXPECT_EQ(field(row, name), "") << name;
     }
@@ -139,7 +139,7 @@ TEST(RowTable, DerivesMeansFromSums) {
     row.lines->cracks.n_drawn = 8;
     row.lines->cracks.n_beside = 4;
     row.lines->cracks.all = {4, 4};
-    row.lines->ink = {8, 3};
+    row.lines->positives = {8, 3};
     row.lines->offsets.all.add(0.25);
     row.lines->offsets.all.add(0.75);
     EXPECT_EQ(field(row, "crack_precision"), "0.5");
@@ -151,8 +151,8 @@ TEST(RowTable, DerivesMeansFromSums) {
     EXPECT_EQ(field(row, "offset_sum_sq_px2"), "0.625");
     EXPECT_EQ(field(row, "shift_x_px"), "");
     EXPECT_EQ(field(row, "width_along_px"), "");
-    EXPECT_EQ(field(row, "false_ink_px"), "3");
-    EXPECT_EQ(field(row, "ink_px"), "8");
+    EXPECT_EQ(field(row, "far_positive_px"), "3");
+    EXPECT_EQ(field(row, "positive_px"), "8");
 }
 
 TEST(RowTable, WithoutTimesDiffersInColumnsOfTimesAlone) {

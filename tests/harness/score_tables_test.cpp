@@ -81,16 +81,17 @@ TEST(TolerancesTable, GoesBackIntoTheRowsAsItWas) {
     RandomValues any(2);
     std::vector<RowRecord> rows = three_rows();
     std::vector<std::vector<score::CurveCount>> ladders(2);
-    for (auto& ladder : ladders) {
-        for (std::size_t i = 0; i < kLadder_px.size(); ++i)
-            ladder.push_back(random_counts(any));
+    for (auto& tolerance_sweep : ladders) {
+        for (std::size_t i = 0; i < kTolerances_px.size(); ++i)
+            tolerance_sweep.push_back(random_counts(any));
     }
     const std::string lines = tolerance_lines(7, ladders[0]) + tolerance_lines(27, ladders[1]);
     join_tolerances(file_of(tolerances_table(), lines), rows);
-    EXPECT_EQ(rows[0].row.ladder, ladders[0]);
-    EXPECT_TRUE(rows[1].row.ladder.empty());
-    EXPECT_EQ(rows[2].row.ladder, ladders[1]);
-    EXPECT_EQ(tolerance_lines(7, rows[0].row.ladder) + tolerance_lines(27, rows[2].row.ladder),
+    EXPECT_EQ(rows[0].row.tolerance_sweep, ladders[0]);
+    EXPECT_TRUE(rows[1].row.tolerance_sweep.empty());
+    EXPECT_EQ(rows[2].row.tolerance_sweep, ladders[1]);
+    EXPECT_EQ(tolerance_lines(7, rows[0].row.tolerance_sweep) +
+                  tolerance_lines(27, rows[2].row.tolerance_sweep),
               lines);
     EXPECT_EQ(tolerance_lines(1, {}), "");
 }

@@ -27,36 +27,38 @@ std::string field(const Row& row, const std::string& column) {
 
 TEST(WithoutSkips, TakesNamesAwayAndAllTakesEverything) {
     EXPECT_EQ(without_skips({}, ""), SkipSet());
-    EXPECT_EQ(without_skips({}, "hidden,backs"),
-              SkipSet().set(Skip::hidden, false).set(Skip::backs, false));
+    EXPECT_EQ(without_skips({}, "occlusion_culling,back_face_culling"),
+              SkipSet().set(Skip::occlusion_culling, false).set(Skip::back_face_culling, false));
     EXPECT_EQ(without_skips({}, "all"), SkipSet::none());
-    EXPECT_EQ(without_skips(SkipSet::none(), "hidden"), SkipSet::none());
+    EXPECT_EQ(without_skips(SkipSet::none(), "occlusion_culling"), SkipSet::none());
 }
 
 TEST(WithoutSkips, AnUnknownNameIsAnErrorThatListsThem) {
     try {
-        (void)without_skips({}, "backs,hiden");
+        (void)without_skips({}, "back_face_culling,hiden");
         FAIL() << "no error";
     } catch (const core::Error& error) {
         EXPECT_EQ(error.where(), "--no-skip");
         EXPECT_THAT(error.what(), HasSubstr("'hiden'"));
         EXPECT_THAT(error.accepted(), HasSubstr("did you mean hidden?"));
-        for (const char* name : {"attributes", "still_tiles", "all"})
+        for (const char* name : {"attributes", "temporal_reuse", "all"})
             EXPECT_THAT(error.accepted(), HasSubstr(name));
     }
 }
 
 TEST(ForbiddenSkips, AreNamedInTheOrderOfTheTable) {
     EXPECT_EQ(forbidden_skips({}), "");
-    EXPECT_EQ(forbidden_skips(without_skips({}, "hidden,frustum")), "frustum;hidden");
+    EXPECT_EQ(forbidden_skips(without_skips({}, "occlusion_culling,frustum_culling")),
+              "frustum_culling;occlusion_culling");
     EXPECT_EQ(forbidden_skips(SkipSet::none()),
-              "attributes;frustum;backs;no_sample;hidden;empty_tiles;flat_tiles;flat_stencils;"
-              "still_tiles");
+              "attributes;frustum_culling;back_face_culling;no_sample;occlusion_culling;empty_"
+              "tiles;flat_tiles;flat_stencils;"
+              "temporal_reuse");
 }
 
 TEST(SkipsOfRepeatedDrawings, AreAllButThoseOfWhatStandsStill) {
-    EXPECT_EQ(forbidden_skips(skips_of_repeated_drawings()), "still_tiles");
-    EXPECT_EQ(forbidden_skips(MeasureOptions().skips), "still_tiles");
+    EXPECT_EQ(forbidden_skips(skips_of_repeated_drawings()), "temporal_reuse");
+    EXPECT_EQ(forbidden_skips(MeasureOptions().skips), "temporal_reuse");
 }
 
 struct Stage {
@@ -67,9 +69,9 @@ struct Stage {
 
     Row timed(MeasureOptions options) {
         std::vector<std::unique_ptr<PreparedMethod>> methods;
-        methods.push_back(std::make_unique<PreparedMethod>(Entrant{&info, {}}, scene));
-        std::vector<edge::EdgeImage> pictures;
-        const auto times = draw_in_turns(methods, view, options, pictures);
+        methods.push_back(std::make_unique<PreparedMethod>(MethodConfig{&info, {}}, scene));
+        std::vector<edge::EdgeImage> images;
+        const auto times = draw_in_turns(methods, view, options, images);
         Row row = methods[0]->row();
         fill_skips(times[0], options.skips, row);
         return row;
@@ -79,18 +81,18 @@ struct Stage {
 TEST(DrawInTurns, AllowsWhatTheOptionsAllowAndCountsTheLastDrawing) {
     Stage stage;
     MeasureOptions options{1, 2, 2, 1000};
-    options.skips = without_skips({}, "backs");
+    options.skips = without_skips({}, "back_face_culling");
     const Row row = stage.timed(options);
     ASSERT_EQ(stage.script.frames.size(), 3U);
     for (const method::Frame& frame : stage.script.frames)
         EXPECT_EQ(frame.skips, options.skips);
-    EXPECT_EQ(row.skips_off, "backs");
-    EXPECT_EQ(field(row, "skips_off"), "backs");
-    EXPECT_EQ(field(row, "skip_frustum"), "20");
-    EXPECT_EQ(field(row, "skip_frustum_of"), "100");
-    EXPECT_EQ(field(row, "skip_backs"), "0") << "not allowed";
-    EXPECT_EQ(field(row, "skip_still_tiles"), "90");
-    EXPECT_EQ(field(row, "skip_still_tiles_of"), "100");
+    EXPECT_EQ(row.skips_off, "back_face_culling");
+    EXPECT_EQ(field(row, "skips_off"), "back_face_culling");
+    EXPECT_EQ(field(row, "skip_frustum_culling"), "20");
+    EXPECT_EQ(field(row, "skip_frustum_culling_of"), "100");
+    EXPECT_EQ(field(row, "skip_back_face_culling"), "0") << "not allowed";
+    EXPECT_EQ(field(row, "skip_temporal_reuse"), "90");
+    EXPECT_EQ(field(row, "skip_temporal_reuse_of"), "100");
 }
 
 TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
@@ -98,8 +100,8 @@ TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
     stage.script.failure = "out of ink";
     const Row row = stage.timed({1, 2, 2, 1000});
     EXPECT_EQ(row.skips, std::nullopt);
-    EXPECT_EQ(field(row, "skip_hidden"), "");
-    EXPECT_EQ(field(row, "skip_hidden_of"), "");
+    EXPECT_EQ(field(row, "skip_occlusion_culling"), "");
+    EXPECT_EQ(field(row, "skip_occlusion_culling_of"), "");
 }
 
 TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
@@ -114,10 +116,10 @@ TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
         EXPECT_EQ(has(name), 1) << name;
         EXPECT_EQ(has(name + "_of"), 1) << name;
     }
-    Row bracket;
-    bracket.method = "oracle";
-    EXPECT_EQ(field(bracket, "skip_hidden"), "");
-    EXPECT_EQ(field(bracket, "skips_off"), "");
+    Row baseline;
+    baseline.method = "oracle";
+    EXPECT_EQ(field(baseline, "skip_occlusion_culling"), "");
+    EXPECT_EQ(field(baseline, "skips_off"), "");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/entrants.h"
+#include "harness/method_configs.h"
 #include "method/method.h"
 
 namespace ink::harness {
@@ -14,7 +14,7 @@ namespace ink::harness {
 /// What a made-up method is to do, and what it was asked.
 struct SkipScript {
     raster::SkipCounts counts = {};          ///< reported for skips that are allowed
-    std::optional<raster::Skip> wrong = {};  ///< its picture is another where this is not allowed
+    std::optional<raster::Skip> wrong = {};  ///< its image is another where this is not allowed
     std::string failure = {};                ///< thrown by draw unless empty
     std::vector<method::Frame> frames = {};
     std::vector<scene::Scene> poses = {};

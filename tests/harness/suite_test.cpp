@@ -19,37 +19,37 @@ scene::Scene model() {
     return scene::scene_of(mesh);
 }
 
-TEST(Subject, AModelGetsThreeViewsRoundItUnlessAsked) {
-    const Subject three = make_subject(model(), {});
+TEST(SceneViews, AModelGetsThreeViewsRoundItUnlessAsked) {
+    const SceneViews three = make_scene_views(model(), {});
     EXPECT_EQ(three.views.size(), 3U);
     EXPECT_EQ(three.views[0].width_px, 1280);
     ViewRequest five;
     five.orbit_count = 5;
-    EXPECT_EQ(make_subject(model(), five).views.size(), 5U);
+    EXPECT_EQ(make_scene_views(model(), five).views.size(), 5U);
 }
 
-TEST(Subject, ACatalogueSceneHasItsOwnViews) {
+TEST(SceneViews, ACatalogueSceneHasItsOwnViews) {
     const auto& entry = catalogue::catalogue().front();
-    const Subject subject = make_subject(load_scene(entry.name), {});
-    ASSERT_EQ(subject.views.size(), subject.scene.cameras.size());
-    EXPECT_EQ(subject.views[0].camera.name, subject.scene.cameras[0].name);
+    const SceneViews scene_views = make_scene_views(load_scene(entry.name), {});
+    ASSERT_EQ(scene_views.views.size(), scene_views.scene.cameras.size());
+    EXPECT_EQ(scene_views.views[0].camera.name, scene_views.scene.cameras[0].name);
 }
 
-TEST(Subject, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
+TEST(SceneViews, AnAskedEyeIsTheEyeWithItsClipRangeFitted) {
     ViewRequest request;
     request.cameras.push_back({{0, 0, 10}, std::nullopt, {0, 1, 0}, std::nullopt});
-    const Subject subject = make_subject(model(), request);
-    ASSERT_EQ(subject.views.size(), 1U);
-    const scene::Camera& camera = subject.views[0].camera;
+    const SceneViews scene_views = make_scene_views(model(), request);
+    ASSERT_EQ(scene_views.views.size(), 1U);
+    const scene::Camera& camera = scene_views.views[0].camera;
     EXPECT_EQ(camera.eye_world, glm::dvec3(0, 0, 10));
     EXPECT_NEAR(camera.near, 10 - std::sqrt(3.0), 1e-9);
     EXPECT_NEAR(camera.far, 10 + std::sqrt(3.0), 1e-9);
 }
 
-TEST(Subject, FileCamerasThatAreNotThereAreAnError) {
+TEST(SceneViews, FileCamerasThatAreNotThereAreAnError) {
     ViewRequest request;
     request.file_cameras = true;
-    EXPECT_THROW((void)make_subject(model(), request), core::Error);
+    EXPECT_THROW((void)make_scene_views(model(), request), core::Error);
 }
 
 TEST(Size, AbsurdSizesNameTheLimits) {

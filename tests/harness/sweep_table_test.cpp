@@ -40,7 +40,7 @@ Row random_setting(RandomValues& any, const Row& own, const std::string& params)
         row.k_2px = scores.k_2px;
         row.n_pred = scores.n_pred;
         row.n_truth = scores.n_truth;
-        row.missing = scores.missing;
+        row.false_negatives = scores.false_negatives;
     }
     fill_random_times(any, row);
     row.image_hash = any.text();

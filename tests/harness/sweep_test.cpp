@@ -8,59 +8,59 @@
 namespace ink::harness {
 namespace {
 
-/// Draws a row of pixels of the strength it is set to, and fails where it is told to.
+/// Draws a row of pixels of the edge response it is set to, and fails where it is told to.
 class Stroke final : public method::Method {
   public:
-    explicit Stroke(int strength) : strength_(strength) {}
+    explicit Stroke(int edge_response) : edge_response_(edge_response) {}
     void prepare(const scene::Scene&) override {}
     void pose(const scene::Scene&) override {}
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
-        if (strength_ == 13) throw std::runtime_error("out of ink");
+        if (edge_response_ == 13) throw std::runtime_error("out of ink");
         out.fill(0);
         for (int x = 0; x < frame.view.width_px; ++x)
-            out.at(x, 20) = static_cast<std::uint8_t>(strength_);
+            out.at(x, 20) = static_cast<std::uint8_t>(edge_response_);
     }
     int bytes_per_px() const override { return 1; }
 
   private:
-    int strength_;
+    int edge_response_;
 };
 
 method::MethodInfo stroke_info() {
     method::MethodInfo info;
     info.name = "stroke";
     info.complete = [](const core::ParamValues& values) {
-        core::ParamValues all = {{"strength", "200"}, {"threshold", "100"}, {"tip", "round"}};
+        core::ParamValues all = {{"edge_response", "200"}, {"threshold", "100"}, {"tip", "round"}};
         for (const auto& [name, value] : values)
             all[name] = value;
         return all;
     };
     info.make = [complete = info.complete](const core::ParamValues& values) {
-        return std::make_unique<Stroke>(std::stoi(complete(values).at("strength")));
+        return std::make_unique<Stroke>(std::stoi(complete(values).at("edge_response")));
     };
-    info.sweep = {{}, {{"strength", "50"}}, {{"strength", "13"}}, {{"tip", "flat"}}};
+    info.sweep = {{}, {{"edge_response", "50"}}, {{"edge_response", "13"}}, {{"tip", "flat"}}};
     return info;
 }
 
-TEST(SweepEntrants, PutTheSweepOnTopOfWhatTheUserSet) {
+TEST(SweepConfigs, PutTheSweepOnTopOfWhatTheUserSet) {
     const auto info = stroke_info();
-    const auto entrants = sweep_entrants({&info, {{"tip", "flat"}, {"strength", "77"}}});
+    const auto configs = sweep_configs({&info, {{"tip", "flat"}, {"edge_response", "77"}}});
     std::vector<core::ParamValues> settings;
-    for (const Entrant& entrant : entrants)
-        settings.push_back(entrant.settings);
+    for (const MethodConfig& config : configs)
+        settings.push_back(config.settings);
     // The last line, {tip: flat}, is what the user has already.
     EXPECT_THAT(settings,
-                testing::ElementsAre(core::ParamValues{{"strength", "77"}, {"tip", "flat"}},
-                                     core::ParamValues{{"strength", "50"}, {"tip", "flat"}},
-                                     core::ParamValues{{"strength", "13"}, {"tip", "flat"}}));
+                testing::ElementsAre(core::ParamValues{{"edge_response", "77"}, {"tip", "flat"}},
+                                     core::ParamValues{{"edge_response", "50"}, {"tip", "flat"}},
+                                     core::ParamValues{{"edge_response", "13"}, {"tip", "flat"}}));
 }
 
-TEST(SweepEntrants, OfAMethodWithoutASweepIsTheMethodAsItTakesPart) {
+TEST(SweepConfigs, OfAMethodWithoutASweepIsTheMethodAsItTakesPart) {
     auto info = stroke_info();
     info.sweep.clear();
-    const auto entrants = sweep_entrants({&info, {{"tip", "flat"}}});
-    ASSERT_EQ(entrants.size(), 1U);
-    EXPECT_EQ(entrants[0].settings, (core::ParamValues{{"tip", "flat"}}));
+    const auto configs = sweep_configs({&info, {{"tip", "flat"}}});
+    ASSERT_EQ(configs.size(), 1U);
+    EXPECT_EQ(configs[0].settings, (core::ParamValues{{"tip", "flat"}}));
 }
 
 TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {
@@ -81,7 +81,7 @@ TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {
     EXPECT_EQ(rows[0].draw_n, 2);
     EXPECT_FALSE(rows[0].f_1px) << "left out";
     EXPECT_FALSE(rows[0].ap);
-    EXPECT_TRUE(rows[0].ladder.empty());
+    EXPECT_TRUE(rows[0].tolerance_sweep.empty());
     EXPECT_EQ(rows[1].f_2px, 0.0) << "50 is below the threshold";
     EXPECT_THAT(rows[2].status, testing::HasSubstr("out of ink"));
     EXPECT_THAT(rows[3].params, testing::HasSubstr("tip=flat"));

@@ -38,7 +38,7 @@ using Findings = std::vector<std::string>;
 [[nodiscard]] Findings check_headers(const SourceTree& tree);
 
 /// No build file asks for the machine's own instruction set or for loose arithmetic: both would
-/// change pictures.
+/// change images.
 [[nodiscard]] Findings check_flags(const SourceTree& tree);
 
 /// No text names a path of one machine or a host that packages come from.

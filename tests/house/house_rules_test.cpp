@@ -36,7 +36,7 @@ TEST(Arrows, ThoseOfTheTableAreAllowed) {
     EXPECT_THAT(arrow("src/raster/pass/pass.cpp", "raster/pass/pass.h"), IsEmpty());
     EXPECT_THAT(arrow("src/harness/cell.cpp", "methods/registry.h"), IsEmpty());
     EXPECT_THAT(arrow("src/score/score.h", "truth/line_class.h"), IsEmpty());
-    EXPECT_THAT(arrow("src/crosscheck/witness.h", "truth/line_class.h"), IsEmpty());
+    EXPECT_THAT(arrow("src/crosscheck/dense_sampling.h", "truth/line_class.h"), IsEmpty());
     EXPECT_THAT(arrow("methods/mote4/mote4.cpp", "shade/gouraud.h"), IsEmpty());
     EXPECT_THAT(arrow("src/core/parallel.cpp", "tbb/parallel_for.h"), IsEmpty());
 }
@@ -50,7 +50,7 @@ TEST(Arrows, AllOthersAreNot) {
     EXPECT_THAT(arrow("src/truth/truth.cpp", "raster/pass/pass.h"), SizeIs(1));
     EXPECT_THAT(arrow("src/score/score.cpp", "truth/truth.h"), SizeIs(1));
     EXPECT_THAT(arrow("src/import/import.cpp", "harness/row.h"), SizeIs(1));
-    EXPECT_THAT(arrow("src/crosscheck/witness.cpp", "truth/truth.h"), SizeIs(1));
+    EXPECT_THAT(arrow("src/crosscheck/dense_sampling.cpp", "truth/truth.h"), SizeIs(1));
     EXPECT_THAT(arrow("src/harness/cell.cpp", "report/page.h"), SizeIs(1));
     EXPECT_THAT(arrow("src/experiment/summary.cpp", "tune/tune.h"), SizeIs(1));
     EXPECT_THAT(arrow("src/experiment/summary.cpp", "report/page.h"), SizeIs(1));

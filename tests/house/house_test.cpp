@@ -44,7 +44,7 @@ TEST(House, HeadersAreGuarded) {
     EXPECT_THAT(check_headers(project()), IsEmpty());
 }
 
-TEST(House, NoFlagChangesThePicture) {
+TEST(House, NoFlagChangesTheImage) {
     EXPECT_THAT(check_flags(project()), IsEmpty());
 }
 

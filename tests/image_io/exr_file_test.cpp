@@ -89,7 +89,7 @@ TEST_F(Exr, IsTheSameFileTwice) {
     EXPECT_EQ(bytes(file("a.exr")), bytes(file("b.exr")));
 }
 
-TEST_F(Exr, RefusesAnEmptyPictureAndLeavesNothing) {
+TEST_F(Exr, RefusesAnEmptyImageAndLeavesNothing) {
     EXPECT_THROW(write_exr({}, file("a.exr")), core::Error);
     ExrFile empty;
     empty.channels = {{"Y", core::Image<float>()}};
@@ -103,7 +103,7 @@ TEST_F(Exr, RefusesAFolderThatIsNotThere) {
 
 TEST_F(Exr, RefusesToReadWhatIsNone) {
     EXPECT_THROW(static_cast<void>(read_exr(file("none.exr"))), core::Error);
-    std::ofstream(file("text.exr")) << "not a picture";
+    std::ofstream(file("text.exr")) << "not an image";
     EXPECT_THROW(static_cast<void>(read_exr(file("text.exr"))), core::Error);
     write_exr(small_file(), file("a.exr"));
     fs::resize_file(file("a.exr"), fs::file_size(file("a.exr")) - 20);

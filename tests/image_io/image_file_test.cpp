@@ -64,7 +64,7 @@ Gray every_value() {
     return image;
 }
 
-/// A noisy picture, so that its file does not fit into a few hundred bytes.
+/// A noisy image, so that its file does not fit into a few hundred bytes.
 Gray noise() {
     Gray image(64, 64);
     unsigned state = 1;
@@ -127,7 +127,7 @@ TEST_F(ImageFile, LeavesNothingWhereItCannotWrite) {
     EXPECT_EQ(files_in_folder(), 1U);
 }
 
-TEST_F(ImageFile, LeavesNothingOfAnEmptyPicture) {
+TEST_F(ImageFile, LeavesNothingOfAnEmptyImage) {
     EXPECT_THROW(write_png(Gray(), file("empty.png")), ink::core::Error);
     EXPECT_THROW(static_cast<void>(encode_png(Colour(0, 5))), ink::core::Error);
     EXPECT_EQ(files_in_folder(), 0U);
@@ -143,7 +143,7 @@ TEST_F(ImageFile, RefusesWhatIsNoImage) {
     EXPECT_THAT(refusal_of(file("missing.png")), testing::Not(testing::HasSubstr("\n")));
 }
 
-TEST_F(ImageFile, RefusesAPictureThatIsCutOffAnywhere) {
+TEST_F(ImageFile, RefusesAnImageThatIsCutOffAnywhere) {
     const auto whole = encode_png(noise());
     for (std::size_t kept = 8; kept < whole.size(); kept += 97) {
         const std::vector<std::uint8_t> cut(whole.begin(),

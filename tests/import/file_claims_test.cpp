@@ -88,10 +88,10 @@ TEST(ThreeDsCameras, EyeTargetRollAndLens) {
     EXPECT_EQ(cameras[0].name, "Cam");
     EXPECT_EQ(cameras[0].eye_world, glm::dvec3(1, 2, 3));
     EXPECT_EQ(cameras[0].target_world, glm::dvec3(1, 7, 3));
-    // z turned by 90 degrees about the gaze +y is x.
+    // z turned by 90 degrees about the view direction +y is x.
     EXPECT_NEAR(cameras[0].up_world.x, 1, 1e-12);
     EXPECT_NEAR(cameras[0].up_world.z, 0, 1e-12);
-    // 2400 / 48 = 50 degrees across a 4:3 picture.
+    // 2400 / 48 = 50 degrees across a 4:3 image.
     const double half_x_rad = std::atan(std::tan(cameras[0].fov_y_rad / 2) * 4 / 3);
     EXPECT_NEAR(2 * half_x_rad * 180 / std::numbers::pi, 50, 1e-9);
 }

@@ -190,10 +190,10 @@ TEST_F(ImportAnimation, GltfCamerasRideOnTheirNodes) {
     scene::Camera& rider = scene.cameras[rider_is_first ? 0 : 1];
     scene::Camera& post = scene.cameras[rider_is_first ? 1 : 0];
     EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 0, 5)), 1e-6);
-    const glm::dmat3 gaze = rider.view_from_world;
+    const glm::dmat3 view_direction = rider.view_from_world;
     scene::pose_scene(scene, 0.5);
     EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 2, 5)), 1e-6);
-    EXPECT_LT(glm::length((rider.view_from_world - gaze)[2]), 1e-6) << "it does not turn";
+    EXPECT_LT(glm::length((rider.view_from_world - view_direction)[2]), 1e-6) << "it does not turn";
     EXPECT_LT(glm::length(post.eye_world - glm::dvec3(0, 0, 7)), 1e-6);
     scene::rest_scene(scene);
     EXPECT_LT(glm::length(rider.eye_world - glm::dvec3(0, 0, 5)), 1e-6);

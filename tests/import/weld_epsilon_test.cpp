@@ -71,7 +71,7 @@ TEST(WeldEpsilon, IsAShareOfEachPart) {
     EXPECT_EQ(topology.counts.boundary_edges, 0U);
 }
 
-TEST(WeldEpsilon, DoesNotHangOnTheOrderOfTriangles) {
+TEST(WeldEpsilon, DoesNotDependOnTheOrderOfTriangles) {
     scene::Mesh mesh = cracked_cube(1e-5F);
     const scene::Topology straight = scene::weld(scene::scene_of(mesh), {.epsilon = 1.2e-5});
     std::reverse(mesh.triangles.begin(), mesh.triangles.end());

@@ -25,12 +25,12 @@ constexpr double kTwoPoints = 0.02;
 /// The rows of methods on views of one scene; `crease_deg` is the methods' and the truth's.
 std::vector<CancellationRow> study(const scene::Scene& scene,
                                    const std::vector<scene::View>& views,
-                                   const std::vector<harness::Entrant>& entrants,
+                                   const std::vector<harness::MethodConfig>& configs,
                                    double crease_deg) {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    for (harness::Entrant entrant : entrants) {
-        entrant.settings["crease_deg"] = std::to_string(crease_deg);
-        methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene));
+    for (harness::MethodConfig config : configs) {
+        config.settings["crease_deg"] = std::to_string(crease_deg);
+        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
     }
     truth::TruthOptions options;
     options.crease_rad = crease_deg * kDegree_rad;
@@ -39,18 +39,19 @@ std::vector<CancellationRow> study(const scene::Scene& scene,
     std::vector<CancellationRow> rows;
     for (const scene::View& view : views) {
         const harness::ViewTruth truth = harness::trace_view(model, view, {});
-        const std::vector<harness::Shot> shots = harness::method_shots(methods, view, {1, 0, 0, 0});
-        for (CancellationRow& row : study_cancellation(truth, view, predictor, shots))
+        const std::vector<harness::Evaluation> evaluations =
+            harness::method_evaluations(methods, view, {1, 0, 0, 0});
+        for (CancellationRow& row : study_cancellation(truth, view, predictor, evaluations))
             rows.push_back(std::move(row));
     }
     return rows;
 }
 
-std::vector<harness::Entrant> motes() {
-    std::vector<harness::Entrant> entrants;
+std::vector<harness::MethodConfig> motes() {
+    std::vector<harness::MethodConfig> configs;
     for (const char* name : {"mote2", "mote4", "mote16"})
-        entrants.push_back({&methods::find_method(name), {}});
-    return entrants;
+        configs.push_back({&methods::find_method(name), {}});
+    return configs;
 }
 
 std::string words(const CancellationTotal& total) {
@@ -78,8 +79,8 @@ CancellationCount crease_total(const std::vector<CancellationRow>& rows) {
     return count;
 }
 
-TEST(Cancellation, OnCreasesOfEveryBendPredictedAndMeasuredMissesAgree) {
-    const RoofPicture fan = crease_fan();
+TEST(Cancellation, OnCreasesOfEveryAnglePredictedAndMeasuredMissesAgree) {
+    const RoofImage fan = crease_fan();
     const auto rows = study(fan.scene, {fan.view}, motes(), 5);
     const auto kinds = cancellation_by_kind(rows);
     int bins = 0;
@@ -116,70 +117,71 @@ TEST(Cancellation, OnCreaseScenesOfTheCatalogueTheyAgreeInEveryBinAndClass) {
 }
 
 /// A roof whose normals differ in x less y alone: by weights that are alike its code is one code.
-RoofPicture diagonal_roof() {
+RoofImage diagonal_roof() {
     scene::Mesh mesh;
-    add_roof({.bend_rad = 85 * kDegree_rad,
+    add_roof({.deviation_rad = 85 * kDegree_rad,
               .roll_rad = 45 * kDegree_rad,
               .half_length = 40,
               .half_width = 30},
              mesh);
-    return picture_of(std::move(mesh), 160, 160);
+    return image_of(std::move(mesh), 160, 160);
 }
 
 TEST(Cancellation, ACreaseAcrossWhichTheCodeDoesNotChangeIsPredictedMissed) {
-    const RoofPicture roof = diagonal_roof();
-    const harness::Entrant alike{&methods::find_method("mote4"), {{"sky", "255"}}};
+    const RoofImage roof = diagonal_roof();
+    const harness::MethodConfig alike{&methods::find_method("mote4"), {{"sky", "255"}}};
     const CancellationCount missed = crease_total(study(roof.scene, {roof.view}, {alike}, 40));
     // 80 px along a diagonal are 57 pixels; at both ends the outline's ink is in reach.
     EXPECT_GE(missed.n_truth, 50);
-    EXPECT_GE(missed.predicted_missing, missed.n_truth - 10);
-    EXPECT_EQ(missed.both_missing, missed.predicted_missing);
+    EXPECT_GE(missed.predicted_false_negatives, missed.n_truth - 10);
+    EXPECT_EQ(missed.both_false_negatives, missed.predicted_false_negatives);
 }
 
 TEST(Cancellation, TheSameCreaseIsPredictedSeenByUnlikeWeights) {
-    const RoofPicture roof = diagonal_roof();
-    const harness::Entrant unlike{&methods::find_method("mote4"),
-                                  {{"sky", "255"}, {"range_ny", "0"}}};
+    const RoofImage roof = diagonal_roof();
+    const harness::MethodConfig unlike{&methods::find_method("mote4"),
+                                       {{"sky", "255"}, {"range_ny", "0"}}};
     const CancellationCount seen = crease_total(study(roof.scene, {roof.view}, {unlike}, 40));
     EXPECT_GE(seen.n_truth, 50);
-    EXPECT_EQ(seen.predicted_missing, 0);
-    EXPECT_EQ(seen.measured_missing, 0);
+    EXPECT_EQ(seen.predicted_false_negatives, 0);
+    EXPECT_EQ(seen.measured_false_negatives, 0);
 }
 
-TEST(Cancellation, ThePredictionNeverReadsThePicture) {
-    const RoofPicture roof = diagonal_roof();
+TEST(Cancellation, ThePredictionNeverReadsTheImage) {
+    const RoofImage roof = diagonal_roof();
     truth::SceneModel model(roof.scene, {});
     const harness::ViewTruth truth = harness::trace_view(model, roof.view, {});
     harness::MissPredictor predictor(roof.scene);
-    std::vector<harness::Shot> shots(2);
-    for (harness::Shot& shot : shots) {
-        shot.code.emplace();
-        shot.code->normal_weight[0] = 60;
-        shot.threshold = 8;
-        shot.row.n_truth = 1;
-        shot.picture = edge::EdgeImage(160, 160);
+    std::vector<harness::Evaluation> evaluations(2);
+    for (harness::Evaluation& evaluation : evaluations) {
+        evaluation.code.emplace();
+        evaluation.code->normal_weight[0] = 60;
+        evaluation.threshold = 8;
+        evaluation.row.n_truth = 1;
+        evaluation.image = edge::EdgeImage(160, 160);
     }
-    shots[1].picture.fill(255);
-    const auto rows = study_cancellation(truth, roof.view, predictor, shots);
+    evaluations[1].image.fill(255);
+    const auto rows = study_cancellation(truth, roof.view, predictor, evaluations);
     ASSERT_FALSE(rows.empty());
     ASSERT_EQ(rows.size() % 2, 0U);
     const std::size_t half = rows.size() / 2;
     for (std::size_t i = 0; i < half; ++i) {
         EXPECT_EQ(rows[i].count.predicted_missed, rows[half + i].count.predicted_missed);
-        EXPECT_EQ(rows[i].count.predicted_missing, rows[half + i].count.predicted_missing);
+        EXPECT_EQ(rows[i].count.predicted_false_negatives,
+                  rows[half + i].count.predicted_false_negatives);
         EXPECT_EQ(rows[i].count.measured_missed, rows[i].count.n_truth) << "nothing was drawn";
     }
 }
 
 TEST(Cancellation, MethodsWithoutACodeAndFailedOnesHaveNoRows) {
-    const RoofPicture roof = diagonal_roof();
+    const RoofImage roof = diagonal_roof();
     truth::SceneModel model(roof.scene, {});
     const harness::ViewTruth truth = harness::trace_view(model, roof.view, {});
     harness::MissPredictor predictor(roof.scene);
-    std::vector<harness::Shot> shots(2);
-    shots[1].code.emplace();
-    shots[1].row.status = "out of ink";
-    EXPECT_TRUE(study_cancellation(truth, roof.view, predictor, shots).empty());
+    std::vector<harness::Evaluation> evaluations(2);
+    evaluations[1].code.emplace();
+    evaluations[1].row.status = "out of ink";
+    EXPECT_TRUE(study_cancellation(truth, roof.view, predictor, evaluations).empty());
 }
 
 score::PixelList pixels_at(const std::vector<score::Pixel>& pixels) {
@@ -197,11 +199,11 @@ TEST(CancellationCount, CountsWhatEachInkMissesAndWhatBothDo) {
     EXPECT_EQ(count.n_truth, 4);
     EXPECT_EQ(count.predicted_missed, 3) << "one ink pixel is matched once";
     EXPECT_EQ(count.measured_missed, 3);
-    EXPECT_EQ(count.predicted_missing, 2);
-    EXPECT_EQ(count.measured_missing, 3);
-    EXPECT_EQ(count.both_missing, 1) << "the last one";
+    EXPECT_EQ(count.predicted_false_negatives, 2);
+    EXPECT_EQ(count.measured_false_negatives, 3);
+    EXPECT_EQ(count.both_false_negatives, 1) << "the last one";
     EXPECT_DOUBLE_EQ(count.predicted_rate(), 0.75);
-    EXPECT_DOUBLE_EQ(count.agreement(), 0.25) << "rightly foretold: the last one alone";
+    EXPECT_DOUBLE_EQ(count.agreement(), 0.25) << "rightly predicted: the last one alone";
     EXPECT_DOUBLE_EQ(CancellationCount{}.agreement(), 1);
     EXPECT_DOUBLE_EQ(CancellationCount{}.measured_rate(), 0);
 }
@@ -256,15 +258,15 @@ TEST(CancellationLaw, FacetsAreSilentBelowTheLeastStepThatFiresWhenSeenTwice) {
     method::LinearCode code;
     code.normal_weight[2] = 100;
     code.response.clip_bits = 0;
-    // |L| = 8 fires: 2 * 100 sin(bend / 2) = 8.
-    EXPECT_NEAR(silent_bend_rad(code, 8), 2 * std::asin(0.04), 1e-12);
+    // |L| = 8 fires: 2 * 100 sin(deviation / 2) = 8.
+    EXPECT_NEAR(silent_deviation_rad(code, 8), 2 * std::asin(0.04), 1e-12);
     code.response.clip_bits = 2;  // 5, 6, 7 become 4
-    EXPECT_NEAR(silent_bend_rad(code, 5), 2 * std::asin(0.04), 1e-12);
+    EXPECT_NEAR(silent_deviation_rad(code, 5), 2 * std::asin(0.04), 1e-12);
     code.normal_weight[0] = 60;
     code.normal_weight[2] = 80;
-    EXPECT_NEAR(silent_bend_rad(code, 8), 2 * std::asin(0.04), 1e-12) << "the length counts";
-    EXPECT_NEAR(silent_bend_rad(code, 250), std::numbers::pi, 1e-12) << "200 is the most";
-    EXPECT_NEAR(silent_bend_rad({}, 1), std::numbers::pi, 1e-12) << "no normal in it";
+    EXPECT_NEAR(silent_deviation_rad(code, 8), 2 * std::asin(0.04), 1e-12) << "the length counts";
+    EXPECT_NEAR(silent_deviation_rad(code, 250), std::numbers::pi, 1e-12) << "200 is the most";
+    EXPECT_NEAR(silent_deviation_rad({}, 1), std::numbers::pi, 1e-12) << "no normal in it";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace ink::linear_code {
 namespace {
 
 struct Seen {
-    harness::Subject subject;
+    harness::SceneViews scene_views;
     truth::Layers layers;
 };
 
@@ -23,9 +23,9 @@ Seen see(const std::string& name) {
     harness::ViewRequest request;
     request.width_px = 320;
     request.height_px = 180;
-    Seen seen{harness::make_subject(catalogue::make_catalogue_scene(name), request), {}};
-    truth::SceneModel model(seen.subject.scene, {});
-    seen.layers = harness::trace_view(model, seen.subject.views.front(), {}).traced.layers;
+    Seen seen{harness::make_scene_views(catalogue::make_catalogue_scene(name), request), {}};
+    truth::SceneModel model(seen.scene_views.scene, {});
+    seen.layers = harness::trace_view(model, seen.scene_views.views.front(), {}).traced.layers;
     return seen;
 }
 
@@ -33,8 +33,8 @@ std::unique_ptr<method::Method> prepared(const Seen& seen,
                                          const std::string& name,
                                          const core::ParamValues& settings) {
     auto method = methods::find_method(name).make(settings);
-    method->prepare(seen.subject.scene);
-    method->pose(seen.subject.scene);
+    method->prepare(seen.scene_views.scene);
+    method->pose(seen.scene_views.scene);
     return method;
 }
 
@@ -46,9 +46,9 @@ struct Difference {
 
 Difference difference(const Seen& seen, const core::ParamValues& settings) {
     const auto method = prepared(seen, "mote4", settings);
-    const scene::View& view = seen.subject.views.front();
+    const scene::View& view = seen.scene_views.views.front();
     const auto code = method->code();
-    const ChannelSource source(seen.subject.scene, *code);
+    const ChannelSource source(seen.scene_views.scene, *code);
     const auto codes = codes_of(source.planes(view, seen.layers.triangle, 1), *code);
     const core::Image<glm::u8vec3> packed = method->layers({view, 1}).front().rgb;
     Difference difference;
@@ -77,28 +77,29 @@ TEST(ChannelPlanes, HoldTheMethodsBuffer) {
     }
 }
 
-TEST(ChannelPlanes, FilteredAreTheMethodsPicture) {
+TEST(ChannelPlanes, FilteredAreTheMethodsImage) {
     const Seen seen = see("torus");
-    const scene::View& view = seen.subject.views.front();
+    const scene::View& view = seen.scene_views.views.front();
     const auto method = prepared(seen, "mote16", {});
     const auto code = method->code();
-    const ChannelSource source(seen.subject.scene, *code);
-    const auto strengths = strengths_of(source.planes(view, seen.layers.triangle, 1), *code, 1);
+    const ChannelSource source(seen.scene_views.scene, *code);
+    const auto edge_responses =
+        responses_of(source.planes(view, seen.layers.triangle, 1), *code, 1);
     edge::EdgeImage drawn(view.width_px, view.height_px);
     method->draw({view, 1}, drawn);
     const int threshold = 128;
     int differ = 0;
     for (int y = 1; y + 1 < view.height_px; ++y) {
         for (int x = 1; x + 1 < view.width_px; ++x)
-            differ += (strengths.at(x, y) >= threshold) != (drawn.at(x, y) >= threshold);
+            differ += (edge_responses.at(x, y) >= threshold) != (drawn.at(x, y) >= threshold);
     }
     EXPECT_LE(differ, view.width_px * view.height_px / 500);
 }
 
 TEST(ChannelPlanes, LieWithinZeroAndOneAndAreZeroOnSky) {
     const Seen seen = see("torus");
-    const scene::View& view = seen.subject.views.front();
-    const ChannelSource source(seen.subject.scene, *prepared(seen, "mote4", {})->code());
+    const scene::View& view = seen.scene_views.views.front();
+    const ChannelSource source(seen.scene_views.scene, *prepared(seen, "mote4", {})->code());
     const ChannelPlanes planes = source.planes(view, seen.layers.triangle, 1);
     int sky = 0;
     for (std::size_t i = 0; i < planes.is_sky.size(); ++i) {
@@ -115,18 +116,18 @@ TEST(ChannelPlanes, LieWithinZeroAndOneAndAreZeroOnSky) {
 
 TEST(ChannelPlanes, AreTheSameForEveryThreadCount) {
     const Seen seen = see("teapot");
-    const scene::View& view = seen.subject.views.front();
-    const ChannelSource source(seen.subject.scene, *prepared(seen, "mote4", {})->code());
+    const scene::View& view = seen.scene_views.views.front();
+    const ChannelSource source(seen.scene_views.scene, *prepared(seen, "mote4", {})->code());
     const ChannelPlanes one = source.planes(view, seen.layers.triangle, 1);
     const ChannelPlanes four = source.planes(view, seen.layers.triangle, 4);
     EXPECT_EQ(one.channels, four.channels);
     EXPECT_EQ(one.is_sky, four.is_sky);
 }
 
-TEST(ChannelPlanes, OfAnEmptyPictureAreEmpty) {
+TEST(ChannelPlanes, OfAnEmptyImageAreEmpty) {
     const ChannelPlanes nothing;
     EXPECT_TRUE(codes_of(nothing, {}).is_empty());
-    EXPECT_TRUE(strengths_of(nothing, {}, 1).is_empty());
+    EXPECT_TRUE(responses_of(nothing, {}, 1).is_empty());
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ inline constexpr double kFanDistance = 5000;  // so far that a unit is a pixel w
 
 /// How a roof lies before an eye on the z axis.
 struct Roof {
-    glm::dvec3 middle{0};     ///< of its ridge, z = 0
-    double bend_rad = 0;      ///< between its faces' normals
-    double roll_rad = 0;      ///< of the ridge on the picture, from +x to +y
-    double tilt_rad = 0;      ///< about the ridge; 0: both faces are seen alike
-    double half_length = 10;  ///< of the ridge, px
-    double half_width = 8;    ///< each face's on the picture, px
+    glm::dvec3 middle{0};      ///< of its ridge, z = 0
+    double deviation_rad = 0;  ///< between its faces' normals
+    double roll_rad = 0;       ///< of the ridge on the image, from +x to +y
+    double tilt_rad = 0;       ///< about the ridge; 0: both faces are seen alike
+    double half_length = 10;   ///< of the ridge, px
+    double half_width = 8;     ///< each face's on the image, px
 };
 
 /// Adds the roof's four triangles, fronts to the eye.
@@ -31,8 +31,8 @@ inline void add_roof(const Roof& roof, scene::Mesh& mesh) {
     const glm::dvec3 along = std::cos(roof.roll_rad) * right + std::sin(roof.roll_rad) * up;
     const glm::dvec3 across = glm::cross(to_eye, along);
     for (const double side : {-1.0, 1.0}) {
-        // From the picture's plane a face falls off by half the bend, and the tilt.
-        const double fall = roof.bend_rad / 2 + side * roof.tilt_rad;
+        // From the image's plane a face falls off by half the bend, and the tilt.
+        const double fall = roof.deviation_rad / 2 + side * roof.tilt_rad;
         const glm::dvec3 down = roof.half_width * (side * across - std::tan(fall) * to_eye);
         const glm::dvec3 ridge = roof.half_length * along;
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -50,45 +50,45 @@ inline void add_roof(const Roof& roof, scene::Mesh& mesh) {
     }
 }
 
-/// A scene of roofs, and the picture on which they lie: a unit is a pixel, the origin its middle.
-struct RoofPicture {
+/// A scene of roofs, and the image on which they lie: a unit is a pixel, the origin its middle.
+struct RoofImage {
     scene::Scene scene;
     scene::View view;
 };
 
-inline RoofPicture picture_of(scene::Mesh mesh, int width_px, int height_px) {
+inline RoofImage image_of(scene::Mesh mesh, int width_px, int height_px) {
     mesh.name = "roofs";
-    RoofPicture picture{scene::scene_of(std::move(mesh)), {}};
+    RoofImage image{scene::scene_of(std::move(mesh)), {}};
     const double fov_y_rad = 2 * std::atan(height_px / 2.0 / kFanDistance);
-    picture.view = {
+    image.view = {
         scene::look_at({0, 0, kFanDistance}, {0, 0, 0}, {0, 1, 0}, fov_y_rad), width_px, height_px};
-    scene::fit_clip_range(picture.view.camera, scene::bounding_sphere(picture.scene));
-    return picture;
+    scene::fit_clip_range(image.view.camera, scene::bounding_sphere(image.scene));
+    return image;
 }
 
 /// A row of 24 roofs for each bend of 15, 25, ... 165 degrees: eight rolls, each tilted three ways
 /// as far as half of what both faces allow.
-inline RoofPicture crease_fan() {
+inline RoofImage crease_fan() {
     constexpr int kRows = 16, kRolls = 8, kTilts = 3, kCell = 30;
     constexpr int kColumns = kRolls * kTilts;
     scene::Mesh mesh;
     for (int row = 0; row < kRows; ++row) {
-        const double bend_rad = (15 + 10 * row) * std::numbers::pi / 180;
+        const double deviation_rad = (15 + 10 * row) * std::numbers::pi / 180;
         for (int column = 0; column < kColumns; ++column) {
             // Not all at the same place of their pixels.
             const glm::dvec3 middle((column - kColumns / 2 + 0.5) * kCell + 0.37 * row,
                                     (kRows / 2 - row - 0.5) * kCell + 0.29 * column,
                                     0);
             const int tilt = column % kTilts - 1;
-            const double most_rad = std::min(std::numbers::pi - bend_rad, bend_rad) / 4;
+            const double most_rad = std::min(std::numbers::pi - deviation_rad, deviation_rad) / 4;
             add_roof({.middle = middle,
-                      .bend_rad = bend_rad,
+                      .deviation_rad = deviation_rad,
                       .roll_rad = (column / kTilts + 0.31) * std::numbers::pi / kRolls,
                       .tilt_rad = tilt * most_rad},
                      mesh);
         }
     }
-    return picture_of(std::move(mesh), kColumns * kCell + 40, kRows * kCell + 40);
+    return image_of(std::move(mesh), kColumns * kCell + 40, kRows * kCell + 40);
 }
 
 }  // namespace ink::linear_code

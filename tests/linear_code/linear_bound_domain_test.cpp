@@ -54,7 +54,8 @@ TEST(LinearStencils, SparesOnlyCandidatesThatChangeNothing) {
 
 TEST(WeightDomain, OfMote4IsItsByteOverTheLeastLine) {
     const auto code = *methods::find_method("mote4").make({})->code();
-    // Two clipped bits: |L| of 4 is the least that draws; of 8 the least that reaches strength 6.
+    // Two clipped bits: |L| of 4 is the least that draws; of 8 the least that reaches edge
+    // response 6.
     EXPECT_EQ(threshold_in_codes(code.response, 1), 4);
     EXPECT_EQ(threshold_in_codes(code.response, 6), 8);
     EXPECT_EQ(threshold_in_codes({.scale_bits = -15}, 8), std::nullopt);

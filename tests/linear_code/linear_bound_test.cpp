@@ -30,9 +30,9 @@ LinearBound tight_bound(const LinearStencils& stencils) {
     return linear_bound(stencils, {.gap = 0.001});
 }
 
-/// F of `found` of 30 truth pixels with `ink` far ones: the formula, written down anew.
-double f_of(double found, double ink) {
-    return 2 * found / (found + 30 + 0.25 * ink);
+/// F of `found` of 30 truth pixels with `positives` far ones: the formula, written down anew.
+double f_of(double found, double positives) {
+    return 2 * found / (found + 30 + 0.25 * positives);
 }
 
 TEST(LinearBound, OfAStepThatStandsAboveTheNoiseIsOne) {
@@ -146,14 +146,15 @@ SmallView small_view(const std::string& name, int width_px, int height_px) {
     harness::ViewRequest request;
     request.width_px = width_px;
     request.height_px = height_px;
-    const harness::Subject subject =
-        harness::make_subject(catalogue::make_catalogue_scene(name), request);
+    const harness::SceneViews scene_views =
+        harness::make_scene_views(catalogue::make_catalogue_scene(name), request);
     SmallView result;
     result.code = *methods::find_method("mote4").make({})->code();
-    truth::SceneModel model(subject.scene, {});
-    result.truth = harness::trace_view(model, subject.views.front(), {});
-    const ChannelSource source(subject.scene, result.code);
-    result.planes = source.planes(subject.views.front(), result.truth.traced.layers.triangle, 1);
+    truth::SceneModel model(scene_views.scene, {});
+    result.truth = harness::trace_view(model, scene_views.views.front(), {});
+    const ChannelSource source(scene_views.scene, result.code);
+    result.planes =
+        source.planes(scene_views.views.front(), result.truth.traced.layers.triangle, 1);
     return result;
 }
 
@@ -185,8 +186,8 @@ double measured_f(const SmallView& view, const LinearWeights& codes, int thresho
     for (std::size_t k = 0; k < 3; ++k)
         code.normal_weight[k] = codes[k + 1] * (1 << finer);
     code.response = {.clip_bits = 0, .scale_bits = -finer, .code_bits = 16, .code_wraps = false};
-    const auto strengths = strengths_of(view.planes, code, 1);
-    return score::score(strengths, view.truth.scoring, harness::score_options(threshold)).f();
+    const auto edge_responses = responses_of(view.planes, code, 1);
+    return score::score(edge_responses, view.truth.scoring, harness::score_options(threshold)).f();
 }
 
 TEST(LinearCount, IsNotBelowWhatTheScorerMeasures) {

@@ -18,11 +18,11 @@ scene::Camera camera_at(double distance) {
     return camera;
 }
 
-TEST(DepthRange, FitSpansTheSphereAlongTheGaze) {
+TEST(DepthRange, FitSpansTheSphereAlongTheViewDirection) {
     const auto range = depth_range(RangeSource::fit, camera_at(10), {{0, 0, 0}, 2});
     EXPECT_DOUBLE_EQ(range.near, 8);
     EXPECT_DOUBLE_EQ(range.far, 12);
-    // Off the axis only the distance along the gaze counts.
+    // Off the axis only the distance along the view direction counts.
     const auto aside = depth_range(RangeSource::fit, camera_at(10), {{7, 0, 0}, 2});
     EXPECT_DOUBLE_EQ(aside.near, 8);
 }

@@ -19,26 +19,26 @@ using testing::Field;
 using testing::HasSubstr;
 
 CodePlan plan_for(const scene::Scene& scene, const PlanWishes& wishes = {}) {
-    return make_plan(scene::make_ledger(scene, glm::radians(40.0)), wishes);
+    return make_plan(scene::make_scene_statistics(scene, glm::radians(40.0)), wishes);
 }
 
 bool reads_normals(const CodePlan& plan) {
     return plan.ranges.normal != glm::dvec3(0);
 }
 
-/// Every triangle a piece of its own: no two share a corner's place.
-scene::Mesh in_pieces(const scene::Mesh& mesh) {
-    scene::Mesh pieces;
+/// Every triangle a component of its own: no two share a corner's place.
+scene::Mesh in_components(const scene::Mesh& mesh) {
+    scene::Mesh components;
     for (const scene::Triangle& t : mesh.triangles) {
-        const auto first = static_cast<std::uint32_t>(pieces.positions.size());
+        const auto first = static_cast<std::uint32_t>(components.positions.size());
         glm::vec3 middle{0};
         for (const std::uint32_t v : t)
             middle += mesh.positions[v] / 3.0F;
         for (const std::uint32_t v : t)
-            pieces.positions.push_back(glm::mix(mesh.positions[v], middle, 1e-4F));
-        pieces.triangles.push_back({first, first + 1, first + 2});
+            components.positions.push_back(glm::mix(mesh.positions[v], middle, 1e-4F));
+        components.triangles.push_back({first, first + 1, first + 2});
     }
-    return pieces;
+    return components;
 }
 
 TEST(AutoPlan, ACurvedClosedSurfaceNeedsOneByteOfDepth) {
@@ -87,7 +87,7 @@ TEST(AutoPlan, SmoothBallsThatMayCrossNeedNormalsWithoutAnyCrease) {
 
 TEST(AutoPlan, ASoupsNormalsAreLeftOutWhateverItsCreases) {
     const CodePlan plan =
-        plan_for(scene_of({in_pieces(catalogue::make_icosphere(1, 2)), cube_mesh()}));
+        plan_for(scene_of({in_components(catalogue::make_icosphere(1, 2)), cube_mesh()}));
     EXPECT_FALSE(reads_normals(plan));
     EXPECT_THAT(plan.lines,
                 Contains(buffers::Field(&method::PlanLine::why, HasSubstr("no neighbour"))));
@@ -99,7 +99,7 @@ TEST(AutoPlan, CoarserFacetsNeedALargerStep) {
         const CodePlan plan = plan_for(scene_of({catalogue::make_cylinder(1, 2, sides)}));
         const glm::dvec3 n = plan.ranges.normal;
         const double sum = plan.ranges.depth + n.x + n.y + n.z;
-        return std::ldexp(kPlannedStrength, -plan.scale_bits) / sum;
+        return std::ldexp(kPlannedResponse, -plan.scale_bits) / sum;
     };
     // 10 degrees from facet to facet, and 20; a 1540th of the range for each.
     EXPECT_NEAR(codes_a_step(36), 10.0 / 1540, 1e-5);
@@ -111,7 +111,7 @@ TEST(AutoPlan, LeavesTheSkyALinesStepBeyondTheFarthestCode) {
         const CodePlan plan = plan_for(scene_of({mesh}));
         const glm::dvec3 n = plan.ranges.normal;
         const double most = plan.ranges.depth + n.x + n.y + n.z;
-        const double step = std::ldexp(kPlannedStrength, -plan.scale_bits);
+        const double step = std::ldexp(kPlannedResponse, -plan.scale_bits);
         EXPECT_GE(plan.applied_to({}).sky - most, step);
     }
 }

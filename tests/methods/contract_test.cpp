@@ -84,7 +84,7 @@ TEST_P(Contract, LayersHaveTheSizeOfTheViewAndAreTheSameOnEveryThreadCount) {
     EXPECT_EQ(names.size(), one.size()) << "two are called the same";
 }
 
-TEST_P(Contract, LayersChangeNoPicture) {
+TEST_P(Contract, LayersChangeNoImage) {
     const auto method = info().make({});
     scene::Scene moved = scene_;
     moved.instances[0].world_from_object = glm::translate(glm::dmat4(1), {1, 0.5, 0});
@@ -172,11 +172,11 @@ TEST_P(Contract, AnAnimatedSceneIsDrawnAsIfPreparedInEveryPose) {
     method->pose(moving);
     const auto at = [&](double time_s) {
         scene::pose_scene(moving, time_s);
-        edge::EdgeImage picture(view_.width_px, view_.height_px);
+        edge::EdgeImage image(view_.width_px, view_.height_px);
         method->pose(moving);
-        method->draw({view_, 1}, picture);
-        EXPECT_EQ(picture, drawn(GetParam(), {}, moving, {view_, 1})) << time_s << " s";
-        return picture;
+        method->draw({view_, 1}, image);
+        EXPECT_EQ(image, drawn(GetParam(), {}, moving, {view_, 1})) << time_s << " s";
+        return image;
     };
     const auto first = at(0);
     EXPECT_EQ(first, draw({})) << "it rests in its first pose";
@@ -196,13 +196,13 @@ TEST_P(Contract, NothingVisibleGivesZeros) {
     EXPECT_EQ(lines_in(drawn(GetParam(), {}, scene_, {away, 1})), 0);
 }
 
-TEST_P(Contract, AnEmptyPictureIsDrawnToo) {
+TEST_P(Contract, AnEmptyImageIsDrawnToo) {
     scene::View view = view_;
     view.width_px = 0;
     EXPECT_EQ(drawn(GetParam(), {}, scene_, {view, 1}).size(), 0U);
 }
 
-TEST_P(Contract, EveryKnobWorksAtBothEndsAndInEveryChoice) {
+TEST_P(Contract, EveryParameterWorksAtBothEndsAndInEveryChoice) {
     for (const core::Param& param : info().params) {
         std::set<double> values{param.min, param.max};
         if (param.kind == core::ParamKind::choice) {

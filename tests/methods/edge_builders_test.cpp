@@ -62,15 +62,15 @@ std::vector<ListedEdge> edges_by_all(const std::vector<scene::Triangle>& triangl
     return edges;
 }
 
-std::size_t count_lone(const std::vector<ListedEdge>& edges) {
+std::size_t count_boundary(const std::vector<ListedEdge>& edges) {
     return static_cast<std::size_t>(
-        std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.is_lone(); }));
+        std::count_if(edges.begin(), edges.end(), [](const auto& e) { return e.is_boundary(); }));
 }
 
 void expect_closed(const std::vector<scene::Triangle>& triangles, std::size_t edge_count) {
     const auto edges = edges_by_all(triangles);
     EXPECT_EQ(edges.size(), edge_count);
-    EXPECT_EQ(count_lone(edges), 0U);
+    EXPECT_EQ(count_boundary(edges), 0U);
 }
 
 TEST(EdgeBuilders, AllThreeGiveTheEdgesOfClosedForms) {
@@ -86,18 +86,18 @@ TEST(EdgeBuilders, AllThreeAgreeOnWhatIsNotClosed) {
     const auto sheet = catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 2});
     const auto edges = edges_by_all(welded(sheet));
     EXPECT_EQ(edges.size(), 4 * 2 + 3 * 3 + 6U);  // across, along, diagonals
-    EXPECT_EQ(count_lone(edges), 10U);
+    EXPECT_EQ(count_boundary(edges), 10U);
     EXPECT_TRUE(edges_by_all({}).empty());
 }
 
-TEST(EdgeBuilders, OfThreeFacesTheFirstTwoAreAnEdgeAndTheThirdIsLone) {
+TEST(EdgeBuilders, OfThreeFacesTheFirstTwoAreAnEdgeAndTheThirdIsABoundary) {
     const auto edges = edges_by_all({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
     EXPECT_EQ(edges.size(), 8U);  // six sides apart from the shared edge, which is there twice
     EXPECT_EQ(edges[0], (ListedEdge{0, 1, {0, 1}}));
     EXPECT_EQ(edges[1], (ListedEdge{0, 1, {2, kNoFace}}));
     const auto four = edges_by_all({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}});
     EXPECT_EQ(four[1], (ListedEdge{0, 1, {2, 3}}));
-    EXPECT_EQ(count_lone(four), 8U);
+    EXPECT_EQ(count_boundary(four), 8U);
 }
 
 TEST(EdgeBuilders, AllPairsComparesEveryTwoSidesOnce) {

@@ -19,7 +19,7 @@ EdgeHash posed(const scene::Scene& scene, const EdgeHash::Params& params = {}) {
     return method;
 }
 
-edge::EdgeImage picture(EdgeHash& method, const scene::View& view) {
+edge::EdgeImage image(EdgeHash& method, const scene::View& view) {
     edge::EdgeImage out(view.width_px, view.height_px);
     method.draw({view}, out);
     return out;
@@ -33,51 +33,50 @@ TEST(EdgeHash, AStaleEyeIsThatOfTheLastViewUnlikeThisOne) {
     EdgeHash::Params old;
     old.eye = EdgeHash::Eye::stale;
     EdgeHash stale = posed(scene, old);
-    EXPECT_EQ(picture(stale, here), picture(exact, here));  // there was none before
-    EXPECT_EQ(picture(stale, here), picture(exact, here));
-    const auto late = picture(stale, there);
-    EXPECT_NE(late, picture(exact, there));
-    EXPECT_EQ(picture(stale, there), late);  // the same view again
+    EXPECT_EQ(image(stale, here), image(exact, here));  // there was none before
+    EXPECT_EQ(image(stale, here), image(exact, here));
+    const auto late = image(stale, there);
+    EXPECT_NE(late, image(exact, there));
+    EXPECT_EQ(image(stale, there), late);  // the same view again
     stale.prepare(scene);
     stale.pose(scene);
-    EXPECT_EQ(picture(stale, there), picture(exact, there));
+    EXPECT_EQ(image(stale, there), image(exact, there));
 }
 
-std::size_t count(const DebugPicture& picture, const glm::u8vec3& color) {
+std::size_t count(const DebugImage& image, const glm::u8vec3& color) {
     return static_cast<std::size_t>(
-        std::count(picture.rgb.data(), picture.rgb.data() + picture.rgb.size(), color));
+        std::count(image.rgb.data(), image.rgb.data() + image.rgb.size(), color));
 }
 
-TEST(EdgeHash, ItsDebugPictureHasAColorForEachKind) {
+TEST(EdgeHash, ItsDebugImageHasAColorForEachKind) {
     const scene::Scene scene = cube_on_floor();
     const scene::View view = view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px);
     EdgeHash method = posed(scene);
-    const DebugPicture picture = method.debug_picture({view});
-    EXPECT_EQ(picture.counts.silhouettes, 6U);
-    EXPECT_EQ(picture.counts.creases, 6U);
-    EXPECT_EQ(picture.counts.lone, 4U);
-    EXPECT_EQ(picture.counts.models.edges, 18U + 5);
-    EXPECT_GT(count(picture, {0, 0, 0}), 100U);
-    EXPECT_GT(count(picture, {255, 255, 255}), 50U);
-    EXPECT_GT(count(picture, {255, 0, 0}), 100U);
+    const DebugImage image = method.debug_image({view});
+    EXPECT_EQ(image.counts.contours, 6U);
+    EXPECT_EQ(image.counts.creases, 6U);
+    EXPECT_EQ(image.counts.boundary, 4U);
+    EXPECT_EQ(image.counts.models.edges, 18U + 5);
+    EXPECT_GT(count(image, {0, 0, 0}), 100U);
+    EXPECT_GT(count(image, {255, 255, 255}), 50U);
+    EXPECT_GT(count(image, {255, 0, 0}), 100U);
 }
 
-TEST(EdgeHash, ItsDebugPictureOfAClosedSolidHasNoRed) {
+TEST(EdgeHash, ItsDebugImageOfAClosedSolidHasNoRed) {
     const scene::Scene scene = scene_of({cube_mesh()});
     EdgeHash method = posed(scene);
-    const DebugPicture picture =
-        method.debug_picture({view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px)});
-    EXPECT_EQ(picture.counts.lone, 0U);
-    EXPECT_EQ(count(picture, {255, 0, 0}), 0U);
+    const DebugImage image = method.debug_image({view_from(scene, {4, 3, 6}, {0, 0, 0}, kSize_px)});
+    EXPECT_EQ(image.counts.boundary, 0U);
+    EXPECT_EQ(count(image, {255, 0, 0}), 0U);
 }
 
-TEST(EdgeHash, TheDebugPictureOfNothingIsPaper) {
+TEST(EdgeHash, TheDebugImageOfNothingIsPaper) {
     const scene::Scene empty;
     EdgeHash method = posed(empty);
     const scene::View view = view_from(cube_on_floor(), {4, 3, 6}, {0, 0, 0}, kSize_px);
-    const DebugPicture picture = method.debug_picture({view});
-    EXPECT_EQ(count(picture, picture.rgb.at(0, 0)), picture.rgb.size());
-    EXPECT_EQ(picture.counts.silhouettes + picture.counts.creases + picture.counts.lone, 0U);
+    const DebugImage image = method.debug_image({view});
+    EXPECT_EQ(count(image, image.rgb.at(0, 0)), image.rgb.size());
+    EXPECT_EQ(image.counts.contours + image.counts.creases + image.counts.boundary, 0U);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What edge_list and edge_hash draw: widths, hidden lines, the same picture by every builder.
+// What edge_list and edge_hash draw: widths, hidden lines, the same image by every builder.
 
 #include <gtest/gtest.h>
 
@@ -52,14 +52,14 @@ INSTANTIATE_TEST_SUITE_P(Both,
                          testing::Values("edge_list", "edge_hash"),
                          [](const auto& method) { return method.param; });
 
-TEST(EdgeList, EveryBuilderGivesTheSamePicture) {
+TEST(EdgeList, EveryBuilderGivesTheSameImage) {
     for (const char* name : {"rocket", "cone", "soup"}) {
         const scene::Scene scene = catalogue::make_catalogue_scene(name);
         const scene::View view{scene.cameras[0], kSize_px.first, kSize_px.second};
-        const auto picture = drawn("edge_list", {{"builder", "hash"}}, scene, {view});
-        EXPECT_EQ(drawn("edge_list", {{"builder", "temp_list"}}, scene, {view}), picture) << name;
+        const auto image = drawn("edge_list", {{"builder", "hash"}}, scene, {view});
+        EXPECT_EQ(drawn("edge_list", {{"builder", "temp_list"}}, scene, {view}), image) << name;
         if (scene.name == "soup") continue;  // nine thousand triangles
-        EXPECT_EQ(drawn("edge_list", {{"builder", "all_pairs"}}, scene, {view}), picture) << name;
+        EXPECT_EQ(drawn("edge_list", {{"builder", "all_pairs"}}, scene, {view}), image) << name;
     }
 }
 

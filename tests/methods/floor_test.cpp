@@ -26,7 +26,7 @@ scene::View view_over_floor(double grazing_deg) {
     return view;
 }
 
-/// Distance along the gaze of the floor at the middle of every row.
+/// Distance along the view direction of the floor at the middle of every row.
 std::vector<double> row_distances_w(const scene::View& view) {
     const scene::Projection projection(view);
     std::vector<double> w;
@@ -36,7 +36,7 @@ std::vector<double> row_distances_w(const scene::View& view) {
 }
 
 /// Whether there is a line anywhere but in the frame's outermost pixels, where a stencil reaches
-/// beyond the picture and sees half a slope.
+/// beyond the image and sees half a slope.
 bool has_line(const edge::EdgeImage& image, int threshold = 1, int margin_px = 1) {
     for (int y = margin_px; y + margin_px < image.height_px(); ++y) {
         const std::uint8_t* row = image.row(y);
@@ -91,7 +91,7 @@ bool laplacian_fires(const scene::View& view, const std::string& encoding) {
 }
 
 /// Decaudin's by its definition, on rows that are all alike: four of the eight neighbours' weights
-/// lie above, four below. k = 0.02, a line from strength 146 of 255 on.
+/// lie above, four below. k = 0.02, a line from edge response 146 of 255 on.
 bool decaudin_fires(const scene::View& view, const std::string& encoding) {
     const std::vector<double> d = row_depths(view, encoding);
     std::vector<double> g(d.size());

@@ -62,7 +62,7 @@ TEST_F(KnightFrames, TooSmallACacheBuildsEveryFrameAgain) {
     EXPECT_EQ(method.cache_counts().found, 0U);
 }
 
-TEST_F(KnightFrames, LoneEdgesStayThoseOfTheModel) {
+TEST_F(KnightFrames, BoundaryEdgesStayThoseOfTheModel) {
     // Counted from the file's bytes by a program of a few lines in another language. In three
     // frames vertices of the 8-bit grid fall on each other, and with them two triangles. (In frame
     // 39 a third has its corners in a line on that grid; scaled to floats it is a sliver.)
@@ -71,8 +71,8 @@ TEST_F(KnightFrames, LoneEdgesStayThoseOfTheModel) {
     models.prepare(frame(0));
     for (std::size_t f = 0; f < kFrames; ++f) {
         models.pose(frame(f));
-        EXPECT_EQ(models.totals().lone, unlike.contains(f) ? 90U : 89U) << f;
-        EXPECT_EQ(models.totals().crowded, unlike.contains(f) ? 2U : 0U) << f;
+        EXPECT_EQ(models.totals().boundary, unlike.contains(f) ? 90U : 89U) << f;
+        EXPECT_EQ(models.totals().non_manifold, unlike.contains(f) ? 2U : 0U) << f;
         EXPECT_EQ(models.totals().duplicate, unlike.contains(f) ? 1U : 0U) << f;
         EXPECT_EQ(models.totals().degenerate, 0U) << f;
     }
@@ -89,9 +89,9 @@ Side side_between(const Place& a, const Place& b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-/// The silhouettes by looking at every triangle as it stands, with a map of places: an edge of two
+/// The contours by looking at every triangle as it stands, with a map of places: an edge of two
 /// faces or more, all on one side of the plane through the eye.
-std::set<Side> silhouettes_of(const scene::Scene& scene, const glm::dvec3& eye) {
+std::set<Side> contours_of(const scene::Scene& scene, const glm::dvec3& eye) {
     std::map<Side, std::vector<int>> sides;
     std::set<std::array<Place, 3>> seen;
     const scene::Instance& knight = scene.instances.at(0);
@@ -110,16 +110,16 @@ std::set<Side> silhouettes_of(const scene::Scene& scene, const glm::dvec3& eye) 
             sides[side_between(a, b)].push_back(a < b ? facing : -facing);
         }
     }
-    std::set<Side> silhouettes;
+    std::set<Side> contours;
     for (const auto& [side, faces] : sides) {
         const bool is_one_sided = std::count(faces.begin(), faces.end(), faces.front()) ==
                                   static_cast<std::ptrdiff_t>(faces.size());
-        if (faces.size() > 1 && is_one_sided) silhouettes.insert(side);
+        if (faces.size() > 1 && is_one_sided) contours.insert(side);
     }
-    return silhouettes;
+    return contours;
 }
 
-TEST_F(KnightFrames, SilhouettesFollowTheEyeFromFrameToFrame) {
+TEST_F(KnightFrames, ContoursFollowTheEyeFromFrameToFrame) {
     SoupModels models({.epsilon = 0, .most_frames = kFrames, .crease_rad = 0.7});
     models.prepare(frame(0));
     const scene::Sphere bounds = scene::bounding_sphere(frame(0));
@@ -136,14 +136,14 @@ TEST_F(KnightFrames, SilhouettesFollowTheEyeFromFrameToFrame) {
             if (edge.kind != buffers::EdgeKind::contour) continue;
             found.insert(side_between(place(edge.a_world), place(edge.b_world)));
         }
-        EXPECT_EQ(found, silhouettes_of(knight, eye)) << f;
+        EXPECT_EQ(found, contours_of(knight, eye)) << f;
         EXPECT_GT(found.size(), 100U) << f;
         EXPECT_NE(found, before) << f;
         before = std::move(found);
     }
 }
 
-TEST_F(KnightFrames, SilhouettesFollowAnEyeThatMovesRoundOneFrame) {
+TEST_F(KnightFrames, ContoursFollowAnEyeThatMovesRoundOneFrame) {
     SoupModels models({.epsilon = 0, .most_frames = 1, .crease_rad = 0.7});
     const scene::Scene& knight = frame(40);
     models.prepare(knight);
@@ -159,7 +159,7 @@ TEST_F(KnightFrames, SilhouettesFollowAnEyeThatMovesRoundOneFrame) {
             if (edge.kind == buffers::EdgeKind::contour)
                 found.insert(side_between(place(edge.a_world), place(edge.b_world)));
         }
-        EXPECT_EQ(found, silhouettes_of(knight, eye)) << step;
+        EXPECT_EQ(found, contours_of(knight, eye)) << step;
     }
     EXPECT_EQ(models.cache_counts().built, 1U);
 }

@@ -17,13 +17,13 @@ constexpr double kCrease_rad = 0.7;
 struct KindCounts {
     std::ptrdiff_t contours = 0;
     std::ptrdiff_t creases = 0;
-    std::ptrdiff_t lone = 0;
+    std::ptrdiff_t boundary = 0;
     friend bool operator==(const KindCounts&, const KindCounts&) = default;
 };
 
 std::ostream& operator<<(std::ostream& out, const KindCounts& counts) {
-    return out << counts.contours << " contours, " << counts.creases << " creases, " << counts.lone
-               << " lone";
+    return out << counts.contours << " contours, " << counts.creases << " creases, "
+               << counts.boundary << " boundary";
 }
 
 KindCounts count(const std::vector<buffers::KnownEdge>& edges) {
@@ -31,8 +31,9 @@ KindCounts count(const std::vector<buffers::KnownEdge>& edges) {
         return std::count_if(
             edges.begin(), edges.end(), [&](const auto& edge) { return edge.kind == kind; });
     };
-    return {
-        of(buffers::EdgeKind::contour), of(buffers::EdgeKind::crease), of(buffers::EdgeKind::lone)};
+    return {of(buffers::EdgeKind::contour),
+            of(buffers::EdgeKind::crease),
+            of(buffers::EdgeKind::boundary)};
 }
 
 ListedModels posed(const scene::Scene& scene, EdgeScope scope = EdgeScope::object) {
@@ -63,11 +64,12 @@ TEST(ListedModels, ACubeHasTwelveLinesFromEverySide) {
     EXPECT_EQ(seen_from(models, camera({0, 0, 0.5}, {0, 0, 0})), (KindCounts{0, 12, 0}));
 }
 
-TEST(ListedModels, TheGazeTurnsFacesThatTheEyesPositionDoesNot) {
+TEST(ListedModels, TheViewDirectionTurnsFacesThatTheEyesPositionDoesNot) {
     scene::Scene scene = scene_of({cube_mesh()});
     scene.instances[0].world_from_object = glm::translate(glm::dmat4(1), {3, 0, 0});
     const ListedModels models = posed(scene);
-    // The eye stands in front of x = 2 and z = 1. A gaze towards -x sees x = 2 from behind.
+    // The eye stands in front of x = 2 and z = 1. A view direction towards -x sees x = 2 from
+    // behind.
     const glm::dvec3 eye(0, 0, 5);
     const scene::Camera away = camera(eye, eye + glm::dvec3(-0.25, 0, -1));
     EXPECT_EQ(seen_from(models, away), (KindCounts{6, 6, 0}));
@@ -89,7 +91,7 @@ TEST(ListedModels, AnEdgeOnFaceIsAContoursOtherSideByOption) {
               (KindCounts{3, 9, 0}));
 }
 
-TEST(ListedModels, AFaceAloneHasThreeLoneEdges) {
+TEST(ListedModels, AFaceAloneHasThreeBoundaryEdges) {
     scene::Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2}};

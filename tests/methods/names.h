@@ -33,7 +33,7 @@ inline bool draws_creases(std::string_view method) {
     return std::find(kContoursOnly.begin(), kContoursOnly.end(), method) == kContoursOnly.end();
 }
 
-/// Whether a method's picture hangs on which side of a face is its front.
+/// Whether a method's image depends on which side of a face is its front.
 inline bool knows_sides(std::string_view method) {
     return method == "back_faces" || method == "inverted_hull";
 }

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "methods/registry.h"
-#include "tests/methods/knob_table.h"
+#include "tests/methods/parameter_table.h"
 
 namespace ink::methods {
 namespace {
@@ -25,7 +25,7 @@ TEST(Page, EveryMethodHasItsPartsInOrder) {
                                            std::string("## Idea"),
                                            std::string("## Formula"),
                                            std::string("## Our reading"),
-                                           std::string("## Knobs"),
+                                           std::string("## Parameters"),
                                            std::string("## Where it fails"),
                                            std::string("## Picture")}) {
             const std::size_t found = page.find(heading + "\n", at);
@@ -35,22 +35,22 @@ TEST(Page, EveryMethodHasItsPartsInOrder) {
     }
 }
 
-TEST(Page, KnobsAreThoseOfTheTable) {
-    const std::string begin = "<!-- knobs -->\n";
+TEST(Page, ParametersAreThoseOfTheTable) {
+    const std::string begin = "<!-- parameters -->\n";
     for (const method::MethodInfo& info : registry()) {
         const std::string page = page_of(info.name);
         const std::size_t first = page.find(begin);
-        const std::size_t last = page.find("<!-- /knobs -->");
+        const std::size_t last = page.find("<!-- /parameters -->");
         ASSERT_NE(first, std::string::npos) << info.name;
         ASSERT_NE(last, std::string::npos) << info.name;
         const std::size_t start = first + begin.size();
-        EXPECT_EQ(page.substr(start, last - start), knob_table(info))
+        EXPECT_EQ(page.substr(start, last - start), parameter_table(info))
             << "put this between the markers of methods/" << info.name << "/" << info.name << ".md";
     }
 }
 
-TEST(KnobTable, HasARowPerKnobAndEscapesBars) {
-    const std::string table = knob_table(find_method("mote4"));
+TEST(ParameterTable, HasARowPerParameterAndEscapesBars) {
+    const std::string table = parameter_table(find_method("mote4"));
     EXPECT_NE(table.find("| `range_nx` | `63` | a number 0..255 | code |"), std::string::npos);
     EXPECT_NE(table.find("absolute \\| positive \\| wrap"), std::string::npos);
     EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),

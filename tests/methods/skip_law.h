@@ -4,7 +4,7 @@
 
 #include "tests/methods/small_scenes.h"
 
-// The law of skips: whatever a method is allowed to skip, its picture is the one it draws when it
+// The law of skips: whatever a method is allowed to skip, its image is the one it draws when it
 // may skip nothing. As functions that name the first breach, so that they can be tried on methods
 // that break it.
 
@@ -37,16 +37,16 @@ inline edge::EdgeImage drawn_over_garbage(method::Method& method, const method::
 }
 
 /// What a new method draws of one frame when it may skip nothing.
-inline edge::EdgeImage drawn_whole(const MakeMethod& make,
-                                   const scene::Scene& scene,
-                                   const scene::View& view) {
+inline edge::EdgeImage drawn_scalar(const MakeMethod& make,
+                                    const scene::Scene& scene,
+                                    const scene::View& view) {
     const auto method = make();
     method->prepare(scene);
     method->pose(scene);
     return drawn_over_garbage(*method, {view, 1, raster::SkipSet::none()});
 }
 
-/// The first set of skips that changes a picture of a scene that stands still, "" if none does.
+/// The first set of skips that changes an image of a scene that stands still, "" if none does.
 ///
 /// `views` are at least two that differ: drawn in turns, no frame is like the one before it, so
 /// that no tile can be taken from there.
@@ -55,7 +55,7 @@ inline std::string breach_of_a_view(const MakeMethod& make,
                                     const std::vector<scene::View>& views) {
     std::vector<edge::EdgeImage> expected;
     for (const scene::View& view : views)
-        expected.push_back(drawn_whole(make, scene, view));
+        expected.push_back(drawn_scalar(make, scene, view));
     const auto method = make();
     method->prepare(scene);
     method->pose(scene);
@@ -106,7 +106,7 @@ inline std::vector<edge::EdgeImage> expected_of(const MakeMethod& make,
                                                 const std::vector<Step>& steps) {
     std::vector<edge::EdgeImage> expected;
     for (const Step& step : steps)
-        expected.push_back(drawn_whole(make, step.scene, step.view));
+        expected.push_back(drawn_scalar(make, step.scene, step.view));
     return expected;
 }
 

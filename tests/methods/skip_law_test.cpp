@@ -20,7 +20,7 @@ MakeMethod maker(const method::MethodInfo& info, const core::ParamValues& settin
 
 class SkipsOnAScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(SkipsOnAScene, LeaveThePicturesOfAllMethodsAlone) {
+TEST_P(SkipsOnAScene, LeaveTheImagesOfAllMethodsAlone) {
     const scene::Scene scene = catalogue::make_catalogue_scene(GetParam());
     std::vector<scene::View> views;
     // Four by three tiles, those at the frame cut.
@@ -131,12 +131,12 @@ std::vector<Step> eventful_sequence() {
         .then("the near plane moved", [](Step& s) { s.view.camera.near *= 0.5; })
         .then("the far plane moved", [](Step& s) { s.view.camera.far *= 1.5; })
         .then("a wider lens", [](Step& s) { s.view.camera.fov_y_rad = 0.8; })
-        .then("a smaller picture",
+        .then("a smaller image",
               [](Step& s) {
                   s.view.width_px = 190;
                   s.view.height_px = 131;
               })
-        .then("a larger picture",
+        .then("a larger image",
               [](Step& s) {
                   s.view.width_px = 330;
                   s.view.height_px = 200;
@@ -187,7 +187,7 @@ TEST_P(SkipsInASequence, LeaveEveryFrameOfEverySettingAlone) {
 }
 
 TEST_P(SkipsInASequence, EveryFrameDiffersFromTheOneBeforeWhereItShould) {
-    // Else the laws above would hold for a method that draws one picture and keeps it.
+    // Else the laws above would hold for a method that draws one image and keeps it.
     const auto expected = expected_of(maker(info()), steps_);
     int differing = 0;
     for (std::size_t i = 1; i < expected.size(); ++i)
@@ -232,20 +232,20 @@ class Cheat final : public method::Method {
     glm::dvec3 last_eye_{0};
 };
 
-TEST(SkipLaw, NamesTheSkipThatChangesAPicture) {
+TEST(SkipLaw, NamesTheSkipThatChangesAnImage) {
     const scene::Scene scene = cube_on_floor();
     const std::vector<scene::View> views = {view_from(scene, {4, 3, 6}, {0, 0, 0}, {80, 60}),
                                             view_from(scene, {3, 3, 6}, {0, 0, 0}, {80, 60})};
     const auto cheat = [](Skip skip) {
         return [skip] { return std::make_unique<Cheat>(skip, false); };
     };
-    EXPECT_NE(breach_of_a_view(cheat(Skip::hidden), scene, views).find("2 threads"),
+    EXPECT_NE(breach_of_a_view(cheat(Skip::occlusion_culling), scene, views).find("2 threads"),
               std::string::npos);
     EXPECT_EQ(breach_of_a_view(maker(find_method("mote4")), scene, views), "");
 }
 
 TEST(SkipLaw, NamesTheFrameThatWasTakenForStill) {
-    const MakeMethod make = [] { return std::make_unique<Cheat>(Skip::still_tiles, true); };
+    const MakeMethod make = [] { return std::make_unique<Cheat>(Skip::temporal_reuse, true); };
     const std::vector<Step> steps = eventful_sequence();
     const auto expected = expected_of(make, steps);
     const auto all_on = [](std::size_t) { return raster::SkipSet(); };

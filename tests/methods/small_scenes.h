@@ -52,7 +52,7 @@ inline scene::View view_from(const scene::Scene& scene,
     return view;
 }
 
-/// The picture of one frame by a new method.
+/// The image of one frame by a new method.
 inline edge::EdgeImage drawn(const std::string& method,
                              const core::ParamValues& values,
                              const scene::Scene& scene,

@@ -37,11 +37,11 @@ TEST(SoupEdges, ClosedFormsComeTogetherFromLooseTriangles) {
     const SoupEdges cube = found(exploded(scene::unit_cube()));
     EXPECT_EQ(cube.counts.places, 8U);
     EXPECT_EQ(cube.counts.edges, 18U);
-    EXPECT_EQ(cube.counts.lone, 0U);
+    EXPECT_EQ(cube.counts.boundary, 0U);
     const SoupEdges ball = found(exploded(catalogue::make_icosphere(1, 2)));
     EXPECT_EQ(ball.counts.places, 10U * 16 + 2);
     EXPECT_EQ(ball.counts.edges, 30U * 16);
-    EXPECT_EQ(ball.counts.lone + ball.counts.crowded, 0U);
+    EXPECT_EQ(ball.counts.boundary + ball.counts.non_manifold, 0U);
 }
 
 TEST(SoupEdges, EachFaceStandsAtItsEdgesWithTheWayItRuns) {
@@ -71,8 +71,8 @@ TEST(SoupEdges, CopesWithDoubleAndDegenerateFacesAndWithFins) {
     EXPECT_EQ(counts.duplicate, 1U);
     EXPECT_EQ(counts.degenerate, 2U);
     EXPECT_EQ(counts.edges, 7U);
-    EXPECT_EQ(counts.lone, 6U);
-    EXPECT_EQ(counts.crowded, 1U);
+    EXPECT_EQ(counts.boundary, 6U);
+    EXPECT_EQ(counts.non_manifold, 1U);
     EXPECT_EQ(found({}).counts.edges, 0U);
 }
 
@@ -81,41 +81,41 @@ TEST(SoupEdges, TheToleranceClosesCracks) {
     const scene::Scene scene = catalogue::make_catalogue_scene("soup");
     const scene::Mesh& ring = scene.meshes[scene.instances[0].mesh];
     ASSERT_EQ(ring.triangles.size(), 2U * 64 * 32);
-    EXPECT_GT(found(ring, 0).counts.lone, 12000U);  // of 12288 sides
+    EXPECT_GT(found(ring, 0).counts.boundary, 12000U);  // of 12288 sides
     const SoupCounts closed = found(ring, 1e-5).counts;
     EXPECT_EQ(closed.places, 64U * 32);
     EXPECT_EQ(closed.edges, 3U * 64 * 32);
-    EXPECT_EQ(closed.lone, 0U);
+    EXPECT_EQ(closed.boundary, 0U);
     EXPECT_EQ(closed.degenerate, 0U);
 }
 
 /// Edges of one face by the file's own indices, without any weld.
-std::size_t lone_by_index(const scene::Mesh& mesh) {
+std::size_t boundary_by_index(const scene::Mesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> faces;
     for (const scene::Triangle& t : mesh.triangles) {
         for (std::size_t i = 0; i < 3; ++i)
             ++faces[std::minmax(t[i], t[(i + 1) % 3])];
     }
-    std::size_t lone = 0;
+    std::size_t boundary = 0;
     for (const auto& [edge, count] : faces)
-        lone += count == 1;
-    return lone;
+        boundary += count == 1;
+    return boundary;
 }
 
-/// Lone edges of all models of a file: as it is indexed, welded exactly, welded within an epsilon,
-/// and the last again with all of its parts as one model.
-std::array<std::size_t, 4> lone_edges(const scene::Scene& scene, double epsilon) {
-    std::array<std::size_t, 4> lone{};
+/// Boundary edges of all models of a file: as it is indexed, welded exactly, welded within an
+/// epsilon, and the last again with all of its parts as one model.
+std::array<std::size_t, 4> boundary_edges(const scene::Scene& scene, double epsilon) {
+    std::array<std::size_t, 4> boundary{};
     for (const scene::Mesh& mesh : scene.meshes) {
-        lone[0] += lone_by_index(mesh);
-        lone[1] += found(mesh, 0).counts.lone;
-        lone[2] += found(mesh, epsilon).counts.lone;
+        boundary[0] += boundary_by_index(mesh);
+        boundary[1] += found(mesh, 0).counts.boundary;
+        boundary[2] += found(mesh, epsilon).counts.boundary;
     }
     SoupModels whole({.scope = ModelScope::scene, .epsilon = epsilon});
     whole.prepare(scene);
     whole.pose(scene);
-    lone[3] = whole.totals().lone;
-    return lone;
+    boundary[3] = whole.totals().boundary;
+    return boundary;
 }
 
 TEST(SoupEdges, OfKnightComeToThis) {
@@ -123,7 +123,7 @@ TEST(SoupEdges, OfKnightComeToThis) {
     INK_SKIP_WITHOUT(path);
     // 511 triangles, split along the skin's seam. Its vertices lie on a grid of 255 steps: equal
     // ones are equal.
-    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
+    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{677, 89, 89, 89}));
 }
 
@@ -131,14 +131,14 @@ TEST(SoupEdges, OfKyonshiComeToThis) {
     const auto path = shared_file("models/kyonshi/lower.md3");
     INK_SKIP_WITHOUT(path);
     // 2530 triangles in ten surfaces of three parts, some of which touch.
-    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
+    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{952, 260, 260, 224}));
 }
 
 TEST(SoupEdges, OfAModelWithCracksComeToThis) {
     const auto path = shared_file("models/featuretype.stl");
     INK_SKIP_WITHOUT(path);
-    EXPECT_EQ(lone_edges(import::import_scene(path), 1e-5),
+    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
               (std::array<std::size_t, 4>{3 * 3476, 576, 0, 0}));
 }
 

@@ -68,10 +68,10 @@ TEST(SoupModels, OfThreeFacesTheTwoThatAreSeenDecide) {
     EXPECT_EQ(axis_kind(fan, {-5, 0.5, 0}), buffers::EdgeKind::crease);  // between two of them
 }
 
-TEST(SoupModels, LoneEdgesAreSoFromEverywhere) {
+TEST(SoupModels, BoundaryEdgesAreSoFromEverywhere) {
     const SoupModels models = posed(faces_on_the_axis({{1, 0, 0}}));
     for (const glm::dvec3 eye : {glm::dvec3{0, 5, 0}, {0, -5, 0}, {5, 0, 0}})
-        EXPECT_EQ(count(models.lines(eye), buffers::EdgeKind::lone), 3);
+        EXPECT_EQ(count(models.lines(eye), buffers::EdgeKind::boundary), 3);
 }
 
 /// A cube's edge is a contour if the eye is in front of one of its two faces only.
@@ -88,7 +88,7 @@ std::ptrdiff_t cube_contours(const glm::dvec3& eye) {
     return contours;
 }
 
-TEST(SoupModels, SilhouettesFollowTheEyeFrameByFrame) {
+TEST(SoupModels, ContoursFollowTheEyeFrameByFrame) {
     const SoupModels models = posed(scene_of({cube_mesh()}));
     for (int frame = 0; frame < 360; ++frame) {
         const double angle = 0.01745 * frame + 0.003;

@@ -292,7 +292,7 @@ TEST(BadOutput, EarlierResultsStay) {
     EXPECT_EQ(desk.read("out/rows.csv"), "of yesterday\n");
 }
 
-TEST(BadScore, Pictures) {
+TEST(BadScore, Images) {
     const Desk desk;
     ASSERT_EQ(desk.run({"truth", "torus", "-o", "truth.png", "--size", "64x36"}).exit_code, 0);
     ASSERT_EQ(desk.run({"truth", "torus", "-o", "wide.png", "--size", "80x36"}).exit_code, 0);

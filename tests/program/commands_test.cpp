@@ -58,7 +58,7 @@ TEST(Version, NamesTheLibraries) {
     }
 }
 
-TEST(List, NamesMethodsScenesAndKnobs) {
+TEST(List, NamesMethodsScenesAndParameters) {
     const Desk desk;
     for (const Words& words : {Words{"list"}, Words{"list", "all"}}) {
         const std::string all = expect_done(desk, words);
@@ -151,7 +151,7 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
         "compare", "--scenes", "torus,staircase", "--size", "320x180", "--repetitions", "1"};
     words.insert(words.end(), {"--out", "out"});
     const std::string out = expect_done(desk, words);
-    EXPECT_THAT(out, AllOf(HasSubstr("chance"), HasSubstr("ODS"), HasSubstr("OIS")));
+    EXPECT_THAT(out, AllOf(HasSubstr("random"), HasSubstr("ODS"), HasSubstr("OIS")));
     const Table rows = rows_of(desk, "out");
     const Table tolerances = parse_csv(desk.read("out/tolerances.csv"));
     EXPECT_EQ(tolerances.size(), 5 * rows.size());
@@ -174,10 +174,10 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     for (const auto& [method, params] : settings)
         EXPECT_GE(params.size(), 8U) << method;
     for (const auto& row : rows)
-        EXPECT_NE(row.at("f_chance_2px"), "");
+        EXPECT_NE(row.at("f_random_2px"), "");
     EXPECT_THAT(desk.read("out/report.html"),
                 AllOf(HasSubstr("id=\"leads\""), HasSubstr("setting on its front")));
-    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| leads by |"));
+    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| F minus F of |"));
 
     words.push_back("--no-sweep");
     expect_done(desk, words);
@@ -185,7 +185,7 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     EXPECT_EQ(rows_of(desk, "out").size(), rows.size());
 }
 
-TEST(Compare, BracketsComeOutAsTheyMust) {
+TEST(Compare, BaselinesComeOutAsTheyMust) {
     const Desk desk;
     desk.write("cube.obj", kCubeObj);
     expect_done(desk,
@@ -220,7 +220,7 @@ TEST(Compare, TheReportNeedsNothingBesideIt) {
         << std::string(match[0].first, std::min(match[0].first + 80, page.end()));
 }
 
-TEST(Compare, ThePictureDoesNotDependOnThreads) {
+TEST(Compare, TheImageDoesNotDependOnThreads) {
     const Desk desk;
     for (const char* threads : {"1", "3"}) {
         expect_done(desk,

@@ -6,7 +6,7 @@
 
 #include "tests/program/run_program.h"
 
-// Pictures as a user asks for them; what they hold is tested in tests/shade and tests/draw.
+// Images as a user asks for them; what they hold is tested in tests/shade and tests/draw.
 
 namespace ink::program {
 namespace {
@@ -41,9 +41,9 @@ void expect_refused(const Words& more, const Words& words) {
     EXPECT_TRUE(desk.inventory().empty());
 }
 
-TEST(Draw, EveryLookIsAnotherPicture) {
+TEST(Draw, EveryLookIsAnotherImage) {
     const Desk desk;
-    std::set<std::string> pictures;
+    std::set<std::string> images;
     const std::vector<Words> looks = {{},
                                       {"--shading", "gouraud"},
                                       {"--shading", "toon"},
@@ -62,11 +62,11 @@ TEST(Draw, EveryLookIsAnotherPicture) {
                                       {"--hand-drawn", "--seed", "2"},
                                       {"--hand-drawn", "--set-hand", "passes=3"}};
     for (const Words& look : looks)
-        pictures.insert(draw(desk, look));
-    EXPECT_EQ(pictures.size(), looks.size());
+        images.insert(draw(desk, look));
+    EXPECT_EQ(images.size(), looks.size());
 }
 
-TEST(Draw, TheSameWordsGiveTheSamePicture) {
+TEST(Draw, TheSameWordsGiveTheSameImage) {
     const Desk desk;
     const Words words = {"--shading", "strokes", "--hand-drawn", "--seed", "5", "--antialias", "2"};
     const std::string one = draw(desk, words);
@@ -81,19 +81,19 @@ TEST(Draw, AColourIsTheSameInBothSpellings) {
     EXPECT_EQ(draw(desk, {"--ink", "#c02000"}), draw(desk, {"--ink", "192,32,0"}));
 }
 
-TEST(Draw, AntialiasedStrengthsHaveShadesOfGrey) {
+TEST(Draw, AntialiasedResponsesHaveShadesOfGrey) {
     const Desk desk;
-    EXPECT_NE(draw(desk, {"--strength", "--antialias", "4"}), draw(desk, {"--strength"}));
+    EXPECT_NE(draw(desk, {"--response", "--antialias", "4"}), draw(desk, {"--response"}));
 }
 
 TEST(Draw, ShadingGoesToLayersOfAnExr) {
     const Desk desk;
     const std::string file = draw(desk, {"--shading", "toon"}, "a.exr");
-    EXPECT_THAT(file, AllOf(HasSubstr("shading.R"), HasSubstr("strength.Y")));
+    EXPECT_THAT(file, AllOf(HasSubstr("shading.R"), HasSubstr("response.Y")));
     EXPECT_THAT(draw(desk, {}, "a.exr"), testing::Not(HasSubstr("shading.R")));
 }
 
-TEST(Draw, LayersOfAMethodArePictures) {
+TEST(Draw, LayersOfAMethodAreImages) {
     const Desk desk;
     const std::string drawing = draw(desk, {});
     const std::string packed = draw(desk, {"--layer", "packed"});
@@ -114,7 +114,7 @@ TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
     other_lines.insert(other_lines.end(), {"--method", "decaudin"});
     EXPECT_EQ(draw(desk, other_lines), shading);
     expect_refused({"--no-lines"}, {"--no-lines", "--shading"});
-    expect_refused({"--shading", "toon", "--no-lines", "--strength"}, {"--no-lines", "--strength"});
+    expect_refused({"--shading", "toon", "--no-lines", "--response"}, {"--no-lines", "--response"});
 }
 
 TEST(Draw, ALayerThatCountsSaysWhat) {
@@ -135,11 +135,11 @@ TEST(Draw, ALayerThatCountsSaysWhat) {
 TEST(Draw, ALayerThatIsNotThereIsRefusedByName) {
     expect_refused({"--layer", "packt"}, {"--layer", "mote4", "'packt'", "packed, filtered"});
     expect_refused({"--method", "back_faces", "--layer", "ids"}, {"--layer", "back_faces"});
-    expect_refused({"--layer", "packed", "--strength"}, {"--layer", "--strength"});
+    expect_refused({"--layer", "packed", "--response"}, {"--layer", "--response"});
     expect_refused({"--layer", "packed", "--antialias", "2"}, {"--layer", "looks"});
 }
 
-TEST(Draw, ShadingsAndTheirKnobsAreListed) {
+TEST(Draw, ShadingsAndTheirParametersAreListed) {
     const Outcome outcome = Desk().run({"list", "shadings"});
     EXPECT_EQ(outcome.exit_code, 0);
     for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha", "jitter_px"})

@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-TEST(Explain, PrintsTheLedgerAndWhatAutoChose) {
+TEST(Explain, PrintsTheSceneStatisticsAndWhatAutoChose) {
     const Outcome outcome = Desk().run({"explain", "cube", "--methods", "mote4,auto"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(without_progress(outcome.err), "");
@@ -30,9 +30,9 @@ TEST(Explain, JsonHoldsTheSame) {
     ASSERT_EQ(all.exit_code, 0) << all.err;
     const auto json = nlohmann::json::parse(all.out);
     EXPECT_EQ(json.at("scene"), "cube");
-    EXPECT_EQ(json.at("ledger").at("triangles"), 36);  // three cubes
-    EXPECT_EQ(json.at("ledger").at("creases"), 36);
-    EXPECT_EQ(json.at("ledger").at("may_cross"), false);
+    EXPECT_EQ(json.at("statistics").at("triangles"), 36);  // three cubes
+    EXPECT_EQ(json.at("statistics").at("creases"), 36);
+    EXPECT_EQ(json.at("statistics").at("may_cross"), false);
     EXPECT_EQ(json.at("views").size(), 3U);
     EXPECT_EQ(json.at("methods").at("mote4").at("skips").at("flat_tiles").at("may"), true);
     EXPECT_FALSE(json.at("methods").at("auto").at("plan").empty());
@@ -68,7 +68,7 @@ TEST(Explain, ExplainsAModelFileToo) {
     desk.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Outcome outcome = desk.run({"explain", "one.obj", "--json", "--methods", "auto"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("ledger").at("boundary"), 3);
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("statistics").at("boundary"), 3);
 }
 
 TEST(Explain, AnUnknownSceneIsAnErrorThatNamesTheKnownOnes) {

@@ -87,7 +87,7 @@ TEST(Figures, AFigureWithNothingToShowIsNotLeftFromAnOlderRun) {
     EXPECT_THAT(desk.read("out/figures.md"), HasSubstr("No method that takes part shows a buffer"));
 }
 
-TEST(Figures, PicturesDoNotDependOnTheRun) {
+TEST(Figures, ImagesDoNotDependOnTheRun) {
     const Desk desk;
     for (const char* out : {"a", "b"}) {
         ASSERT_EQ(desk.run(figures({"--scenes",
@@ -124,7 +124,7 @@ TEST(Figures, OfARunHaveItsRowsItsSettingsAndItsSize) {
                         "--repetitions",
                         "1",
                         "--no-sweep",
-                        "--no-witness",
+                        "--no-crosscheck",
                         "--out",
                         "run"})
                   .exit_code,
@@ -136,7 +136,7 @@ TEST(Figures, OfARunHaveItsRowsItsSettingsAndItsSize) {
                 HasSubstr("Of the run in run: 2 scenes of 96 x 54 px"));
     const Table of_run = parse_csv(desk.read("run/summary.csv"));
     const Table of_charts = parse_csv(desk.read("out/figure_summary.csv"));
-    ASSERT_EQ(of_charts.size(), 5U) << "two of the methods and the brackets";
+    ASSERT_EQ(of_charts.size(), 5U) << "two of the methods and the baselines";
     for (const auto& line : of_charts) {
         const auto same = std::find_if(of_run.begin(), of_run.end(), [&](const auto& other) {
             return other.at("method") == line.at("method");

@@ -16,7 +16,7 @@ TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     const Desk desk;
     std::vector<std::string> words = {"compare", "--scenes", "cube", "--methods", "mote4"};
     words.insert(words.end(), {"--size", "64x36", "--repetitions", "1", "--no-sweep"});
-    words.insert(words.end(), {"--no-witness", "--out", "out", "--motion"});
+    words.insert(words.end(), {"--no-crosscheck", "--out", "out", "--motion"});
     ASSERT_EQ(desk.run(words).exit_code, 0);
 
     std::set<std::string> scenes;

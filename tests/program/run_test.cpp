@@ -62,7 +62,7 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
     desk.write("tiny.toml", kExperiment);
     const Outcome outcome = desk.run({"run", "tiny.toml"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    // 4 scenes x 2 views x (3 methods + 3 brackets + 6 settings), a block for rows and one for the
+    // 4 scenes x 2 views x (3 methods + 3 baselines + 6 settings), a block for rows and one for the
     // sweep on each view.
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("Best settings"), HasSubstr("report.html")));

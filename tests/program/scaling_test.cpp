@@ -41,7 +41,7 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     EXPECT_THAT(desk.read("out/report.html"), Not(HasSubstr("Time of a frame against")));
 }
 
-TEST(CompareCost, IsPredictedForMethodsAndEmptyForBrackets) {
+TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
     const Desk desk;
     ASSERT_EQ(desk.run({"compare",
                         "--scenes",

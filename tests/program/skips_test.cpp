@@ -17,7 +17,8 @@ using Words = std::vector<std::string>;
 /// The first row of mote4 after `inkbench compare` with these words more.
 std::map<std::string, std::string> compared(const Desk& desk, const Words& more) {
     Words words = {"compare", "--scenes", "torus", "--methods", "mote4", "--size", "160x90"};
-    words.insert(words.end(), {"--no-sweep", "--no-witness", "--repetitions", "2", "--out", "out"});
+    words.insert(words.end(),
+                 {"--no-sweep", "--no-crosscheck", "--repetitions", "2", "--out", "out"});
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = desk.run(words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -28,21 +29,21 @@ std::map<std::string, std::string> compared(const Desk& desk, const Words& more)
     return {};
 }
 
-TEST(NoSkip, IsRecordedAndChangesNoPicture) {
+TEST(NoSkip, IsRecordedAndChangesNoImage) {
     const Desk desk;
     const auto all_on = compared(desk, {});
-    EXPECT_EQ(all_on.at("skips_off"), "still_tiles");
-    EXPECT_NE(all_on.at("skip_hidden"), "") << "a number";
-    const auto some_off = compared(desk, {"--no-skip", "hidden,backs"});
-    EXPECT_EQ(some_off.at("skips_off"), "backs;hidden;still_tiles");
-    EXPECT_EQ(some_off.at("skip_hidden"), "0");
+    EXPECT_EQ(all_on.at("skips_off"), "temporal_reuse");
+    EXPECT_NE(all_on.at("skip_occlusion_culling"), "") << "a number";
+    const auto some_off = compared(desk, {"--no-skip", "occlusion_culling,back_face_culling"});
+    EXPECT_EQ(some_off.at("skips_off"), "back_face_culling;occlusion_culling;temporal_reuse");
+    EXPECT_EQ(some_off.at("skip_occlusion_culling"), "0");
     EXPECT_EQ(some_off.at("image_hash"), all_on.at("image_hash"));
     EXPECT_EQ(some_off.at("params"), all_on.at("params"));
     EXPECT_THAT(compared(desk, {"--no-skip", "all"}).at("skips_off"),
-                HasSubstr("attributes;frustum;backs"));
+                HasSubstr("attributes;frustum_culling;back_face_culling"));
 }
 
-TEST(NoSkip, DrawsTheSamePicture) {
+TEST(NoSkip, DrawsTheSameImage) {
     const Desk desk;
     const auto draw = [&](const std::string& file, const Words& more) {
         Words words = {"draw", "torus", "--size", "160x90", "-o", file};
@@ -59,11 +60,11 @@ TEST(NoSkip, RefusesWhatIsNoSkip) {
                                Words{"draw", "torus", "-o", "a.png", "--no-skip", "hiden"}}) {
         const Outcome outcome = desk.run(words);
         EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("still_tiles")));
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("temporal_reuse")));
         EXPECT_THAT(outcome.err, HasSubstr("did you mean hidden?"));
     }
-    const Outcome both =
-        desk.run({"compare", "--scenes", "torus", "--skip-study", "--no-skip", "hidden"});
+    const Outcome both = desk.run(
+        {"compare", "--scenes", "torus", "--skip-study", "--no-skip", "occlusion_culling"});
     EXPECT_EQ(both.exit_code, 2);
     EXPECT_THAT(both.err, HasSubstr("--skip-study"));
 }

@@ -31,7 +31,7 @@ TEST(Stress, WritesRowsSummaryPageAndFigures) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("grazing"));
     const Table rows = table_of_run(desk, "out", "stress.csv");
-    // Three values of three and of four cases, each with three brackets and two methods.
+    // Three values of three and of four cases, each with three baselines and two methods.
     EXPECT_EQ(rows.size(), 3U * (3 + 4) * 5);
     std::set<std::string> values;
     for (const auto& row : rows) {

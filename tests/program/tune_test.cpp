@@ -99,7 +99,7 @@ TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
                              "gap",
                              "95 %",
                              "random search",
-                             "lead of mine",
+                             "paired difference of mine",
                              "best after evaluations",
                              "range_depth",
                              "out/mine.toml"}) {

@@ -97,8 +97,8 @@ TEST(Clip, ACameraInsideABoxSeesEveryPixelOnce) {
     const core::Image<int> once(kSize_px, kSize_px, 1);
     for (int i = 0; i < 40; ++i) {
         const glm::dvec3 eye(unit(random) * 0.9, unit(random) * 0.9, unit(random) * 0.9);
-        const glm::dvec3 gaze(unit(random), unit(random), unit(random) + 0.01);
-        scene::Camera camera = scene::look_at(eye, eye + gaze, {0, 1, 0}, 1.5);
+        const glm::dvec3 view_direction(unit(random), unit(random), unit(random) + 0.01);
+        scene::Camera camera = scene::look_at(eye, eye + view_direction, {0, 1, 0}, 1.5);
         const TestMesh mesh = box_seen_from(camera, {1, 1, 1}, kSize_px);
         PassInput input = mesh.input();
         input.near = 0.01;
@@ -107,7 +107,7 @@ TEST(Clip, ACameraInsideABoxSeesEveryPixelOnce) {
     }
 }
 
-TEST(Clip, ABoxAMillionTimesLargerThanThePictureStaysClosed) {
+TEST(Clip, ABoxAMillionTimesLargerThanTheImageStaysClosed) {
     // Its corners project far beyond the guard band.
     constexpr int kSize_px = 40;
     scene::Camera camera = scene::look_at({0, 0, 0}, {0.3, -0.2, -1}, {0, 1, 0}, 0.7);

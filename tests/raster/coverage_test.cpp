@@ -39,7 +39,7 @@ class Coordinates {
 };
 
 /// A square grid of triangles with jittered vertices, all counter-clockwise, round the whole
-/// picture.
+/// image.
 TestMesh jittered_grid(unsigned seed) {
     constexpr int kCells = 9;
     Coordinates coordinates(seed);
@@ -61,7 +61,7 @@ TestMesh jittered_grid(unsigned seed) {
     return mesh;
 }
 
-TEST(Coverage, AMeshOverThePictureCoversEveryCentreOnce) {
+TEST(Coverage, AMeshOverTheImageCoversEveryCentreOnce) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         const TestMesh mesh = jittered_grid(seed);
         const auto count = count_coverage(mesh.input(), kSize_px, kSize_px);

@@ -148,7 +148,7 @@ TEST(FlatProof, NeedsTheRowsBesideALineOnly) {
     EXPECT_EQ(found.needed.hull().end, 37);
 }
 
-TEST(FlatProof, NeedsAllColumnsThatReachBeyondThePicture) {
+TEST(FlatProof, NeedsAllColumnsThatReachBeyondTheImage) {
     const Input scene = walls(100.2);
     const Found left = Bench(scene).find(3);
     ASSERT_TRUE(left.pays);
@@ -172,7 +172,7 @@ TEST(FlatProof, LeavesOutTheSky) {
 }
 
 TEST(FlatProof, LooksBehindNothing) {
-    Input scene;  // one wall before another, both over the whole picture
+    Input scene;  // one wall before another, both over the whole image
     for (const double w : {3.0, 2.0}) {
         scene.add({-900, -900, w}, 100);
         scene.add({2900, -900, w}, 100);

@@ -54,11 +54,11 @@ PassFormat one_byte() {
 }
 
 struct Drawn {
-    GatherSink<std::uint8_t> picture;
+    GatherSink<std::uint8_t> image;
     MeshResult result;
 
-    friend bool same_picture(const Drawn& a, const Drawn& b) {
-        return a.picture.depth == b.picture.depth && a.picture.planes[0] == b.picture.planes[0];
+    friend bool same_image(const Drawn& a, const Drawn& b) {
+        return a.image.depth == b.image.depth && a.image.planes[0] == b.image.planes[0];
     }
 };
 
@@ -74,7 +74,7 @@ Drawn draw(const TwoSheets& sheets, int threads, const SkipSet& skips) {
     Drawn drawn{{format, kSize_px, kSize_px}, {}};
     MeshPass pass;
     for (int frame = 0; frame < 2; ++frame)  // the second in what the first left
-        drawn.result = pass.draw(format, input, drawn.picture);
+        drawn.result = pass.draw(format, input, drawn.image);
     return drawn;
 }
 
@@ -89,10 +89,10 @@ TEST(FrontDepth, FineOpenSurfacesAreDrawnInTwoGoes) {
     EXPECT_EQ(front_clusters(one_byte(), input, few, open), clusters / 2);
     const TileGrid many{3840, 2160, 1};
     EXPECT_EQ(front_clusters(one_byte(), input, many, open), 0U) << "too few a tile";
-    const std::vector<SolidView> sealed(open.size(), SolidView{true});
-    EXPECT_EQ(front_clusters(one_byte(), input, few, sealed), 0U)
+    const std::vector<SolidView> watertight(open.size(), SolidView{true});
+    EXPECT_EQ(front_clusters(one_byte(), input, few, watertight), 0U)
         << "what is hidden is turned away";
-    input.skips.set(Skip::hidden, false);
+    input.skips.set(Skip::occlusion_culling, false);
     EXPECT_EQ(front_clusters(one_byte(), input, few, open), 0U) << "not allowed";
     input.skips = {};
     input.may_keep_still = true;
@@ -100,28 +100,28 @@ TEST(FrontDepth, FineOpenSurfacesAreDrawnInTwoGoes) {
         << "tiles must know who touches them";
 }
 
-TEST(FrontDepth, TheSheetBehindIsPassedOverAndThePictureIsTheSame) {
+TEST(FrontDepth, TheSheetBehindIsPassedOverAndTheImageIsTheSame) {
     const TwoSheets sheets;
     const Drawn all = draw(sheets, 1, SkipSet::none());
     const Drawn drawn = draw(sheets, 1, {});
-    EXPECT_TRUE(same_picture(drawn, all));
-    EXPECT_GT(drawn.picture.depth.at(kSize_px / 2, kSize_px / 2), 0);
+    EXPECT_TRUE(same_image(drawn, all));
+    EXPECT_GT(drawn.image.depth.at(kSize_px / 2, kSize_px / 2), 0);
     SkipCounts counts = drawn.result.skips;
     constexpr std::size_t kBehind = 60 * 60 * 2;
     constexpr std::size_t kInFront = 70 * 70 * 2;
-    EXPECT_GT(count_of(counts, Skip::hidden).skipped, kBehind * 3 / 4);
+    EXPECT_GT(count_of(counts, Skip::occlusion_culling).skipped, kBehind * 3 / 4);
     EXPECT_LT(count_of(counts, Skip::no_sample).of, kInFront + kBehind / 4)
         << "passed over before its triangles are looked at";
 }
 
-TEST(FrontDepth, ThreadsAndTargetsNeitherChangeThePictureNorTheCounts) {
+TEST(FrontDepth, ThreadsAndTargetsNeitherChangeTheImageNorTheCounts) {
     const TwoSheets sheets;
     const Drawn one = draw(sheets, 1, {});
     for (const core::SimdTarget& target : core::simd_targets()) {
         const core::ForcedSimdTarget forced(target);
         for (const int threads : {1, 3}) {
             const Drawn other = draw(sheets, threads, {});
-            EXPECT_TRUE(same_picture(other, one)) << target.name << ", threads " << threads;
+            EXPECT_TRUE(same_image(other, one)) << target.name << ", threads " << threads;
             for (std::size_t i = 0; i < kSkipCount; ++i)
                 EXPECT_EQ(other.result.skips[i].skipped, one.result.skips[i].skipped)
                     << skip_infos()[i].name << ", " << target.name << ", threads " << threads;

@@ -9,7 +9,7 @@
 
 namespace ink::raster {
 
-/// Puts the tiles' own pixels together to whole pictures. T is the store's type, D the depth's.
+/// Puts the tiles' own pixels together to whole images. T is the store's type, D the depth's.
 template <class T, class D = float>
 class GatherSink : public TileSink {
   public:

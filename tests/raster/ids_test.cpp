@@ -84,9 +84,9 @@ TEST(IdsAgainstEmbree, Bunny) {
 /// A camera that stands in the scene.
 scene::Camera inside_view(const scene::Scene& scene,
                           const glm::dvec3& eye_world,
-                          const glm::dvec3& gaze_world) {
-    scene::Camera camera =
-        scene::look_at(eye_world, eye_world + gaze_world, {0, 1, 0}, std::numbers::pi / 3);
+                          const glm::dvec3& view_direction_world) {
+    scene::Camera camera = scene::look_at(
+        eye_world, eye_world + view_direction_world, {0, 1, 0}, std::numbers::pi / 3);
     scene::fit_clip_range(camera, scene::bounding_sphere(scene));
     camera.name = "inside";
     return camera;

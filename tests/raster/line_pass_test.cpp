@@ -70,7 +70,7 @@ struct Sheet {
     }
 };
 
-TEST(LinePass, DrawsThePixelsOfTheReferenceThatLieInThePicture) {
+TEST(LinePass, DrawsThePixelsOfTheReferenceThatLieInTheImage) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> x(-40, kWidth_px + 40);
     std::uniform_real_distribution<double> y(-40, kHeight_px + 40);
@@ -136,12 +136,12 @@ TEST(LinePass, HidesWhatComesBehindWhereItWritesDepth) {
         sheet.add({10, 40.5, 2}, {90, 40.5, 2});
         LineInput input = sheet.input();
         input.writes_depth = writes;
-        input.strength = 200;
+        input.edge_response = 200;
         sheet.draw(input);
         Sheet behind;
         behind.add({50.5, 10, 3}, {50.5, 80, 3});
         input = behind.input();
-        input.strength = 100;
+        input.edge_response = 100;
         LinePass pass;
         pass.draw(input, sheet.depth, sheet.out);
         EXPECT_EQ(sheet.out.at(50, 40), writes ? 200 : 100);
@@ -151,7 +151,7 @@ TEST(LinePass, HidesWhatComesBehindWhereItWritesDepth) {
 }
 
 /// 7 steps of z16 are less than what the line lies behind by, 9 are not; of z24 neither is.
-TEST(LinePass, IsPulledByUnits) {
+TEST(LinePass, IsBiasedByUnits) {
     for (const int units : {7, 9}) {
         Sheet sheet(DepthFormat::z16, 0.25);
         const double step = (1 - 1.0 / 9) / 65535;
@@ -164,7 +164,7 @@ TEST(LinePass, IsPulledByUnits) {
     }
 }
 
-/// From a pixel of the picture past the eye: as far as the frame, along the row where it lies.
+/// From a pixel of the image past the eye: as far as the frame, along the row where it lies.
 TEST(LinePass, IsCutAtTheNearPlane) {
     Sheet sheet;
     sheet.add({30.1, 45.5, 3}, {30.1, 45.5, 3});
@@ -181,7 +181,7 @@ TEST(LinePass, IsCutAtTheNearPlane) {
 
 TEST(LinePass, CountsWhatItDoesNotDraw) {
     Sheet sheet;
-    sheet.add({-30, 5, 2}, {-10, 80, 2});    // left of the picture
+    sheet.add({-30, 5, 2}, {-10, 80, 2});    // left of the image
     sheet.add({30, 5, 0.5}, {60, 80, 0.9});  // before the near plane
     sheet.add({30, 5, 2}, {60, 80, 2});
     sheet.p_world.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0, 0);
@@ -193,7 +193,7 @@ TEST(LinePass, CountsWhatItDoesNotDraw) {
 }
 
 /// Short lines before and behind a wall with a hole in it.
-TEST(LinePass, PassesOverHiddenLinesWithoutChangingThePicture) {
+TEST(LinePass, PassesOverHiddenLinesWithoutChangingTheImage) {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> x(-10, kWidth_px + 10);
     std::uniform_real_distribution<double> y(-10, kHeight_px + 10);
@@ -231,7 +231,7 @@ TEST(LinePass, RoundsItsWidthAsOpenGlDoes) {
     EXPECT_EQ(line_width_px(3.2), 3);
 }
 
-TEST(LinePass, GivesTheSamePictureOnEveryThreadCount) {
+TEST(LinePass, GivesTheSameImageOnEveryThreadCount) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> x(-60, kWidth_px + 60);
     std::uniform_real_distribution<double> y(-60, kHeight_px + 60);

@@ -29,7 +29,7 @@ bool is_less(const Fraction& a, const Fraction& b) {
     return a.numerator * b.denominator < b.numerator * a.denominator;
 }
 
-/// The centre of the picture's pixel in OpenGL's window of height 0: rows run downwards from it.
+/// The centre of the image's pixel in OpenGL's window of height 0: rows run downwards from it.
 Point centre(const Pixel& p) {
     return {(256 * Wide{p.first} + 128) * kUnit, -(256 * Wide{p.second} + 128) * kUnit};
 }

@@ -80,7 +80,7 @@ TEST(LineSteps, CoverRandomShortLinesAsTheDiamondExitRuleSays) {
         expect_as_reference(at(any(random), any(random)), at(any(random), any(random)));
 }
 
-/// The picture's origin is not OpenGL's, which lies below: nothing may depend on the row counted
+/// The image's origin is not OpenGL's, which lies below: nothing may depend on the row counted
 /// from above.
 TEST(LineSteps, AreTheSameFurtherDown) {
     const auto high = stepped_line(at(100, 70), at(2000, 900), 4);

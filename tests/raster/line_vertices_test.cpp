@@ -17,7 +17,7 @@ std::vector<glm::dvec3> points() {
         for (int k = -9; k <= 9; ++k)
             result.push_back({0.31 * i + 0.01 * k, 0.17 * k, -0.4 * (i + k) - 3.1});
     }
-    for (int k = 0; k < 40; ++k)  // all of them in the picture
+    for (int k = 0; k < 40; ++k)  // all of them in the image
         result.push_back({0.02 * k - 0.4, 0.3 - 0.013 * k, -3 - 0.1 * k});
     result.push_back({1e200, 0, -3});
     result.push_back({std::numeric_limits<double>::quiet_NaN(), 0, -3});

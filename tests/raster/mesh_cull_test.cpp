@@ -141,9 +141,9 @@ TEST(MeshCull, SkipsThreadsAndTargetsNeverChangeABit) {
     }
 }
 
-/// A sealed solid's far side is in front of its near side once it is pulled far enough: it must be
-/// drawn, though it is never seen otherwise.
-TEST(MeshCull, DrawsBacksThatAnOffsetMayPullForward) {
+/// A watertight solid's far side is in front of its near side once it is moved far enough: it must
+/// be drawn, though it is never seen otherwise.
+TEST(MeshCull, DrawsBacksThatAnOffsetMayBringForward) {
     const Stage stage("cube");
     const auto both = stage.draw({DepthFormat::z24, Cull::none, {-20, 0}});
     const auto fronts = stage.draw({DepthFormat::z24, Cull::back, {-20, 0}});

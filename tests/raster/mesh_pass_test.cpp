@@ -37,26 +37,26 @@ class TestValues : public CornerValues {
     std::vector<LinearValue> values_;
 };
 
-struct Shot {
+struct Evaluation {
     PassFormat format;
     double scale;
     PolygonOffset offset;
 };
 
 /// Every pair that lanes draw, and some that they do not.
-std::vector<Shot> shots() {
+std::vector<Evaluation> evaluations() {
     const auto make = [](Store store, int interpolants, double scale) {
-        Shot shot{{}, scale, {}};
-        shot.format.store = store;
-        shot.format.interpolants = interpolants;
-        shot.format.halo_px = 1;
-        return shot;
+        Evaluation evaluation{{}, scale, {}};
+        evaluation.format.store = store;
+        evaluation.format.interpolants = interpolants;
+        evaluation.format.halo_px = 1;
+        return evaluation;
     };
-    std::vector<Shot> result = {make(Store::none, 0, 0),
-                                make(Store::u8, 1, 250),
-                                make(Store::u8, 2, 250),
-                                make(Store::u16, 1, 60000),
-                                make(Store::f32, 4, 1)};
+    std::vector<Evaluation> result = {make(Store::none, 0, 0),
+                                      make(Store::u8, 1, 250),
+                                      make(Store::u8, 2, 250),
+                                      make(Store::u16, 1, 60000),
+                                      make(Store::f32, 4, 1)};
     result.push_back(make(Store::u8, 1, 500));
     result.back().format.overflow = Overflow::wrap;
     result.push_back(make(Store::u8, 1, 250));
@@ -80,7 +80,7 @@ std::vector<Shot> shots() {
     return result;
 }
 
-/// All that a pass leaves, as bytes in pictures.
+/// All that a pass leaves, as bytes in images.
 struct Drawn {
     std::vector<core::Image<float>> numbers;
     std::vector<core::Image<std::uint16_t>> codes;
@@ -165,20 +165,22 @@ struct Stage {
         view.height_px = kHeight_px;
     }
 
-    [[nodiscard]] Drawn draw(const Shot& shot, int threads, const SkipSet& skips) const {
-        const TestValues values(shot.format.interpolants, shot.scale);
+    [[nodiscard]] Drawn draw(const Evaluation& evaluation,
+                             int threads,
+                             const SkipSet& skips) const {
+        const TestValues values(evaluation.format.interpolants, evaluation.scale);
         MeshInput input;
         input.mesh = &mesh;
         input.values = &values;
-        if (shot.format.constant) input.constants = ids;
+        if (evaluation.format.constant) input.constants = ids;
         input.view = view;
         input.threads = threads;
         input.skips = skips;
-        input.offset = shot.offset;
+        input.offset = evaluation.offset;
         Drawn drawn;
-        KeepSink sink(shot.format, drawn);
+        KeepSink sink(evaluation.format, drawn);
         MeshPass pass;
-        drawn.result = pass.draw(shot.format, input, sink);
+        drawn.result = pass.draw(evaluation.format, input, sink);
         return drawn;
     }
 };
@@ -189,12 +191,12 @@ TEST(MeshPass, EverySimdTargetAndThreadCountGivesTheSameBits) {
     for (const std::string& name : kScenes) {
         for (const double nearer : {1.0, 0.05}) {
             const Stage stage(name, nearer);
-            for (const Shot& shot : shots()) {
-                const Drawn best = stage.draw(shot, 1, {});
+            for (const Evaluation& evaluation : evaluations()) {
+                const Drawn best = stage.draw(evaluation, 1, {});
                 for (const core::SimdTarget& target : core::simd_targets()) {
                     const core::ForcedSimdTarget forced(target);
                     for (const int threads : {1, 2, 5}) {
-                        EXPECT_TRUE(stage.draw(shot, threads, {}) == best)
+                        EXPECT_TRUE(stage.draw(evaluation, threads, {}) == best)
                             << name << " on " << target.name << ", threads " << threads;
                     }
                 }
@@ -207,13 +209,14 @@ TEST(MeshPass, SkipsNeverChangeABit) {
     for (const std::string& name : kScenes) {
         for (const double nearer : {1.0, 0.05}) {
             const Stage stage(name, nearer);
-            for (const Shot& shot : shots()) {
-                const Drawn all = stage.draw(shot, 1, {});
-                EXPECT_TRUE(stage.draw(shot, 1, SkipSet::none()) == all) << name;
+            for (const Evaluation& evaluation : evaluations()) {
+                const Drawn all = stage.draw(evaluation, 1, {});
+                EXPECT_TRUE(stage.draw(evaluation, 1, SkipSet::none()) == all) << name;
                 for (const SkipInfo& info : skip_infos()) {
                     SkipSet skips;
                     skips.set(info.skip, false);
-                    EXPECT_TRUE(stage.draw(shot, 1, skips) == all) << name << ' ' << info.name;
+                    EXPECT_TRUE(stage.draw(evaluation, 1, skips) == all)
+                        << name << ' ' << info.name;
                 }
             }
         }
@@ -226,12 +229,12 @@ TEST(MeshPass, DrawsATriangleThatGainsAnAreaWhenItMoves) {
     for (const std::uint32_t corner : stage.surface.triangles.front())
         stage.surface.p_world[corner] = {0, 0, 0};
     stage.mesh = LaneMesh(stage.surface);
-    const Shot shot = shots()[1];
-    const Drawn flat = stage.draw(shot, 1, {});
+    const Evaluation evaluation = evaluations()[1];
+    const Drawn flat = stage.draw(evaluation, 1, {});
     stage.mesh.update(still);
-    const Drawn moved = stage.draw(shot, 1, {});
+    const Drawn moved = stage.draw(evaluation, 1, {});
     stage.mesh = LaneMesh(still);
-    EXPECT_TRUE(moved == stage.draw(shot, 1, {}));
+    EXPECT_TRUE(moved == stage.draw(evaluation, 1, {}));
     EXPECT_FALSE(moved == flat);
 }
 
@@ -256,8 +259,8 @@ Drawn draw_plainly(const Stage& stage, const PassFormat& format) {
 TEST(MeshPass, CoversThePixelsThatThePlainPassCoversAtTheSameDepth) {
     for (const std::string& name : kScenes) {
         const Stage stage(name);
-        const Drawn lanes = stage.draw(shots().front(), 1, {});
-        const Drawn plain = draw_plainly(stage, shots().front().format);
+        const Drawn lanes = stage.draw(evaluations().front(), 1, {});
+        const Drawn plain = draw_plainly(stage, evaluations().front().format);
         int covered_px = 0;
         int unlike_px = 0;
         for (int y = 0; y < kHeight_px; ++y) {
@@ -279,9 +282,9 @@ TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
     for (const std::string& name : kScenes) {
         for (const double nearer : {1.0, 0.05}) {  // from within: triangles are cut
             const Stage stage(name, nearer);
-            const Shot shot = shots().back();
-            const Drawn ours = stage.draw(shot, 1, {});
-            const Drawn plain = draw_plainly(stage, shot.format);
+            const Evaluation evaluation = evaluations().back();
+            const Drawn ours = stage.draw(evaluation, 1, {});
+            const Drawn plain = draw_plainly(stage, evaluation.format);
             int covered_px = 0;
             int unlike_px = 0;
             for (std::size_t i = 0; i < plain.constants.size(); ++i) {
@@ -301,10 +304,10 @@ TEST(MeshPass, StepsAreThoseOfThePlainPassButForTheLastBits) {
     for (const std::string& name : kScenes) {
         const Stage stage(name);
         for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::z16}) {
-            Shot shot = shots().front();
-            shot.format.depth = depth;
-            const Drawn lanes = stage.draw(shot, 1, {});
-            const Drawn plain = draw_plainly(stage, shot.format);
+            Evaluation evaluation = evaluations().front();
+            evaluation.format.depth = depth;
+            const Drawn lanes = stage.draw(evaluation, 1, {});
+            const Drawn plain = draw_plainly(stage, evaluation.format);
             const int few = depth == DepthFormat::z24 ? 4 : 1;
             const int many = depth == DepthFormat::z24 ? 64 : 1;
             int covered_px = 0;

@@ -17,7 +17,7 @@ PassFormat code_format(Store store, Overflow overflow, int interpolants = 1) {
     return format;
 }
 
-/// A triangle over a whole picture of `size_px` with values at (0, 0), and its slopes.
+/// A triangle over a whole image of `size_px` with values at (0, 0), and its slopes.
 TestMesh plane_over(int size_px, double at_zero, double per_x, double per_y) {
     TestMesh mesh;
     const double far = 3.0 * size_px;

@@ -14,7 +14,7 @@ constexpr int kSize_px = 96;
 constexpr double kNear = 2;
 constexpr double kFar = 10;
 
-/// A plane all over the picture: q = 0.2 + gx (x - 48) + gy (y - 48) in px from the top left.
+/// A plane all over the image: q = 0.2 + gx (x - 48) + gy (y - 48) in px from the top left.
 struct Plane48 {
     double gx;
     double gy;
@@ -32,7 +32,7 @@ scene::View test_view() {
     return view;
 }
 
-/// Squares of two triangles each, which cover the picture and reach beyond it.
+/// Squares of two triangles each, which cover the image and reach beyond it.
 struct Squares {
     int margin_px;  ///< beyond it
     int count;      ///< each way

@@ -37,7 +37,7 @@ TestMesh random_soup(unsigned seed, int interpolants) {
     return mesh;
 }
 
-/// Compares every halo pixel with the whole picture put together from tiles' own pixels.
+/// Compares every halo pixel with the whole image put together from tiles' own pixels.
 class HaloSink : public TileSink {
   public:
     explicit HaloSink(const GatherSink<std::uint8_t>& whole) : whole_(whole) {}
@@ -84,7 +84,7 @@ TEST(Tiles, HalosHoldTheNeighboursPixelsAndTheFramesNearestOnes) {
     }
 }
 
-/// Where tiles lie, for a picture of the given size.
+/// Where tiles lie, for an image of the given size.
 class PlacesSink : public TileSink {
   public:
     void finish(const Tile& tile) override {
@@ -99,7 +99,7 @@ class PlacesSink : public TileSink {
     std::mutex mutex_;
 };
 
-TEST(Tiles, CoverThePictureOnceEach) {
+TEST(Tiles, CoverTheImageOnceEach) {
     PlacesSink sink;
     const PassStats stats = draw_pass({}, TestMesh().input(), kWidth_px, kHeight_px, 3, sink);
     EXPECT_EQ(sink.calls, 12);
@@ -110,7 +110,7 @@ TEST(Tiles, CoverThePictureOnceEach) {
     EXPECT_TRUE(sink.places.contains({64, 0, 64, 64}));
 }
 
-TEST(Tiles, AnEmptyPictureCallsNobody) {
+TEST(Tiles, AnEmptyImageCallsNobody) {
     for (const auto& [width_px, height_px] : {std::pair{0, 5}, {5, 0}, {0, 0}}) {
         PlacesSink sink;
         const TestMesh mesh = random_soup(1, 0);

@@ -47,7 +47,7 @@ TEST(VertexCut, ACornerBehindTheEyeLeavesTwoTriangles) {
     EXPECT_EQ(vertices.n[3], glm::vec3(0, 0.5F, 0.5F));
 }
 
-TEST(VertexCut, CornersFarOutsideThePictureAreCutAtTheBand) {
+TEST(VertexCut, CornersFarOutsideTheImageAreCutAtTheBand) {
     CutVertices vertices = triangle({-1e9, 0, 1}, {1e9, 0, 1}, {0, 0, 3});
     CutTriangles cut;
     cut_triangles(kOne, kBack, 0.1, vertices, cut);

@@ -145,7 +145,7 @@ std::vector<std::pair<double, double>> text_spans(const std::string& svg) {
     return spans;
 }
 
-TEST(ErrorTimeChart, NamesEveryMethodInsideThePicture) {
+TEST(ErrorTimeChart, NamesEveryMethodInsideTheImage) {
     const std::string svg = error_time_chart(many_points(), 0.002).file("error against time");
     EXPECT_EQ(nesting_error(svg), "");
     EXPECT_THAT(svg, HasSubstr(R"(width="560" height="470")"));
@@ -193,9 +193,9 @@ TEST(TimedErrors, AreOfMethodsAloneThatWereScoredAndTimed) {
     good.draw_ms = 2;
     experiment::MethodSummary untimed = good;
     untimed.draw_ms.reset();
-    experiment::MethodSummary bracket = good;
-    bracket.is_bracket = true;
-    const auto points = timed_errors({good, untimed, bracket});
+    experiment::MethodSummary baseline = good;
+    baseline.is_baseline = true;
+    const auto points = timed_errors({good, untimed, baseline});
     ASSERT_EQ(points.size(), 1U);
     EXPECT_EQ(points[0].error, 0.25);
     EXPECT_EQ(points[0].error_range->low, 0.0);

@@ -127,14 +127,14 @@ FigureView made_up_view(const std::string& scene) {
     view.truth.traced.curves.push_back(
         {.line_class = truth::LineClass::crease, .begin = {20, 30.5, 1}, .end = {100, 30.5, 1}});
     const draw::RgbImage grey(120, 60, draw::kMist.rgb);
-    FigureShot packed{{}, draw::Marks(120, 60), {{"packed", grey}, {"filtered", grey}}};
+    FigureEvaluation packed{{}, draw::Marks(120, 60), {{"packed", grey}, {"filtered", grey}}};
     packed.row.method = "mote4";
     packed.row.f_2px = 0.9;
     packed.marks.at(50, 30) = draw::mark_of(score::Cause::cancelled);
-    FigureShot full{{}, draw::Marks(120, 60), {{"depth", grey}, {"normal", grey}}};
+    FigureEvaluation full{{}, draw::Marks(120, 60), {{"depth", grey}, {"normal", grey}}};
     full.row.method = "decaudin";
     full.row.f_2px = 0.8;
-    view.shots = {packed, full};
+    view.evaluations = {packed, full};
     return view;
 }
 
@@ -150,8 +150,8 @@ TEST(StripsFigure, HasEverySceneAndMethodAndWraps) {
 
     FigureView many = made_up_view("cube");
     for (int i = 0; i < 11; ++i) {
-        many.shots.push_back(many.shots[0]);
-        many.shots.back().row.method = "m" + std::to_string(i);
+        many.evaluations.push_back(many.evaluations[0]);
+        many.evaluations.back().row.method = "m" + std::to_string(i);
     }
     const GridFigure wrapped = strips_figure({many});
     ASSERT_EQ(wrapped.bands.size(), 3U) << "thirteen methods, six in a band";
@@ -187,14 +187,14 @@ TEST(BuffersFigure, ShowsPackedAndFilteredBesideFullBuffersAndTruth) {
     EXPECT_EQ(rows[2].cells[0].caption, "truth");
     for (const GridRow& row : rows) {
         for (const GridCell& cell : row.cells)
-            EXPECT_FALSE(cell.picture.is_empty());
+            EXPECT_FALSE(cell.image.is_empty());
     }
 }
 
 TEST(BuffersFigure, IsEmptyWhereNobodyHasABuffer) {
     FigureView view = made_up_view("cube");
-    for (FigureShot& shot : view.shots)
-        shot.layers.clear();
+    for (FigureEvaluation& evaluation : view.evaluations)
+        evaluation.layers.clear();
     EXPECT_TRUE(buffers_figure({view}).bands.empty());
 }
 
@@ -204,7 +204,7 @@ TEST(ZoomFigure, EnlargesTheWindowWithTheTruthOverIt) {
     const auto& rows = figure.bands[0].rows;
     ASSERT_EQ(rows.size(), 2U);
     ASSERT_EQ(rows[0].cells.size(), 4U);
-    const draw::RgbImage& errors = rows[0].cells[2].picture;
+    const draw::RgbImage& errors = rows[0].cells[2].image;
     EXPECT_EQ(errors.width_px(), 64 * 6);
     EXPECT_EQ(errors.height_px(), 32 * 6);
     EXPECT_EQ(rows[0].cells[2].caption, "mote4: 1 wrong here");

@@ -59,11 +59,11 @@ inline edge::EdgeImage made_up_drawing(const core::Image<std::uint8_t>& labels,
                                        std::uint64_t seed) {
     edge::EdgeImage drawing(labels.width_px(), labels.height_px());
     std::mt19937_64 random(seed);
-    const auto chance = [&] { return static_cast<double>(random() % 10000) / 10000; };
+    const auto random_baseline = [&] { return static_cast<double>(random() % 10000) / 10000; };
     constexpr int kBlock = 16;
     std::vector<bool> is_left_out;
     for (int i = 0; i < (labels.width_px() / kBlock + 1) * (labels.height_px() / kBlock + 1); ++i) {
-        is_left_out.push_back(chance() < error);
+        is_left_out.push_back(random_baseline() < error);
     }
     for (int y = 1; y < labels.height_px() - 1; ++y) {
         for (int x = 1; x < labels.width_px() - 1; ++x) {
@@ -74,8 +74,8 @@ inline edge::EdgeImage made_up_drawing(const core::Image<std::uint8_t>& labels,
         }
     }
     for (int i = 0; i < static_cast<int>(error * 20); ++i) {
-        const int left = 8 + static_cast<int>(chance() * (labels.width_px() - 60));
-        const int y = 8 + static_cast<int>(chance() * (labels.height_px() - 16));
+        const int left = 8 + static_cast<int>(random_baseline() * (labels.width_px() - 60));
+        const int y = 8 + static_cast<int>(random_baseline() * (labels.height_px() - 16));
         for (int x = left; x < std::min(left + 40, labels.width_px()); ++x)
             drawing.at(x, y) = 200;
     }
@@ -96,8 +96,8 @@ inline harness::Row made_up_row(const std::string& method, double f, double draw
     row.f_1px = static_cast<double>(*row.k_1px) / 1000;
     row.precision_2px = row.f_2px;
     row.recall_2px = row.f_2px;
-    row.missing = row.lost = (1000 - row.k_2px) / 2;
-    row.off_line = row.surplus = (1000 - row.k_2px) / 2;
+    row.false_negatives = row.unmatched_truth = (1000 - row.k_2px) / 2;
+    row.false_positives = row.unmatched_duplicates = (1000 - row.k_2px) / 2;
     row.truth_px = 1000;
     row.ap = f * 0.95;
     row.mean_width_px = 1.7;
@@ -139,7 +139,7 @@ inline ReportData made_up_report(const MadeUpSize& size) {
                 const double ms = (2.1 + 1.9 * static_cast<double>(m * m)) * (0.7 + 0.6 * noise);
                 add(made_up_row(size.methods[m], f, ms));
                 if (v == 0) {
-                    shown.pictures.push_back(
+                    shown.images.push_back(
                         {size.methods[m], made_up_drawing(shown.labels, 1 - f, random()), 128});
                 }
             }
@@ -147,7 +147,7 @@ inline ReportData made_up_report(const MadeUpSize& size) {
             add(made_up_row("sampled", 0.975, 0));
             add(made_up_row("oracle", 1, 0));
         }
-        shown.pictures.push_back({"sampled", made_up_drawing(shown.labels, 0.02, 1), 128});
+        shown.images.push_back({"sampled", made_up_drawing(shown.labels, 0.02, 1), 128});
         data.views.push_back(std::move(shown));
     }
     return data;

@@ -64,7 +64,7 @@ TEST(CancellationChart, HasAPointPerKindWithEnoughPixels) {
     EXPECT_THAT(svg, HasSubstr("<title>mote4, crease, 90-100°: predicted 25.0 %, measured 26.0 %"));
     EXPECT_THAT(svg, HasSubstr("<title>mote4, boundary: predicted 25.0 %"));
     EXPECT_THAT(svg, Not(HasSubstr(", seam, ")));
-    EXPECT_THAT(svg, HasSubstr("keeps bends up to 7.2° silent"));
+    EXPECT_THAT(svg, HasSubstr("keeps dihedral deviations up to 7.2° silent"));
     EXPECT_THAT(cancellation_chart({}).file("misses"), HasSubstr("No method here declares a code"));
 }
 

@@ -21,7 +21,7 @@ harness::Row row_of(const std::string& method, std::int64_t n_found, std::int64_
     lines.offsets.all.add(0.5);
     lines.offsets.all.add(-0.25);
     lines.widths.all.add(2);
-    lines.ink = {200, n_false};
+    lines.positives = {200, n_false};
     lines.bins = {{2, 30, 60, n_found, 100},
                   {1,
                    std::numeric_limits<double>::infinity(),
@@ -41,7 +41,7 @@ TEST(PlacePage, PoolsCountsOverViews) {
     EXPECT_THAT(html, HasSubstr(">.010</td>"));  // 4 of 400
 }
 
-TEST(PlacePage, PutsBracketsLastAndLeavesFailedRowsOut) {
+TEST(PlacePage, PutsBaselinesLastAndLeavesFailedRowsOut) {
     harness::Row failed = row_of("broken", 1, 1);
     failed.status = "out of memory";
     const std::string html = place_html({row_of("oracle", 100, 0), failed, row_of("mote2", 90, 3)});

@@ -17,8 +17,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr auto kHidden = static_cast<std::size_t>(Skip::hidden);
-constexpr auto kBacks = static_cast<std::size_t>(Skip::backs);
+constexpr auto kHidden = static_cast<std::size_t>(Skip::occlusion_culling);
+constexpr auto kBacks = static_cast<std::size_t>(Skip::back_face_culling);
 
 harness::Row counting_row(const std::string& method,
                           const std::string& scene,
@@ -27,7 +27,7 @@ harness::Row counting_row(const std::string& method,
     row.method = method;
     row.scene = scene;
     row.view = "front";
-    row.skips_off = "still_tiles";
+    row.skips_off = "temporal_reuse";
     row.skips.emplace();
     (*row.skips)[kHidden] = hidden;
     return row;
@@ -47,7 +47,7 @@ std::vector<harness::Row> some_rows() {
 TEST(experiment::SkipTotals, PoolCountsAndKnowWhereMostWasSkipped) {
     const std::vector<harness::Row> rows = some_rows();
     const auto totals = experiment::skip_totals(rows);
-    ASSERT_EQ(totals.size(), 2U) << "no bracket";
+    ASSERT_EQ(totals.size(), 2U) << "no baseline";
     EXPECT_EQ(totals[0].method, "mote4");
     EXPECT_EQ(totals[0].of_skip[kHidden].count.skipped, 90U);
     EXPECT_EQ(totals[0].of_skip[kHidden].count.of, 300U);
@@ -76,9 +76,9 @@ studies::SkipTime timed(std::optional<Skip> skip, studies::SkipArm arm, std::int
 }
 
 std::vector<studies::SkipTime> some_study() {
-    return {timed(Skip::hidden, studies::SkipArm::on, 2'000'000),
-            timed(Skip::hidden, studies::SkipArm::one_off, 5'000'000),
-            timed(Skip::hidden, studies::SkipArm::all_off, 9'000'000),
+    return {timed(Skip::occlusion_culling, studies::SkipArm::on, 2'000'000),
+            timed(Skip::occlusion_culling, studies::SkipArm::one_off, 5'000'000),
+            timed(Skip::occlusion_culling, studies::SkipArm::all_off, 9'000'000),
             timed(std::nullopt, studies::SkipArm::on, 1'000'000),
             timed(std::nullopt, studies::SkipArm::all_off, 8'000'000)};
 }
@@ -87,7 +87,7 @@ TEST(SkipsHtml, SaysWhatShareWasSkippedAndWhereMost) {
     const std::string html = skips_html(some_rows(), {});
     EXPECT_EQ(nesting_error(html), "");
     EXPECT_THAT(html, HasSubstr("<td>30.0 %<small>40.0 %<br>knot &lt;i&gt;<br>front</small></td>"));
-    EXPECT_THAT(html, HasSubstr("Not allowed while these rows were timed: still_tiles."));
+    EXPECT_THAT(html, HasSubstr("Not allowed while these rows were timed: temporal_reuse."));
     EXPECT_THAT(html, HasSubstr("--skip-study")) << "how to measure what it is worth";
     EXPECT_THAT(html, Not(HasSubstr("behind_a_wall")));
 }

@@ -141,13 +141,13 @@ TEST(ReportPage, ShowsEverySceneAndEveryMethodOfIt) {
     EXPECT_EQ(count_of(page, "class=\"pred on\""), 3);
 }
 
-TEST(ReportPage, SaysHowFarTruthAndWitnessAgree) {
+TEST(ReportPage, SaysHowFarTruthAndCrosscheckAgree) {
     ReportData data = made_up_report({.scenes = 2, .views = 2});
-    const std::string heading = "id=\"witness\"";
+    const std::string heading = "id=\"crosscheck\"";
     EXPECT_THAT(report_page(data), Not(HasSubstr(heading))) << "none was asked";
     for (harness::Row& row : data.rows) {
-        row.witness_px = row.view == "front" ? 3000 : 1000;
-        row.witness_disagreement = row.view == "front" ? 0.0001 : 0.0005;
+        row.crosscheck_px = row.view == "front" ? 3000 : 1000;
+        row.reference_disagreement = row.view == "front" ? 0.0001 : 0.0005;
     }
     // Pooled: (3000 x 0.0001 + 1000 x 0.0005) / 4000 in both scenes.
     const std::string agreed = report_page(data);
@@ -156,29 +156,29 @@ TEST(ReportPage, SaysHowFarTruthAndWitnessAgree) {
                 HasSubstr("disagree on 0.020 % of their lines over 4 views, at worst on 0.050 % "
                           "(scene_1 orbit_1)."));
     EXPECT_EQ(count_of(agreed, "<td class=\"text\">agreed</td>"), 2);
-    EXPECT_THAT(agreed, Not(HasSubstr("Disputed truths")));
+    EXPECT_THAT(agreed, Not(HasSubstr("Reference disagreement")));
 
     for (harness::Row& row : data.rows) {
         if (row.scene != "scene_2" || row.view != "orbit_1") continue;
-        row.witness_disagreement = 0.04;
-        row.status = "truth_disputed: the witness disagrees on 4.000 % of the lines";
+        row.reference_disagreement = 0.04;
+        row.status = "reference_disagreement: the cross-check disagrees on 4.000 % of the lines";
     }
     const std::string disputed = report_page(data);
     EXPECT_THAT(disputed, HasSubstr("at worst on 4.000 % (scene_2 orbit_1)."));
-    EXPECT_THAT(disputed, HasSubstr("Disputed truths"));
+    EXPECT_THAT(disputed, HasSubstr("Reference disagreement"));
     EXPECT_THAT(disputed, HasSubstr("<li>scene_2, view orbit_1</li>"));
     EXPECT_EQ(count_of(disputed, "<td class=\"text\">agreed</td>"), 1);
     EXPECT_THAT(disputed, HasSubstr("<td>4.000</td><td>1000</td>"));
     EXPECT_EQ(nesting_error(disputed), "");
 }
 
-TEST(ReportPage, ARunWithWrongBracketsIsVoid) {
-    EXPECT_THAT(report_page(made_up_report({})), Not(HasSubstr("This run is void")));
+TEST(ReportPage, ARunWithWrongBaselinesIsInvalid) {
+    EXPECT_THAT(report_page(made_up_report({})), Not(HasSubstr("This run is invalid")));
     ReportData data = made_up_report({});
     for (harness::Row& row : data.rows) {
         if (row.method == "oracle") row.f_2px = 0.99;
     }
-    EXPECT_THAT(report_page(data), HasSubstr("This run is void"));
+    EXPECT_THAT(report_page(data), HasSubstr("This run is invalid"));
 }
 
 TEST(EncodeScenes, ShrinksAndThenLeavesOutToStayInTheBudget) {
@@ -188,8 +188,8 @@ TEST(EncodeScenes, ShrinksAndThenLeavesOutToStayInTheBudget) {
     EXPECT_EQ(whole.left_out, 0U);
     std::size_t size = 0;
     for (const PageScene& scene : whole.scenes) {
-        for (const PagePicture& picture : scene.pictures)
-            size += picture.size();
+        for (const PagePicture& image : scene.images)
+            size += image.size();
     }
     const PageScenes smaller = encode_scenes(data.views, size - 1);
     EXPECT_GT(smaller.shrink_factor, 1);

@@ -14,25 +14,25 @@ using testing::ElementsAre;
 std::vector<experiment::MethodSummary> summaries_with_everything() {
     harness::Row row = made_up_row("fine", 0.9, 8);
     row.params = "max_threshold=3;threshold=24";
-    row.ladder = {{700, 1000, 1000},
-                  {800, 1000, 1000},
-                  {900, 1000, 1000},
-                  {950, 1000, 1000},
-                  {960, 1000, 1000}};
-    row.chance = score::CurveCount{40, 1000, 1000};
+    row.tolerance_sweep = {{700, 1000, 1000},
+                           {800, 1000, 1000},
+                           {900, 1000, 1000},
+                           {950, 1000, 1000},
+                           {960, 1000, 1000}};
+    row.random_baseline = score::CurveCount{40, 1000, 1000};
     auto summaries = experiment::summarise({row});
     statistics::CellCurve curve{"fine", true, {}};
     curve.counts.fill({500, 1000, 1000});
-    curve.counts[9].k = 910;  // threshold 10/100, on from a strength of 26
+    curve.counts[9].k = 910;  // threshold 10/100, on from an edge response of 26
     experiment::add_curves({curve}, summaries);
     return summaries;
 }
 
-TEST(StatisticsColumns, HaveChanceThresholdsAndTheLadder) {
+TEST(StatisticsColumns, HaveTheRandomBaselineThresholdsAndTheToleranceSweep) {
     const auto summaries = summaries_with_everything();
     const core::Cells cells = cells_of(statistics_columns(summaries), summaries);
     EXPECT_THAT(cells[0],
-                ElementsAre("chance",
+                ElementsAre("random",
                             "threshold",
                             "best",
                             "ODS",
@@ -61,20 +61,21 @@ TEST(StatisticsColumns, AreLeftOutWhereThereIsNothing) {
     EXPECT_TRUE(statistics_columns(experiment::summarise({made_up_row("fine", 0.9, 8)})).empty());
 }
 
-TEST(FormatLead, HasTheIntervalIfThereIsOne) {
-    EXPECT_EQ(experiment::format_lead({"a", "b", 0.0123, statistics::Interval{-0.002, 0.021}}),
+TEST(FormatPairedDifference, HasTheIntervalIfThereIsOne) {
+    EXPECT_EQ(experiment::format_paired_difference(
+                  {"a", "b", 0.0123, statistics::Interval{-0.002, 0.021}}),
               "+.012 [-.002, +.021]");
-    EXPECT_EQ(experiment::format_lead({"a", "b", -0.5, std::nullopt}), "-.500");
+    EXPECT_EQ(experiment::format_paired_difference({"a", "b", -0.5, std::nullopt}), "-.500");
 }
 
-TEST(LeadCells, AreAMatrixWithAnEmptyDiagonal) {
+TEST(PairedDifferenceCells, AreAMatrixWithAnEmptyDiagonal) {
     const core::Cells cells =
-        lead_cells({{"x", "y", 0.1, std::nullopt}, {"y", "x", -0.1, std::nullopt}});
+        paired_difference_cells({{"x", "y", 0.1, std::nullopt}, {"y", "x", -0.1, std::nullopt}});
     ASSERT_EQ(cells.size(), 3U);
-    EXPECT_THAT(cells[0], ElementsAre("leads by", "x", "y"));
+    EXPECT_THAT(cells[0], ElementsAre("F minus F of", "x", "y"));
     EXPECT_THAT(cells[1], ElementsAre("x", "", "+.100"));
     EXPECT_THAT(cells[2], ElementsAre("y", "-.100", ""));
-    EXPECT_TRUE(lead_cells({}).empty());
+    EXPECT_TRUE(paired_difference_cells({}).empty());
 }
 
 TEST(ThresholdLines, SayWhatTheBestAndTheShippedOneReach) {

@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three views of two methods, with brackets: `rough` is cheap, `fine` is better on every view.
+/// Three views of two methods, with baselines: `rough` is cheap, `fine` is better on every view.
 std::vector<harness::Row> small_comparison() {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 3; ++i) {
@@ -79,7 +79,7 @@ TEST(VerdictTable, HasTheNumbersOfEachMethod) {
                                      "3"));
 }
 
-TEST(VerdictTable, MarksTheBracketsAndGivesThemNoTime) {
+TEST(VerdictTable, MarksTheBaselinesAndGivesThemNoTime) {
     const auto lines = lines_of(verdict_table(small_comparison()));
     const auto words = words_of(lines.at(5));
     EXPECT_EQ(words.at(0) + words.at(1), "oracle*");
@@ -108,7 +108,7 @@ TEST(VerdictTable, SaysHowManyCellsFailed) {
     EXPECT_THAT(table, HasSubstr("1 cell failed and enters no number here."));
 }
 
-TEST(VerdictTable, SaysSoIfALeadMayBeChance) {
+TEST(VerdictTable, SaysSoIfADifferenceIsNotSignificant) {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 8; ++i) {
         harness::Row even = made_up_row("even", 0.7, 3);
@@ -120,7 +120,7 @@ TEST(VerdictTable, SaysSoIfALeadMayBeChance) {
     EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("cannot tell")));
 }
 
-TEST(VerdictTable, SaysSoIfALeadIsBeyondChance) {
+TEST(VerdictTable, SaysSoIfADifferenceIsSignificant) {
     std::vector<harness::Row> rows;
     for (int i = 0; i < 8; ++i) {
         harness::Row good = made_up_row("good", 0.7 + 0.01 * i, 3);
@@ -128,8 +128,9 @@ TEST(VerdictTable, SaysSoIfALeadIsBeyondChance) {
         good.scene = better.scene = std::to_string(i);
         rows.insert(rows.end(), {good, better});
     }
-    EXPECT_THAT(verdict_table(rows),
-                HasSubstr("Its lead over good (F .735) is +.020 [+.020, +.020]: beyond chance."));
+    EXPECT_THAT(
+        verdict_table(rows),
+        HasSubstr("Its paired difference to good (F .735) is +.020 [+.020, +.020]: significant."));
 }
 
 TEST(VerdictTable, ShowsThresholdsAndTolerancesIfThereAreAny) {
@@ -142,15 +143,16 @@ TEST(VerdictTable, ShowsThresholdsAndTolerancesIfThereAreAny) {
     EXPECT_THAT(verdict_markdown(rows, {curve}), HasSubstr("| ODS | OIS | AP |"));
 }
 
-TEST(VerdictMarkdown, HasTheMatrixOfLeads) {
-    EXPECT_THAT(verdict_markdown(small_comparison()),
-                AllOf(HasSubstr("| leads by | fine | rough |"), HasSubstr("| fine |  | +.300 |")));
+TEST(VerdictMarkdown, HasTheMatrixOfPairedDifferences) {
+    EXPECT_THAT(
+        verdict_markdown(small_comparison()),
+        AllOf(HasSubstr("| F minus F of | fine | rough |"), HasSubstr("| fine |  | +.300 |")));
 }
 
 TEST(VerdictTable, FitsATerminalWhateverMethodsAreCalled) {
     std::vector<harness::Row> rows = small_comparison();
     for (harness::Row& row : rows) {
-        if (!harness::is_bracket(row.method)) row.method += "_with_a_name_that_does_not_end";
+        if (!harness::is_baseline(row.method)) row.method += "_with_a_name_that_does_not_end";
     }
     rows[0].status = "failed";
     const std::string table = verdict_table(rows);

@@ -22,7 +22,7 @@ View view_from(const glm::dvec3& eye_world) {
     return {camera, 200, 100};
 }
 
-glm::dvec2 on_picture(const View& view, const glm::dvec3& p_world) {
+glm::dvec2 on_image(const View& view, const glm::dvec3& p_world) {
     const glm::dvec3 p_clip = Projection(view).to_clip(p_world);
     return {p_clip.x / p_clip.z, p_clip.y / p_clip.z};
 }
@@ -45,9 +45,9 @@ TEST(CameraPath, OrbitCarriesTheNearestPointByItsStep) {
     // Seen from 53 degrees up: the nearest point is (0, 1.6, 1.2), 8 from the eye.
     const CameraPath path = make_path(PathKind::orbit, view_from({0, 8, 6}), kBall, 0.25);
     const glm::dvec3 nearest{0, 1.6, 1.2};
-    EXPECT_NEAR(on_picture(view_at(path, 0), nearest).x, 100, 1e-12);
+    EXPECT_NEAR(on_image(view_at(path, 0), nearest).x, 100, 1e-12);
     // The eye goes to the right, so the front goes to the left.
-    EXPECT_NEAR(on_picture(view_at(path, 1), nearest).x, 99.75, 1e-3);
+    EXPECT_NEAR(on_image(view_at(path, 1), nearest).x, 99.75, 1e-3);
     EXPECT_NEAR(path.turn_rad, 0.25 * 8 / (50 * 1.2), 1e-15);
 }
 
@@ -56,37 +56,37 @@ TEST(CameraPath, OrbitGoesFromZTowardsXAndKeepsLookingAtTheMiddle) {
     path.turn_rad = kRightAngle_rad / 8;
     const Camera camera = view_at(path, 8).camera;
     EXPECT_NEAR(glm::distance(camera.eye_world, {8, 6, 0}), 0, 1e-11);
-    EXPECT_NEAR(on_picture(view_at(path, 3), {0, 0, 0}).x, 100, 1e-9);
-    EXPECT_NEAR(on_picture(view_at(path, 3), {0, 0, 0}).y, 50, 1e-9);
+    EXPECT_NEAR(on_image(view_at(path, 3), {0, 0, 0}).x, 100, 1e-9);
+    EXPECT_NEAR(on_image(view_at(path, 3), {0, 0, 0}).y, 50, 1e-9);
 }
 
 TEST(CameraPath, DollyMovesTheFrameOfTheMiddlePlaneAndNeverArrives) {
     const CameraPath path = make_path(PathKind::dolly, view_from({0, 0, 10}), kBall, 0.5);
     const glm::dvec3 top{0, 10, 0};  // 45 degrees up: where the frame is
-    EXPECT_NEAR(on_picture(view_at(path, 0), top).y, 0, 1e-12);
-    EXPECT_NEAR(on_picture(view_at(path, 1), top).y, -0.5, 1e-12);
+    EXPECT_NEAR(on_image(view_at(path, 0), top).y, 0, 1e-12);
+    EXPECT_NEAR(on_image(view_at(path, 1), top).y, -0.5, 1e-12);
     EXPECT_GT(view_at(path, 2000).camera.eye_world.z, 0);
 }
 
-TEST(CameraPath, DollyBackwardsShrinksThePicture) {
+TEST(CameraPath, DollyBackwardsShrinksTheImage) {
     const CameraPath path = make_path(PathKind::dolly, view_from({0, 0, 10}), kBall, -0.5);
-    EXPECT_NEAR(on_picture(view_at(path, 1), {0, 10, 0}).y, 0.5, 1e-12);
+    EXPECT_NEAR(on_image(view_at(path, 1), {0, 10, 0}).y, 0.5, 1e-12);
 }
 
 TEST(CameraPath, PanTurnsRightWhereItStands) {
     const CameraPath path = make_path(PathKind::pan, view_from({0, 0, 10}), kBall, 0.75);
-    EXPECT_NEAR(on_picture(view_at(path, 1), {0, 0, 0}).x, 99.25, 1e-9);
-    EXPECT_NEAR(on_picture(view_at(path, 1), {0, 0, 0}).y, 50, 1e-12);
+    EXPECT_NEAR(on_image(view_at(path, 1), {0, 0, 0}).x, 99.25, 1e-9);
+    EXPECT_NEAR(on_image(view_at(path, 1), {0, 0, 0}).y, 50, 1e-12);
     EXPECT_EQ(view_at(path, 9).camera.eye_world, glm::dvec3(0, 0, 10));
 }
 
-TEST(CameraPath, RollLeftTurnsThePictureClockwise) {
+TEST(CameraPath, RollLeftTurnsTheImageClockwise) {
     CameraPath path = make_path(PathKind::roll, view_from({0, 0, 10}), kBall, 0.5);
     EXPECT_EQ(path.turn_rad, 0.01);
     path.turn_rad = kRightAngle_rad;
-    const glm::dvec2 right = on_picture(view_at(path, 0), {1, 0, 0});
+    const glm::dvec2 right = on_image(view_at(path, 0), {1, 0, 0});
     EXPECT_NEAR(right.x, 105, 1e-12);
-    const glm::dvec2 turned = on_picture(view_at(path, 1), {1, 0, 0});
+    const glm::dvec2 turned = on_image(view_at(path, 1), {1, 0, 0});
     EXPECT_NEAR(turned.x, 100, 1e-12);
     EXPECT_NEAR(turned.y, 55, 1e-12);
 }
@@ -98,7 +98,7 @@ TEST(CameraPath, ShakeStaysWithinItsStepAndFollowsItsSeed) {
     bool is_up = false;
     bool is_down = false;
     for (int frame = 0; frame < 100; ++frame) {
-        const glm::dvec2 moved = on_picture(view_at(path, frame), {0, 0, 0}) - glm::dvec2(100, 50);
+        const glm::dvec2 moved = on_image(view_at(path, frame), {0, 0, 0}) - glm::dvec2(100, 50);
         EXPECT_LT(std::abs(moved.x), 0.5001);
         EXPECT_LT(std::abs(moved.y), 0.5001);
         is_left = is_left || moved.x < -0.4;

@@ -22,7 +22,7 @@ TEST(Camera, LooksAlongMinusZWithYUp) {
     EXPECT_GT(projection.to_view({0, 1, 0}).y, 0);
 }
 
-TEST(Projection, CentreIsTheMiddleOfThePictureAndYRunsDown) {
+TEST(Projection, CentreIsTheMiddleOfTheImageAndYRunsDown) {
     const Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, kRightAngle_rad);
     const Projection projection({camera, 200, 100});
     const glm::dvec3 middle = projection.to_clip({0, 0, 0});
@@ -45,7 +45,7 @@ TEST(Projection, RayHitsThePixelItWasCastThrough) {
     EXPECT_NEAR(p_clip.z, 7, 1e-12);
 }
 
-TEST(Camera, UpAlongTheGazeStillGivesARotation) {
+TEST(Camera, UpAlongTheViewDirectionStillGivesARotation) {
     const Camera camera = look_at({0, 9, 0}, {0, 0, 0}, {0, 1, 0}, 0.7);
     EXPECT_NEAR(glm::determinant(camera.view_from_world), 1, 1e-12);
 }

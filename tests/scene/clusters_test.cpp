@@ -38,12 +38,12 @@ void turn_inside_out(Mesh& mesh) {
         std::swap(t[1], t[2]);
 }
 
-/// Whether all solids of the mesh are sealed; there must be `count`.
-bool is_sealed(const Mesh& mesh, std::size_t count = 1) {
+/// Whether all solids of the mesh are watertight; there must be `count`.
+bool is_watertight(const Mesh& mesh, std::size_t count = 1) {
     const Clusters clusters = make_clusters(patches(mesh));
     EXPECT_EQ(clusters.solids.size(), count);
     return std::all_of(
-        clusters.solids.begin(), clusters.solids.end(), [](auto& s) { return s.is_sealed; });
+        clusters.solids.begin(), clusters.solids.end(), [](auto& s) { return s.is_watertight; });
 }
 
 /// The law that holds for every surface: each triangle with an area once, with its own corners.
@@ -145,28 +145,28 @@ TEST(Clusters, LieInTheirBalls) {
 }
 
 TEST(Seal, ClosesBoxesBallsAndRings) {
-    EXPECT_TRUE(is_sealed(unit_cube()));
-    EXPECT_TRUE(is_sealed(catalogue::make_icosphere(1, 3)));
-    EXPECT_TRUE(is_sealed(catalogue::make_torus({2, 0.5}, {24, 12})));
+    EXPECT_TRUE(is_watertight(unit_cube()));
+    EXPECT_TRUE(is_watertight(catalogue::make_icosphere(1, 3)));
+    EXPECT_TRUE(is_watertight(catalogue::make_torus({2, 0.5}, {24, 12})));
 }
 
 TEST(Seal, IsBrokenByAHole) {
     Mesh open = catalogue::make_icosphere(1, 3);
     open.triangles.pop_back();
-    EXPECT_FALSE(is_sealed(open));
-    EXPECT_FALSE(is_sealed(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
+    EXPECT_FALSE(is_watertight(open));
+    EXPECT_FALSE(is_watertight(catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0})));
 }
 
 TEST(Seal, IsBrokenByTurningInsideOut) {
     Mesh ball = catalogue::make_icosphere(1, 3);
     turn_inside_out(ball);
-    EXPECT_FALSE(is_sealed(ball));
+    EXPECT_FALSE(is_watertight(ball));
 }
 
 TEST(Seal, IsBrokenByOneFaceThatIsTurned) {
     Mesh cube = unit_cube();
     std::swap(cube.triangles[4][0], cube.triangles[4][1]);
-    EXPECT_FALSE(is_sealed(cube));
+    EXPECT_FALSE(is_watertight(cube));
 }
 
 // The projective plane on six vertices: each of its 15 edges has two faces, and it has one side.
@@ -196,20 +196,20 @@ TEST(Seal, IsBrokenByASurfaceWithOneSide) {
         for (std::size_t t = 0; t < 10; ++t) {
             if (flipped >> t & 1) std::swap(turned.triangles[t][1], turned.triangles[t][2]);
         }
-        ASSERT_FALSE(is_sealed(turned)) << flipped;
+        ASSERT_FALSE(is_watertight(turned)) << flipped;
     }
 }
 
 TEST(Seal, IsBrokenByDuplicatesAndByFacesWithoutArea) {
     Mesh twice = unit_cube();
     twice.triangles.push_back(twice.triangles[0]);
-    EXPECT_FALSE(is_sealed(twice));
+    EXPECT_FALSE(is_watertight(twice));
 
     Mesh two_sided = catalogue::make_sheet({0.1, 0.2, 0.3}, {1, 0.1, 0}, {0, 1, 0.7}, {5, 7});
     Mesh back = two_sided;
     turn_inside_out(back);
     catalogue::append(two_sided, back);
-    EXPECT_FALSE(is_sealed(two_sided));
+    EXPECT_FALSE(is_watertight(two_sided));
 
     // A triangle with its middle on an edge: (0, 8, 1) closes the gap and covers nothing.
     Mesh split = unit_cube();
@@ -217,11 +217,11 @@ TEST(Seal, IsBrokenByDuplicatesAndByFacesWithoutArea) {
     split.triangles[1] = {0, 3, 8};
     split.triangles.push_back({3, 1, 8});
     split.triangles.push_back({0, 8, 1});
-    EXPECT_FALSE(is_sealed(split));
+    EXPECT_FALSE(is_watertight(split));
 
     Mesh needle = unit_cube();  // two corners in one place: no edge of it is anybody's
     needle.triangles.push_back({0, 0, 3});
-    EXPECT_TRUE(is_sealed(needle));
+    EXPECT_TRUE(is_watertight(needle));
 }
 
 TEST(Seal, IsEachSolidsOwn) {
@@ -231,8 +231,8 @@ TEST(Seal, IsEachSolidsOwn) {
     catalogue::append(hollow, cavity);
     const Clusters clusters = make_clusters(patches(hollow));
     ASSERT_EQ(clusters.solids.size(), 2U);
-    EXPECT_TRUE(clusters.solids[0].is_sealed);
-    EXPECT_FALSE(clusters.solids[1].is_sealed);
+    EXPECT_TRUE(clusters.solids[0].is_watertight);
+    EXPECT_FALSE(clusters.solids[1].is_watertight);
 }
 
 TEST(Seal, OfTwoObjectsThatTouchIsNotShared) {
@@ -241,8 +241,8 @@ TEST(Seal, OfTwoObjectsThatTouchIsNotShared) {
     for (const double crease_rad : {kCrease_rad, 3.0}) {
         const Clusters clusters = make_clusters(flatten(scene, NormalSource::patch, crease_rad));
         ASSERT_EQ(clusters.solids.size(), 2U);
-        EXPECT_TRUE(clusters.solids[0].is_sealed);
-        EXPECT_TRUE(clusters.solids[1].is_sealed);
+        EXPECT_TRUE(clusters.solids[0].is_watertight);
+        EXPECT_TRUE(clusters.solids[1].is_watertight);
         EXPECT_EQ(clusters.solids[1].object, 1U);
     }
 }
@@ -265,7 +265,7 @@ TEST(Seal, TakesZeroAndMinusZeroForOnePlace) {
         surface.p_world[i] = split.positions[i];  // placing by a matrix would lose the sign
     const Clusters clusters = make_clusters(surface);
     ASSERT_EQ(clusters.solids.size(), 1U);
-    EXPECT_TRUE(clusters.solids[0].is_sealed);
+    EXPECT_TRUE(clusters.solids[0].is_watertight);
 }
 
 // Exact for every face, from anywhere: near, far, beside and inside.
@@ -352,21 +352,21 @@ TEST(Refresh, GivesWhatMakingGives) {
 TEST(Refresh, OpensASolidThatTurnsInsideOutOrComesApart) {
     const Surface surface = flatten(scene_of(unit_cube()), NormalSource::facet, kCrease_rad);
     Clusters clusters = make_clusters(surface);
-    ASSERT_TRUE(clusters.solids[0].is_sealed);
+    ASSERT_TRUE(clusters.solids[0].is_watertight);
 
     Surface mirrored = surface;
     for (glm::dvec3& p : mirrored.p_world)
         p.x = -p.x;
     refresh(mirrored, clusters);
-    EXPECT_FALSE(clusters.solids[0].is_sealed);
+    EXPECT_FALSE(clusters.solids[0].is_watertight);
 
     Surface torn = surface;
     torn.p_world[surface.triangles[5][0]].z += 0.5;  // one of the corners at that place
     refresh(torn, clusters);
-    EXPECT_FALSE(clusters.solids[0].is_sealed);
+    EXPECT_FALSE(clusters.solids[0].is_watertight);
 
     refresh(surface, clusters);
-    EXPECT_TRUE(clusters.solids[0].is_sealed);
+    EXPECT_TRUE(clusters.solids[0].is_watertight);
 }
 
 TEST(Refresh, TakesInATriangleThatGetsAnArea) {

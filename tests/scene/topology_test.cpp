@@ -93,9 +93,9 @@ TEST(Bend, IsZeroWhenFlatAndARightAngleOnACube) {
     int flat = 0, right = 0;
     for (const Edge& edge : topology.edges) {
         const auto faces = topology.faces_of(edge);
-        const double bend = bend_rad(topology, edge, faces[0], faces[1]);
-        flat += std::abs(bend) < 1e-12;
-        right += std::abs(bend - std::numbers::pi / 2) < 1e-12;
+        const double deviation = deviation_rad(topology, edge, faces[0], faces[1]);
+        flat += std::abs(deviation) < 1e-12;
+        right += std::abs(deviation - std::numbers::pi / 2) < 1e-12;
     }
     EXPECT_EQ(flat, 6);
     EXPECT_EQ(right, 12);

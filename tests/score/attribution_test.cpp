@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace ink::score {
 namespace {
@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 core::Image<std::uint32_t> ids_of(const Rows& rows) {
-    const Picture digits = picture_of(rows);
+    const Image digits = image_of(rows);
     core::Image<std::uint32_t> ids(digits.width_px(), digits.height_px());
     std::copy(digits.data(), digits.data() + digits.size(), ids.data());
     return ids;
@@ -25,19 +25,19 @@ struct Layers {
     core::Image<std::uint32_t> triangle;
     core::Image<std::uint32_t> patch;
     truth::Cracks cracks;
-    Picture labels;
+    Image labels;
 
     explicit Layers(const Rows& triangles)
         : triangle(ids_of(triangles)),
           patch(triangle),
-          cracks{Picture(triangle.width_px(), triangle.height_px()),
-                 Picture(triangle.width_px(), triangle.height_px())},
+          cracks{Image(triangle.width_px(), triangle.height_px()),
+                 Image(triangle.width_px(), triangle.height_px())},
           labels(triangle.width_px(), triangle.height_px()) {}
 
     [[nodiscard]] TruthStencils stencils() const { return {triangle, patch, cracks, labels}; }
     [[nodiscard]] edge::Mask nothing() const { return {triangle.width_px(), triangle.height_px()}; }
     /// The cause of the one off-line pixel (x, y).
-    [[nodiscard]] Cause off_line(Pixel pixel, const ScoreOptions& options = {}) const {
+    [[nodiscard]] Cause false_positives(Pixel pixel, const ScoreOptions& options = {}) const {
         return attribute({{pixel}, {}, nothing()}, stencils(), {}, options).pixels.at(0).cause;
     }
     /// The cause of the one missing pixel if this was predicted.
@@ -49,73 +49,74 @@ struct Layers {
 
 const Rows kTwoHalves = {"1112222", "1112222", "1112222", "1112222", "1112222"};
 
-TEST(OffLineCause, OneTriangleFillsTheStencil) {
+TEST(FalsePositiveCause, OneTriangleFillsTheStencil) {
     const Layers layers(kTwoHalves);
-    EXPECT_EQ(layers.off_line({1, 2}), Cause::one_triangle);
-    EXPECT_EQ(layers.off_line({4, 2}), Cause::one_triangle);
+    EXPECT_EQ(layers.false_positives({1, 2}), Cause::one_triangle);
+    EXPECT_EQ(layers.false_positives({4, 2}), Cause::one_triangle);
 }
 
-TEST(OffLineCause, TheCornersOfTheStencilCount) {
+TEST(FalsePositiveCause, TheCornersOfTheStencilCount) {
     Layers layers({"11111", "11111", "11111", "11112", "11112"});
     layers.patch.fill(9);
-    EXPECT_EQ(layers.off_line({2, 2}), Cause::one_triangle) << "the two lie two pixels off";
-    EXPECT_EQ(layers.off_line({3, 2}), Cause::one_patch) << "its lower right corner sees 2";
+    EXPECT_EQ(layers.false_positives({2, 2}), Cause::one_triangle) << "the two lie two pixels off";
+    EXPECT_EQ(layers.false_positives({3, 2}), Cause::one_patch) << "its lower right corner sees 2";
 }
 
-TEST(OffLineCause, SeveralTrianglesOfOnePatch) {
+TEST(FalsePositiveCause, SeveralTrianglesOfOnePatch) {
     Layers layers(kTwoHalves);
-    EXPECT_EQ(layers.off_line({2, 2}), Cause::other) << "two patches";
+    EXPECT_EQ(layers.false_positives({2, 2}), Cause::other) << "two patches";
     layers.patch.fill(9);
-    EXPECT_EQ(layers.off_line({2, 2}), Cause::one_patch);
+    EXPECT_EQ(layers.false_positives({2, 2}), Cause::one_patch);
 }
 
-TEST(OffLineCause, SkyIsASurfaceOfItsOwn) {
+TEST(FalsePositiveCause, SkyIsASurfaceOfItsOwn) {
     Layers layers(kTwoHalves);
     layers.patch.fill(9);
     for (int y = 0; y < 5; ++y)
         layers.triangle.at(6, y) = layers.patch.at(6, y) = 0xffffffffU;
-    EXPECT_EQ(layers.off_line({5, 2}), Cause::other);
+    EXPECT_EQ(layers.false_positives({5, 2}), Cause::other);
     layers.triangle.fill(0xffffffffU);
-    EXPECT_EQ(layers.off_line({3, 2}), Cause::one_triangle) << "sky alone";
+    EXPECT_EQ(layers.false_positives({3, 2}), Cause::one_triangle) << "sky alone";
 }
 
-TEST(OffLineCause, ACrackAnywhereInTheStencilOutweighsThePatch) {
+TEST(FalsePositiveCause, ACrackAnywhereInTheStencilOutweighsThePatch) {
     Layers layers(kTwoHalves);
     layers.patch.fill(9);
     layers.cracks.below.at(4, 1) = 3;  // between (4,1) and (4,2)
-    EXPECT_EQ(layers.off_line({3, 2}), Cause::crack);
-    EXPECT_EQ(layers.off_line({2, 2}), Cause::one_patch) << "out of its stencil";
+    EXPECT_EQ(layers.false_positives({3, 2}), Cause::crack);
+    EXPECT_EQ(layers.false_positives({2, 2}), Cause::one_patch) << "out of its stencil";
     layers.cracks.below.at(4, 1) = 0;
     layers.cracks.right.at(2, 3) = 1;  // between (2,3) and (3,3)
-    EXPECT_EQ(layers.off_line({3, 2}), Cause::crack);
+    EXPECT_EQ(layers.false_positives({3, 2}), Cause::crack);
     layers.cracks.right.at(2, 3) = 0;
     layers.cracks.right.at(4, 2) = 1;  // between (4,2) and (5,2): half out of it
-    EXPECT_EQ(layers.off_line({3, 2}), Cause::one_patch);
+    EXPECT_EQ(layers.false_positives({3, 2}), Cause::one_patch);
 }
 
-TEST(OffLineCause, OneTriangleOutweighsACrack) {
+TEST(FalsePositiveCause, OneTriangleOutweighsACrack) {
     Layers layers(kTwoHalves);
     layers.cracks.right.at(4, 2) = 1;
-    EXPECT_EQ(layers.off_line({5, 2}), Cause::one_triangle);
+    EXPECT_EQ(layers.false_positives({5, 2}), Cause::one_triangle);
 }
 
-TEST(OffLineCause, WhereTheStencilLeavesThePictureItIsTheFrame) {
+TEST(FalsePositiveCause, WhereTheStencilLeavesTheImageItIsTheFrame) {
     const Layers layers({"111", "111", "111"});
-    EXPECT_EQ(layers.off_line({1, 1}), Cause::one_triangle);
+    EXPECT_EQ(layers.false_positives({1, 1}), Cause::one_triangle);
     for (const Pixel pixel : {Pixel{0, 1}, {2, 1}, {1, 0}, {1, 2}})
-        EXPECT_EQ(layers.off_line(pixel), Cause::frame);
+        EXPECT_EQ(layers.false_positives(pixel), Cause::frame);
 }
 
-TEST(OffLineCause, ATrueLineThatTheBandTookAwayIsTheFrame) {
+TEST(FalsePositiveCause, ATrueLineThatTheBandTookAwayIsTheFrame) {
     Layers layers(Rows(12, "111111111111"));
     layers.labels.at(1, 5) = 1;
     layers.labels.at(9, 5) = 1;
     ScoreOptions options{.tolerance_px = 2, .band_px = 2, .ignore_label = 7};
-    EXPECT_EQ(layers.off_line({3, 5}, options), Cause::frame) << "two pixels from it";
-    EXPECT_EQ(layers.off_line({3, 6}, options), Cause::one_triangle) << "sqrt(5) from it";
-    EXPECT_EQ(layers.off_line({8, 5}, options), Cause::one_triangle) << "that one is no band truth";
+    EXPECT_EQ(layers.false_positives({3, 5}, options), Cause::frame) << "two pixels from it";
+    EXPECT_EQ(layers.false_positives({3, 6}, options), Cause::one_triangle) << "sqrt(5) from it";
+    EXPECT_EQ(layers.false_positives({8, 5}, options), Cause::one_triangle)
+        << "that one is no band truth";
     layers.labels.at(1, 5) = 7;
-    EXPECT_EQ(layers.off_line({3, 5}, options), Cause::one_triangle) << "ignored, no truth";
+    EXPECT_EQ(layers.false_positives({3, 5}, options), Cause::one_triangle) << "ignored, no truth";
 }
 
 TEST(SeesLine, TakesACrackAndTwoTriangles) {
@@ -132,7 +133,7 @@ TEST(SeesLine, TakesACrackAndTwoTriangles) {
     EXPECT_TRUE(sees_line(layers.stencils(), {3, 2})) << "the centre may lie on the line";
 }
 
-TEST(SeesLine, LooksUpAndDownAndStaysInThePicture) {
+TEST(SeesLine, LooksUpAndDownAndStaysInTheImage) {
     Layers layers({"11", "11", "22"});
     layers.cracks.below.at(0, 1) = 1;
     EXPECT_TRUE(sees_line(layers.stencils(), {0, 1}));
@@ -150,40 +151,40 @@ TEST(SeeingStencils, AreThoseRoundThePixelRowByRow) {
     EXPECT_THAT(seeing_stencils(layers.stencils(), {0, 0}), IsEmpty());
 }
 
-/// A missing pixel at (2, 2) with a crack to its right that two triangles are seen across.
+/// A false negative at (2, 2) with a crack to its right that two triangles are seen across.
 Layers seen_line() {
     Layers layers(kTwoHalves);
     layers.cracks.right.at(2, 2) = 1;
     return layers;
 }
 
-TEST(MissCause, IsWhatWasPredicted) {
+TEST(FalseNegativeCause, IsWhatWasPredicted) {
     const Layers layers = seen_line();
     for (const Cause cause : {Cause::cancelled, Cause::below_threshold, Cause::unexplained})
         EXPECT_EQ(layers.miss({2, 2}, cause, layers.nothing()), cause);
 }
 
-TEST(MissCause, WithoutAPredictionIsUndeclared) {
+TEST(FalseNegativeCause, WithoutAPredictionIsUndeclared) {
     const Layers layers = seen_line();
     const auto found = attribute({{}, {{2, 2}}, layers.nothing()}, layers.stencils(), {}, {});
     EXPECT_THAT(found.pixels, ElementsAre(WrongPixel{{2, 2}, Cause::undeclared}));
 }
 
-TEST(MissCause, ALineBetweenCentresOfOneTriangleIsSubPixelWhateverWasPredicted) {
+TEST(FalseNegativeCause, ALineBetweenCentresOfOneTriangleIsSubPixelWhateverWasPredicted) {
     Layers layers(Rows(5, "1111111"));
     layers.cracks.right.at(2, 2) = 1;
     for (const Cause cause : {Cause::cancelled, Cause::unexplained, Cause::undeclared})
         EXPECT_EQ(layers.miss({2, 2}, cause, layers.nothing()), Cause::sub_pixel);
 }
 
-TEST(MissCause, WhatWasDrawnInASeeingStencilWasThinnedAway) {
+TEST(FalseNegativeCause, WhatWasDrawnInASeeingStencilWasThinnedAway) {
     const Layers layers = seen_line();
     edge::Mask drawn = layers.nothing();
     drawn.at(3, 2) = 1;
     EXPECT_EQ(layers.miss({2, 2}, Cause::unexplained, drawn), Cause::thinned);
     EXPECT_EQ(layers.miss({2, 2}, Cause::undeclared, drawn), Cause::thinned);
     EXPECT_EQ(layers.miss({2, 2}, Cause::cancelled, drawn), Cause::cancelled)
-        << "a prediction does not look at the picture";
+        << "a prediction does not look at the image";
     EXPECT_EQ(layers.miss({2, 2}, Cause::below_threshold, drawn), Cause::below_threshold);
     drawn.at(3, 2) = 0;
     drawn.at(1, 2) = 1;
@@ -212,11 +213,11 @@ TEST(Attribution, NothingWrongGivesNothing) {
 
 TEST(Cause, TheTwoListsAreAllOfThem) {
     int next = 0;
-    for (const Cause cause : kOffLineCauses) {
+    for (const Cause cause : kFalsePositiveCauses) {
         EXPECT_EQ(static_cast<int>(cause), next++);
         EXPECT_FALSE(is_miss(cause));
     }
-    for (const Cause cause : kMissCauses) {
+    for (const Cause cause : kFalseNegativeCauses) {
         EXPECT_EQ(static_cast<int>(cause), next++);
         EXPECT_TRUE(is_miss(cause));
     }
@@ -225,39 +226,39 @@ TEST(Cause, TheTwoListsAreAllOfThem) {
 }
 
 TEST(WrongPixels, AreThoseOutOfReach) {
-    const Picture labels = picture_of({"1....", ".....", ".....", "....1"});
-    const Picture drawn = picture_of({".#...", ".....", "#....", "....."});
+    const Image labels = image_of({"1....", ".....", ".....", "....1"});
+    const Image drawn = image_of({".#...", ".....", "#....", "....."});
     const ScoreOptions options{.tolerance_px = 1};
     const WrongPixels wrong = wrong_pixels(drawn, prepare_truth(labels, options, false), options);
-    EXPECT_THAT(wrong.off_line, ElementsAre(Pixel{0, 2}));
-    EXPECT_THAT(wrong.missing, ElementsAre(Pixel{4, 3}));
-    EXPECT_EQ(wrong.drawn, picture_of({".1...", ".....", "1....", "....."}));
+    EXPECT_THAT(wrong.false_positives, ElementsAre(Pixel{0, 2}));
+    EXPECT_THAT(wrong.false_negatives, ElementsAre(Pixel{4, 3}));
+    EXPECT_EQ(wrong.drawn, image_of({".1...", ".....", "1....", "....."}));
 }
 
 TEST(WrongPixels, TheBandIsOutOfAllThree) {
-    const Picture labels = picture_of({"1....", ".....", ".....", ".....", "....1"});
-    const Picture drawn = picture_of({".....", "#....", ".....", "...#.", "....."});
+    const Image labels = image_of({"1....", ".....", ".....", ".....", "....1"});
+    const Image drawn = image_of({".....", "#....", ".....", "...#.", "....."});
     const ScoreOptions options{.tolerance_px = 1, .band_px = 1};
     const WrongPixels wrong = wrong_pixels(drawn, prepare_truth(labels, options, false), options);
-    EXPECT_THAT(wrong.off_line, ElementsAre(Pixel{3, 3}));
-    EXPECT_THAT(wrong.missing, IsEmpty());
-    EXPECT_EQ(wrong.drawn, picture_of({".....", ".....", ".....", "...1.", "....."}));
+    EXPECT_THAT(wrong.false_positives, ElementsAre(Pixel{3, 3}));
+    EXPECT_THAT(wrong.false_negatives, IsEmpty());
+    EXPECT_EQ(wrong.drawn, image_of({".....", ".....", ".....", "...1.", "....."}));
 }
 
 TEST(WrongPixels, AreAsManyAsTheScoreCounts) {
     std::mt19937 random(5);
     std::int64_t all = 0;
     for (int i = 0; i < 200; ++i) {
-        const Picture labels = random_picture(24, 17, 0.06, 7, random);
-        const Picture drawn = random_picture(24, 17, 0.12, 255, random);
+        const Image labels = random_image(24, 17, 0.06, 7, random);
+        const Image drawn = random_image(24, 17, 0.12, 255, random);
         const ScoreOptions options{
             .tolerance_px = 1.5, .threshold = 100, .band_px = i % 3, .ignore_label = 7};
         const ScoringTruth truth = prepare_truth(labels, options, i % 2 == 0);
         const Score counted = score(drawn, truth, options);
         const WrongPixels wrong = wrong_pixels(drawn, truth, options);
-        ASSERT_EQ(static_cast<std::int64_t>(wrong.off_line.size()), counted.off_line);
-        ASSERT_EQ(static_cast<std::int64_t>(wrong.missing.size()), counted.missing);
-        all += counted.off_line + counted.missing;
+        ASSERT_EQ(static_cast<std::int64_t>(wrong.false_positives.size()), counted.false_positives);
+        ASSERT_EQ(static_cast<std::int64_t>(wrong.false_negatives.size()), counted.false_negatives);
+        all += counted.false_positives + counted.false_negatives;
     }
     EXPECT_GT(all, 1000);
 }

@@ -2,7 +2,7 @@
 
 #include "edge/thin.h"
 #include "score/score.h"
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace {
 
@@ -14,14 +14,14 @@ using Curve = std::array<CurveCount, 99>;
 
 TEST(Curve, EqualsAScoreAtEachThreshold) {
     std::mt19937 random(31);
-    const Picture drawn = random_picture(135, 50, 0.3, 255, random);
-    const Picture labels = random_picture(135, 50, 0.1, 7, random);
+    const Image drawn = random_image(135, 50, 0.3, 255, random);
+    const Image labels = random_image(135, 50, 0.1, 7, random);
     const ScoreOptions options{.tolerance_px = 2, .band_px = 3, .ignore_label = 7};
     const auto truth = prepare_truth(labels, options, false);
     const Curve curve = ink::score::score_curve(drawn, truth, options);
     for (int k = 1; k <= 99; ++k) {
         ScoreOptions at_k = options;
-        at_k.threshold = ink::edge::strength_at_percent(k);
+        at_k.threshold = ink::edge::response_at_percent(k);
         const auto s = ink::score::score(drawn, truth, at_k);
         const CurveCount& c = curve[static_cast<std::size_t>(k - 1)];
         ASSERT_EQ(c.k, s.k) << k;

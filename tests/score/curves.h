@@ -4,10 +4,10 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 #include "truth/curve.h"
 
-/// True lines made by hand, and pictures drawn from them.
+/// True lines made by hand, and images drawn from them.
 using Curves = std::vector<ink::truth::Curve>;
 
 inline ink::truth::Curve curve(double x0,
@@ -22,7 +22,7 @@ inline ink::truth::Curve curve(double x0,
     return c;
 }
 
-/// A circle as a polygon, clockwise on the picture (y down), its outside empty.
+/// A circle as a polygon, clockwise on the image (y down), its outside empty.
 inline Curves circle(double x, double y, double radius, int sides) {
     Curves curves;
     const auto corner = [&](int i) {
@@ -41,11 +41,11 @@ inline Curves circle(double x, double y, double radius, int sides) {
 
 /// Every pixel for which `is_on(x, y)` holds at its centre.
 template <class IsOn>
-Picture drawn_where(int width_px, int height_px, IsOn is_on) {
-    Picture picture(width_px, height_px);
+Image drawn_where(int width_px, int height_px, IsOn is_on) {
+    Image image(width_px, height_px);
     for (int y = 0; y < height_px; ++y) {
         for (int x = 0; x < width_px; ++x)
-            picture.at(x, y) = is_on(x + 0.5, y + 0.5) ? 1 : 0;
+            image.at(x, y) = is_on(x + 0.5, y + 0.5) ? 1 : 0;
     }
-    return picture;
+    return image;
 }

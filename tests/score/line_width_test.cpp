@@ -9,8 +9,8 @@ namespace {
 using ink::score::ScoreOptions;
 using ink::score::Widths;
 
-Widths widths_of(const Picture& drawn, const Curves& curves, const ScoreOptions& options = {}) {
-    const auto truth = prepare_truth(Picture(drawn.width_px(), drawn.height_px()), options, false);
+Widths widths_of(const Image& drawn, const Curves& curves, const ScoreOptions& options = {}) {
+    const auto truth = prepare_truth(Image(drawn.width_px(), drawn.height_px()), options, false);
     return measure_widths(drawn, place_probes(curves, truth, options));
 }
 
@@ -77,7 +77,7 @@ TEST(Widths, AreThoseOfALineUpToTwoPixelsBeside) {
     EXPECT_DOUBLE_EQ(*widths_of(rows(17, 18), line).all.mean(), 2);
     EXPECT_EQ(widths_of(rows(23, 25), line).n_missed, 40);  // 2.5 px
     // Of two the nearer: row 21 begins 0.5 px below, row 18 ends 1.5 px above.
-    Picture two = rows(21, 22);
+    Image two = rows(21, 22);
     for (int x = 0; x < 60; ++x)
         two.at(x, 18) = 1;
     EXPECT_DOUBLE_EQ(*widths_of(two, line).all.mean(), 2);
@@ -85,7 +85,7 @@ TEST(Widths, AreThoseOfALineUpToTwoPixelsBeside) {
 
 TEST(Widths, OfAreasAndCrossingLinesAreLeftOut) {
     const Curves line = {curve(10, 20.5, 50, 20.5)};
-    const Widths filled = widths_of(Picture(60, 40, 1), line);
+    const Widths filled = widths_of(Image(60, 40, 1), line);
     EXPECT_EQ(filled.all.n, 0);
     EXPECT_EQ(filled.n_open, 40);
     // A line two rows wide that three columns cross.
@@ -111,7 +111,7 @@ TEST(Widths, AreKeptPerClassAndWithoutBandAndIgnore) {
     const Curves curves = {curve(0, 20.5, 30, 20.5, ink::truth::LineClass::contour),
                            curve(30, 21.5, 60, 21.5, ink::truth::LineClass::seam)};
     const ScoreOptions options{.band_px = 6, .ignore_label = 7};
-    Picture labels(60, 40);
+    Image labels(60, 40);
     for (int x = 50; x < 60; ++x)
         labels.at(x, 21) = 7;
     const auto truth = prepare_truth(labels, options, false);
@@ -122,11 +122,11 @@ TEST(Widths, AreKeptPerClassAndWithoutBandAndIgnore) {
 }
 
 TEST(Widths, OfNothingAreNoNumber) {
-    const Widths undrawn = widths_of(Picture(60, 40), {curve(10, 20.5, 50, 20.5)});
+    const Widths undrawn = widths_of(Image(60, 40), {curve(10, 20.5, 50, 20.5)});
     EXPECT_EQ(undrawn.n_missed, 40);
     EXPECT_FALSE(undrawn.all.mean().has_value());
     EXPECT_FALSE(undrawn.all.spread().has_value());
-    EXPECT_FALSE(widths_of(Picture(60, 40, 1), {}).all.mean().has_value());
+    EXPECT_FALSE(widths_of(Image(60, 40, 1), {}).all.mean().has_value());
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace {
 
@@ -19,11 +19,11 @@ using ink::score::PixelList;
 
 using Points = std::vector<std::pair<int, int>>;
 
-Points points_of(const Picture& picture) {
+Points points_of(const Image& image) {
     Points points;
-    for (int y = 0; y < picture.height_px(); ++y) {
-        for (int x = 0; x < picture.width_px(); ++x) {
-            if (picture.at(x, y) != 0) points.emplace_back(x, y);
+    for (int y = 0; y < image.height_px(); ++y) {
+        for (int x = 0; x < image.width_px(); ++x) {
+            if (image.at(x, y) != 0) points.emplace_back(x, y);
         }
     }
     return points;
@@ -89,7 +89,7 @@ std::int64_t reached_by_trying(const Points& from, const Points& to, int limit) 
     });
 }
 
-MatchCounts match(const Picture& left, const Picture& right, double tolerance_px) {
+MatchCounts match(const Image& left, const Image& right, double tolerance_px) {
     return match_pixels(PixelList(left), PixelList(right), Disk(tolerance_px));
 }
 
@@ -97,8 +97,8 @@ TEST(Matching, EqualsTryingEverythingOnSmallSets) {
     std::mt19937 random(11);
     const std::array limits = {1, 2, 4, 9};
     for (int i = 0; i < 400; ++i) {
-        const Picture a = random_picture(5, 4, 0.25, 255, random);
-        const Picture b = random_picture(5, 4, 0.30, 255, random);
+        const Image a = random_image(5, 4, 0.25, 255, random);
+        const Image b = random_image(5, 4, 0.30, 255, random);
         const Points left = points_of(a);
         const Points right = points_of(b);
         const int limit = limits[static_cast<std::size_t>(i) % limits.size()];
@@ -113,16 +113,16 @@ TEST(Matching, EqualsAnotherExactAlgorithmOnLargerSets) {
     std::mt19937 random(13);
     for (int i = 0; i < 40; ++i) {
         const int limit = i % 2 == 0 ? 4 : 9;
-        const Picture a = random_picture(50, 40, 0.1 + 0.01 * i, 255, random);
-        const Picture b = random_picture(50, 40, 0.5 - 0.01 * i, 255, random);
+        const Image a = random_image(50, 40, 0.1 + 0.01 * i, 255, random);
+        const Image b = random_image(50, 40, 0.5 - 0.01 * i, 255, random);
         ASSERT_EQ(match(a, b, std::sqrt(limit)).k, best_by_kuhn(points_of(a), points_of(b), limit))
             << "pair " << i;
     }
 }
 
 TEST(Matching, CountsCompetitionOverManyCopies) {
-    Picture wanting(400, 9);
-    Picture wanted(400, 9);
+    Image wanting(400, 9);
+    Image wanted(400, 9);
     for (int x = 5; x < 400; x += 10) {
         wanting.at(x - 1, 4) = wanting.at(x + 1, 4) = 1;
         wanted.at(x, 4) = 1;
@@ -136,8 +136,8 @@ TEST(Matching, CountsCompetitionOverManyCopies) {
 TEST(Matching, TakesALongChainWhole) {
     // Left pixels 0, 2, .., 998 and right pixels 1, 3, .., 999: only the pairing (0,1) (2,3) ..
     // takes all.
-    Picture left(1000, 1);
-    Picture right(1000, 1);
+    Image left(1000, 1);
+    Image right(1000, 1);
     for (int x = 0; x < 1000; x += 2) {
         left.at(x, 0) = 1;
         right.at(x + 1, 0) = 1;
@@ -148,8 +148,8 @@ TEST(Matching, TakesALongChainWhole) {
 TEST(Matching, IsTheSameFromBothSidesAndTransposed) {
     std::mt19937 random(12);
     for (int i = 0; i < 60; ++i) {
-        const Picture a = random_picture(40, 30, 0.05 + 0.01 * i, 255, random);
-        const Picture b = random_picture(40, 30, 0.20, 255, random);
+        const Image a = random_image(40, 30, 0.05 + 0.01 * i, 255, random);
+        const Image b = random_image(40, 30, 0.20, 255, random);
         for (const double tolerance_px : {1.0, 1.5, 2.0, 3.0}) {
             const MatchCounts there = match(a, b, tolerance_px);
             const MatchCounts back = match(b, a, tolerance_px);
@@ -164,17 +164,17 @@ TEST(Matching, IsTheSameFromBothSidesAndTransposed) {
 }
 
 TEST(Matching, OfNothingIsNothing) {
-    const Picture empty(8, 8);
-    Picture dot(8, 8);
+    const Image empty(8, 8);
+    Image dot(8, 8);
     dot.at(3, 3) = 1;
     EXPECT_EQ(match(empty, empty, 2).k, 0);
     EXPECT_EQ(match(dot, empty, 2).k, 0);
     EXPECT_EQ(match(empty, dot, 2).right_reached, 0);
-    EXPECT_EQ(match(Picture(), Picture(), 2).k, 0);
+    EXPECT_EQ(match(Image(), Image(), 2).k, 0);
 }
 
 TEST(Matching, RefusesMorePairsThanMemoryHolds) {
-    const Picture full(400, 400, 255);
+    const Image full(400, 400, 255);
     EXPECT_THROW(static_cast<void>(match(full, full, 64)), ink::core::Error);
 }
 
@@ -198,8 +198,8 @@ TEST(DiskOfTolerance, SnapsASquareThatIsNearlyWhole) {
     EXPECT_EQ(Disk(root - 1e-5).half_width_px(3), 1);
 }
 
-TEST(PixelListOfAPicture, DropsPixelsAndKeepsRows) {
-    PixelList list(picture_of({"1.2", "...", ".12"}));
+TEST(PixelListOfAnImage, DropsPixelsAndKeepsRows) {
+    PixelList list(image_of({"1.2", "...", ".12"}));
     ASSERT_EQ(list.size(), 4U);
     list.drop({0, 1, 1, 0});
     ASSERT_EQ(list.size(), 2U);
@@ -210,8 +210,8 @@ TEST(PixelListOfAPicture, DropsPixelsAndKeepsRows) {
     EXPECT_EQ(list.x(1), 2);
 }
 
-TEST(PixelListOfAPicture, TakesOneLabel) {
-    const PixelList twos(picture_of({"1.2", "...", ".12"}), 2);
+TEST(PixelListOfAnImage, TakesOneLabel) {
+    const PixelList twos(image_of({"1.2", "...", ".12"}), 2);
     ASSERT_EQ(twos.size(), 2U);
     EXPECT_EQ(twos.x(0), 2);
     EXPECT_EQ(twos.row_begin(2), 1U);

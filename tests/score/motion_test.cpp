@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace {
 
@@ -21,19 +21,19 @@ constexpr score::ScoreOptions kOptions{.tolerance_px = kTolerance_px, .threshold
 /// Where an upright line stands from the top to the bottom; -1 for none.
 using Columns = std::vector<int>;
 
-Picture lines_at(const Columns& columns) {
-    Picture picture(kSize_px, kSize_px);
+Image lines_at(const Columns& columns) {
+    Image image(kSize_px, kSize_px);
     for (const int x : columns) {
         for (int y = 0; y < kSize_px && x >= 0; ++y)
-            picture.at(x, y) = 1;
+            image.at(x, y) = 1;
     }
-    return picture;
+    return image;
 }
 
 /// A sequence: what is drawn and what is true, frame by frame.
 struct Sequence {
-    std::vector<Picture> drawn;
-    std::vector<Picture> truth;
+    std::vector<Image> drawn;
+    std::vector<Image> truth;
 
     [[nodiscard]] std::vector<score::MotionFrame> frames(
         const score::ScoreOptions& options = kOptions) const {
@@ -66,7 +66,7 @@ TEST(Flicker, OfTheTruthItselfIsNoneHoweverItMoves) {
     EXPECT_EQ(upright({5, 5, 9, -1, 20}, {5, 5, 9, -1, 20}).flicker().share(), 0.0);
 }
 
-TEST(Flicker, OfAStillPictureIsNoneEvenIfItIsWrong) {
+TEST(Flicker, OfAStillImageIsNoneEvenIfItIsWrong) {
     EXPECT_EQ(upright({30, 30, 30}, {5, 6, 7}).flicker().share(), 0.0);
 }
 
@@ -107,11 +107,11 @@ TEST(Flicker, OfNothingDrawnOrOfOneFrameIsNothing) {
     EXPECT_EQ(score::flicker({}, kTolerance_px), Flicker{});
 }
 
-TEST(Flicker, OfPicturesDrawnByChanceIsHigh) {
+TEST(Flicker, OfImagesDrawnAtRandomIsHigh) {
     std::mt19937 random(7);
     Sequence sequence;
     for (int t = 0; t < 6; ++t) {
-        sequence.drawn.push_back(random_picture(kSize_px, kSize_px, 0.02, 1, random));
+        sequence.drawn.push_back(random_image(kSize_px, kSize_px, 0.02, 1, random));
         sequence.truth.push_back(lines_at({10, 30}));
     }
     // 13 pixels are in reach, each empty with 0.98: 0.98^13 = 0.77.
@@ -129,17 +129,17 @@ TEST(Flicker, APixelInTheBandIsSeenButNotCounted) {
 
 TEST(Flicker, IgnoredPixelsAreNotCounted) {
     Sequence sequence = upright({10, -1, 10}, {-1, -1, -1});
-    for (Picture& truth : sequence.truth)
-        truth = Picture(kSize_px, kSize_px, 7);
+    for (Image& truth : sequence.truth)
+        truth = Image(kSize_px, kSize_px, 7);
     score::ScoreOptions ignoring = kOptions;
     ignoring.ignore_label = 7;
     EXPECT_EQ(score::flicker(sequence.frames(ignoring), kTolerance_px), Flicker{});
     EXPECT_TRUE(score::false_lines(sequence.frames(ignoring), kTolerance_px).empty());
 }
 
-TEST(Flicker, PicturesOfTwoSizesAreAnError) {
+TEST(Flicker, ImagesOfTwoSizesAreAnError) {
     const auto truth = score::prepare_truth(lines_at({10}), kOptions, true);
-    EXPECT_THROW((void)score::motion_frame(Picture(8, 8), truth, kOptions), core::Error);
+    EXPECT_THROW((void)score::motion_frame(Image(8, 8), truth, kOptions), core::Error);
 }
 
 TEST(FalseLines, OfTheTruthThereAreNone) {
@@ -173,13 +173,13 @@ TEST(FalseLines, AJumpBeyondTheToleranceIsAnotherLine) {
 TEST(FalseLines, TouchingPixelsAreOneLineAndOthersAreTwo) {
     const Rows diagonal = {"#....", ".#...", "..#..", ".....", "....#"};
     Sequence sequence;
-    sequence.drawn = {picture_of(diagonal)};
-    sequence.truth = {Picture(5, 5)};
+    sequence.drawn = {image_of(diagonal)};
+    sequence.truth = {Image(5, 5)};
     const auto lines = sequence.false_lines();
     ASSERT_EQ(lines.size(), 2U);
     EXPECT_EQ(lines[0].n_px, 3);
     EXPECT_EQ(lines[1].n_px, 1);
-    sequence.drawn = {picture_of({"#.#..", ".....", ".....", ".....", "....."})};
+    sequence.drawn = {image_of({"#.#..", ".....", ".....", ".....", "....."})};
     EXPECT_EQ(sequence.false_lines().size(), 2U) << "a pixel between them";
 }
 
@@ -212,12 +212,12 @@ class MotionMutation : public testing::Test {
 
     MotionMutation() {
         for (int t = 0; t < kFrames; ++t) {
-            const Picture truth = lines_at({8 + t / 4, 25});
+            const Image truth = lines_at({8 + t / 4, 25});
             sequence_.truth.push_back(truth);
             sequence_.drawn.push_back(truth);
         }
     }
-    [[nodiscard]] Picture& drawn(int t) { return sequence_.drawn[static_cast<std::size_t>(t)]; }
+    [[nodiscard]] Image& drawn(int t) { return sequence_.drawn[static_cast<std::size_t>(t)]; }
 
     Sequence sequence_;
 };
@@ -270,8 +270,8 @@ TEST(Motion, RunsBackwardsWithTheSameScores) {
     for (int round = 0; round < 20; ++round) {
         Sequence forwards;
         for (int t = 0; t < 5; ++t) {
-            forwards.drawn.push_back(random_picture(kSize_px, kSize_px, 0.03, 1, random));
-            forwards.truth.push_back(random_picture(kSize_px, kSize_px, 0.02, 1, random));
+            forwards.drawn.push_back(random_image(kSize_px, kSize_px, 0.03, 1, random));
+            forwards.truth.push_back(random_image(kSize_px, kSize_px, 0.02, 1, random));
         }
         Sequence backwards = forwards;
         std::reverse(backwards.drawn.begin(), backwards.drawn.end());

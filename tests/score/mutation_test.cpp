@@ -4,7 +4,7 @@
 
 #include "score/cracks.h"
 #include "score/drawing.h"
-#include "score/false_ink.h"
+#include "score/far_positives.h"
 #include "score/line_width.h"
 #include "score/offset.h"
 #include "score/score.h"
@@ -21,17 +21,17 @@ constexpr int kLeft = 40;   ///< column of the left line
 constexpr int kRight = 80;  ///< and of the right one
 constexpr int kRows = kSize_px - 2 * kBand_px;
 
-/// All that is said of a picture.
+/// All that is said of an image.
 struct Report {
     score::Score score;
     score::CrackScore cracks;
     score::Offsets offsets;
     score::Widths widths;
-    score::InkCount ink;
+    score::PositiveCount positives;
 };
 
 /// Two upright lines from frame to frame, `width` columns wide (odd), moved by `dx`.
-Picture lines(int width, int dx = 0) {
+Image lines(int width, int dx = 0) {
     return drawn_where(kSize_px, kSize_px, [&](double x, double) {
         const auto is_on = [&](int column) {
             return std::abs(x - dx - column - 0.5) < width / 2.0;
@@ -49,7 +49,7 @@ Curves true_lines() {
     return curves;
 }
 
-Report report_on(const Picture& drawn, double tolerance_px) {
+Report report_on(const Image& drawn, double tolerance_px) {
     const score::ScoreOptions options{
         .tolerance_px = tolerance_px, .threshold = 1, .band_px = kBand_px};
     const Curves curves = true_lines();
@@ -62,7 +62,7 @@ Report report_on(const Picture& drawn, double tolerance_px) {
             score::score_cracks(strokes.drawn, score::prepare_cracks(cracks, scoring, options)),
             score::measure_offsets(thinned, score::find_nearest_curves(curves, kSize_px, kSize_px)),
             score::measure_widths(strokes.drawn, score::place_probes(curves, scoring, options)),
-            score::count_ink(strokes.drawn, score::prepare_ink(scoring, options))};
+            score::count_positives(strokes.drawn, score::prepare_positives(scoring, options))};
 }
 
 TEST(Mutation, NoneScoresOne) {
@@ -73,7 +73,7 @@ TEST(Mutation, NoneScoresOne) {
         EXPECT_EQ(r.offsets.all.n, 2 * kRows);
         EXPECT_EQ(r.offsets.all.rms(), 0.0);
         EXPECT_EQ(r.widths.all.mean(), 1.0);
-        EXPECT_EQ(r.ink.n_false, 0);
+        EXPECT_EQ(r.positives.n_false, 0);
         EXPECT_EQ(r.cracks.f(), 1);
         EXPECT_EQ(r.cracks.all.n_truth, 2 * kRows);
     }
@@ -88,11 +88,11 @@ TEST(Mutation, AShiftOfOnePixelIsSeenAtHalfAPixel) {
     EXPECT_EQ(r.offsets.all.mean(), 0.0);
     EXPECT_EQ(r.offsets.all.rms(), 1.0);
     EXPECT_EQ(r.widths.all.mean(), 1.0);
-    EXPECT_EQ(r.ink.n_false, 0);
+    EXPECT_EQ(r.positives.n_false, 0);
 }
 
 TEST(Mutation, AStripDrawnTooWideIsSeenByTheOffset) {
-    Picture drawn(kSize_px, kSize_px);
+    Image drawn(kSize_px, kSize_px);
     for (int y = 0; y < kSize_px; ++y)
         drawn.at(kLeft - 1, y) = drawn.at(kRight + 1, y) = 1;
     const Report r = report_on(drawn, 2);
@@ -102,14 +102,14 @@ TEST(Mutation, AStripDrawnTooWideIsSeenByTheOffset) {
 }
 
 TEST(Mutation, AGhostThreePixelsBesideIsSeen) {
-    Picture drawn = lines(1);
+    Image drawn = lines(1);
     for (int y = 30; y < 90; ++y)
         drawn.at(kLeft + 3, y) = 1;
     const Report r = report_on(drawn, 2);
     EXPECT_EQ(r.score.k, 2 * kRows);
-    EXPECT_EQ(r.score.off_line, 60);
+    EXPECT_EQ(r.score.false_positives, 60);
     EXPECT_EQ(r.score.n_pred, 2 * kRows + 60);
-    EXPECT_EQ(r.ink.n_false, 60);
+    EXPECT_EQ(r.positives.n_false, 60);
     EXPECT_EQ(r.cracks.n_drawn - r.cracks.n_beside, 60);
     EXPECT_EQ(r.cracks.recall(), 1.0);
     EXPECT_EQ(r.offsets.all.n, 2 * kRows);
@@ -117,14 +117,14 @@ TEST(Mutation, AGhostThreePixelsBesideIsSeen) {
 }
 
 TEST(Mutation, GapsOfAFifthAreSeen) {
-    Picture drawn = lines(1);
+    Image drawn = lines(1);
     for (int y = 0; y < kSize_px; y += 5)
         drawn.at(kLeft, y) = drawn.at(kRight, y) = 0;
     const int gaps = 2 * 21;  // rows 10, 15 .. 110 of each line
     const Report r = report_on(drawn, 2);
     EXPECT_EQ(r.score.k, 2 * kRows - gaps);
     EXPECT_EQ(r.score.n_pred, 2 * kRows - gaps);
-    EXPECT_EQ(r.score.lost, gaps);
+    EXPECT_EQ(r.score.unmatched_truth, gaps);
     EXPECT_EQ(r.score.precision(), 1.0);
     EXPECT_EQ(r.cracks.all.n_truth - r.cracks.all.n_found, gaps);
     EXPECT_EQ(r.cracks.precision(), 1.0);
@@ -132,7 +132,7 @@ TEST(Mutation, GapsOfAFifthAreSeen) {
     // A probe is half a pixel from a row's ends: a normal meets its own row only.
     EXPECT_EQ(r.widths.n_missed, gaps);
     EXPECT_EQ(r.widths.all.mean(), 1.0);
-    EXPECT_EQ(r.ink.n_false, 0);
+    EXPECT_EQ(r.positives.n_false, 0);
 }
 
 TEST(Mutation, WidthIsSeenByWidthAndNotByF) {
@@ -143,7 +143,7 @@ TEST(Mutation, WidthIsSeenByWidthAndNotByF) {
         EXPECT_EQ(r.score.k, 2 * kRows);
         EXPECT_EQ(r.offsets.all.rms(), 0.0);
         EXPECT_EQ(r.widths.all.spread(), 0.0);
-        EXPECT_EQ(r.ink.n_false, 0);
+        EXPECT_EQ(r.positives.n_false, 0);
         EXPECT_EQ(r.cracks.recall(), 1.0);
     }
     EXPECT_EQ(three.widths.all.mean(), 3.0);

@@ -10,16 +10,16 @@ using ink::score::Offsets;
 using ink::score::PixelList;
 using ink::truth::LineClass;
 
-Offsets offsets_of(const Picture& drawn, const Curves& curves) {
+Offsets offsets_of(const Image& drawn, const Curves& curves) {
     return measure_offsets(
         PixelList(drawn),
         ink::score::find_nearest_curves(curves, drawn.width_px(), drawn.height_px()));
 }
 
-Picture pixel(int x, int y, int width_px = 20, int height_px = 20) {
-    Picture picture(width_px, height_px);
-    picture.at(x, y) = 1;
-    return picture;
+Image pixel(int x, int y, int width_px = 20, int height_px = 20) {
+    Image image(width_px, height_px);
+    image.at(x, y) = 1;
+    return image;
 }
 
 TEST(Offsets, OfLinesWithTwoSidesArePositiveToTheRightOrDown) {
@@ -39,7 +39,7 @@ TEST(Offsets, OfLinesWithTwoSidesArePositiveToTheRightOrDown) {
 }
 
 TEST(Offsets, OfOneSidedLinesArePositiveToTheEmptySide) {
-    // Going down, the right-hand side on the picture is -x.
+    // Going down, the right-hand side on the image is -x.
     ink::truth::Curve contour = curve(8.25, 0, 8.25, 20, LineClass::contour);
     contour.empty_side = 1;
     EXPECT_DOUBLE_EQ(*offsets_of(pixel(9, 5), {contour}).all.mean(), -1.25);
@@ -52,7 +52,7 @@ TEST(Offsets, OfOneSidedLinesArePositiveToTheEmptySide) {
 }
 
 TEST(Offsets, HaveMeanSpreadAndRootMeanSquare) {
-    Picture drawn(20, 20);
+    Image drawn(20, 20);
     for (int y = 2; y < 18; ++y)
         drawn.at(y % 4 == 0 ? 7 : 9, y) = 1;  // -0.5 four times and 1.5 twelve times
     const Offsets o = offsets_of(drawn, {curve(8, 0, 8, 20, LineClass::seam)});
@@ -95,14 +95,14 @@ TEST(Offsets, EndWhereALineEndsButGoRoundItsCorners) {
 }
 
 /// The pixels that a circle of this radius runs through, moved by (dx, dy).
-Picture ring(double radius, double dx, double dy) {
-    Picture picture(100, 100);
+Image ring(double radius, double dx, double dy) {
+    Image image(100, 100);
     for (int i = 0; i < 6000; ++i) {
         const double turn = 2 * std::numbers::pi * i / 6000;
-        picture.at(static_cast<int>(std::floor(50.2 + dx + radius * std::cos(turn))),
-                   static_cast<int>(std::floor(49.7 + dy + radius * std::sin(turn)))) = 1;
+        image.at(static_cast<int>(std::floor(50.2 + dx + radius * std::cos(turn))),
+                 static_cast<int>(std::floor(49.7 + dy + radius * std::sin(turn)))) = 1;
     }
-    return picture;
+    return image;
 }
 
 TEST(Offsets, OfARoundDrawnOutsideArePositiveAndNoShift) {
@@ -118,7 +118,7 @@ TEST(Offsets, OfARoundDrawnOutsideArePositiveAndNoShift) {
     }
 }
 
-TEST(Offsets, OfAPictureMovedAsAWholeAreAShift) {
+TEST(Offsets, OfAnImageMovedAsAWholeAreAShift) {
     const Curves truth = circle(50.2, 49.7, 30, 500);
     const Offsets o = offsets_of(ring(30, 0.5, -1), truth);
     EXPECT_NEAR(*o.all.mean(), 0, 0.05);
@@ -129,10 +129,10 @@ TEST(Offsets, OfAPictureMovedAsAWholeAreAShift) {
 
 TEST(Offsets, OfNothingAreNoNumber) {
     const Curves line = {curve(8, 0, 8, 20)};
-    for (const Offsets& o : {offsets_of(Picture(20, 20), line),
+    for (const Offsets& o : {offsets_of(Image(20, 20), line),
                              offsets_of(pixel(3, 3), {}),
                              offsets_of(pixel(8, 3), {curve(8, 3, 8, 3)}),
-                             offsets_of(Picture(), line)}) {
+                             offsets_of(Image(), line)}) {
         EXPECT_EQ(o.all.n, 0);
         EXPECT_FALSE(o.all.mean().has_value());
         EXPECT_FALSE(o.all.spread().has_value());

@@ -64,8 +64,8 @@ void expect_score(const json& expected, const ink::score::Score& score) {
     }
 
     const json& at_best = expected["at_best"];
-    EXPECT_EQ(score.n_pred - score.off_line, at_best["relaxed_tp_pred"].get<std::int64_t>());
-    EXPECT_EQ(score.n_truth - score.missing, at_best["relaxed_tp_gt"].get<std::int64_t>());
+    EXPECT_EQ(score.n_pred - score.false_positives, at_best["relaxed_tp_pred"].get<std::int64_t>());
+    EXPECT_EQ(score.n_truth - score.false_negatives, at_best["relaxed_tp_gt"].get<std::int64_t>());
 
     ASSERT_EQ(score.classes.size(), expected["classes"].size());
     for (const ink::score::ClassCount& c : score.classes) {

@@ -4,7 +4,7 @@
 
 #include "score/motion.h"
 #include "tests/score/curves.h"
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr score::ScoreOptions kOptions{.tolerance_px = 2, .threshold = 1, .band_
 
 /// A truth with level lines in `rows`, those of the curves unless said.
 score::ScoringTruth truth_in(const std::vector<int>& rows = {10, 12, 20, 30}) {
-    Picture labels(kSize_px, kSize_px);
+    Image labels(kSize_px, kSize_px);
     for (const int y : rows) {
         for (int x = 0; x < kSize_px; ++x)
             labels.at(x, y) = 1;
@@ -25,7 +25,7 @@ score::ScoringTruth truth_in(const std::vector<int>& rows = {10, 12, 20, 30}) {
     return score::prepare_truth(labels, {.threshold = 1}, true);
 }
 
-/// A crease of mesh edge `edge` across the whole picture, 28 px of it outside the band.
+/// A crease of mesh edge `edge` across the whole image, 28 px of it outside the band.
 truth::Curve level(double y_px, std::uint32_t edge) {
     truth::Curve c = curve(0, y_px, kSize_px, y_px);
     c.edge = edge;
@@ -34,7 +34,7 @@ truth::Curve level(double y_px, std::uint32_t edge) {
 
 TEST(Features, AreMeasuredOutsideTheBand) {
     const auto sights = score::see_features(
-        Curves{level(20.5, 3)}, Picture(kSize_px, kSize_px), truth_in(), kOptions);
+        Curves{level(20.5, 3)}, Image(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 1U);
     EXPECT_EQ(sights[0].feature,
               (score::Feature{.line_class = truth::LineClass::crease, .edge = 3}));
@@ -43,10 +43,10 @@ TEST(Features, AreMeasuredOutsideTheBand) {
 }
 
 TEST(Features, AreCoveredWithinTheTolerance) {
-    const Picture near = drawn_where(kSize_px, kSize_px, [](double x, double y) {
+    const Image near = drawn_where(kSize_px, kSize_px, [](double x, double y) {
         return y == 22.5 && x < 20;  // two rows below, the left half
     });
-    const Picture far = drawn_where(kSize_px, kSize_px, [](double, double y) { return y == 23.5; });
+    const Image far = drawn_where(kSize_px, kSize_px, [](double, double y) { return y == 23.5; });
     const Curves curves{level(20.5, 3)};
     // Straight below only: a pixel to the side is further than 2.
     EXPECT_DOUBLE_EQ(score::see_features(curves, near, truth_in(), kOptions)[0].share(), 0.5);
@@ -57,7 +57,7 @@ TEST(Features, PiecesOfOneEdgeAreOneFeatureAndClassesAreNot) {
     Curves curves{level(20.5, 9), level(10.5, 2), level(12.5, 9), level(30.5, 9)};
     curves[3].line_class = truth::LineClass::contour;
     const auto sights =
-        score::see_features(curves, Picture(kSize_px, kSize_px), truth_in(), kOptions);
+        score::see_features(curves, Image(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 3U);
     EXPECT_EQ(sights[0].feature.line_class, truth::LineClass::contour);
     EXPECT_EQ(sights[1].feature.edge, 2U);
@@ -74,26 +74,26 @@ TEST(Features, AnIntersectionIsKnownByItsTrianglesInEitherOrder) {
     curves[1].face0 = 5;
     curves[1].face1 = 8;
     const auto sights =
-        score::see_features(curves, Picture(kSize_px, kSize_px), truth_in(), kOptions);
+        score::see_features(curves, Image(kSize_px, kSize_px), truth_in(), kOptions);
     ASSERT_EQ(sights.size(), 1U);
     EXPECT_EQ(sights[0].feature.face0, 5U);
     EXPECT_EQ(sights[0].feature.face1, 8U);
 }
 
 TEST(Features, ArePartlyIgnored) {
-    Picture labels(kSize_px, kSize_px);
+    Image labels(kSize_px, kSize_px);
     for (int x = 0; x < kSize_px; ++x)
         labels.at(x, 20) = x < 20 ? 7 : 1;
     const auto truth = score::prepare_truth(labels, {.threshold = 1, .ignore_label = 7}, true);
-    const Picture empty(kSize_px, kSize_px);
+    const Image empty(kSize_px, kSize_px);
     const auto sights = score::see_features(Curves{level(20.5, 3)}, empty, truth, kOptions);
     EXPECT_DOUBLE_EQ(sights[0].length_px, 14);  // columns 20 to 33
 }
 
 TEST(Features, IgnoredAndInvisiblePiecesAreNotThere) {
     const auto ignored = score::prepare_truth(
-        Picture(kSize_px, kSize_px, 7), {.threshold = 1, .ignore_label = 7}, true);
-    const Picture empty(kSize_px, kSize_px);
+        Image(kSize_px, kSize_px, 7), {.threshold = 1, .ignore_label = 7}, true);
+    const Image empty(kSize_px, kSize_px);
     EXPECT_TRUE(score::see_features(Curves{level(20.5, 3)}, empty, ignored, kOptions).empty());
     const auto elsewhere = truth_in({23});
     EXPECT_TRUE(score::see_features(Curves{level(20.5, 3)}, empty, elsewhere, kOptions).empty());

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "edge/thin.h"
-#include "tests/score/pictures.h"
+#include "tests/score/images.h"
 
 namespace {
 
@@ -17,29 +17,34 @@ using ink::score::Score;
 using ink::score::ScoreOptions;
 using ink::score::ScoringTruth;
 
-Score score_of(const Picture& prediction, const Picture& labels, const ScoreOptions& options = {}) {
+Score score_of(const Image& prediction, const Image& labels, const ScoreOptions& options = {}) {
     return ink::score::score(prediction, prepare_truth(labels, options, false), options);
 }
 
-/// k, n_pred, n_truth, surplus, off_line, lost, missing.
+/// k, n_pred, n_truth, surplus, false_positives, lost, missing.
 std::vector<std::int64_t> counts_of(const Score& s) {
-    return {s.k, s.n_pred, s.n_truth, s.surplus, s.off_line, s.lost, s.missing};
+    return {s.k,
+            s.n_pred,
+            s.n_truth,
+            s.unmatched_duplicates,
+            s.false_positives,
+            s.unmatched_truth,
+            s.false_negatives};
 }
 using Counts = std::vector<std::int64_t>;
 
 TEST(Score, OfAShiftedLineIsFullWithinTheTolerance) {
-    const Picture truth = picture_of({"........", ".######.", "........", "........", "........"});
-    const Picture shifted =
-        picture_of({"........", "........", "........", ".######.", "........"});
+    const Image truth = image_of({"........", ".######.", "........", "........", "........"});
+    const Image shifted = image_of({"........", "........", "........", ".######.", "........"});
     EXPECT_EQ(counts_of(score_of(shifted, truth, {.tolerance_px = 2})),
               (Counts{6, 6, 6, 0, 0, 0, 0}));
     EXPECT_EQ(counts_of(score_of(shifted, truth, {.tolerance_px = 1})),
               (Counts{0, 6, 6, 0, 6, 0, 6}));
 }
 
-TEST(Score, OfADoubledLineCountsTheDoubleAsSurplus) {
-    const Picture truth = picture_of({"......", "......", "######", "......", "......"});
-    const Picture doubled = picture_of({"......", "######", "......", "######", "......"});
+TEST(Score, OfADoubledLineCountsTheDoubleAsUnmatchedDuplicates) {
+    const Image truth = image_of({"......", "......", "######", "......", "......"});
+    const Image doubled = image_of({"......", "######", "......", "######", "......"});
     const Score s = score_of(doubled, truth);
     EXPECT_EQ(counts_of(s), (Counts{6, 12, 6, 6, 0, 0, 0}));
     EXPECT_DOUBLE_EQ(s.f(), 12.0 / 18.0);
@@ -47,19 +52,19 @@ TEST(Score, OfADoubledLineCountsTheDoubleAsSurplus) {
     EXPECT_DOUBLE_EQ(s.recall().value(), 1);
 }
 
-TEST(Score, OfABrokenLineTellsLostFromMissing) {
-    const Picture truth = picture_of({"##########"});
-    const Picture broken = picture_of({"#........."});
+TEST(Score, OfABrokenLineTellsUnmatchedTruthFromFalseNegatives) {
+    const Image truth = image_of({"##########"});
+    const Image broken = image_of({"#........."});
     // The lone pixel takes one of the three within 2 px; the others of these are lost in
     // competition.
     EXPECT_EQ(counts_of(score_of(broken, truth)), (Counts{1, 1, 10, 0, 0, 2, 7}));
 }
 
 TEST(Score, ThinsThePredictionAndTellsItsWidth) {
-    const Picture truth =
-        picture_of({"..........", "..........", ".########.", "..........", ".........."});
-    const Picture fat =
-        picture_of({"..........", ".########.", ".########.", ".########.", ".........."});
+    const Image truth =
+        image_of({"..........", "..........", ".########.", "..........", ".........."});
+    const Image fat =
+        image_of({"..........", ".########.", ".########.", ".########.", ".........."});
     const Score thinned = score_of(fat, truth);
     EXPECT_LT(thinned.n_pred, 9);
     EXPECT_GE(thinned.n_pred, 6);
@@ -70,50 +75,50 @@ TEST(Score, ThinsThePredictionAndTellsItsWidth) {
 }
 
 TEST(Score, NeverThinsAForeignTruth) {
-    const Picture fat = picture_of({"......", ".####.", ".####.", "......"});
+    const Image fat = image_of({"......", ".####.", ".####.", "......"});
     EXPECT_EQ(score_of(fat, fat).n_truth, 8);
 }
 
 TEST(Score, CountsFromTheThresholdUp) {
-    const Picture truth = picture_of({"1.1.1"});
-    const Picture strengths = picture_of({"1.2.3"}, 50);
-    EXPECT_EQ(score_of(strengths, truth, {.tolerance_px = 1, .threshold = 100}).k, 2);
-    EXPECT_EQ(score_of(strengths, truth, {.tolerance_px = 1, .threshold = 101}).k, 1);
+    const Image truth = image_of({"1.1.1"});
+    const Image edge_responses = image_of({"1.2.3"}, 50);
+    EXPECT_EQ(score_of(edge_responses, truth, {.tolerance_px = 1, .threshold = 100}).k, 2);
+    EXPECT_EQ(score_of(edge_responses, truth, {.tolerance_px = 1, .threshold = 101}).k, 1);
 }
 
 TEST(Score, TakesTheBandOutOfBothSetsAfterThinning) {
     // Of a bar 3 px wide at the frame the middle column stays, which lies in a band of 2.
-    const Picture bar(3, 9, 255);
-    Picture drawn(9, 9);
+    const Image bar(3, 9, 255);
+    Image drawn(9, 9);
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 3; ++x)
             drawn.at(x, y) = 255;
     }
-    const Picture truth = picture_of({"1........",
-                                      "1........",
-                                      "1........",
-                                      "1........",
-                                      "1...1....",
-                                      "1........",
-                                      "1........",
-                                      "1........",
-                                      "1........"});
+    const Image truth = image_of({"1........",
+                                  "1........",
+                                  "1........",
+                                  "1........",
+                                  "1...1....",
+                                  "1........",
+                                  "1........",
+                                  "1........",
+                                  "1........"});
     EXPECT_GT(score_of(drawn, truth).n_pred, 0);
     EXPECT_EQ(counts_of(score_of(drawn, truth, {.band_px = 2})), (Counts{0, 0, 1, 0, 0, 0, 1}));
 }
 
-TEST(Score, ABandWiderThanThePictureLeavesNothing) {
-    const Picture full(5, 4, 255);
+TEST(Score, ABandWiderThanTheImageLeavesNothing) {
+    const Image full(5, 4, 255);
     EXPECT_EQ(counts_of(score_of(full, full, {.band_px = 3})), (Counts{0, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST(Score, DropsWhatLiesNearIgnoreAndNowhereNearTruth) {
-    const Picture truth = picture_of({"7......1..",  //
-                                      "7.....7...",
-                                      "7........."});
-    const Picture drawn = picture_of({"..........",  //
-                                      ".#...#...#",
-                                      ".........."});
+    const Image truth = image_of({"7......1..",  //
+                                  "7.....7...",
+                                  "7........."});
+    const Image drawn = image_of({"..........",  //
+                                  ".#...#...#",
+                                  ".........."});
     // The truth pixel is 2.24 px from the second and from the third drawn pixel, ignore 1 px from
     // the first and second and 3 px from the third.
     EXPECT_EQ(
@@ -126,8 +131,8 @@ TEST(Score, DropsWhatLiesNearIgnoreAndNowhereNearTruth) {
 
 TEST(Score, GivesEachClassAMatchingOfItsOwn) {
     // One pixel within reach of two classes: either recall is full, though only one can be matched.
-    const Picture truth = picture_of({"1..", "...", "..2"});
-    const Picture dot = picture_of({"...", ".#.", "..."});
+    const Image truth = image_of({"1..", "...", "..2"});
+    const Image dot = image_of({"...", ".#.", "..."});
     const Score s = score_of(dot, truth);
     EXPECT_EQ(counts_of(s), (Counts{1, 1, 2, 0, 0, 1, 0}));
     ASSERT_EQ(s.classes.size(), 2U);
@@ -140,7 +145,7 @@ TEST(Score, GivesEachClassAMatchingOfItsOwn) {
 
 TEST(PrepareTruth, ReadsALoneOneOr255AsNoClass) {
     const auto is_binary = [](const Rows& rows, const ScoreOptions& options) {
-        return prepare_truth(picture_of(rows), options, false).is_binary;
+        return prepare_truth(image_of(rows), options, false).is_binary;
     };
     EXPECT_TRUE(is_binary({"..."}, {}));
     EXPECT_TRUE(is_binary({"1.1"}, {}));
@@ -152,30 +157,30 @@ TEST(PrepareTruth, ReadsALoneOneOr255AsNoClass) {
 }
 
 TEST(PrepareTruth, OfALoneOneScoresItAsAClassIfToldSo) {
-    const Picture line = picture_of({"111"});
+    const Image line = image_of({"111"});
     ScoringTruth truth = prepare_truth(line, {}, true);
     truth.is_binary = false;
-    const Score s = ink::score::score(picture_of({"###"}), truth, {});
+    const Score s = ink::score::score(image_of({"###"}), truth, {});
     ASSERT_EQ(s.classes.size(), 1U);
     EXPECT_EQ(s.classes[0].k, 3);
 }
 
 TEST(PrepareTruth, TakesIgnoreOutBeforeItThins) {
     // The row of ignore makes the line two wide; without it nothing is left to thin.
-    const Picture labels = picture_of({"......", "111111", "777777", "......"});
+    const Image labels = image_of({"......", "111111", "777777", "......"});
     const ScoringTruth truth = prepare_truth(labels, {.ignore_label = 7}, true);
-    EXPECT_EQ(truth.labels, picture_of({"......", "111111", "......", "......"}));
-    EXPECT_EQ(truth.ignore, picture_of({"......", "......", "111111", "......"}));
+    EXPECT_EQ(truth.labels, image_of({"......", "111111", "......", "......"}));
+    EXPECT_EQ(truth.ignore, image_of({"......", "......", "111111", "......"}));
 }
 
 TEST(PrepareTruth, RethinnedScoresExactlyOneAgainstItself) {
     std::mt19937 random(21);
     for (int i = 0; i < 100; ++i) {
-        const Picture labels = random_picture(60, 40, (i % 10 + 0.5) / 10, 7, random);
+        const Image labels = random_image(60, 40, (i % 10 + 0.5) / 10, 7, random);
         const ScoreOptions options{
             .tolerance_px = 1.0 + i % 3, .band_px = i % 7, .ignore_label = 7};
         const ScoringTruth truth = prepare_truth(labels, options, true);
-        Picture drawn = truth.labels;
+        Image drawn = truth.labels;
         for (std::size_t p = 0; p < drawn.size(); ++p)
             drawn.data()[p] = drawn.data()[p] != 0 ? 255 : 0;
         const Score s = ink::score::score(drawn, truth, options);
@@ -188,14 +193,14 @@ TEST(PrepareTruth, RethinnedScoresExactlyOneAgainstItself) {
 TEST(ScoreLaws, EveryPixelIsCountedOnceAndATighterToleranceNeverGainsOne) {
     std::mt19937 random(22);
     for (int i = 0; i < 60; ++i) {
-        const Picture drawn = random_picture(50, 40, 0.02 * (1 + i % 12), 255, random);
-        const Picture labels = random_picture(50, 40, 0.10, 4, random);
+        const Image drawn = random_image(50, 40, 0.02 * (1 + i % 12), 255, random);
+        const Image labels = random_image(50, 40, 0.10, 4, random);
         std::int64_t k_before = 0;
         for (const double tolerance_px : {1.0, 1.5, 2.0, 3.0, 4.0}) {
             const Score s =
                 score_of(drawn, labels, {.tolerance_px = tolerance_px, .threshold = 100});
-            ASSERT_EQ(s.n_pred, s.k + s.surplus + s.off_line);
-            ASSERT_EQ(s.n_truth, s.k + s.lost + s.missing);
+            ASSERT_EQ(s.n_pred, s.k + s.unmatched_duplicates + s.false_positives);
+            ASSERT_EQ(s.n_truth, s.k + s.unmatched_truth + s.false_negatives);
             for (const std::int64_t n : counts_of(s))
                 ASSERT_GE(n, 0);
             ASSERT_GE(s.k, k_before);
@@ -213,34 +218,34 @@ TEST(ScoreLaws, EveryPixelIsCountedOnceAndATighterToleranceNeverGainsOne) {
 TEST(ScoreLaws, UnthinnedItIsSymmetricAndBlindToTransposition) {
     std::mt19937 random(23);
     for (int i = 0; i < 60; ++i) {
-        const Picture a = random_picture(50, 30, 0.15, 1, random);
-        const Picture b = random_picture(50, 30, 0.05 + 0.005 * i, 1, random);
+        const Image a = random_image(50, 30, 0.15, 1, random);
+        const Image b = random_image(50, 30, 0.05 + 0.005 * i, 1, random);
         const ScoreOptions options{.threshold = 1, .thin = false};
         const Score there = score_of(a, b, options);
         const Score back = score_of(b, a, options);
         const Counts swapped = {back.k,
                                 back.n_truth,
                                 back.n_pred,
-                                back.lost,
-                                back.missing,
-                                back.surplus,
-                                back.off_line};
+                                back.unmatched_truth,
+                                back.false_negatives,
+                                back.unmatched_duplicates,
+                                back.false_positives};
         ASSERT_EQ(counts_of(there), swapped);
         ASSERT_EQ(counts_of(there), counts_of(score_of(transposed(a), transposed(b), options)));
     }
 }
 
-TEST(Degenerate, EmptyPicturesGiveFullOrNoScoreAndNoNumberWhereThereIsNone) {
-    const Picture empty(12, 9);
-    const Picture line = picture_of({"............",
-                                     ".#########..",
-                                     "............",
-                                     "............",
-                                     "............",
-                                     "............",
-                                     "............",
-                                     "............",
-                                     "............"});
+TEST(Degenerate, EmptyImagesGiveFullOrNoScoreAndNoNumberWhereThereIsNone) {
+    const Image empty(12, 9);
+    const Image line = image_of({"............",
+                                 ".#########..",
+                                 "............",
+                                 "............",
+                                 "............",
+                                 "............",
+                                 "............",
+                                 "............",
+                                 "............"});
     const Score both = score_of(empty, empty);
     EXPECT_EQ(both.f(), 1);
     EXPECT_FALSE(both.precision().has_value());
@@ -257,12 +262,12 @@ TEST(Degenerate, EmptyPicturesGiveFullOrNoScoreAndNoNumberWhereThereIsNone) {
     EXPECT_EQ(no_truth.precision(), 0.0);
     EXPECT_FALSE(no_truth.recall().has_value());
 
-    EXPECT_EQ(score_of(Picture(), Picture()).f(), 1);
+    EXPECT_EQ(score_of(Image(), Image()).f(), 1);
 }
 
 TEST(Refused, SizesThatDifferAreBothNamed) {
     try {
-        static_cast<void>(score_of(Picture(4, 3), Picture(3, 4)));
+        static_cast<void>(score_of(Image(4, 3), Image(3, 4)));
         FAIL() << "not refused";
     } catch (const ink::core::Error& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("4 x 3"));

@@ -46,14 +46,14 @@ TEST(Dither, TheMeanOverFourByFourIsTheColourWithinASixteenthOfALevel) {
 TEST(Dither, ALevelStaysAsItIs) {
     // Levels 1 of 3 and 2 of 3 are 85 and 170; 0 and 255 are levels of all.
     for (const int v : {0, 85, 170, 255}) {
-        const core::Image<Rgb> picture(5, 7, Rgb(0, 255, v));
-        EXPECT_EQ(dither(picture, DitherFormat::rgb332), picture);
+        const core::Image<Rgb> image(5, 7, Rgb(0, 255, v));
+        EXPECT_EQ(dither(image, DitherFormat::rgb332), image);
     }
 }
 
 TEST(Dither, NoneChangesNothing) {
-    const core::Image<Rgb> picture(3, 2, Rgb(1, 2, 3));
-    EXPECT_EQ(dither(picture, DitherFormat::none), picture);
+    const core::Image<Rgb> image(3, 2, Rgb(1, 2, 3));
+    EXPECT_EQ(dither(image, DitherFormat::none), image);
     EXPECT_TRUE(dither({}, DitherFormat::rgb565).is_empty());
 }
 

@@ -13,7 +13,7 @@
 namespace ink::shade {
 namespace {
 
-constexpr int kSize_px = 65;  // so that a pixel centre lies on the gaze
+constexpr int kSize_px = 65;  // so that a pixel centre lies on the view direction
 
 /// A square in the plane z = 0, half as wide as `half`, in a grid of `cells` x `cells`, front to
 /// +z.
@@ -70,14 +70,14 @@ glm::dvec3 wall_point(int x_px, int y_px) {
 TEST(Gouraud, ALitPlaneHasTheBrightnessOfTheFormula) {
     scene::Scene scene = wall(6, 64);
     scene.lights.push_back({.p_world = {1, 0.5, 3}, .color = {1, 0.8F, 0.6F}, .range = 9});
-    const auto picture = draw(gouraud(0.1), scene, view_of_wall(1));
+    const auto image = draw(gouraud(0.1), scene, view_of_wall(1));
     for (int y = 0; y < kSize_px; y += 8) {
         for (int x = 0; x < kSize_px; x += 8) {
             const glm::dvec3 to_lamp = glm::dvec3(1, 0.5, 3) - wall_point(x, y);
             const double d = glm::length(to_lamp);
             const double lamp = (3 / d) * (1 - d / 9);
-            EXPECT_NEAR(picture.at(x, y).r, 255 * 0.5 * (0.1 + lamp), 1) << x << " " << y;
-            EXPECT_NEAR(picture.at(x, y).b, 255 * 0.5 * (0.1 + 0.6 * lamp), 1) << x << " " << y;
+            EXPECT_NEAR(image.at(x, y).r, 255 * 0.5 * (0.1 + lamp), 1) << x << " " << y;
+            EXPECT_NEAR(image.at(x, y).b, 255 * 0.5 * (0.1 + 0.6 * lamp), 1) << x << " " << y;
         }
     }
 }
@@ -86,7 +86,7 @@ TEST(Gouraud, OutsideALampsRangeThereIsAmbientOnlyAndTheEndCanBeSeen) {
     // The lamp stands 1 before the wall and reaches 2: its disc has the radius sqrt(3).
     scene::Scene scene = wall(6, 64);
     scene.lights.push_back({.p_world = {0, 0, 1}, .color = {1, 1, 1}, .range = 2});
-    const auto picture = draw(gouraud(0.1), scene, view_of_wall(1));
+    const auto image = draw(gouraud(0.1), scene, view_of_wall(1));
     const int ambient = 13;  // 255 * 0.5 * 0.1
     for (int y = 0; y < kSize_px; ++y) {
         for (int x = 0; x < kSize_px; ++x) {
@@ -94,10 +94,10 @@ TEST(Gouraud, OutsideALampsRangeThereIsAmbientOnlyAndTheEndCanBeSeen) {
             const double radius = glm::length(wall_point(x, y));
             const double cell = 12.0 / 64 * std::numbers::sqrt2;
             if (radius > std::sqrt(3.0) + cell) {
-                EXPECT_EQ(picture.at(x, y).g, ambient);
+                EXPECT_EQ(image.at(x, y).g, ambient);
             } else if (radius < 0.8) {
                 // At least (1 - 1.28 / 2) / 1.28 = 0.28 of the lamp.
-                EXPECT_GT(picture.at(x, y).g, ambient + 30);
+                EXPECT_GT(image.at(x, y).g, ambient + 30);
             }
         }
     }
@@ -114,15 +114,15 @@ TEST(Gouraud, ABackSeenFromBehindIsLitFromBehind) {
 
 TEST(Shader, PaperIsWhereNoSurfaceIs) {
     for (const ShadingInfo& info : shadings()) {
-        const auto picture = draw(info.make({}), wall(0.5, 1), view_of_wall(1));
-        EXPECT_EQ(picture.at(0, 0), Rgb(255, 0, 255)) << info.name;
-        EXPECT_NE(picture.at(32, 32), Rgb(255, 0, 255)) << info.name;
+        const auto image = draw(info.make({}), wall(0.5, 1), view_of_wall(1));
+        EXPECT_EQ(image.at(0, 0), Rgb(255, 0, 255)) << info.name;
+        EXPECT_NE(image.at(32, 32), Rgb(255, 0, 255)) << info.name;
     }
 }
 
 TEST(Shader, ASceneWithoutLampsGetsSome) {
-    const auto picture = draw(gouraud(0.1), wall(6, 8), view_of_wall(1));
-    EXPECT_GT(picture.at(32, 32).r, 13 + 25);
+    const auto image = draw(gouraud(0.1), wall(6, 8), view_of_wall(1));
+    EXPECT_GT(image.at(32, 32).r, 13 + 25);
 }
 
 TEST(Shader, IsTheSameOnEveryThreadCount) {
@@ -136,7 +136,7 @@ TEST(Shader, IsTheSameOnEveryThreadCount) {
     }
 }
 
-TEST(Shader, AnEmptyPictureStaysEmptyAndAnEmptySceneIsPaper) {
+TEST(Shader, AnEmptyImageStaysEmptyAndAnEmptySceneIsPaper) {
     for (const ShadingInfo& info : shadings()) {
         scene::View view = view_of_wall(1);
         const auto paper = draw(info.make({}), {}, view);
@@ -147,10 +147,10 @@ TEST(Shader, AnEmptyPictureStaysEmptyAndAnEmptySceneIsPaper) {
 }
 
 /// The colours of a picture, each once.
-std::set<int> colors_of(const core::Image<Rgb>& picture) {
+std::set<int> colors_of(const core::Image<Rgb>& image) {
     std::set<int> colors;
-    for (std::size_t i = 0; i < picture.size(); ++i) {
-        const Rgb& c = picture.data()[i];
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Rgb& c = image.data()[i];
         colors.insert(c.r << 16 | c.g << 8 | c.b);
     }
     return colors;
@@ -174,17 +174,17 @@ TEST(Shader, ByPatchAFlatWallHasOneColourByVertexMany) {
 TEST(Shader, ByPatchTheColourIsThatOfThePatchsMiddle) {
     GouraudParams params = gouraud(0.1);
     params.by = ShadeBy::patch;
-    const auto picture = draw(params, unevenly_lit(wall(6, 8)), view_of_wall(1));
+    const auto image = draw(params, unevenly_lit(wall(6, 8)), view_of_wall(1));
     const double lamp = 3 / std::sqrt(14.0);  // from (2, 1, 3) to the origin
-    EXPECT_NEAR(picture.at(5, 5).r, 255 * 0.5 * (0.1 + lamp), 1);
+    EXPECT_NEAR(image.at(5, 5).r, 255 * 0.5 * (0.1 + lamp), 1);
 }
 
 TEST(Shader, ByFaceEveryTriangleHasOneColour) {
     GouraudParams params = gouraud(0.1);
     params.by = ShadeBy::face;
-    const auto picture = draw(params, unevenly_lit(wall(6, 2)), view_of_wall(1));
-    EXPECT_LE(colors_of(picture).size(), 8U);  // triangles of a wall of 2 x 2
-    EXPECT_GE(colors_of(picture).size(), 4U);
+    const auto image = draw(params, unevenly_lit(wall(6, 2)), view_of_wall(1));
+    EXPECT_LE(colors_of(image).size(), 8U);  // triangles of a wall of 2 x 2
+    EXPECT_GE(colors_of(image).size(), 4U);
 }
 
 TEST(Shader, ToonHasAsManyColoursAsSteps) {
@@ -204,9 +204,9 @@ TEST(Shader, GoochFacesTheLampInTheMiddle) {
     params.cool_share = 0.2;
     scene::Scene scene = wall(6, 64);
     scene.lights.push_back({.p_world = {0, 0, 100}, .color = {1, 1, 1}, .range = 1});
-    const auto picture = draw(params, scene, view_of_wall(1));
-    EXPECT_NEAR(picture.at(32, 32).r, 255 * 0.1, 1);
-    EXPECT_NEAR(picture.at(32, 32).b, 255 * 0.5, 1);
+    const auto image = draw(params, scene, view_of_wall(1));
+    EXPECT_NEAR(image.at(32, 32).r, 255 * 0.1, 1);
+    EXPECT_NEAR(image.at(32, 32).b, 255 * 0.5, 1);
 }
 
 TEST(Shader, SplashbackDarkensByTheAngleToTheLamp) {
@@ -217,8 +217,8 @@ TEST(Shader, SplashbackDarkensByTheAngleToTheLamp) {
     scene::Scene scene = wall(6, 64);
     scene.lights.push_back(
         {.p_world = {std::sqrt(3.0) * 1e6, 0, 1e6}, .color = {1, 1, 1}, .range = 1});
-    const auto picture = draw(params, scene, view_of_wall(1));
-    EXPECT_NEAR(picture.at(32, 32).r, 255 * 0.5 * 0.36, 1);
+    const auto image = draw(params, scene, view_of_wall(1));
+    EXPECT_NEAR(image.at(32, 32).r, 255 * 0.5 * 0.36, 1);
 }
 
 TEST(Shader, StrokesAreAsFarApartAtAnySampling) {
@@ -232,10 +232,10 @@ TEST(Shader, StrokesAreAsFarApartAtAnySampling) {
         scene::View view = view_of_wall(1);
         view.width_px *= samples;
         view.height_px *= samples;
-        const auto picture =
+        const auto image =
             shader.draw({.view = view, .colors = kColors, .samples_per_px = samples});
-        const auto ink = std::count(picture.data(), picture.data() + picture.size(), Rgb(0));
-        return static_cast<double>(ink) / static_cast<double>(picture.size());
+        const auto ink = std::count(image.data(), image.data() + image.size(), Rgb(0));
+        return static_cast<double>(ink) / static_cast<double>(image.size());
     };
     EXPECT_NEAR(share(1), 0.75, 0.02);
     EXPECT_NEAR(share(4), 0.75, 0.02);
@@ -254,7 +254,7 @@ TEST(Shadings, AreKnownByName) {
     }
 }
 
-TEST(Shadings, KnobsAreReadByNameAndRange) {
+TEST(Shadings, ParametersAreReadByNameAndRange) {
     const Style style = find_shading("toon").make({{"steps", "5"}, {"by", "patch"}});
     EXPECT_EQ(std::get<ToonParams>(style).steps, 5);
     EXPECT_EQ(std::get<ToonParams>(style).by, ShadeBy::patch);

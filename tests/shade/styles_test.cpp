@@ -35,7 +35,7 @@ TEST(Gooch, AsPrintedTheLitSideIsCool) {
     expect_color(gooch(-1, params, kGooched), kWarm);
 }
 
-TEST(Gooch, AsInThePapersPicturesTheLitSideIsWarm) {
+TEST(Gooch, AsInThePapersImagesTheLitSideIsWarm) {
     const GoochParams params = gooch_params(LitSide::warm);
     expect_color(gooch(1, params, kGooched), kWarm);
     expect_color(gooch(0, params, kGooched), kBetween);
@@ -87,7 +87,7 @@ TEST(Splashback, IsTheSameBehindAndNothingForAlphaOrPowerZero) {
 }
 
 /// The share of ink over many whole periods, point by point.
-double ink_share(float darkness, const StrokeParams& params) {
+double positive_share(float darkness, const StrokeParams& params) {
     const StrokeShares shares = stroke_shares(darkness, params);
     int ink = 0;
     constexpr int kSide = 400;
@@ -102,11 +102,11 @@ TEST(Strokes, InkGrowsWithDarkness) {
     const StrokeParams params;
     double last = 0;
     for (int i = 0; i <= 40; ++i) {
-        const double share = ink_share(static_cast<float>(i) / 40, params);
+        const double share = positive_share(static_cast<float>(i) / 40, params);
         EXPECT_GE(share, last - 0.004) << "darkness " << i / 40.0;
         last = share;
     }
-    EXPECT_EQ(ink_share(0, params), 0);
+    EXPECT_EQ(positive_share(0, params), 0);
     EXPECT_NEAR(last, 0.75, 0.01);  // both at half their spacing
 }
 

@@ -53,10 +53,10 @@ TEST(Widen, ALineOfOnePixelGetsTheDiameterAsItsWidth) {
 }
 
 TEST(Widen, TheStrongestWinsAndTheBorderCuts) {
-    Strengths strengths(3, 1);
-    strengths.at(0, 0) = 90;
-    strengths.at(2, 0) = 10;
-    const Strengths result = widen(strengths, 3);
+    Strengths edge_responses(3, 1);
+    edge_responses.at(0, 0) = 90;
+    edge_responses.at(2, 0) = 10;
+    const Strengths result = widen(edge_responses, 3);
     EXPECT_EQ(result.at(0, 0), 90);
     EXPECT_EQ(result.at(1, 0), 90);
     EXPECT_EQ(result.at(2, 0), 10);

@@ -40,14 +40,14 @@ TEST(FInterval, OfTwoClustersSpansBoth) {
     EXPECT_DOUBLE_EQ(range->high, 0.8);
 }
 
-TEST(LeadInterval, IsPaired) {
+TEST(PairedInterval, IsPaired) {
     const Clusters a = {{30, 100, 100}, {60, 100, 100}, {90, 100, 100}};
     const Clusters b = {{20, 100, 100}, {50, 100, 100}, {80, 100, 100}};
-    const auto lead = lead_interval(a, b, {});
-    ASSERT_TRUE(lead);
-    EXPECT_NEAR(lead->low, 0.1, 1e-12);
-    EXPECT_NEAR(lead->high, 0.1, 1e-12);
-    EXPECT_FALSE(lead_interval({{1, 2, 2}}, {{1, 2, 2}}, {}));
+    const auto paired = paired_interval(a, b, {});
+    ASSERT_TRUE(paired);
+    EXPECT_NEAR(paired->low, 0.1, 1e-12);
+    EXPECT_NEAR(paired->high, 0.1, 1e-12);
+    EXPECT_FALSE(paired_interval({{1, 2, 2}}, {{1, 2, 2}}, {}));
 }
 
 /// A standard normal number (Box and Muller), the same with every standard library.

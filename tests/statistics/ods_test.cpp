@@ -20,7 +20,7 @@ TEST(Ods, TakesTheLowestOfTheBestThresholdsOfThePool) {
     CellCurve curve{"a", true, {}};
     for (auto& c : curve.counts)
         c = {5, 10, 10};
-    curve.counts[19].k = 9;  // threshold 20/100: strength * 100 >= 255 * 20, so 51 is on
+    curve.counts[19].k = 9;  // threshold 20/100: edge response * 100 >= 255 * 20, so 51 is on
     curve.counts[40].k = 9;
     const auto points = ods_on_training({curve});
     ASSERT_EQ(points.size(), 1U);
@@ -31,7 +31,7 @@ TEST(Ods, TakesTheLowestOfTheBestThresholdsOfThePool) {
 TEST(Ods, OfNeighboursWithTheSameFIsTheMiddleOne) {
     // All or nothing at every threshold, as of a method that draws 0 and 255: 50 % of 255 is 128.
     EXPECT_EQ(ods_on_training({curve_until("a", 99, 9, true)})[0].threshold, 128);
-    // Thresholds 1 % to 21 %: the middle is 11 %, 28.05, which 29 is the first strength above.
+    // Thresholds 1 % to 21 %: the middle is 11 %, 28.05, which 29 is the first edge response above.
     EXPECT_EQ(ods_on_training({curve_until("a", 21, 9, true)})[0].threshold, 29);
 }
 
@@ -53,17 +53,17 @@ CellCurve two_level_curve(bool is_best_low) {
     return curve;
 }
 
-TEST(Ois, LetsEveryPictureHaveItsBestThreshold) {
+TEST(Ois, LetsEveryImageHaveItsBestThreshold) {
     const auto one = summarise_curves({two_level_curve(true)});
     ASSERT_EQ(one.size(), 1U);
     EXPECT_DOUBLE_EQ(one[0].ods.f, 0.8);
-    EXPECT_DOUBLE_EQ(one[0].ois, 0.8) << "of one picture, ODS and OIS are the same";
+    EXPECT_DOUBLE_EQ(one[0].ois, 0.8) << "of one image, ODS and OIS are the same";
     const auto two = summarise_curves({two_level_curve(true), two_level_curve(false)});
-    EXPECT_DOUBLE_EQ(two[0].ods.f, 0.7) << "each threshold is good for one picture only";
+    EXPECT_DOUBLE_EQ(two[0].ods.f, 0.7) << "each threshold is good for one image only";
     EXPECT_DOUBLE_EQ(two[0].ois, 0.8);
 }
 
-TEST(Ois, IsAtLeastOdsWherePicturesDrawAlike) {
+TEST(Ois, IsAtLeastOdsWhereImagesDrawAlike) {
     // As many pixels drawn at every threshold: the best K of each then adds most to the pool.
     CellCurve rising{"a", true, {}};
     CellCurve falling{"a", false, {}};
@@ -81,7 +81,7 @@ TEST(Ois, IsAtLeastOdsWherePicturesDrawAlike) {
 
 TEST(Ois, MayFallBelowOdsBecauseItPoolsWhatIsBestOfEach) {
     // Alone, the small drawing (F .667) beats the large one (F .65); in the pool it brings fewer
-    // matches beside a picture that is all wrong.
+    // matches beside an image that is all wrong.
     CellCurve choosy{"a", true, {}};
     CellCurve hopeless{"a", true, {}};
     for (std::size_t i = 0; i < 99; ++i) {

@@ -55,7 +55,7 @@ Sequence torus(int frames) {
     return sequence;
 }
 
-TEST(StudySequence, ScoresEveryEntrantAndTheBrackets) {
+TEST(StudySequence, ScoresEveryConfigAndTheBaselines) {
     const method::MethodInfo good = puppet("good", false);
     Sequence sequence = torus(5);
     const auto rows = study_sequence({{&good, {}}}, sequence, {});
@@ -96,7 +96,7 @@ TEST(StudySequence, ATruthThatIsTooLargeIsTheStatusOfAll) {
 }
 
 TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
-    const auto entrants = harness::make_entrants("mote4", {});
+    const auto configs = harness::make_configs("mote4", {});
     Sequence still = torus(4);
     still.path.kind = scene::PathKind::still;
     Sequence moving = torus(4);
@@ -104,8 +104,8 @@ TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
     moving.pose = [](scene::Scene& scene, double time_s) {
         scene.instances.front().world_from_object[3].x = 15 * time_s;  // 13 px a frame
     };
-    const auto at_rest = study_sequence(entrants, still, {});
-    const auto moved = study_sequence(entrants, moving, {});
+    const auto at_rest = study_sequence(configs, still, {});
+    const auto moved = study_sequence(configs, moving, {});
     EXPECT_NE(moved[0].images_hash, at_rest[0].images_hash);
     EXPECT_NE(moved[2].images_hash, at_rest[2].images_hash) << "the oracle";
     EXPECT_EQ(at_rest[0].flicker.share(), 0.0);
@@ -121,13 +121,13 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
     EXPECT_EQ(gears.scene.name, "gear");
     EXPECT_EQ(gears.path.kind, scene::PathKind::still);
     ASSERT_TRUE(gears.pose);
-    const auto entrants = harness::make_entrants("mote4,edge_hash,polygon_offset,sobel", {});
-    const auto turning = study_sequence(entrants, gears, {});
+    const auto configs = harness::make_configs("mote4,edge_hash,polygon_offset,sobel", {});
+    const auto turning = study_sequence(configs, gears, {});
     EXPECT_TRUE(motion_faults(turning).empty());
     // The same camera before gears that stand: nothing comes, nothing goes.
     std::vector<Sequence> again = study_sequences(320, 180, 6);
     again.back().pose = {};
-    const auto standing = study_sequence(entrants, again.back(), {});
+    const auto standing = study_sequence(configs, again.back(), {});
     ASSERT_EQ(turning.size(), standing.size());
     for (std::size_t i = 0; i < turning.size(); ++i) {
         SCOPED_TRACE(turning[i].method);
@@ -145,14 +145,14 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
 
 TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
     MotionOptions options;
-    const auto entrants = harness::make_entrants("mote4", {});
+    const auto configs = harness::make_configs("mote4", {});
     for (Sequence& sequence : study_sequences(160, 90, 3)) {
         SCOPED_TRACE(sequence.scene.name);
         options.measure.threads = 1;
-        std::vector<MotionRow> rows = study_sequence(entrants, sequence, options);
+        std::vector<MotionRow> rows = study_sequence(configs, sequence, options);
         EXPECT_TRUE(motion_faults(rows).empty());
         options.measure.threads = 3;
-        std::vector<MotionRow> again = study_sequence(entrants, sequence, options);
+        std::vector<MotionRow> again = study_sequence(configs, sequence, options);
         for (MotionRow& row : again)
             row.threads = 1;
         ASSERT_EQ(again.size(), rows.size());

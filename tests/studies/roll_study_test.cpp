@@ -62,7 +62,7 @@ TEST(MeasuredVanishing, OfACreaseThatIsNeverShownIsNothing) {
 /// The claim itself: two angles per crease, each within two degrees of where mote4 loses it.
 TEST(StudyRoll, Mote4LosesEachCreaseWhereItsWeightsSay) {
     const RollOptions options{.frame_count = 180, .size_px = 200};
-    const auto curves = study_roll(harness::make_entrants("mote4", {}), options);
+    const auto curves = study_roll(harness::make_configs("mote4", {}), options);
     ASSERT_EQ(curves.size(), 3U);
     for (const RollCurve& curve : curves) {
         SCOPED_TRACE(curve.crease);
@@ -90,14 +90,14 @@ TEST(StudyRoll, Mote4LosesEachCreaseWhereItsWeightsSay) {
 
 TEST(StudyRoll, WhoDeclaresNoCodeIsNotPredictedAndThreadsChangeNothing) {
     RollOptions options{.frame_count = 8, .size_px = 120};
-    const auto entrants = harness::make_entrants("decaudin,mote4", {});
-    const auto curves = study_roll(entrants, options);
+    const auto configs = harness::make_configs("decaudin,mote4", {});
+    const auto curves = study_roll(configs, options);
     ASSERT_EQ(curves.size(), 6U);
     EXPECT_FALSE(curves[0].is_predicted);
     EXPECT_TRUE(curves[0].vanishing.empty());
     EXPECT_GT(curves[0].mean_recall(), 0.9);
     options.measure.threads = 3;
-    const auto again = study_roll(entrants, options);
+    const auto again = study_roll(configs, options);
     ASSERT_EQ(again.size(), curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         EXPECT_EQ(roll_lines(1, again[i]), roll_lines(1, curves[i]));

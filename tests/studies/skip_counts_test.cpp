@@ -29,8 +29,8 @@ class SkipCounts : public testing::TestWithParam<std::string> {
                                      .levels = kSkipSceneLevels - 1,
                                      .min_rounds = 1,
                                      .max_rounds = 1};
-        const auto entrants = harness::make_entrants("mote4", {});
-        return time_skips(entrants.front(), skip_scene(skip(), quick.levels), quick);
+        const auto configs = harness::make_configs("mote4", {});
+        return time_skips(configs.front(), skip_scene(skip(), quick.levels), quick);
     }
     raster::SkipCount count(const SkipTime& time) const {
         return time.counts[static_cast<std::size_t>(skip())];

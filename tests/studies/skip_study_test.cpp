@@ -33,7 +33,7 @@ TEST(SkipScenes, AreOnePerSkipAndThreeViewsWithOneCameraEach) {
     for (const raster::SkipInfo& info : raster::skip_infos()) {
         const SkipScene made = skip_scene(info.skip, 3);
         EXPECT_EQ(made.skip, info.skip);
-        EXPECT_EQ(made.poses.empty(), info.skip != Skip::still_tiles) << info.name;
+        EXPECT_EQ(made.poses.empty(), info.skip != Skip::temporal_reuse) << info.name;
         names.insert(made.name);
         EXPECT_NO_THROW(scene::check_scene(made.scene)) << made.name;
         ASSERT_EQ(made.scene.cameras.size(), 1U) << made.name;
@@ -84,7 +84,7 @@ TEST(SkipScenes, FacetsLeaveOutAThirdOfTheStencilsAndNoLine) {
         ASSERT_EQ(times.size(), 3U);
         EXPECT_GT(3 * times[0].counts[stencils].skipped, times[0].counts[stencils].of) << method;
         for (const SkipTime& time : times) {
-            EXPECT_EQ(time.status, "ok") << method;  // the same picture in every arm
+            EXPECT_EQ(time.status, "ok") << method;  // the same image in every arm
             const bool leaves_out = time.arm == SkipArm::on;
             EXPECT_EQ(time.counts[stencils].skipped > 0, leaves_out) << method;
         }
@@ -94,17 +94,17 @@ TEST(SkipScenes, FacetsLeaveOutAThirdOfTheStencilsAndNoLine) {
 TEST(TimeSkips, DrawsAllArmsInTurnsAndCountsTheSkipsOfEach) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);
-    const auto times = time_skips({&info, {}}, skip_scene(Skip::hidden, 2), kQuick);
+    const auto times = time_skips({&info, {}}, skip_scene(Skip::occlusion_culling, 2), kQuick);
     const std::string all = harness::forbidden_skips(raster::SkipSet::none());
-    const std::string on = "still_tiles";
-    const std::string one_off = "hidden;still_tiles";
+    const std::string on = "temporal_reuse";
+    const std::string one_off = "occlusion_culling;temporal_reuse";
     // The first round warms up; another arm begins each round.
     EXPECT_THAT(forbidden_in(script.frames),
                 ElementsAre(on, one_off, all, one_off, all, on, all, on, one_off));
     EXPECT_EQ(script.frames[0].threads, 2);
     EXPECT_EQ(script.frames[0].view.width_px, 16);
     ASSERT_EQ(times.size(), 3U);
-    const auto hidden = static_cast<std::size_t>(Skip::hidden);
+    const auto hidden = static_cast<std::size_t>(Skip::occlusion_culling);
     EXPECT_EQ(times[0].arm, SkipArm::on);
     EXPECT_EQ(times[0].counts[hidden].skipped, 50U);
     EXPECT_EQ(times[1].arm, SkipArm::one_off);
@@ -132,16 +132,16 @@ TEST(TimeSkips, OfAViewComparesEverythingWithNothing) {
 TEST(TimeSkips, OfASequencePosesEveryFrameAndLeavesTheFirstUntimed) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);
-    const SkipScene scene = skip_scene(Skip::still_tiles, 2);
+    const SkipScene scene = skip_scene(Skip::temporal_reuse, 2);
     ASSERT_EQ(scene.poses.size(), 4U);
     const auto times = time_skips({&info, {}}, scene, kQuick);
     ASSERT_EQ(times.size(), 3U);
     EXPECT_EQ(harness::forbidden_skips(times[0].allowed), "");
-    EXPECT_EQ(harness::forbidden_skips(times[1].allowed), "still_tiles");
+    EXPECT_EQ(harness::forbidden_skips(times[1].allowed), "temporal_reuse");
     EXPECT_EQ(script.frames.size(), 3U * 3 * 4) << "rounds, arms, frames";
     EXPECT_EQ(script.poses.size(), 1 + script.frames.size()) << "one to begin with";
     EXPECT_EQ(times[0].draw_n, 2 * 3);
-    const auto still = static_cast<std::size_t>(Skip::still_tiles);
+    const auto still = static_cast<std::size_t>(Skip::temporal_reuse);
     EXPECT_EQ(times[0].counts[still].skipped, 3 * 90U) << "over the timed frames of a round";
     EXPECT_EQ(times[0].counts[still].of, 3 * 100U);
     // Only the first instance moves, and it does.
@@ -161,24 +161,25 @@ TEST(TimeSkips, GivesASceneItsSettingsWhereTheMethodKnowsThem) {
     EXPECT_EQ(times[0].params, "range_nx=0;threshold=100") << "it knows no range_ny";
 }
 
-TEST(TimeSkips, APictureThatASkipChangesIsAnErrorOfThatArm) {
-    harness::SkipScript script{.wrong = Skip::hidden};
+TEST(TimeSkips, AnImageThatASkipChangesIsAnErrorOfThatArm) {
+    harness::SkipScript script{.wrong = Skip::occlusion_culling};
     const auto info = harness::skipping_info(script);
-    const auto times = time_skips({&info, {}}, skip_scene(Skip::hidden, 2), kQuick);
+    const auto times = time_skips({&info, {}}, skip_scene(Skip::occlusion_culling, 2), kQuick);
     EXPECT_EQ(times[0].status, "ok");
-    EXPECT_EQ(times[1].status, "differs: the picture is another without hidden;still_tiles");
+    EXPECT_EQ(times[1].status,
+              "differs: the image is another without occlusion_culling;temporal_reuse");
     EXPECT_THAT(times[2].status, HasSubstr("differs"));
     EXPECT_NE(times[1].image_hash, times[0].image_hash);
     EXPECT_THAT(skip_differences(times),
-                ElementsAre("puppet on behind_a_wall differs: the picture is another without "
-                            "hidden;still_tiles",
-                            HasSubstr("without attributes;frustum")));
+                ElementsAre("puppet on behind_a_wall differs: the image is another without "
+                            "occlusion_culling;temporal_reuse",
+                            HasSubstr("without attributes;frustum_culling")));
 }
 
 TEST(TimeSkips, AMethodThatFailsSaysSoInEveryLine) {
     harness::SkipScript script{.failure = "out of ink"};
     const auto info = harness::skipping_info(script);
-    const auto times = time_skips({&info, {}}, skip_scene(Skip::backs, 2), kQuick);
+    const auto times = time_skips({&info, {}}, skip_scene(Skip::back_face_culling, 2), kQuick);
     ASSERT_EQ(times.size(), 3U);
     for (const SkipTime& time : times) {
         EXPECT_EQ(time.status, "failed: out of ink");
@@ -187,7 +188,7 @@ TEST(TimeSkips, AMethodThatFailsSaysSoInEveryLine) {
     EXPECT_THAT(skip_differences(times), IsEmpty());
 }
 
-TEST(StudySkips, IsEverySceneWithEveryEntrantAndARowEach) {
+TEST(StudySkips, IsEverySceneWithEveryConfigAndARowEach) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);
     std::vector<SkipTime> study;
@@ -200,7 +201,7 @@ TEST(StudySkips, IsEverySceneWithEveryEntrantAndARowEach) {
     EXPECT_EQ(first.scene, "no_normals");
     EXPECT_EQ(first.method, "puppet");
     EXPECT_EQ(first.params, "range_nx=0;threshold=100");
-    EXPECT_EQ(first.skips_off, "still_tiles");
+    EXPECT_EQ(first.skips_off, "temporal_reuse");
     EXPECT_EQ(first.width, 16);
     EXPECT_EQ(first.height, 9);
     EXPECT_EQ(first.threads, 2);

@@ -74,11 +74,11 @@ TEST(StressAxes, HaveTwoCasesOrMoreOfTheSameScenesAtEveryValue) {
             for (const StressCase& stress : cases) {
                 EXPECT_EQ(stress.axis, axis.name);
                 EXPECT_EQ(stress.value, value);
-                ASSERT_EQ(stress.subject.views.size(), 1U);
-                EXPECT_EQ(stress.subject.views[0].width_px, 96);
-                EXPECT_NO_THROW(scene::check_scene(stress.subject.scene));
-                names.push_back(stress.subject.scene.name);
-                views.insert(stress.subject.views[0].camera.name);
+                ASSERT_EQ(stress.scene_views.views.size(), 1U);
+                EXPECT_EQ(stress.scene_views.views[0].width_px, 96);
+                EXPECT_NO_THROW(scene::check_scene(stress.scene_views.scene));
+                names.push_back(stress.scene_views.scene.name);
+                views.insert(stress.scene_views.views[0].camera.name);
             }
             EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
             if (scenes.empty()) scenes = names;
@@ -97,50 +97,50 @@ TEST(StressValues, KeepsBothEnds) {
     EXPECT_THAT(stress_values(axis, 50), testing::SizeIs(9));
 }
 
-harness::Entrant entrant_of(const char* method) {
+harness::MethodConfig config_of(const char* method) {
     return {&methods::find_method(method), {}};
 }
 
-std::string knob(const harness::Entrant& entrant, const char* name) {
-    return entrant.info->complete(entrant.settings).at(name);
+std::string parameter(const harness::MethodConfig& config, const char* name) {
+    return config.info->complete(config.settings).at(name);
 }
 
-TEST(UnderStress, SetsKnobsOfThoseThatHaveThem) {
+TEST(UnderStress, SetsParametersOfThoseThatHaveThem) {
     StressCase stress;
     stress.settings = {"depth_format=z16", "mote4.sky=7", "depth_encoding=linear"};
-    EXPECT_EQ(knob(under_stress(entrant_of("mote4"), stress), "depth_format"), "z16");
-    EXPECT_EQ(knob(under_stress(entrant_of("mote4"), stress), "sky"), "7");
-    EXPECT_EQ(knob(under_stress(entrant_of("mote2"), stress), "sky"), "0");
-    EXPECT_EQ(knob(under_stress(entrant_of("edge_list"), stress), "depth_format"), "z16");
-    // It knows the knob, but not this value.
-    EXPECT_EQ(knob(under_stress(entrant_of("auto"), stress), "depth_encoding"), "planned");
+    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "depth_format"), "z16");
+    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "sky"), "7");
+    EXPECT_EQ(parameter(under_stress(config_of("mote2"), stress), "sky"), "0");
+    EXPECT_EQ(parameter(under_stress(config_of("edge_list"), stress), "depth_format"), "z16");
+    // It knows the parameter, but not this value.
+    EXPECT_EQ(parameter(under_stress(config_of("auto"), stress), "depth_encoding"), "planned");
 }
 
 TEST(UnderStress, GainTakesRangesAndThresholdAlong) {
     StressCase stress;
     stress.code_gain = 2;
-    const harness::Entrant twice = under_stress(entrant_of("mote4"), stress);
-    EXPECT_EQ(knob(twice, "range_depth"), "126");
-    EXPECT_EQ(knob(twice, "range_nz"), "126");
-    EXPECT_EQ(knob(twice, "threshold"), "12");
+    const harness::MethodConfig twice = under_stress(config_of("mote4"), stress);
+    EXPECT_EQ(parameter(twice, "range_depth"), "126");
+    EXPECT_EQ(parameter(twice, "range_nz"), "126");
+    EXPECT_EQ(parameter(twice, "threshold"), "12");
     stress.code_gain = 100;
-    EXPECT_EQ(knob(under_stress(entrant_of("mote4"), stress), "range_nx"), "255");
-    EXPECT_TRUE(under_stress(entrant_of("decaudin"), stress).settings.empty());
+    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "range_nx"), "255");
+    EXPECT_TRUE(under_stress(config_of("decaudin"), stress).settings.empty());
 }
 
 TEST(UnderStress, FewerBitsShiftTheResponseBack) {
     StressCase stress;
     stress.code_bits = 6;
-    const harness::Entrant six = under_stress(entrant_of("mote4"), stress);
-    EXPECT_EQ(knob(six, "range_depth"), "15");
-    EXPECT_EQ(knob(six, "scale_bits"), "2");
-    EXPECT_EQ(knob(six, "clip_bits"), "0");
-    EXPECT_EQ(knob(six, "threshold"), "6");
+    const harness::MethodConfig six = under_stress(config_of("mote4"), stress);
+    EXPECT_EQ(parameter(six, "range_depth"), "15");
+    EXPECT_EQ(parameter(six, "scale_bits"), "2");
+    EXPECT_EQ(parameter(six, "clip_bits"), "0");
+    EXPECT_EQ(parameter(six, "threshold"), "6");
     stress.code_bits = 12;
-    EXPECT_EQ(knob(under_stress(entrant_of("mote4"), stress), "range_depth"), "63");
-    const harness::Entrant twelve = under_stress(entrant_of("mote16"), stress);
-    EXPECT_EQ(knob(twelve, "range_depth"), "1023");
-    EXPECT_EQ(knob(twelve, "scale_bits"), "-2");
+    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "range_depth"), "63");
+    const harness::MethodConfig twelve = under_stress(config_of("mote16"), stress);
+    EXPECT_EQ(parameter(twelve, "range_depth"), "1023");
+    EXPECT_EQ(parameter(twelve, "scale_bits"), "-2");
 }
 
 }  // namespace

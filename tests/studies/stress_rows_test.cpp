@@ -22,17 +22,17 @@ constexpr StressSize kSmall{112, 63};
 
 std::vector<StressRow> rows_of(const std::string& axis,
                                double value,
-                               const std::vector<harness::Entrant>& entrants,
+                               const std::vector<harness::MethodConfig>& configs,
                                const StressSize& size = kSmall) {
     std::vector<StressRow> rows;
     for (const StressCase& stress : find_stress_axis(axis).cases(value, size)) {
-        for (StressRow& row : stress_rows(stress, entrants, {}, {}))
+        for (StressRow& row : stress_rows(stress, configs, {}, {}))
             rows.push_back(std::move(row));
     }
     return rows;
 }
 
-/// The hash of one method's picture by scene.
+/// The hash of one method's image by scene.
 std::map<std::string, std::string> hashes(const std::vector<StressRow>& rows,
                                           const std::string& method) {
     std::map<std::string, std::string> result;
@@ -43,11 +43,11 @@ std::map<std::string, std::string> hashes(const std::vector<StressRow>& rows,
 }
 
 TEST(StressRows, NoExtremeLosesACellOrANumber) {
-    const auto entrants = harness::make_entrants("mote4,roberts", {});
+    const auto configs = harness::make_configs("mote4,roberts", {});
     for (const StressAxis& axis : stress_axes()) {
         const double last = axis.name == "facets" ? 32768 : axis.values.back();  // for time
         for (const double value : {axis.values.front(), last}) {
-            const auto rows = rows_of(axis.name, value, entrants);
+            const auto rows = rows_of(axis.name, value, configs);
             EXPECT_EQ(rows.size() % 5, 0U) << axis.name;  // none, sampled, oracle, two methods
             for (const StressRow& row : rows) {
                 EXPECT_EQ(row.row.status, "ok") << axis.name << " " << value;
@@ -65,7 +65,7 @@ TEST(StressRows, NoExtremeLosesACellOrANumber) {
 }
 
 TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
-    const auto rows = rows_of("zoom", 0.25, harness::make_entrants("mote2", {}));
+    const auto rows = rows_of("zoom", 0.25, harness::make_configs("mote2", {}));
     ASSERT_EQ(rows.size(), 16U);
     EXPECT_EQ(rows[3].axis, "zoom");
     EXPECT_EQ(rows[3].value, 0.25);
@@ -92,7 +92,7 @@ TEST(StressRows, AMethodThatThrowsIsLost) {
     EXPECT_FALSE(experiment::total_counts(rows).is_clean());
 }
 
-/// Draws a picture of a size that nobody asked for.
+/// Draws an image of a size that nobody asked for.
 class Misfit final : public method::Method {
   public:
     void prepare(const scene::Scene&) override {}
@@ -101,34 +101,34 @@ class Misfit final : public method::Method {
     int bytes_per_px() const override { return 1; }
 };
 
-TEST(StressRows, APictureOfAnotherSizeIsLost) {
+TEST(StressRows, AnImageOfAnotherSizeIsLost) {
     method::MethodInfo info;
     info.name = "misfit";
     info.make = [](const core::ParamValues&) { return std::make_unique<Misfit>(); };
     info.complete = [](const core::ParamValues&) { return core::ParamValues{{"threshold", "9"}}; };
     const auto rows = rows_of("cube_roll", 20, {{&info, {}}});
     ASSERT_EQ(rows.size(), 12U);
-    EXPECT_EQ(rows[3].row.status, "failed: a picture of 3 x 5 px");
+    EXPECT_EQ(rows[3].row.status, "failed: an image of 3 x 5 px");
     EXPECT_EQ(rows[3].counts.lost, 1);
 }
 
-TEST(StressThreads, DrawTheSamePictures) {
-    const auto entrants = harness::make_entrants("decaudin,mote16,edge_hash", {});
-    std::vector<StressRow> rows = rows_of("threads", 1, entrants);
+TEST(StressThreads, DrawTheSameImages) {
+    const auto configs = harness::make_configs("decaudin,mote16,edge_hash", {});
+    std::vector<StressRow> rows = rows_of("threads", 1, configs);
     for (const double threads : {3, 8}) {
-        for (StressRow& row : rows_of("threads", threads, entrants))
+        for (StressRow& row : rows_of("threads", threads, configs))
             rows.push_back(std::move(row));
     }
     note_differences(rows);
     std::set<int> used;
-    std::map<std::string, std::set<std::string>> pictures;
+    std::map<std::string, std::set<std::string>> images;
     for (const StressRow& row : rows) {
         used.insert(row.row.threads);
         EXPECT_EQ(row.counts.differing, 0);
-        pictures[row.row.scene + row.row.method].insert(row.row.image_hash);
+        images[row.row.scene + row.row.method].insert(row.row.image_hash);
     }
     EXPECT_EQ(used, (std::set<int>{1, 3, 8}));
-    for (const auto& [cell, hash] : pictures)
+    for (const auto& [cell, hash] : images)
         EXPECT_EQ(hash.size(), 1U) << cell;
 }
 
@@ -154,13 +154,13 @@ TEST(StressDifferences, AreToldWhereAnAxisAllowsNone) {
         row.axis = "zoom";
     rows[1].counts.differing = 0;
     note_differences(rows);
-    EXPECT_EQ(rows[1].counts.differing, 0) << "pictures of a zoom differ by intent";
+    EXPECT_EQ(rows[1].counts.differing, 0) << "images of a zoom differ by intent";
 }
 
-TEST(StressScaleAxis, AMillionthAndABillionTimesTheSizeAreTheSamePicture) {
-    const auto entrants = harness::make_entrants("decaudin,polygon_offset", {});
-    const auto small = rows_of("scale", std::ldexp(1, -30), entrants);
-    const auto large = rows_of("scale", std::ldexp(1, 30), entrants);
+TEST(StressScaleAxis, AMillionthAndABillionTimesTheSizeAreTheSameImage) {
+    const auto configs = harness::make_configs("decaudin,polygon_offset", {});
+    const auto small = rows_of("scale", std::ldexp(1, -30), configs);
+    const auto large = rows_of("scale", std::ldexp(1, 30), configs);
     for (const char* method : {"oracle", "sampled"})
         EXPECT_EQ(hashes(small, method), hashes(large, method)) << method;
 }
@@ -172,19 +172,19 @@ TEST(StressOrigin, ExactlyMovedScenesKeepTheirTruth) {
 }
 
 TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
-    const auto entrants = harness::make_entrants("ids", {});
-    const auto exact = rows_of("origin", 1e6, entrants);
-    const auto rounded = rows_of("fp32", 1e6, entrants);
+    const auto configs = harness::make_configs("ids", {});
+    const auto exact = rows_of("origin", 1e6, configs);
+    const auto rounded = rows_of("fp32", 1e6, configs);
     EXPECT_EQ(hashes(exact, "oracle"), hashes(rounded, "oracle"));
     for (const auto& [scene, hash] : hashes(exact, "ids"))
         EXPECT_NE(hashes(rounded, "ids").at(scene), hash) << scene;
 }
 
 TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
-    const auto entrants = harness::make_entrants("mote4", {});
+    const auto configs = harness::make_configs("mote4", {});
     RollOptions options;
     options.frame_count = 36;
-    const auto curves = study_roll(entrants, options);
+    const auto curves = study_roll(configs, options);
     ASSERT_EQ(curves.size(), 3U);
     double blind = 0;
     double seeing = 0;
@@ -196,7 +196,7 @@ TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
             is_blind = is_blind || curve.samples.at(static_cast<std::size_t>(step)).is_blind;
         const StressCase cube =
             find_stress_axis("cube_roll").cases(10.0 * step, {240, 240}).front();
-        const double error = 1 - stress_rows(cube, entrants, {}, {}).back().row.f_2px.value();
+        const double error = 1 - stress_rows(cube, configs, {}, {}).back().row.f_2px.value();
         (is_blind ? blind : seeing) += error;
         ++(is_blind ? blind_count : seeing_count);
     }
@@ -218,7 +218,7 @@ TEST(StressCounts, NameNumbersThatAreNone) {
     truth.curves[0].gap = std::numeric_limits<float>::infinity();  // before the sky
     EXPECT_EQ(count_non_finite(truth), 0);
     truth.curves[1].end.x_px = std::numeric_limits<double>::infinity();
-    truth.curves[2].bend_rad = std::numeric_limits<float>::quiet_NaN();
+    truth.curves[2].deviation_rad = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(count_non_finite(truth), 2);
 }
 

@@ -54,23 +54,24 @@ TEST(Timedemo, DrawsEveryFrameOfEveryPassAlongThreePaths) {
     harness::ViewRequest request;
     request.width_px = 96;
     request.height_px = 64;
-    const harness::Subject gear = harness::make_subject(harness::load_scene("gear"), request);
+    const harness::SceneViews gear =
+        harness::make_scene_views(harness::load_scene("gear"), request);
     TimedemoOptions options;
-    options.entrants = harness::make_entrants("mote4,decaudin", {});
+    options.configs = harness::make_configs("mote4,decaudin", {});
     options.frames = 3;
     options.cached_passes = 1;
     const auto frames = run_timedemo(gear, options);
     EXPECT_EQ(frames.size(), 3U * 2 * 3 * 2) << "paths, passes, frames, methods";
     std::set<std::string> paths;
-    std::set<std::string> pictures;
+    std::set<std::string> images;
     for (const DemoFrame& frame : frames) {
         paths.insert(frame.path);
-        if (frame.method == "mote4" && frame.path == "orbit") pictures.insert(frame.image_hash);
+        if (frame.method == "mote4" && frame.path == "orbit") images.insert(frame.image_hash);
         EXPECT_EQ(frame.time_s, 4.0 * frame.frame / 3);
         EXPECT_GT(frame.draw_ns, 0);
     }
     EXPECT_EQ(paths, (std::set<std::string>{"orbit", "dolly", "shake"}));
-    EXPECT_EQ(pictures.size(), 3U) << "it moves, and comes out the same again";
+    EXPECT_EQ(images.size(), 3U) << "it moves, and comes out the same again";
     EXPECT_THAT(timedemo_heading(gear, options), HasSubstr("gear, 4 s of keys, 3 drawn"));
 }
 
@@ -80,12 +81,12 @@ TEST(Timedemo, AnEyeInsideLooksAbout) {
     request.height_px = 48;
     request.cameras.push_back({{0, 0, 0.01}, glm::dvec3(1, 0, 0), {0, 1, 0}, std::nullopt});
     TimedemoOptions options;
-    options.entrants = harness::make_entrants("mote4", {});
+    options.configs = harness::make_configs("mote4", {});
     options.frames = 2;
     options.cached_passes = 0;
     std::set<std::string> paths;
     for (const DemoFrame& frame :
-         run_timedemo(harness::make_subject(harness::load_scene("gear"), request), options))
+         run_timedemo(harness::make_scene_views(harness::load_scene("gear"), request), options))
         paths.insert(frame.path);
     EXPECT_EQ(paths, (std::set<std::string>{"pan", "roll", "shake"}));
 }
@@ -110,32 +111,32 @@ TEST(Timedemo, AMovingCameraOfTheModelGoesItsOwnWayFirst) {
     request.height_px = 48;
     request.file_cameras = true;
     TimedemoOptions options;
-    options.entrants = harness::make_entrants("mote4", {});
+    options.configs = harness::make_configs("mote4", {});
     options.frames = 3;
     options.cached_passes = 1;
     std::vector<std::string> paths;
-    std::set<std::string> pictures;
+    std::set<std::string> images;
     for (const DemoFrame& frame :
-         run_timedemo(harness::make_subject(filmed_gear(), request), options)) {
+         run_timedemo(harness::make_scene_views(filmed_gear(), request), options)) {
         if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
-        if (frame.path == "own") pictures.insert(frame.image_hash);
+        if (frame.path == "own") images.insert(frame.image_hash);
     }
     EXPECT_EQ(paths, (std::vector<std::string>{"own", "orbit", "dolly", "shake"}));
-    EXPECT_EQ(pictures.size(), 3U);
+    EXPECT_EQ(images.size(), 3U);
     request.file_cameras = false;
     paths.clear();
     for (const DemoFrame& frame :
-         run_timedemo(harness::make_subject(filmed_gear(), request), options)) {
+         run_timedemo(harness::make_scene_views(filmed_gear(), request), options)) {
         if (paths.empty() || paths.back() != frame.path) paths.push_back(frame.path);
     }
     EXPECT_EQ(paths, (std::vector<std::string>{"orbit", "dolly", "shake"}));
 }
 
-TEST(PosedSubject, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
+TEST(PosedSceneViews, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
     harness::ViewRequest request;
     request.file_cameras = true;
     request.time_s = 2;
-    const harness::Subject posed = harness::make_subject(filmed_gear(), request);
+    const harness::SceneViews posed = harness::make_scene_views(filmed_gear(), request);
     ASSERT_EQ(posed.views.size(), 1U);
     const scene::Camera& camera = posed.views[0].camera;
     EXPECT_EQ(camera.name, "rider");
@@ -147,26 +148,27 @@ TEST(PosedSubject, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
     EXPECT_EQ(camera.far, expected.far);
 }
 
-/// What make_subject says of a request for `scene`.
+/// What make_scene_views says of a request for `scene`.
 std::string complaint(const std::string& scene, const harness::ViewRequest& request) {
     try {
-        (void)harness::make_subject(harness::load_scene(scene), request);
+        (void)harness::make_scene_views(harness::load_scene(scene), request);
     } catch (const core::Error& error) {
         return error.what();
     }
     return "";
 }
 
-TEST(PosedSubject, IsCalledAndHashedAsItIsPosed) {
+TEST(PosedSceneViews, IsCalledAndHashedAsItIsPosed) {
     harness::ViewRequest request;
     request.time_s = 1.5;
-    const harness::Subject posed = harness::make_subject(harness::load_scene("gear"), request);
+    const harness::SceneViews posed =
+        harness::make_scene_views(harness::load_scene("gear"), request);
     EXPECT_EQ(posed.scene.name, "gear.1.5s");
     EXPECT_EQ(posed.views.size(), posed.scene.cameras.size()) << "the catalogue's own views";
     EXPECT_NE(scene::scene_hash(posed.scene), scene::scene_hash(harness::load_scene("gear")));
 }
 
-TEST(PosedSubject, OnlyAtMomentsThatThereAre) {
+TEST(PosedSceneViews, OnlyAtMomentsThatThereAre) {
     harness::ViewRequest late;
     late.time_s = 4.5;
     EXPECT_EQ(complaint("gear", late), "--time: gear does not move at 4.5 s (accepted: 0..4)");

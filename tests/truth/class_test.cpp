@@ -46,18 +46,18 @@ TEST(Class, FinEdgeOnDrawsNoRim) {
     EXPECT_EQ(seen_length(scene, truth, {0, 1, 1}, {0, 1, -1}), 0);
 }
 
-/// Two squares that meet along the y axis, the right one bent backwards by `bend`.
-scene::Mesh bent_sheet(double bend_rad) {
-    const auto x = static_cast<float>(std::cos(bend_rad));
-    const auto z = static_cast<float>(-std::sin(bend_rad));
+/// Two squares that meet along the y axis, the right one bent backwards by `deviation`.
+scene::Mesh bent_sheet(double deviation_rad) {
+    const auto x = static_cast<float>(std::cos(deviation_rad));
+    const auto z = static_cast<float>(-std::sin(deviation_rad));
     scene::Mesh mesh;
     add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
     add_quad(mesh, {0, -1, 0}, {x, -1, z}, {x, 1, z}, {0, 1, 0});
     return mesh;
 }
 
-LineClass class_of_bend(double bend_deg) {
-    const scene::Scene scene = scene_of({bent_sheet(bend_deg * std::numbers::pi / 180)});
+LineClass class_of_deviation(double deviation_deg) {
+    const scene::Scene scene = scene_of({bent_sheet(deviation_deg * std::numbers::pi / 180)});
     const scene::Topology topology = scene::weld(scene);
     for (const Curve& curve : trace(scene, view_from(8)).curves) {
         const scene::Edge& edge = topology.edges[curve.edge];
@@ -67,12 +67,12 @@ LineClass class_of_bend(double bend_deg) {
 }
 
 TEST(Class, FortyDegreesMakeACrease) {
-    EXPECT_EQ(class_of_bend(0), LineClass::none);
-    EXPECT_EQ(class_of_bend(39.9), LineClass::none);
-    EXPECT_EQ(class_of_bend(40.1), LineClass::crease);
-    EXPECT_EQ(class_of_bend(60), LineClass::crease);
-    EXPECT_EQ(class_of_bend(89), LineClass::crease);
-    EXPECT_EQ(class_of_bend(120), LineClass::contour);
+    EXPECT_EQ(class_of_deviation(0), LineClass::none);
+    EXPECT_EQ(class_of_deviation(39.9), LineClass::none);
+    EXPECT_EQ(class_of_deviation(40.1), LineClass::crease);
+    EXPECT_EQ(class_of_deviation(60), LineClass::crease);
+    EXPECT_EQ(class_of_deviation(89), LineClass::crease);
+    EXPECT_EQ(class_of_deviation(120), LineClass::contour);
 }
 
 TEST(Class, AbuttingBoxesWithLevelTopsHaveASeamAndNoCreaseThere) {
@@ -103,9 +103,9 @@ TEST(Class, MaterialsMakeASeamOnlyWhenAsked) {
 
 /// A square whose right side meets two squares of half the height: a T-junction at (0, 0, 0). The
 /// right part is turned about the joint.
-std::vector<scene::Mesh> t_junction(double bend_rad) {
-    const auto x = static_cast<float>(std::cos(bend_rad));
-    const auto z = static_cast<float>(-std::sin(bend_rad));
+std::vector<scene::Mesh> t_junction(double deviation_rad) {
+    const auto x = static_cast<float>(std::cos(deviation_rad));
+    const auto z = static_cast<float>(-std::sin(deviation_rad));
     scene::Mesh left, right;
     add_quad(left, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
     add_quad(right, {0, -1, 0}, {x, -1, z}, {x, 0, z}, {0, 0, 0});
@@ -134,11 +134,11 @@ double length_on_joint(const scene::Scene& scene, const Truth& truth, LineClass 
 }
 
 TEST(Class, FlatTJunctionIsADefectAndNoLine) {
-    for (const double bend : {0.0, 0.5}) {
-        const scene::Scene scene = scene_of({joined(t_junction(bend))});
+    for (const double deviation : {0.0, 0.5}) {
+        const scene::Scene scene = scene_of({joined(t_junction(deviation))});
         const Truth truth = trace(scene, view_from(6));
         EXPECT_EQ(truth.counts.defect_edges, 3U) << "one long edge and the two that meet it";
-        EXPECT_EQ(length_on_joint(scene, truth, LineClass::boundary), 0) << bend;
+        EXPECT_EQ(length_on_joint(scene, truth, LineClass::boundary), 0) << deviation;
         EXPECT_NEAR(seen_length(scene, truth, {-1, -1, 0}, {0, -1, 0}), 100, kPx)
             << "the rim stays";
     }
@@ -251,7 +251,7 @@ TEST(Class, TorusContoursEndInside) {
         }
     }
     EXPECT_GE(left, 2U);
-    EXPECT_EQ(left, right) << "the picture is symmetric";
+    EXPECT_EQ(left, right) << "the image is symmetric";
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(ClosedForm, CubeFaceOnShowsFourEdges) {
         EXPECT_EQ(curve.line_class, LineClass::contour);
         EXPECT_EQ(curve.kind, ContourKind::sky);
         EXPECT_NEAR(length_px(curve), 240, kPx);
-        EXPECT_NEAR(curve.bend_rad, std::numbers::pi / 2, 1e-6);
+        EXPECT_NEAR(curve.deviation_rad, std::numbers::pi / 2, 1e-6);
         EXPECT_NEAR(curve.begin.w, 5, 1e-9);
     }
 }
@@ -109,7 +109,7 @@ TEST(ClosedForm, BallOfNSidesAgainstItsCircle) {
     const double distance = 5, radius = 1.5;
     const scene::Scene scene = scene_of({ball(kSides, kRings, radius)});
     const Truth truth = trace(scene, view_from(distance));
-    // From the axis every parallel is a regular polygon; the largest on the picture is the contour.
+    // From the axis every parallel is a regular polygon; the largest on the image is the contour.
     double r_px = 0;
     for (int ring = 1; ring < kRings; ++ring) {
         const double polar = std::numbers::pi * ring / kRings;
@@ -263,13 +263,13 @@ TEST(ClosedForm, SliversOfAPlaneShowItsRimOnly) {
 TEST(ClosedForm, CameraInsideABoxSeesItsTwelveCreases) {
     const scene::Scene scene = scene_of({box({-2, -1, -3}, {2, 1, 3})});
     std::map<std::uint32_t, double> seen;
-    for (const glm::dvec3 gaze : {glm::dvec3(1, 0, 0),
-                                  glm::dvec3(-1, 0, 0),
-                                  glm::dvec3(0, 0, 1),
-                                  glm::dvec3(0, 0, -1),
-                                  glm::dvec3(0.1, 1, 0),
-                                  glm::dvec3(0.1, -1, 0)}) {
-        scene::View view = view_from({0.1, 0.2, 0.3}, glm::dvec3(0.1, 0.2, 0.3) + gaze);
+    for (const glm::dvec3 view_direction : {glm::dvec3(1, 0, 0),
+                                            glm::dvec3(-1, 0, 0),
+                                            glm::dvec3(0, 0, 1),
+                                            glm::dvec3(0, 0, -1),
+                                            glm::dvec3(0.1, 1, 0),
+                                            glm::dvec3(0.1, -1, 0)}) {
+        scene::View view = view_from({0.1, 0.2, 0.3}, glm::dvec3(0.1, 0.2, 0.3) + view_direction);
         view.camera.fov_y_rad = 1.9;
         const Truth truth = trace(scene, view);
         for (const Curve& curve : truth.curves)

@@ -179,7 +179,7 @@ TEST(Cracks, TakeTheLowestClass) {
         EXPECT_EQ(cracks.right.at(4, y), expected[static_cast<std::size_t>(y)]) << y;
 }
 
-TEST(Cracks, AtTheFrameHaveTwoCentresInThePicture) {
+TEST(Cracks, AtTheFrameHaveTwoCentresInTheImage) {
     // Along the frame there is one centre only; across it the segments inside are crossed.
     EXPECT_EQ(count(cracks_of({line(0.2, 0, 0.2, 12)}).right), 0);
     EXPECT_EQ(count(cracks_of({line(15.7, 0, 15.7, 12)}).right), 0);

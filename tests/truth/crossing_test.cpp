@@ -100,7 +100,7 @@ TEST(Crossing, BoxSunkInAFloorHasAFootAllRound) {
         EXPECT_EQ(curve.edge, kNoEdge);
         EXPECT_LT(curve.face0, 2U) << "of the floor";
         EXPECT_GE(curve.face1, 2U);
-        EXPECT_NEAR(curve.bend_rad, std::numbers::pi / 2, 1e-6);
+        EXPECT_NEAR(curve.deviation_rad, std::numbers::pi / 2, 1e-6);
     }
 }
 
@@ -121,7 +121,7 @@ TEST(Crossing, BoxOnAFloorKeepsItsContourAndNothingIsDoubled) {
     }
 }
 
-/// Walls over the whole picture and beyond that cross in the line x = z = 0.
+/// Walls over the whole image and beyond that cross in the line x = z = 0.
 scene::Mesh wall(float slope) {
     scene::Mesh mesh;
     add_quad(
@@ -139,7 +139,7 @@ TEST(Crossing, TwoWallsShowOneLineFromEitherSide) {
             EXPECT_NEAR(curve.begin.x_px, 320, 1e-9);
             EXPECT_NEAR(curve.end.x_px, 320, 1e-9);
             EXPECT_NEAR(curve.begin.w, 6, 1e-9);
-            EXPECT_NEAR(curve.bend_rad, 2 * std::atan(0.125), 1e-6);
+            EXPECT_NEAR(curve.deviation_rad, 2 * std::atan(0.125), 1e-6);
         }
     }
 }
@@ -183,7 +183,7 @@ TEST(Crossing, LineAlongAMeshEdgeIsDrawnOnce) {
     EXPECT_NEAR(seen_length(scene, truth, {-2, -2, 0}, {2, 2, 0}), expected, kPx);
     for (const Curve& curve : truth.curves) {
         if (curve.line_class != LineClass::intersection) continue;
-        EXPECT_NEAR(curve.bend_rad, std::numbers::pi / 2, 1e-6) << "of the two squares";
+        EXPECT_NEAR(curve.deviation_rad, std::numbers::pi / 2, 1e-6) << "of the two squares";
     }
 }
 

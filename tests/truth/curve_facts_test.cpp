@@ -27,7 +27,7 @@ scene::Mesh quad(float half_x, float half_y, float z, bool is_front = true) {
     return mesh;
 }
 
-/// Whether the inside of an outline round the middle of the picture lies to the right of a piece,
+/// Whether the inside of an outline round the middle of the image lies to the right of a piece,
 /// going from begin to end with y down.
 bool has_middle_right(const Curve& curve) {
     const double dx = curve.end.x_px - curve.begin.x_px, dy = curve.end.y_px - curve.begin.y_px;
@@ -58,7 +58,7 @@ TEST(CurveFacts, QuadBeforeAWallHasTheGapBetweenThem) {
         EXPECT_NEAR(curve.gap, 3, 1e-6);
 }
 
-TEST(CurveFacts, GapBeforeASlantedWallIsTakenAlongTheGaze) {
+TEST(CurveFacts, GapBeforeASlantedWallIsTakenAlongTheViewDirection) {
     // The wall is the plane z = -3 - x / 2, seen from (0, 0, 4). The line of sight through (x, y,
     // 0) goes on as (x, y, 0) (1 + t) - (0, 0, 4 t): it meets the wall where 4 t = 3 + x (1 + t)
     // / 2.
@@ -172,7 +172,7 @@ TEST(CurveFacts, FacesOfACreaseAreLeftAndRightOfIt) {
                     sum += project(topology.p_world[v], 6).x / 3;
                 return sum;
             };
-            // Going up the picture (y falls), left on the picture is left.
+            // Going up the image (y falls), left on the image is left.
             const bool goes_up = curve.end.y_px < curve.begin.y_px;
             EXPECT_EQ(middle_x(curve.face0) < middle_x(curve.face1), goes_up);
             ++creases;

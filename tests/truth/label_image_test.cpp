@@ -93,7 +93,7 @@ TEST(LabelImage, ThreeQuartersAreNotYetCrowded) {
 }
 
 TEST(LabelImage, BlocksAtTheBorderAreJudgedByWhatTheyHave) {
-    // A picture 20 px wide: its last column of blocks is 4 px wide. Seven full rows there are 28
+    // An image 20 px wide: its last column of blocks is 4 px wide. Seven full rows there are 28
     // of 32.
     std::vector<Curve> curves;
     for (int row = 8; row < 15; ++row)

@@ -207,7 +207,7 @@ TEST(Sampled, HiddenFeaturesAreNotDrawn) {
     const scene::View view = view_from({2, 6, 8}, {0, 0, 0});
     const Truth truth = trace(scene, view);
     EXPECT_EQ(seen_length(scene, truth, {-1, -0.5F, 1}, {1, -0.5F, 1}), 0);
-    // The middle of the hidden edge on the picture and that of the line above it.
+    // The middle of the hidden edge on the image and that of the line above it.
     const auto column_at = [&](const glm::dvec3& p, int reach) {
         const glm::dvec3 at = scene::Projection(view).to_clip(p);
         const int x = static_cast<int>(at.x / at.z), y = static_cast<int>(at.y / at.z);

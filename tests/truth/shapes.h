@@ -146,7 +146,7 @@ inline std::size_t drawn_px(const Truth& truth) {
 
 inline bool same_curve(const Curve& a, const Curve& b) {
     return a.line_class == b.line_class && a.kind == b.kind && a.edge == b.edge &&
-           a.bend_rad == b.bend_rad && a.begin.x_px == b.begin.x_px &&
+           a.deviation_rad == b.deviation_rad && a.begin.x_px == b.begin.x_px &&
            a.begin.y_px == b.begin.y_px && a.begin.w == b.begin.w && a.end.x_px == b.end.x_px &&
            a.end.y_px == b.end.y_px && a.end.w == b.end.w;
 }

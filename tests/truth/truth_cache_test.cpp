@@ -122,7 +122,7 @@ TEST_F(Cache, UnwritableFolderCostsTheCachingOnly) {
     EXPECT_EQ(truth.labels, cached_in({}).labels);
 }
 
-TEST_F(Cache, KeyHangsOnAllThatChangesTheTruth) {
+TEST_F(Cache, KeyDependsOnAllThatChangesTheTruth) {
     const std::string key = truth_key(scene_, view_, options_);
     EXPECT_EQ(key, truth_key(scene_, view_, options_));
     TruthOptions options = options_;

@@ -65,7 +65,7 @@ TEST(TuneSearch, UsesItsEvaluationsAndNoMore) {
         }
     }
     EXPECT_EQ(searched({.evaluations = 1}).points.size(), 1U);
-    EXPECT_EQ(searched({.evaluations = 30}, 1).points.size(), 30U) << "one knob alone";
+    EXPECT_EQ(searched({.evaluations = 30}, 1).points.size(), 30U) << "one parameter alone";
 }
 
 TEST(TuneSearch, TheSeedDecidesTheTrail) {
@@ -97,7 +97,7 @@ TEST(TuneSearch, WhatTheObjectiveThrowsComesThrough) {
     EXPECT_EQ(calls, 20);
 }
 
-TEST(TuneSearch, ChanceIsEvenOverTheCubeAndTheSameForASeed) {
+TEST(TuneSearch, RandomPointsAreEvenOverTheCubeAndTheSameForASeed) {
     Trail a;
     random_search(a.objective(), 2, {.evaluations = 1000, .seed = 4});
     Trail b;

@@ -13,13 +13,13 @@ namespace {
 
 using testing::HasSubstr;
 
-TuneSpace space_of(const std::string& method, const std::string& knobs) {
-    return {methods::find_method(method), knobs};
+TuneSpace space_of(const std::string& method, const std::string& parameters) {
+    return {methods::find_method(method), parameters};
 }
 
-std::string message_of(const std::string& method, const std::string& knobs) {
+std::string message_of(const std::string& method, const std::string& parameters) {
     try {
-        (void)space_of(method, knobs);
+        (void)space_of(method, parameters);
     } catch (const core::Error& error) {
         return error.what();
     }
@@ -64,10 +64,10 @@ TEST(TuneSpace, RangesAreScaledDownToTheLargestCode) {
 
 TEST(TuneSpace, ASettingHasAPointThatGivesItBack) {
     const auto gives_back = [](const std::string& method, const core::ParamValues& settings) {
-        std::string knobs;
+        std::string parameters;
         for (const auto& [name, value] : settings)
-            knobs += name + ",";
-        const TuneSpace space = space_of(method, knobs);
+            parameters += name + ",";
+        const TuneSpace space = space_of(method, parameters);
         EXPECT_EQ(space.settings_at(space.point_of(settings)), settings) << method;
     };
     gives_back("mote4", {{"range_depth", "63"}, {"range_nx", "31.5"}, {"threshold", "6"}});
@@ -75,7 +75,7 @@ TEST(TuneSpace, ASettingHasAPointThatGivesItBack) {
     gives_back("polygon_offset", {{"factor", "-0.5"}, {"units", "-1"}, {"edges", "polygons"}});
 }
 
-TEST(TuneSpace, EveryMethodHasKnobsToTune) {
+TEST(TuneSpace, EveryMethodHasParametersToTune) {
     for (const method::MethodInfo& info : methods::registry()) {
         const TuneSpace space(info, "");
         EXPECT_GE(space.size(), 1U) << info.name;
@@ -85,34 +85,34 @@ TEST(TuneSpace, EveryMethodHasKnobsToTune) {
 }
 
 TEST(TuneSpace, UnlessToldOtherwiseItIsTheTunablesOfTheRegistry) {
-    EXPECT_EQ(default_knobs(methods::find_method("decaudin")),
+    EXPECT_EQ(default_parameters(methods::find_method("decaudin")),
               "k_depth=0.001..1,k_normal=0.01..2,join,threshold");
-    EXPECT_EQ(default_knobs(methods::find_method("polygon_offset")),
+    EXPECT_EQ(default_parameters(methods::find_method("polygon_offset")),
               "factor=-4..0,units=-65536..0");
-    EXPECT_EQ(default_knobs(methods::find_method("ids")), "threshold") << "it names none";
+    EXPECT_EQ(default_parameters(methods::find_method("ids")), "threshold") << "it names none";
     method::MethodInfo info = methods::find_method("ids");
     info.tunables = {{"crease_deg", {{10, 60}}}};
     const TuneSpace space(info, "");
     ASSERT_EQ(space.size(), 1U);
-    EXPECT_EQ(space.knobs()[0].low, 10);
-    EXPECT_EQ(space.knobs()[0].high, 60);
+    EXPECT_EQ(space.parameters()[0].low, 10);
+    EXPECT_EQ(space.parameters()[0].high, 60);
 }
 
 TEST(TuneSpace, APresetIsTunedAsItsMethodIs) {
-    EXPECT_EQ(default_knobs(methods::find_method("mote4_tuned")),
-              default_knobs(methods::find_method("mote4")));
+    EXPECT_EQ(default_parameters(methods::find_method("mote4_tuned")),
+              default_parameters(methods::find_method("mote4")));
     const TuneSpace space = space_of("mote4_tuned", "range_depth,range_nx");
     EXPECT_EQ(space.settings_at({1, 1}).at("range_nx"), "127.5") << "within its largest code";
 }
 
-TEST(TuneSpace, BadKnobsAreNamed) {
+TEST(TuneSpace, BadParametersAreNamed) {
     EXPECT_THAT(message_of("mote4", "range_nq"), HasSubstr("did you mean range_n"));
     EXPECT_THAT(message_of("mote4", "range_nx,range_nx"), HasSubstr("named twice"));
     EXPECT_THAT(message_of("mote4", "range_nx=9"), HasSubstr("'9' is no range of range_nx"));
     EXPECT_THAT(message_of("mote4", "range_nx=9..5"), HasSubstr("0..255"));
     EXPECT_THAT(message_of("mote4", "range_nx=9..500"), HasSubstr("0..255"));
     EXPECT_THAT(message_of("mote4", "response=0..1"), HasSubstr("every choice is tried"));
-    EXPECT_THAT(message_of("mote4", ","), HasSubstr("names no knob"));
+    EXPECT_THAT(message_of("mote4", ","), HasSubstr("names no parameter"));
 }
 
 }  // namespace

@@ -32,13 +32,13 @@ class Tune : public testing::Test {
     void SetUp() override { fs::remove_all(out_); }
     void TearDown() override { fs::remove_all(out_); }
 
-    static std::vector<harness::Subject> subjects(const std::vector<std::string>& names) {
-        return harness::load_subjects(names, small());
+    static std::vector<harness::SceneViews> scenes(const std::vector<std::string>& names) {
+        return harness::load_scenes(names, small());
     }
-    TuneOptions options(const std::string& method, const std::string& knobs) const {
+    TuneOptions options(const std::string& method, const std::string& parameters) const {
         TuneOptions made;
-        made.entrant = harness::make_entrants(method, {}).front();
-        made.knobs = knobs;
+        made.config = harness::make_configs(method, {}).front();
+        made.parameters = parameters;
         made.plan = {.evaluations = 24, .seed = 7};
         made.out = out_;
         made.name = method + "_found";
@@ -65,17 +65,18 @@ double error_of(const std::vector<score::CurveCount>& counts) {
 }
 
 /// The same by the harness's own way to draw and score a cell.
-double plain_error(const harness::Entrant& entrant, const std::vector<harness::Subject>& subjects) {
+double plain_error(const harness::MethodConfig& config,
+                   const std::vector<harness::SceneViews>& scenes) {
     score::CurveCount sum;
-    for (const harness::Subject& subject : subjects) {
-        truth::SceneModel model(subject.scene, {});
-        harness::PreparedMethod prepared(entrant, subject.scene);
-        for (const scene::View& view : subject.views) {
+    for (const harness::SceneViews& scene_views : scenes) {
+        truth::SceneModel model(scene_views.scene, {});
+        harness::PreparedMethod prepared(config, scene_views.scene);
+        for (const scene::View& view : scene_views.views) {
             const harness::ViewTruth truth = harness::trace_view(model, view, {});
-            edge::EdgeImage picture(view.width_px, view.height_px);
-            prepared.method().draw({view, 1}, picture);
+            edge::EdgeImage image(view.width_px, view.height_px);
+            prepared.method().draw({view, 1}, image);
             const score::Score s =
-                score::score(picture, truth.scoring, harness::score_options(prepared.threshold()));
+                score::score(image, truth.scoring, harness::score_options(prepared.threshold()));
             sum += {s.k, s.n_pred, s.n_truth};
         }
     }
@@ -84,25 +85,25 @@ double plain_error(const harness::Entrant& entrant, const std::vector<harness::S
 
 TEST_F(Tune, FindsNothingWorseThanTheDefaultsAndSaysWhatTheHarnessSays) {
     const TuneOptions with = options("mote4", "range_nz,threshold=1..64");
-    const TuneResult result = tune(subjects({"cube", "layers", "gem"}), with);
+    const TuneResult result = tune(scenes({"cube", "layers", "gem"}), with);
     EXPECT_EQ(result.steps.size(), 24U);
     EXPECT_EQ(result.random_steps.size(), 24U);
     EXPECT_LE(result.tuned.found.value, result.defaults.found.value);
     EXPECT_EQ(result.train_views, 6U);
     EXPECT_EQ(result.heldout_views, 3U);
     for (const TunedSettings* each : {&result.defaults, &result.tuned}) {
-        harness::Entrant entrant = with.entrant;
-        entrant.settings = each->settings;
-        const double train = plain_error(entrant, subjects({"cube", "layers"}));
+        harness::MethodConfig config = with.config;
+        config.settings = each->settings;
+        const double train = plain_error(config, scenes({"cube", "layers"}));
         EXPECT_EQ(each->found.error, train) << each->name;
         EXPECT_EQ(error_of(each->train), train) << each->name;
-        EXPECT_EQ(error_of(each->heldout), plain_error(entrant, subjects({"gem"}))) << each->name;
+        EXPECT_EQ(error_of(each->heldout), plain_error(config, scenes({"gem"}))) << each->name;
     }
 }
 
 TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     const TuneOptions with = options("decaudin", "k_normal=0.05..1,join");
-    const TuneResult result = tune(subjects({"cube"}), with);
+    const TuneResult result = tune(scenes({"cube"}), with);
     const std::string csv = read("evaluations.csv");
     EXPECT_THAT(
         csv,
@@ -116,27 +117,27 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     EXPECT_EQ(preset.method, "decaudin");
     EXPECT_EQ(preset.settings, result.tuned.settings);
     EXPECT_EQ(preset.command, "inkbench tune decaudin");
-    EXPECT_EQ(harness::preset_entrant(out_ / "decaudin_found.toml").info->complete({}).at("join"),
+    EXPECT_EQ(harness::preset_config(out_ / "decaudin_found.toml").info->complete({}).at("join"),
               result.tuned.settings.at("join"));
 }
 
 TEST_F(Tune, ThreadsChangeNothing) {
     TuneOptions with = options("mote4", "");
-    (void)tune(subjects({"cube", "layers", "gem"}), with);
+    (void)tune(scenes({"cube", "layers", "gem"}), with);
     const std::string csv = read("evaluations.csv");
     const std::string toml = read("mote4_found.toml");
     with.threads = 1;
-    (void)tune(subjects({"cube", "layers", "gem"}), with);
+    (void)tune(scenes({"cube", "layers", "gem"}), with);
     EXPECT_EQ(read("evaluations.csv"), csv);
     EXPECT_EQ(read("mote4_found.toml"), toml);
 }
 
 TEST_F(Tune, AFinishedSearchLeavesNoLogAndGivesTheSameBytesAgain) {
     const TuneOptions with = options("mote4", "");
-    (void)tune(subjects({"cube"}), with);
+    (void)tune(scenes({"cube"}), with);
     const std::string csv = read("evaluations.csv");
     const std::string toml = read("mote4_found.toml");
-    const TuneResult result = tune(subjects({"cube"}), with);
+    const TuneResult result = tune(scenes({"cube"}), with);
     EXPECT_EQ(result.resumed, 0U);
     EXPECT_EQ(read("evaluations.csv"), csv);
     EXPECT_EQ(read("mote4_found.toml"), toml);
@@ -147,18 +148,18 @@ TEST_F(Tune, AveragePrecisionIsTunedWithoutAThresholdAndGetsTheBestOne) {
     with.objective = TuneObjective::ap;
     with.random = false;
     with.plan.evaluations = 8;
-    const TuneResult result = tune(subjects({"cube"}), with);
+    const TuneResult result = tune(scenes({"cube"}), with);
     EXPECT_EQ(result.random_steps.size(), 0U);
     ASSERT_EQ(result.tuned.settings.count("threshold"), 1U);
-    harness::Entrant entrant = with.entrant;
-    entrant.settings = result.tuned.settings;
-    const double at_best = plain_error(entrant, subjects({"cube"}));
+    harness::MethodConfig config = with.config;
+    config.settings = result.tuned.settings;
+    const double at_best = plain_error(config, scenes({"cube"}));
     for (const char* threshold : {"4", "8", "16", "32"}) {
-        entrant.settings["threshold"] = threshold;
-        EXPECT_LE(at_best, plain_error(entrant, subjects({"cube"})) + 1e-12) << threshold;
+        config.settings["threshold"] = threshold;
+        EXPECT_LE(at_best, plain_error(config, scenes({"cube"})) + 1e-12) << threshold;
     }
-    with.knobs = "threshold";
-    EXPECT_THROW((void)tune(subjects({"cube"}), with), core::Error);
+    with.parameters = "threshold";
+    EXPECT_THROW((void)tune(scenes({"cube"}), with), core::Error);
 }
 
 TEST_F(Tune, ATimeBudgetThatNothingMeetsIsSaid) {
@@ -166,18 +167,18 @@ TEST_F(Tune, ATimeBudgetThatNothingMeetsIsSaid) {
     with.budget_ms = 1e-9;
     with.random = false;
     with.plan.evaluations = 3;
-    const TuneResult result = tune(subjects({"cube"}), with);
+    const TuneResult result = tune(scenes({"cube"}), with);
     EXPECT_GT(result.tuned.found.value, 1);
     ASSERT_TRUE(result.tuned.found.draw_ms);
     EXPECT_THAT(tune_summary(result, with), HasSubstr("none of the settings keeps within"));
 }
 
 TEST_F(Tune, BadWishesAreRefused) {
-    EXPECT_THROW((void)tune(subjects({"gem"}), options("mote4", "")), core::Error)
+    EXPECT_THROW((void)tune(scenes({"gem"}), options("mote4", "")), core::Error)
         << "no training scene";
     TuneOptions fixed = options("mote4", "threshold");
-    fixed.entrant = harness::make_entrants("mote4", {"threshold=9"}).front();
-    EXPECT_THROW((void)tune(subjects({"cube"}), fixed), core::Error) << "fixed and tuned";
+    fixed.config = harness::make_configs("mote4", {"threshold=9"}).front();
+    EXPECT_THROW((void)tune(scenes({"cube"}), fixed), core::Error) << "fixed and tuned";
 }
 
 TEST(ScenesError, IsTheSquareOfTheMeanRoot) {
@@ -186,14 +187,14 @@ TEST(ScenesError, IsTheSquareOfTheMeanRoot) {
     EXPECT_NEAR(scenes_error({{64, 100, 100}, {9600, 10000, 10000}}), 0.16, 1e-12);
 }
 
-TEST(TuneBenchTest, KeptPicturesScoreAsFreshOnes) {
-    const auto subjects = harness::load_subjects({"cube", "layers"}, small());
-    TuneBench bench(subjects, {}, 2);
-    harness::Entrant entrant = harness::make_entrants("mote4", {}).front();
+TEST(TuneBenchTest, KeptImagesScoreAsFreshOnes) {
+    const auto scenes = harness::load_scenes({"cube", "layers"}, small());
+    TuneBench bench(scenes, {}, 2);
+    harness::MethodConfig config = harness::make_configs("mote4", {}).front();
     for (const char* range : {"63", "40", "63", "20", "40"}) {
         for (const char* threshold : {"6", "30"}) {
-            entrant.settings = {{"range_nz", range}, {"threshold", threshold}};
-            EXPECT_EQ(error_of(bench.counts(entrant)), plain_error(entrant, subjects))
+            config.settings = {{"range_nz", range}, {"threshold", threshold}};
+            EXPECT_EQ(error_of(bench.counts(config)), plain_error(config, scenes))
                 << range << " " << threshold;
         }
     }
@@ -202,7 +203,7 @@ TEST(TuneBenchTest, KeptPicturesScoreAsFreshOnes) {
 TEST_F(Tune, WhatWasBestWhenItCameIsTheMethodsOwnAndTheRestIsDrawnFromPlanes) {
     TuneOptions with = options("mote4", "range_depth,range_nz,threshold=1..64");
     with.plan.evaluations = 40;
-    const TuneResult result = tune(subjects({"cube", "torus"}), with);
+    const TuneResult result = tune(scenes({"cube", "torus"}), with);
     double best = 2;
     int by_planes = 0;
     for (const TuneStep& step : result.steps) {
@@ -222,11 +223,12 @@ TEST_F(Tune, WhatWasBestWhenItCameIsTheMethodsOwnAndTheRestIsDrawnFromPlanes) {
 }
 
 TEST_F(Tune, OtherCodesAreDrawnByTheirMethod) {
-    for (const char* knobs : {"crease_deg", "depth_encoding,sky"}) {
-        const TuneResult result = tune(subjects({"cube"}), options("mote4", knobs));
-        EXPECT_EQ(result.agreement.has_value(), knobs != std::string("crease_deg")) << knobs;
+    for (const char* parameters : {"crease_deg", "depth_encoding,sky"}) {
+        const TuneResult result = tune(scenes({"cube"}), options("mote4", parameters));
+        EXPECT_EQ(result.agreement.has_value(), parameters != std::string("crease_deg"))
+            << parameters;
     }
-    EXPECT_FALSE(tune(subjects({"cube"}), options("decaudin", "")).agreement);
+    EXPECT_FALSE(tune(scenes({"cube"}), options("decaudin", "")).agreement);
 }
 
 TEST(methods::PresetFile, SpellsValuesAsTomlDoes) {

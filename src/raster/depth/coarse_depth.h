@@ -31,7 +31,7 @@ class CoarseDepth {
     void refresh();
     /// What it read, row by row.
     [[nodiscard]] const Squares& least() const { return least_; }
-    /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the picture's
+    /// Whether nothing of depth `q_most` or farther can be seen in `bounds`, in the image's
     /// coordinates; only what lies in the tile counts. A step, at least 1, where the format has
     /// them.
     [[nodiscard]] bool hides(const PixelRect& bounds, float q_most) const;

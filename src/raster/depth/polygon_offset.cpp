@@ -10,7 +10,7 @@ OffsetRule::OffsetRule(const PolygonOffset& offset, DepthFormat format, double n
     : offset_(offset),
       step_(format == DepthFormat::q32 ? 0 : 1 / QuantisedDepth(format, near, far).scale()) {}
 
-double OffsetRule::pull(double slope, double q_most) const {
+double OffsetRule::depth_bias(double slope, double q_most) const {
     double step = step_;
     if (step == 0) {
         int exponent = 0;
@@ -22,7 +22,7 @@ double OffsetRule::pull(double slope, double q_most) const {
 
 void OffsetRule::apply(SetupTriangle& triangle) const {
     const double slope = std::max(std::abs(triangle.q.dx), std::abs(triangle.q.dy));
-    const double moved = pull(slope, triangle.q_max);
+    const double moved = depth_bias(slope, triangle.q_max);
     triangle.q.at_ref += moved;
     triangle.q_min += moved;
     triangle.q_max += moved;

@@ -5,7 +5,7 @@
 
 namespace ink::raster {
 
-/// What glPolygonOffset is given: negative numbers pull towards the eye.
+/// What glPolygonOffset is given: negative numbers move it towards the eye.
 struct PolygonOffset {
     double factor = 0;  ///< times the depth's slope, max(|dz/dx|, |dz/dy|) per px
     double units = 0;   ///< times the smallest resolvable step of the depth format
@@ -27,7 +27,7 @@ class OffsetRule {
 
     /// What is added to q where it changes by at most `slope` (>= 0) per px along x or y, and is
     /// nowhere more than `q_most`.
-    [[nodiscard]] double pull(double slope, double q_most) const;
+    [[nodiscard]] double depth_bias(double slope, double q_most) const;
 
     /// Moves a triangle that was set up: its plane and the range that it is limited to.
     void apply(SetupTriangle& triangle) const;

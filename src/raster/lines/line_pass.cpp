@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kChunkLines = 2048;
 constexpr int kMostWidth_px = 64;
 
-/// Rows [y0, y1) of the picture.
+/// Rows [y0, y1) of the image.
 struct Band {
     int y0 = 0;
     int y1 = 0;
@@ -46,7 +46,7 @@ class LineFill {
           is_offset_(input.offset.is_any()),
           width_px_(line_width_px(input.width_px)),
           writes_depth_(input.writes_depth),
-          strength_(input.strength),
+          edge_response_(input.edge_response),
           depth_(depth.bits()),
           out_(out) {}
 
@@ -82,7 +82,8 @@ class LineFill {
         const double to = is_x_major ? line.b.x_px : line.b.y_px;
         const double dq = (line.b.q - line.a.q) / (to - from);
         Slope slope{from, line.a.q, std::isfinite(dq) ? dq : 0};
-        if (is_offset_) slope.q += rule_.pull(std::abs(slope.dq), std::max(line.a.q, line.b.q));
+        if (is_offset_)
+            slope.q += rule_.depth_bias(std::abs(slope.dq), std::max(line.a.q, line.b.q));
         return slope;
     }
 
@@ -101,7 +102,7 @@ class LineFill {
     void write(std::uint32_t& depth, std::uint8_t& out, std::uint32_t bits) const {
         if (kTest == LineTest::less && bits <= depth) return;
         if (kTest == LineTest::less_equal && bits < depth) return;
-        out = strength_;
+        out = edge_response_;
         if (writes_depth_) depth = bits;
     }
 
@@ -110,7 +111,7 @@ class LineFill {
     bool is_offset_;
     int width_px_;
     bool writes_depth_;
-    std::uint8_t strength_;
+    std::uint8_t edge_response_;
     core::Image<std::uint32_t>& depth_;
     core::Image<std::uint8_t>& out_;
 };

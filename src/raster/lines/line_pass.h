@@ -34,20 +34,20 @@ struct LineInput {
     std::span<const Line> lines;  ///< into p_world
     scene::View view;
     double width_px = 1;  ///< drawn as line_width_px() of it
-    std::uint8_t strength = 255;
+    std::uint8_t edge_response = 255;
     LineTest test = LineTest::less_equal;
     bool writes_depth = false;  ///< what is seen hides what comes after it
     /// Of the lines' own depth; its slope is the line's own, per step along its longer axis.
     PolygonOffset offset;
     int threads = 1;
-    /// Lines behind all that is drawn where they run may be passed over; the picture is the same.
+    /// Lines behind all that is drawn where they run may be passed over; the image is the same.
     bool skips_hidden = true;
 };
 
 /// What a draw met.
 struct LineCounts {
     std::uint64_t lines = 0;
-    std::uint64_t outside = 0;  ///< beyond the near plane or the picture
+    std::uint64_t outside = 0;  ///< beyond the near plane or the image
     std::uint64_t hidden = 0;   ///< passed over: behind all that is there
     std::uint64_t cut = 0;      ///< by the near plane or the guard band
 };
@@ -72,9 +72,9 @@ class LinePass {
     LinePass(LinePass&&) noexcept;
     LinePass& operator=(LinePass&&) noexcept;
 
-    /// Draws the lines in their order: where one is seen, `out` becomes `strength`. `depth` (which
-    /// says what the test's format is) and `out` have the view's size. The same picture for every
-    /// thread count. Vertices that are not finite take their lines with them.
+    /// Draws the lines in their order: where one is seen, `out` becomes `edge_response`. `depth`
+    /// (which says what the test's format is) and `out` have the view's size. The same image for
+    /// every thread count. Vertices that are not finite take their lines with them.
     LineCounts draw(const LineInput& input, DepthImage& depth, core::Image<std::uint8_t>& out);
 
   private:

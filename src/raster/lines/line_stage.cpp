@@ -108,7 +108,8 @@ bool LineStage::is_hidden(const ScreenLine& line, const PixelRect& touched) cons
     const double q_most = std::max(line.a.q, line.b.q);
     // Steps reach beyond the ends by half a pixel and what snapping moved.
     double q = q_most + 0.52 * slope;
-    if (input_.offset.is_any()) q += std::max(rule_.pull(0, q_most), rule_.pull(slope, q_most));
+    if (input_.offset.is_any())
+        q += std::max(rule_.depth_bias(0, q_most), rule_.depth_bias(slope, q_most));
     q *= 1 + 1e-12;
     return blocks_->hides(touched, has_steps_ ? steps_.of(q) : floats_.of(q));
 }

@@ -32,7 +32,7 @@ LineSteps::LineSteps(const ScreenVertex& a,
     const Point from = point(is_upwards ? a : b);
     const Point to = point(is_upwards ? b : a);
     at_zero_ = from.across * run + (kHalf - from.along) * rise_;
-    // Exactly between two pixels: (-e, +e^2) in the picture takes a line that falls to the right,
+    // Exactly between two pixels: (-e, +e^2) in the image takes a line that falls to the right,
     // or is level, down; one that rises to the right up; and one that is y-major left.
     if (!is_x_major_ || rise_ < 0) at_zero_ -= 1;
     begin_ = bound(from, is_upwards);
@@ -45,7 +45,7 @@ LineSteps::LineSteps(const ScreenVertex& a,
         if (begin < end) end_ = has_none ? end : std::max(end_, end);
     }
 
-    // The picture's y runs down: OpenGL's line is moved down here, its runs go up from there.
+    // The image's y runs down: OpenGL's line is moved down here, its runs go up from there.
     below_ = is_x_major_ ? width_px - 1 : 0;
     at_zero_ += (is_x_major_ ? kHalf : -kHalf) * (width_px - 1) * run;
 }
@@ -57,7 +57,7 @@ LineSteps::Point LineSteps::point(const ScreenVertex& v) const {
 /// Between which steps an end lies: before the one returned. A line that starts in a diamond draws
 /// it, one that ends in it does not; so at both ends the diamond belongs to what comes after.
 int LineSteps::bound(const Point& p, bool is_upwards) {
-    // The first step whose centre is not before p: x is moved by -e, the picture's y by +e^2.
+    // The first step whose centre is not before p: x is moved by -e, the image's y by +e^2.
     const std::int64_t at = is_x_major_ ? floor_div(p.along + kHalf - 1, kSubpixels)
                                         : floor_div(p.along + kHalf, kSubpixels);
     const int step = static_cast<int>(at);

@@ -18,7 +18,7 @@ namespace ink::raster {
 ///
 /// Which steps are an end's first and last is decided before the line is moved. The specification
 /// has them decided after; Mesa does as is done here, at even widths half a pixel makes the
-/// difference, and pictures were to agree with an OpenGL that exists.
+/// difference, and images were to agree with an OpenGL that exists.
 class LineSteps {
   public:
     /// From `a` to `b`, both within the guard band; width_px >= 1. A line without length has no

@@ -20,7 +20,7 @@ HWY_INLINE VD Row(const double* row, VD x, VD y, VD z) {
 }
 
 /// A vector of vertices; false, with nothing of use written, if one of them is beyond the near
-/// plane or so far outside the picture that it takes more than this.
+/// plane or so far outside the image that it takes more than this.
 HWY_INLINE bool ProjectSome(const ViewTransform& t,
                             double near,
                             const double* p_world,

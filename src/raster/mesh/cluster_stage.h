@@ -37,7 +37,7 @@ struct ClusterLanes {
 };
 
 /// Puts a cluster's vertices on the screen: x, y and q of its records. False if it must be drawn
-/// triangle by triangle: it crosses the near plane, lies far outside the picture, or its 1/w are
+/// triangle by triangle: it crosses the near plane, lies far outside the image, or its 1/w are
 /// beyond what floats can multiply; the lanes then hold nothing of use.
 [[nodiscard]] bool project_cluster(const LaneMesh& mesh,
                                    std::size_t cluster,

@@ -72,9 +72,9 @@ std::size_t front_clusters(const PassFormat& format,
     constexpr std::size_t kClustersPerTile = 8;
     const auto& clusters = input.mesh->clusters().clusters;
     const std::size_t least = kClustersPerTile * static_cast<std::size_t>(grid.count());
-    const bool may_pass_over = input.skips.has(Skip::hidden) && lanes_can_draw(format) &&
+    const bool may_pass_over = input.skips.has(Skip::occlusion_culling) && lanes_can_draw(format) &&
                                format.depth == DepthFormat::q32 &&
-                               !input.offset.is_any() &&  // what is hidden may be pulled out
+                               !input.offset.is_any() &&  // what is hidden may be moved out
                                !input.may_keep_still;     // all that touches a tile is noted there
     if (!may_pass_over || clusters.size() < least) return 0;
     const auto open = std::count_if(clusters.begin(), clusters.end(), [&](const auto& cluster) {

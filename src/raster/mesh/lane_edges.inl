@@ -1,5 +1,5 @@
-// What triage and setup share per SIMD target: included by each inside its own HWY_NAMESPACE, after
-// `hn` and the lane types DI (int32) and VI.
+// What culling and binning and setup share per SIMD target: included by each inside its own
+// HWY_NAMESPACE, after `hn` and the lane types DI (int32) and VI.
 
 /// The edge (dx, dy) of a vector of triangles at a centre `x`, `y` from its first corner: negative
 /// outside, by the top-left rule of EdgeFunction. Corners run clockwise as seen.

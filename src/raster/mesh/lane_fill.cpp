@@ -1,5 +1,5 @@
-#include "raster/mesh/lane_dots.h"
 #include "raster/mesh/lane_triangles.h"
+#include "raster/mesh/micro_triangles.h"
 #include "raster/pass/tile_buffer.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -224,13 +224,13 @@ template <class Depth, class Values>
 void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     auto* const depth = to.depth_row<typename Depth::Value>(0);
     Values values(triangles, to);
-    DotRun dots(format, triangles, to);
+    MicroTriangleRun micro_triangles(format, triangles, to);
     for (std::size_t i = 0; i < triangles.count; ++i) {
-        if (dots.takes(i)) continue;
+        if (micro_triangles.takes(i)) continue;
         triangles.needs_limits[i] != 0 ? FillTriangle<Depth, true>(triangles, i, depth, values)
                                        : FillTriangle<Depth, false>(triangles, i, depth, values);
     }
-    dots.finish();
+    micro_triangles.finish();
 }
 
 template <class Depth>

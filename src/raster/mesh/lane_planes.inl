@@ -1,4 +1,4 @@
-// Planes over a vector of triangles per SIMD target, and by how much polygon offset pulls them:
+// Planes over a vector of triangles per SIMD target, and by how much polygon offset moves them:
 // included inside HWY_NAMESPACE, after `hn` and the lane types DI (int32), VI, DF (float) and VF.
 
 /// What all planes of a vector of triangles share: px from corner 0, unsnapped.
@@ -49,16 +49,18 @@ HWY_INLINE PlaneLanes MakePlanes(const VI (&x)[3], const VI (&y)[3]) {
 }
 
 /// What is added to depths that run as `plane` does and are `q_most` at the nearest corner:
-/// OffsetRule::pull in floats.
-HWY_INLINE VF PullOf(const LanePull& pull, const PlaneLanes::Plane& plane, VF q_most) {
+/// OffsetRule::depth_bias in floats.
+HWY_INLINE VF DepthBiasOf(const LaneDepthBias& depth_bias,
+                          const PlaneLanes::Plane& plane,
+                          VF q_most) {
     const DI d;
     const DF df;
     const auto slope = hn::Max(hn::Abs(plane.dx), hn::Abs(plane.dy));
     auto step = hn::Set(df, 1);
-    if (pull.is_in_floats) {
+    if (depth_bias.is_in_floats) {
         const auto exponent = hn::And(hn::BitCast(d, q_most), hn::Set(d, 0x7f800000));
         step = hn::Mul(hn::BitCast(df, exponent), hn::Set(df, 0x1p-23F));
     }
-    return hn::Neg(
-        hn::Add(hn::Mul(hn::Set(df, pull.factor), slope), hn::Mul(hn::Set(df, pull.units), step)));
+    return hn::Neg(hn::Add(hn::Mul(hn::Set(df, depth_bias.factor), slope),
+                           hn::Mul(hn::Set(df, depth_bias.units), step)));
 }

@@ -1,8 +1,8 @@
 #include <limits>
 
 #include "raster/mesh/lane_collect.h"
-#include "raster/mesh/lane_dots.h"
 #include "raster/mesh/lane_triangles.h"
+#include "raster/mesh/micro_triangles.h"
 #include "raster/pass/screen_vertex.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -124,18 +124,18 @@ HWY_INLINE void StoreNumbers(const PlaneLanes& planes,
 /// Depth's plane, limited to its corners, both moved by polygon offset.
 HWY_INLINE void StoreDepth(const PlaneLanes& planes,
                            const Corner (&c)[3],
-                           const LanePull& pull,
+                           const LaneDepthBias& depth_bias,
                            std::size_t at,
                            LaneTriangles::Numbers& out) {
     const DF df;
     auto p = planes.Through(c[0].q, c[1].q, c[2].q);
     auto low = hn::Min(hn::Min(c[0].q, c[1].q), c[2].q);
     auto high = hn::Max(hn::Max(c[0].q, c[1].q), c[2].q);
-    if (pull.is_any) {
-        const auto moved = PullOf(pull, p, high);
+    if (depth_bias.is_any) {
+        const auto moved = DepthBiasOf(depth_bias, p, high);
         const auto within = [&](VF q) {
-            const auto first = hn::Set(df, pull.first);
-            return hn::Min(hn::Max(hn::Add(q, moved), first), hn::Set(df, pull.last));
+            const auto first = hn::Set(df, depth_bias.first);
+            return hn::Min(hn::Max(hn::Add(q, moved), first), hn::Set(df, depth_bias.last));
         };
         p.at_ref = hn::Add(p.at_ref, moved);
         low = within(low);
@@ -211,7 +211,7 @@ void SetUpLanes(const PassFormat& format,
                 const LaneSource& source,
                 std::span<const std::uint32_t> entries,
                 const PixelRect& drawn,
-                const LanePull& pull,
+                const LaneDepthBias& depth_bias,
                 LaneTriangles& out) {
     const DI d;
     const DF df;
@@ -233,7 +233,7 @@ void SetUpLanes(const PassFormat& format,
         const auto half = hn::Set(d, 1 << (kLaneBits - 1));
         planes.ref_x = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_x), half), c[0].x));
         planes.ref_y = ToPx(hn::Sub(hn::Add(hn::ShiftLeft<kLaneBits>(ref_y), half), c[0].y));
-        StoreDepth(planes, c, pull, at, out.q);
+        StoreDepth(planes, c, depth_bias, at, out.q);
         auto needs_limits = is_thin;
         hn::Store(hn::VecFromMask(d, needs_limits), d, out.needs_limits + at);
         if (format.interpolants == 0) continue;
@@ -280,10 +280,10 @@ void set_up_lanes(const PassFormat& format,
                   const LaneSource& source,
                   std::span<const std::uint32_t> entries,
                   const PixelRect& drawn,
-                  const LanePull& pull,
+                  const LaneDepthBias& depth_bias,
                   LaneTriangles& out) {
-    HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, pull, out);
-    find_dots(format, out);
+    HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, depth_bias, out);
+    find_micro_triangles(format, out);
 }
 
 }  // namespace ink::raster

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "raster/mesh/lane_depth_bias.h"
 #include "raster/mesh/lane_mesh.h"
-#include "raster/mesh/lane_pull.h"
 #include "raster/pass/pass.h"
 #include "raster/pass/setup.h"
 
@@ -45,13 +45,13 @@ struct LaneSlot {
     std::uint8_t values[2] = {3, 3};
     std::uint8_t corners = 3;     ///< the array that its triangles' corners begin in
     std::uint32_t constants = 0;  ///< where they begin, in numbers from its records
-    float q_most = 0;             ///< of its vertices, pulled
+    float q_most = 0;             ///< of its vertices, biased
     PixelRect bounds;             ///< of the centres its triangles may cover
 };
 
 /// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
-/// kWholeTriangle set, the index of one that was set up by itself.
-inline constexpr std::uint32_t kWholeTriangle = 1U << 31;
+/// kScalarTriangle set, the index of one that was set up by itself.
+inline constexpr std::uint32_t kScalarTriangle = 1U << 31;
 /// The corners of a slot's triangle are what LaneMesh::corners has, with this set where it is seen
 /// from its back.
 inline constexpr std::uint32_t kBackSide = 1U << 31;
@@ -122,25 +122,25 @@ struct LaneTriangles {
 
     /// Pixels of triangles that touch at most 2 x 2, in the order of the triangles: found a vector
     /// of triangles at a time.
-    struct Dots {
+    struct MicroTriangles {
         /// Four a triangle, and a vector's worth more.
         static constexpr std::size_t kCapacity = 4 * kCount + kLanePad;
-        /// Per triangle, how many of the dots are its; -1: it is drawn otherwise.
+        /// Per triangle, how many of the pixels are its; -1: it is drawn otherwise.
         alignas(64) Ints counts;
         alignas(64) std::int32_t offset[kCapacity];  ///< y * kTileStride + x
         alignas(64) float q[kCapacity];
         alignas(64) std::uint32_t values[kMaxPlanes][kCapacity];  ///< codes, or floats' bits
     };
-    Dots dots;
+    MicroTriangles micro_triangles;
 };
 
-/// Sets up at most LaneTriangles::kCount listed triangles, none of them whole, for the pixels
-/// `drawn`; their depth is moved by `pull`.
+/// Sets up at most LaneTriangles::kCount listed triangles, none of them of the scalar path, for the
+/// pixels `drawn`; their depth is moved by `depth_bias`.
 void set_up_lanes(const PassFormat& format,
                   const LaneSource& source,
                   std::span<const std::uint32_t> entries,
                   const PixelRect& drawn,
-                  const LanePull& pull,
+                  const LaneDepthBias& depth_bias,
                   LaneTriangles& out);
 
 /// Draws them in order into a tile.

@@ -80,9 +80,9 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
                       view_solids(input),
                       front_to_back(input),
                       lanes_can_draw(format),
-                      LanePull(input.offset,
-                               QuantisedDepth(format.depth, view.camera.near, view.camera.far),
-                               format.depth)};
+                      LaneDepthBias(input.offset,
+                                    QuantisedDepth(format.depth, view.camera.near, view.camera.far),
+                                    format.depth)};
     std::vector<MeshRun>& runs = scratch_->runs;
     FrontDepth& front = scratch_->front;
     // In two goes where that pays: the nearest clusters and their pixels, then those of the others
@@ -127,7 +127,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     if (input.may_keep_still) {
         result.still.assign(tiles, 0);
         find_still_tiles(input, runs, scratch_->objects, result.still);
-        SkipCount& count = count_of(result.skips, Skip::still_tiles);
+        SkipCount& count = count_of(result.skips, Skip::temporal_reuse);
         count.of = tiles;
         count.skipped =
             static_cast<std::uint64_t>(std::count(result.still.begin(), result.still.end(), 1));

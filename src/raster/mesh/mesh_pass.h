@@ -34,8 +34,8 @@ struct MeshInput {
     int threads = 1;
     SkipSet skips;
     Cull cull = Cull::none;
-    /// Moves every triangle's depth. Faces turned away of sealed solids are then drawn, too: they
-    /// may be pulled out in front of others.
+    /// Moves every triangle's depth. Faces turned away of watertight solids are then drawn, too:
+    /// they may be moved out in front of others.
     PolygonOffset offset;
     std::array<float, kMaxPlanes> sky_f32{};
     std::array<std::uint32_t, kMaxPlanes> sky_code{};
@@ -58,11 +58,11 @@ struct MeshResult {
 
 /// Draws surfaces in clusters: what a method calls each frame.
 ///
-/// The picture is that of draw_pass with one addition: a face turned away of a sealed solid, seen
+/// The image is that of draw_pass with one addition: a face turned away of a watertight solid, seen
 /// from outside it, is never drawn. (It is never seen: but at a contour two faces meet, and the one
 /// turned away could win a pixel whose centre lies within a rounding of the edge.)
 ///
-/// Clusters that lie outside the picture or are turned away are not even transformed. What is left
+/// Clusters that lie outside the image or are turned away are not even transformed. What is left
 /// is put on the screen a vector of vertices at a time, its triangles sorted out and set up a
 /// vector at a time, and drawn tile by tile; only what is cut by the near plane, larger than
 /// kLaneExtent_px or of a rarer format goes through the plain code of triangle_stage and tile_fill,

@@ -21,13 +21,13 @@ void MeshRun::start(const MeshJob& job) {
     for (EntryList& list : lists_)
         list.clear();
     objects_.assign(job.input.may_keep_still ? tiles : 0, 0);
-    sides_ = PictureSides(job.transform, job.input.view);
+    sides_ = ImageSides(job.transform, job.input.view);
     slots_.clear();
     records_.resize(0);
-    whole().triangles.clear();
-    whole().code_planes.clear();
-    whole().float_planes.clear();
-    whole().stats = {};
+    scalar().triangles.clear();
+    scalar().code_planes.clear();
+    scalar().float_planes.clear();
+    scalar().stats = {};
     skips_ = {};
 }
 
@@ -47,57 +47,57 @@ void MeshRun::process(const MeshJob& job,
 void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDepth* front) {
     const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
     const SkipSet& skips = job.input.skips;
-    SkipCount& frustum = count_of(skips_, Skip::frustum);
-    SkipCount& backs = count_of(skips_, Skip::backs);
+    SkipCount& frustum = count_of(skips_, Skip::frustum_culling);
+    SkipCount& backs = count_of(skips_, Skip::back_face_culling);
     ++frustum.of;
     ++backs.of;
-    if (skips.has(Skip::frustum) && sides_.has_outside(cluster.bounds)) {
+    if (skips.has(Skip::frustum_culling) && sides_.has_outside(cluster.bounds)) {
         ++frustum.skipped;
         return;
     }
     const bool hides_backs = job.solids[cluster.solid].hides_backs;
-    if (job.drops_backs(hides_backs) && skips.has(Skip::backs) &&
+    if (job.drops_backs(hides_backs) && skips.has(Skip::back_face_culling) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
         return;
     }
     if (front != nullptr && front->hides(cluster.bounds)) {
-        SkipCount& hidden = count_of(skips_, Skip::hidden);
+        SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
         hidden.of += cluster.triangle_count;
         hidden.skipped += cluster.triangle_count;
         return;
     }
     if (job.uses_lanes && add_in_lanes(job, index, hides_backs)) return;
-    add_whole(job, index, hides_backs);
+    add_scalar(job, index, hides_backs);
 }
 
-/// Decides exactly which side the triangles show that triage left open; drops those whose side is
-/// of no use.
-void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const TriageJob& triage) {
+/// Decides exactly which side the triangles show that culling and binning left open; drops those
+/// whose side is of no use.
+void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const CullJob& cull) {
     const scene::Surface& surface = job.input.mesh->surface();
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const scene::Cluster& cluster = clusters.clusters[index];
     // From the last, so that those before keep their places.
-    for (std::size_t i = triage_.unsure_count; i-- > 0;) {
-        const std::size_t at = triage_.unsure[i];
-        const std::uint32_t corners = triage_.corners[at];
+    for (std::size_t i = culled_.unsure_count; i-- > 0;) {
+        const std::size_t at = culled_.unsure[i];
+        const std::uint32_t corners = culled_.corners[at];
         const auto p = [&](int k) {
             const std::uint32_t vertex = corners >> 8 * k & 0xff;
             return surface.p_world[clusters.vertices[cluster.first_vertex + vertex]];
         };
         const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) < 0;
-        if (!(is_back ? triage.drops_backs : triage.drops_fronts)) {
-            if (is_back) triage_.corners[at] |= kBackSide;
-            triage_.has_back = triage_.has_back || is_back;
+        if (!(is_back ? cull.drops_backs : cull.drops_fronts)) {
+            if (is_back) culled_.corners[at] |= kBackSide;
+            culled_.has_back = culled_.has_back || is_back;
             continue;
         }
         const auto take_out = [&](auto* list) {
-            std::copy(list + at + 1, list + triage_.count, list + at);
+            std::copy(list + at + 1, list + culled_.count, list + at);
         };
-        take_out(triage_.corners);
-        take_out(triage_.x_span);
-        take_out(triage_.y_span);
-        --triage_.count;
+        take_out(culled_.corners);
+        take_out(culled_.x_span);
+        take_out(culled_.y_span);
+        --culled_.count;
     }
 }
 
@@ -109,7 +109,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
     const std::size_t first_byte = records_.size();
     const std::size_t stride = lane_padded(cluster.vertex_count);
     constexpr std::size_t kMost =
-        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + 2 * TriageResult::kCapacity) *
+        (LaneRecords::kMostArrays * scene::kMaxClusterVertices + 2 * CullResult::kCapacity) *
         kNumber;
     records_.reserve(first_byte + kMost);
     LaneRecords& records = lanes_.records;
@@ -125,26 +125,26 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
         lanes_.q_least = static_cast<float>(std::max(steps.least, 1.0));
         lanes_.q_most = static_cast<float>(std::max(steps.greatest, 1.0));
     }
-    const TriageJob triage{.picture = job.picture(),
-                           .drops_backs = job.drops_backs(hides_backs),
-                           .drops_fronts = job.input.cull == Cull::front,
-                           .drops_no_sample = skips.has(Skip::no_sample)};
-    triage_cluster(mesh, index, lanes_, triage, triage_);
-    if (triage_.has_large) return false;
+    const CullJob cull{.image = job.image(),
+                       .drops_backs = job.drops_backs(hides_backs),
+                       .drops_fronts = job.input.cull == Cull::front,
+                       .drops_no_sample = skips.has(Skip::no_sample)};
+    cull_cluster(mesh, index, lanes_, cull, culled_);
+    if (culled_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
     no_sample.of += cluster.triangle_count;
-    if (skips.has(Skip::no_sample)) no_sample.skipped += triage_.no_sample;
-    settle_sides(job, index, triage);
-    if (triage_.count == 0) return true;
+    if (skips.has(Skip::no_sample)) no_sample.skipped += culled_.no_sample;
+    settle_sides(job, index, cull);
+    if (culled_.count == 0) return true;
 
     LaneSlot slot;
     const auto values = static_cast<std::size_t>(job.format.interpolants);
     std::size_t arrays = 3 + values;
-    if (triage_.has_back && hides_backs) {  // drawn, because nothing may be skipped, and unseen
+    if (culled_.has_back && hides_backs) {  // drawn, because nothing may be skipped, and unseen
         std::fill_n(records.array(arrays), stride, 0.0F);
         slot.q[1] = static_cast<std::uint8_t>(arrays++);
     }
-    const bool wants_back = values > 0 && triage_.has_back && !hides_backs;
+    const bool wants_back = values > 0 && culled_.has_back && !hides_backs;
     if (wants_back) {
         slot.values[1] = static_cast<std::uint8_t>(arrays);
         arrays += values;
@@ -160,10 +160,10 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    lanes_.y0 >> kSubpixelBits,
                    (lanes_.x1 >> kSubpixelBits) + 1,
                    (lanes_.y1 >> kSubpixelBits) + 1};
-    slot.q_most = pulled(job, slot.q_most);
+    slot.q_most = biased(job, slot.q_most);
     const std::size_t corners = arrays * stride;
     slot.corners = static_cast<std::uint8_t>(arrays);
-    slot.constants = static_cast<std::uint32_t>(corners + lane_padded(triage_.count));
+    slot.constants = static_cast<std::uint32_t>(corners + lane_padded(culled_.count));
     records_.resize(keep_corners(job, index, first_byte + corners * kNumber));
     slot.byte_count = static_cast<std::uint32_t>(records_.size() - first_byte);
     slots_.push_back(slot);
@@ -172,25 +172,26 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
 }
 
 /// `q_most` of a cluster's triangles once they are moved.
-float MeshRun::pulled(const MeshJob& job, float q_most) const {
-    if (!job.pull.can_pull_nearer()) return q_most;
-    const float pull = most_pull(job.pull, lanes_.records, triage_.corners, triage_.count);
-    return q_most + (pull + pull * 0x1p-20F);
+float MeshRun::biased(const MeshJob& job, float q_most) const {
+    if (!job.depth_bias.can_bias_nearer()) return q_most;
+    const float depth_bias =
+        most_depth_bias(job.depth_bias, lanes_.records, culled_.corners, culled_.count);
+    return q_most + (depth_bias + depth_bias * 0x1p-20F);
 }
 
-/// Writes the corners of what triage left, and their constants, from a byte of the records on,
-/// where there is room; returns the byte behind them.
+/// Writes the corners of what culling and binning left, and their constants, from a byte of the
+/// records on, where there is room; returns the byte behind them.
 std::size_t MeshRun::keep_corners(const MeshJob& job, std::size_t index, std::size_t byte) {
-    const std::size_t list_bytes = lane_padded(triage_.count) * kNumber;
-    std::memcpy(records_.data() + byte, triage_.corners, triage_.count * kNumber);
+    const std::size_t list_bytes = lane_padded(culled_.count) * kNumber;
+    std::memcpy(records_.data() + byte, culled_.corners, culled_.count * kNumber);
     byte += list_bytes;
     if (!job.format.constant) return byte;
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const std::uint32_t* ids =
         clusters.triangle_ids.data() + clusters.clusters[index].first_triangle;
     auto* const constants = reinterpret_cast<std::uint32_t*>(records_.data() + byte);
-    for (std::size_t i = 0; i < triage_.count; ++i)
-        constants[i] = job.input.constants[ids[LaneMesh::index_of(triage_.corners[i])]];
+    for (std::size_t i = 0; i < culled_.count; ++i)
+        constants[i] = job.input.constants[ids[LaneMesh::index_of(culled_.corners[i])]];
     return byte + list_bytes;
 }
 
@@ -231,7 +232,7 @@ void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t obje
     };
     if (column0 == column1 && row0 == row1) {  // as of most in a fine mesh
         const auto tile = static_cast<std::size_t>(row0 * grid.columns() + column0);
-        list_all_triangles(triage_, base, lists_[tile]);
+        list_all_triangles(culled_, base, lists_[tile]);
         mark(tile);
         return;
     }
@@ -242,7 +243,7 @@ void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t obje
             const int y0 = row * kTileSize_px;
             const PixelRect drawn{
                 x0 - halo, y0 - halo, x0 + kTileSize_px + halo, y0 + kTileSize_px + halo};
-            if (list_triangles(triage_, drawn, base, lists_[tile]) > 0) mark(tile);
+            if (list_triangles(culled_, drawn, base, lists_[tile]) > 0) mark(tile);
         }
     }
 }

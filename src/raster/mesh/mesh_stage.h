@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raster/mesh/cluster_stage.h"
-#include "raster/mesh/cluster_triage.h"
+#include "raster/mesh/cull_and_bin.h"
 #include "raster/mesh/front_depth.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/mesh/mesh_pass.h"
@@ -27,16 +27,17 @@ struct MeshJob {
     std::vector<SolidView> solids;
     std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
     bool uses_lanes = false;
-    LanePull pull;
+    LaneDepthBias depth_bias;
 
-    [[nodiscard]] PixelRect picture() const { return {0, 0, grid.width_px, grid.height_px}; }
+    [[nodiscard]] PixelRect image() const { return {0, 0, grid.width_px, grid.height_px}; }
     /// The bit of its object in MeshRun::objects.
     [[nodiscard]] std::uint64_t object_bit(const scene::Cluster& cluster) const {
         return std::uint64_t{1} << (input.mesh->clusters().solids[cluster.solid].object % 64);
     }
     /// Whether triangles seen from their back are to be left out, for whichever reason.
     [[nodiscard]] bool drops_backs(bool hides_backs) const {
-        return input.cull == Cull::back || (hides_backs && input.skips.has(Skip::backs));
+        return input.cull == Cull::back ||
+               (hides_backs && input.skips.has(Skip::back_face_culling));
     }
 };
 
@@ -58,7 +59,7 @@ class MeshRun {
     }
     [[nodiscard]] LaneSource source() const { return {slots_.data(), records_.data()}; }
     /// The triangles set up by themselves: one batch.
-    [[nodiscard]] const std::vector<Batch>* whole_batches() const { return &whole_batches_; }
+    [[nodiscard]] const std::vector<Batch>* scalar_batches() const { return &scalar_batches_; }
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
     /// Objects that touch a tile, one bit each (object modulo 64).
     [[nodiscard]] std::uint64_t objects(int tile) const {
@@ -66,29 +67,29 @@ class MeshRun {
     }
 
   private:
-    [[nodiscard]] Batch& whole() { return whole_batches_.front(); }
+    [[nodiscard]] Batch& scalar() { return scalar_batches_.front(); }
     void start(const MeshJob& job);
     void add_cluster(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    void add_whole(const MeshJob& job, std::size_t cluster, bool hides_backs);
-    void settle_sides(const MeshJob& job, std::size_t cluster, const TriageJob& triage);
+    void add_scalar(const MeshJob& job, std::size_t cluster, bool hides_backs);
+    void settle_sides(const MeshJob& job, std::size_t cluster, const CullJob& cull);
     [[nodiscard]] bool compute_values(const MeshJob& job,
                                       std::size_t cluster,
                                       const LaneSlot& slot);
-    [[nodiscard]] float pulled(const MeshJob& job, float q_most) const;
+    [[nodiscard]] float biased(const MeshJob& job, float q_most) const;
     std::size_t keep_corners(const MeshJob& job, std::size_t cluster, std::size_t byte);
-    void compute_whole_values(const MeshJob& job);
-    void pull_whole(const MeshJob& job, std::size_t from);
+    void compute_scalar_values(const MeshJob& job);
+    void bias_scalar(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
-    void bin_whole(const MeshJob& job, std::size_t from, std::uint64_t object);
+    void bin_scalar(const MeshJob& job, std::size_t from, std::uint64_t object);
 
-    PictureSides sides_;
+    ImageSides sides_;
     ClusterLanes lanes_;
-    TriageResult triage_;
+    CullResult culled_;
     std::vector<LaneSlot> slots_;
     AlignedArray<std::byte> records_;  ///< per slot
-    std::vector<Batch> whole_batches_ = std::vector<Batch>(1);
+    std::vector<Batch> scalar_batches_ = std::vector<Batch>(1);
     std::vector<EntryList> lists_;
     std::vector<std::uint64_t> objects_;
     SkipCounts skips_{};
@@ -98,9 +99,9 @@ class MeshRun {
     std::vector<std::int8_t> facing_;
     std::vector<std::uint32_t> triangle_ids_;  ///< of corners_, in the surface
     std::vector<std::uint32_t> constants_;     ///< of what is set up
-    std::vector<double> whole_w_;              ///< w, then 1/w
-    std::vector<float> whole_n_;               ///< x, y, z
-    std::vector<float> whole_planes_;          ///< front planes, then back ones
+    std::vector<double> scalar_w_;             ///< w, then 1/w
+    std::vector<float> scalar_n_;              ///< x, y, z
+    std::vector<float> scalar_planes_;         ///< front planes, then back ones
     std::vector<float> values_[2];             ///< front, back; vertex by vertex
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "raster/pass/whole_fill.h"
+#include "raster/pass/triangle_fill.h"
 
 namespace ink::raster {
 namespace {
@@ -15,7 +15,7 @@ float depth_of(const MeshJob& job, double q) {
     return static_cast<float>(QuantisedDepth(job.format.depth, camera.near, camera.far).of(q));
 }
 
-/// Whole triangles are large: one is worth this many small ones.
+/// Triangles of the scalar path are large: one is worth this many small ones.
 constexpr std::size_t kWholeWeight = 24;
 
 /// What the buffers and the plain fill want to know of a frame.
@@ -43,14 +43,14 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job,
       near_far_(make_input(job)),
       buffer_(job.format, near_far_, job.grid),
       proof_(job.format),
-      tests_hidden_(job.input.skips.has(Skip::hidden)),
+      tests_hidden_(job.input.skips.has(Skip::occlusion_culling)),
       coarse_(job.format.depth) {}
 
 void MeshTileWorker::draw_front(int tile) {
     const auto has_lanes = [tile](const MeshRun& run) {
         const auto list = run.of(tile);
         return std::any_of(list.begin(), list.end(), [](std::uint32_t entry) {
-            return (entry & kWholeTriangle) == 0;
+            return (entry & kScalarTriangle) == 0;
         });
     };
     const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
@@ -95,7 +95,7 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         return;
     }
     if (job_.input.flat_gives_zero) count_own_pixels();
-    const bool is_whole = job_.input.flat_gives_zero && list_whole(tile);
+    const bool is_whole = job_.input.flat_gives_zero && list_scalar(tile);
     if (is_whole && is_flat()) {
         sink.finish(buffer_.view(true));
         return;
@@ -135,8 +135,8 @@ void MeshTileWorker::count_own_pixels() {
         static_cast<std::uint64_t>(own.x1 - own.x0) * static_cast<std::uint64_t>(own.y1 - own.y0);
 }
 
-/// Gives the proof a tile's triangles, if they are few and all of them whole ones.
-bool MeshTileWorker::list_whole(int tile) {
+/// Gives the proof a tile's triangles, if they are few and all of them of the scalar path.
+bool MeshTileWorker::list_scalar(int tile) {
     const SkipSet& skips = job_.input.skips;
     if (!skips.has(Skip::flat_tiles) && !skips.has(Skip::flat_stencils)) return false;
     std::size_t count = 0;
@@ -146,8 +146,8 @@ bool MeshTileWorker::list_whole(int tile) {
     proof_.start();
     for (const MeshRun& run : runs_) {
         for (const std::uint32_t entry : run.of(tile)) {
-            if ((entry & kWholeTriangle) == 0) return false;
-            proof_.add(run.whole_batches()->front(), entry & ~kWholeTriangle);
+            if ((entry & kScalarTriangle) == 0) return false;
+            proof_.add(run.scalar_batches()->front(), entry & ~kScalarTriangle);
         }
     }
     return true;
@@ -182,18 +182,19 @@ bool MeshTileWorker::find_needed() {
     return true;
 }
 
-/// Triangles in order: stretches of one cluster for lanes, and whole ones by themselves.
+/// Triangles in order: stretches of one cluster for lanes, and those of the scalar path by
+/// themselves.
 void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
     const LaneSource source = run.source();
-    SkipCount& hidden = count_of(skips_, Skip::hidden);
+    SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
     hidden.of += list.size();
     while (!list.empty()) {
         const std::uint32_t slot = list[0] >> 8;
         std::size_t count = 1;
-        if ((list[0] & kWholeTriangle) != 0) {
+        if ((list[0] & kScalarTriangle) != 0) {
             draw_lanes(source);
             look_again(source);
-            draw_whole(*run.whole_batches(), list[0] & ~kWholeTriangle);
+            draw_scalar(*run.scalar_batches(), list[0] & ~kScalarTriangle);
         } else {
             while (count < list.size() && list[count] >> 8 == slot)
                 ++count;
@@ -213,13 +214,13 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
 
 /// Has what the next stretch reads on its way, unless it is hidden already.
 void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) const {
-    if ((entry & kWholeTriangle) != 0) return;
+    if ((entry & kScalarTriangle) != 0) return;
     const LaneSlot& slot = source.slots[entry >> 8];
     if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
 }
 
 /// Reads the coarse depth again if it is time: between clusters only, and with all before them
-/// drawn, so that what is found hidden does not hang on how clusters were shared out.
+/// drawn, so that what is found hidden does not depend on how clusters were shared out.
 void MeshTileWorker::look_again(const LaneSource& source) {
     if (!tests_hidden_ || !coarse_.wants_refresh()) return;
     draw_lanes(source);
@@ -240,21 +241,21 @@ void MeshTileWorker::add_lanes(const LaneSource& source, std::span<const std::ui
 void MeshTileWorker::draw_lanes(const LaneSource& source) {
     if (lane_count_ == 0) return;
     const std::span<const std::uint32_t> entries(lane_entries_.data(), lane_count_);
-    set_up_lanes(job_.format, source, entries, buffer_.drawn(), job_.pull, triangles_);
+    set_up_lanes(job_.format, source, entries, buffer_.drawn(), job_.depth_bias, triangles_);
     fill_lanes(job_.format, triangles_, buffer_);
     lane_count_ = 0;
 }
 
-void MeshTileWorker::draw_whole(const std::vector<Batch>& batches, std::uint32_t index) {
+void MeshTileWorker::draw_scalar(const std::vector<Batch>& batches, std::uint32_t index) {
     const SetupTriangle& t = batches.front().triangles[index];
     if (is_hidden(t.bounds, depth_of(job_, t.q_max))) {
-        ++count_of(skips_, Skip::hidden).skipped;
+        ++count_of(skips_, Skip::occlusion_culling).skipped;
         return;
     }
     coarse_.announce(kWholeWeight);
     const BinEntry entry{0, index};
     const FillJob fill{job_.format, near_far_, batches};
-    if (fill_whole(fill, entry, rows_, buffer_)) return;
+    if (fill_triangle(fill, entry, rows_, buffer_)) return;
     buffer_.touch();
     fill_(fill, {&entry, 1}, buffer_);
 }

@@ -27,7 +27,7 @@ class MeshTileWorker {
                    FrontDepth& front);
 
     /// Draws the lists of the nearest clusters and puts the tile aside. Leaves it to draw() if
-    /// there are none, or only whole triangles, of which the tile might be a flat one.
+    /// there are none, or only triangles of the scalar path, of which the tile might be a flat one.
     void draw_front(int tile);
 
     /// Draws the tile's lists in the order of the runs, or finds that it need not, and hands it
@@ -39,7 +39,7 @@ class MeshTileWorker {
   private:
     void finish(const NeededRows* needed, TileSink& sink);
     void count_own_pixels();
-    [[nodiscard]] bool list_whole(int tile);
+    [[nodiscard]] bool list_scalar(int tile);
     [[nodiscard]] bool is_one_triangle() const;
     [[nodiscard]] bool is_flat();
     [[nodiscard]] bool find_needed();
@@ -51,7 +51,7 @@ class MeshTileWorker {
     }
     void add_lanes(const LaneSource& source, std::span<const std::uint32_t> entries);
     void draw_lanes(const LaneSource& source);
-    void draw_whole(const std::vector<Batch>& batches, std::uint32_t index);
+    void draw_scalar(const std::vector<Batch>& batches, std::uint32_t index);
 
     const MeshJob& job_;
     const std::vector<MeshRun>& runs_;

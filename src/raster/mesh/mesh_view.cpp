@@ -28,7 +28,7 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
         const bool is_uncut =
             is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
         views[i].hides_backs =
-            keeps_order && solids[i].is_sealed && glm::length(way) > radius && is_uncut;
+            keeps_order && solids[i].is_watertight && glm::length(way) > radius && is_uncut;
     }
     return views;
 }
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
     return order;
 }
 
-PictureSides::PictureSides(const ViewTransform& transform, const scene::View& view)
+ImageSides::ImageSides(const ViewTransform& transform, const scene::View& view)
     : transform_(transform),
       near_(view.camera.near),
       right_px_(view.width_px + 1.0),
@@ -80,7 +80,7 @@ PictureSides::PictureSides(const ViewTransform& transform, const scene::View& vi
     lengths_[3] = length(0, -1, below_px_);
 }
 
-bool PictureSides::has_outside(const scene::Sphere& ball) const {
+bool ImageSides::has_outside(const scene::Sphere& ball) const {
     const glm::dvec3 p = transform_.to_clip(ball.center_world);
     const double radius = ball.radius * (1 + 1e-9);
     return p.z < near_ - radius || p.x + p.z < -radius * lengths_[0] ||

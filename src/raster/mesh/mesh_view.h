@@ -10,7 +10,8 @@ namespace ink::raster {
 
 /// What a frame decides about each solid before any of its clusters is looked at.
 struct SolidView {
-    bool hides_backs = false;  ///< sealed, and seen from outside: a face turned away is never seen
+    bool hides_backs =
+        false;  ///< watertight, and seen from outside: a face turned away is never seen
 };
 
 /// Looks at every solid once.
@@ -20,12 +21,12 @@ struct SolidView {
 /// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
 [[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
 
-/// The near plane and the sides of a picture, a pixel outside it: what is snapped may move by a
+/// The near plane and the sides of an image, a pixel outside it: what is snapped may move by a
 /// part of one.
-class PictureSides {
+class ImageSides {
   public:
-    PictureSides() = default;
-    PictureSides(const ViewTransform& transform, const scene::View& view);
+    ImageSides() = default;
+    ImageSides(const ViewTransform& transform, const scene::View& view);
 
     /// Whether a ball lies beyond one of them, with room for rounding.
     [[nodiscard]] bool has_outside(const scene::Sphere& ball) const;

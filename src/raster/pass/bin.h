@@ -15,7 +15,7 @@ struct BinEntry {
     std::uint32_t index = 0;
 };
 
-/// How a picture is cut into tiles of kTileSize_px, row by row; the last ones may be smaller.
+/// How an image is cut into tiles of kTileSize_px, row by row; the last ones may be smaller.
 struct TileGrid {
     int width_px = 0;
     int height_px = 0;
@@ -26,7 +26,7 @@ struct TileGrid {
     [[nodiscard]] int count() const { return columns() * rows(); }
     /// The tile's own pixels.
     [[nodiscard]] PixelRect own(int tile) const;
-    /// Own pixels and halo, as far as the picture goes: what is rasterized for it.
+    /// Own pixels and halo, as far as the image goes: what is rasterized for it.
     [[nodiscard]] PixelRect drawn(int tile) const;
 };
 

@@ -11,7 +11,7 @@ namespace ink::raster {
 inline constexpr int kClipPlanes = 5;
 
 /// How far inside plane 0 .. kClipPlanes - 1 a point (x, y, w) lies; negative outside. The band's
-/// ends stand `band_px` on either side of the picture's origin. In units of w, so only the sign
+/// ends stand `band_px` on either side of the image's origin. In units of w, so only the sign
 /// compares.
 [[nodiscard]] double inside_by(int plane, const glm::dvec3& p_clip, double near, double band_px);
 

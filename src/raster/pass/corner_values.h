@@ -9,7 +9,7 @@ namespace ink::raster {
 /// Vertices that values are wanted for, one array per number.
 struct CornerBatch {
     std::size_t count = 0;
-    const double* w = nullptr;      ///< distance along the gaze, at least the near plane's
+    const double* w = nullptr;  ///< distance along the view direction, at least the near plane's
     const double* inv_w = nullptr;  ///< 1/w as the screen position was made with
     const float* n_world[3] = {};   ///< normals, unit but at cuts; null where the surface has none
 };

@@ -9,7 +9,7 @@
 
 namespace ink::raster {
 
-/// Which rows of a tile are drawn, a run (in the picture's coordinates) per vector of 16 pixels
+/// Which rows of a tile are drawn, a run (in the image's coordinates) per vector of 16 pixels
 /// from the first of the tile's margin on.
 struct DrawnRows {
     std::array<RowRun, kStencilColumns + 1> of;

@@ -33,7 +33,7 @@ class FlatProof {
 
     /// Finds the stencils of a tile, `halo_px` on every side, in which two triangles may be met, or
     /// one and sky. What is left out, above and below a run, lies inside one triangle or in the
-    /// sky. At the picture's frame all are needed: beyond it, pixels are copies.
+    /// sky. At the image's frame all are needed: beyond it, pixels are copies.
     ///
     /// False, and `needed` unspecified, where it spares too little to be worth its while, and where
     /// there are more than three triangles.

@@ -80,8 +80,8 @@ struct NeededRows;
 
 /// A finished tile as its sink sees it: its pixels and `halo_px` more on every side.
 ///
-/// Local (0,0) is the tile's own top left pixel, which is (x0_px, y0_px) of the picture; local
-/// coordinates run from -halo_px to width_px + halo_px - 1. Pixels outside the picture hold copies
+/// Local (0,0) is the tile's own top left pixel, which is (x0_px, y0_px) of the image; local
+/// coordinates run from -halo_px to width_px + halo_px - 1. Pixels outside the image hold copies
 /// of the nearest pixel inside. The tile and its planes are only valid during the call.
 struct Tile {
     int x0_px = 0;
@@ -124,8 +124,8 @@ class TileSink {
 struct PassStats {
     std::uint64_t triangles = 0;            ///< submitted
     std::uint64_t triangles_clipped = 0;    ///< cut by the near plane or the guard band
-    std::uint64_t triangles_outside = 0;    ///< beyond the near plane or the picture
-    std::uint64_t triangles_no_sample = 0;  ///< in the picture, but no pixel centre inside
+    std::uint64_t triangles_outside = 0;    ///< beyond the near plane or the image
+    std::uint64_t triangles_no_sample = 0;  ///< in the image, but no pixel centre inside
     std::uint64_t triangles_binned = 0;     ///< entries in tile lists
     std::uint64_t samples_covered = 0;  ///< pixel centres inside a triangle, halos counted again
     std::uint64_t samples_kept = 0;     ///< of these, passed the depth test
@@ -133,13 +133,13 @@ struct PassStats {
     std::uint64_t tiles_empty = 0;  ///< nobody drew to them
 };
 
-/// Draws the triangles and hands every tile of a width_px x height_px picture to `sink`.
+/// Draws the triangles and hands every tile of a width_px x height_px image to `sink`.
 ///
 /// Exact and watertight: vertices snapped to 1/256 px, integer edge functions, top-left rule, so
 /// that each pixel centre of a closed fan is covered once. Both sides of a triangle are drawn.
-/// Clipped at the near plane and at a guard band far outside the picture only. The depth test keeps
+/// Clipped at the near plane and at a guard band far outside the image only. The depth test keeps
 /// the nearest, the first submitted on a tie. The same bits for every thread count. An empty
-/// picture calls nobody.
+/// image calls nobody.
 PassStats draw_pass(const PassFormat& format,
                     const PassInput& input,
                     int width_px,

@@ -45,7 +45,7 @@ using PerCorner = std::array<double, 3>;
 
 /// A triangle ready to fill: coverage from snapped corners, planes from unsnapped ones.
 struct SetupTriangle {
-    PixelRect bounds;  ///< of the pixel centres that may be inside, within the picture
+    PixelRect bounds;  ///< of the pixel centres that may be inside, within the image
     std::array<EdgeFunction, 3> edges;
     int ref_x = 0;  ///< planes start at this pixel, in the middle of `bounds`, so that they
     int ref_y = 0;  ///< do not lose digits on their way from a corner far outside
@@ -65,11 +65,11 @@ struct SetupTriangle {
 /// What became of a triangle.
 enum class SetupResult {
     drawn,
-    outside,    ///< beyond the picture
+    outside,    ///< beyond the image
     no_sample,  ///< in it, but without a pixel centre (or without area)
 };
 
-/// Sets a triangle up for a width_px x height_px picture; either turn will do. On anything but
+/// Sets a triangle up for a width_px x height_px image; either turn will do. On anything but
 /// `drawn` `out` is unspecified.
 [[nodiscard]] SetupResult set_up(const std::array<ScreenVertex, 3>& corners,
                                  int width_px,

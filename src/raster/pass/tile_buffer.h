@@ -35,7 +35,7 @@ class TileBuffer {
     /// last cleared is not cleared again.
     void start(int tile);
     /// Says that something is about to be written: anywhere, or (in an inner tile) in rows [y0, y1)
-    /// of the picture only. Those rows alone are then cleared by start() and made narrow by
+    /// of the image only. Those rows alone are then cleared by start() and made narrow by
     /// finish().
     void touch() { touch_rows(0, kTileRows); }
     void touch(int y0, int y1) {
@@ -45,23 +45,23 @@ class TileBuffer {
     void put_aside(TilePixels& to) { exchange(to); }
     /// Goes on with a tile that was put aside; what it was in is scratch then.
     void resume(int tile, TilePixels& from);
-    /// Copies the picture's outermost pixels to the halo pixels beyond the frame.
+    /// Copies the image's outermost pixels to the halo pixels beyond the frame.
     void extend_frame();
     /// How a sink sees it.
     [[nodiscard]] Tile view(bool is_empty) const;
 
-    /// The tile's own pixels, and those to rasterize, in the picture's coordinates.
+    /// The tile's own pixels, and those to rasterize, in the image's coordinates.
     [[nodiscard]] const PixelRect& own() const { return own_; }
     [[nodiscard]] const PixelRect& drawn() const { return drawn_; }
 
-    /// Whether the picture goes on beyond the tile on every side, halo included.
+    /// Whether the image goes on beyond the tile on every side, halo included.
     [[nodiscard]] bool is_inner() const {
         const int halo = grid_.halo_px;
         return drawn_.x0 == own_.x0 - halo && drawn_.x1 == own_.x1 + halo &&
                drawn_.y0 == own_.y0 - halo && drawn_.y1 == own_.y1 + halo;
     }
 
-    /// Row `y` such that [x] is a pixel, x and y in the picture's coordinates and drawn(). T is
+    /// Row `y` such that [x] is a pixel, x and y in the image's coordinates and drawn(). T is
     /// float or uint32 for depth.
     template <class T>
     [[nodiscard]] T* depth_row(int y) {

@@ -32,7 +32,7 @@ using FillTile = FillCounts (*)(const FillJob& job,
 
 /// The fill function compiled for `format`; a format outside the closed set is an assertion.
 ///
-/// The plain loop that the kernels of whole_fill.h equal bit for bit.
+/// The plain loop that the kernels of triangle_fill.h equal bit for bit.
 [[nodiscard]] FillTile fill_function(const PassFormat& format);
 
 }  // namespace ink::raster

@@ -64,8 +64,8 @@ class TriangleStage {
     TriangleStage(const PassFormat& format,
                   const PassInput& input,
                   const VertexBuffer& vertices,
-                  const PixelRect& picture)
-        : format_(format), input_(input), vertices_(vertices), picture_(picture) {}
+                  const PixelRect& image)
+        : format_(format), input_(input), vertices_(vertices), image_(image) {}
 
     void run(std::size_t first, std::size_t last, Batch& batch) const;
 
@@ -76,7 +76,7 @@ class TriangleStage {
     };
 
     [[nodiscard]] const float* values_of(std::uint32_t triangle) const;
-    void draw_whole(std::uint32_t triangle, Batch& batch, Tally& tally) const;
+    void draw_scalar(std::uint32_t triangle, Batch& batch, Tally& tally) const;
     void draw_clipped(std::uint32_t triangle, Batch& batch, Tally& tally) const;
     void add(const Piece& piece, std::uint32_t triangle, Batch& batch, Tally& tally) const;
     void add_planes(const Piece& piece, const SetupTriangle& set, Batch& batch) const;
@@ -84,7 +84,7 @@ class TriangleStage {
     const PassFormat& format_;
     const PassInput& input_;
     const VertexBuffer& vertices_;
-    PixelRect picture_;
+    PixelRect image_;
 };
 
 const float* TriangleStage::values_of(std::uint32_t triangle) const {
@@ -115,7 +115,7 @@ void TriangleStage::add(const Piece& piece,
                         Tally& tally) const {
     SetupTriangle& set = batch.triangles.emplace_back();
     set.triangle = triangle;
-    const SetupResult result = set_up(piece.corners, picture_.x1, picture_.y1, set);
+    const SetupResult result = set_up(piece.corners, image_.x1, image_.y1, set);
     if (result == SetupResult::drawn) {
         ++tally.drawn;
         return add_planes(piece, set, batch);
@@ -124,7 +124,7 @@ void TriangleStage::add(const Piece& piece,
     if (result == SetupResult::no_sample) ++tally.no_sample;
 }
 
-void TriangleStage::draw_whole(std::uint32_t triangle, Batch& batch, Tally& tally) const {
+void TriangleStage::draw_scalar(std::uint32_t triangle, Batch& batch, Tally& tally) const {
     const auto k_count = static_cast<std::size_t>(format_.interpolants);
     const float* values = values_of(triangle);
     Piece piece;
@@ -178,7 +178,7 @@ void TriangleStage::run(std::size_t first, std::size_t last, Batch& batch) const
         Tally tally;
         const bool is_lost = (a & b & c) != 0 || ((a | b | c) & kNotANumber) != 0;
         if ((a | b | c) == kInside) {
-            draw_whole(static_cast<std::uint32_t>(t), batch, tally);
+            draw_scalar(static_cast<std::uint32_t>(t), batch, tally);
         } else if (!is_lost) {
             draw_clipped(static_cast<std::uint32_t>(t), batch, tally);
         }
@@ -191,10 +191,10 @@ void TriangleStage::run(std::size_t first, std::size_t last, Batch& batch) const
 
 std::vector<Batch> set_up_batches(const PassFormat& format,
                                   const PassInput& input,
-                                  const PixelRect& picture,
+                                  const PixelRect& image,
                                   int threads) {
     const VertexBuffer vertices = put_on_screen(input, threads);
-    const TriangleStage stage(format, input, vertices, picture);
+    const TriangleStage stage(format, input, vertices, image);
     const std::size_t count = input.triangles.size();
     std::vector<Batch> batches((count + kBatchTriangles - 1) / kBatchTriangles);
     core::parallel_for(batches.size(), threads, [&](std::size_t i) {
@@ -208,10 +208,10 @@ std::vector<Batch> set_up_batches(const PassFormat& format,
 
 void set_up_more(const PassFormat& format,
                  const PassInput& input,
-                 const PixelRect& picture,
+                 const PixelRect& image,
                  Batch& batch) {
     const VertexBuffer vertices = put_on_screen(input, 1);
-    TriangleStage(format, input, vertices, picture).run(0, input.triangles.size(), batch);
+    TriangleStage(format, input, vertices, image).run(0, input.triangles.size(), batch);
 }
 
 }  // namespace ink::raster

@@ -31,13 +31,13 @@ inline constexpr std::size_t kBatchTriangles = 4096;
 /// Clips and sets up the whole input: batch i holds triangles i * kBatchTriangles onwards.
 [[nodiscard]] std::vector<Batch> set_up_batches(const PassFormat& format,
                                                 const PassInput& input,
-                                                const PixelRect& picture,
+                                                const PixelRect& image,
                                                 int threads);
 
 /// Clips and sets up a short input after what `batch` holds already, on this thread.
 void set_up_more(const PassFormat& format,
                  const PassInput& input,
-                 const PixelRect& picture,
+                 const PixelRect& image,
                  Batch& batch);
 
 }  // namespace ink::raster

@@ -22,7 +22,7 @@ struct CutTriangles {
     std::vector<std::uint32_t> source;  ///< which of the given triangles each is a piece of
 };
 
-/// How far outside the picture corners may lie, in px from its top left: well within what the
+/// How far outside the image corners may lie, in px from its top left: well within what the
 /// rasterizer takes uncut.
 inline constexpr double kCutBand_px = 1 << 19;
 

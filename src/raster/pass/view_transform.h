@@ -9,8 +9,8 @@ namespace ink::raster {
 /// Takes world points to clip space (x, y, w), written out as one product, so that a lane of a
 /// kernel and a plain loop do the same operations in the same order.
 ///
-/// x/w and y/w are pixels, w the distance along the gaze, as with scene::Projection, from which it
-/// differs by rounding in double only.
+/// x/w and y/w are pixels, w the distance along the view direction, as with scene::Projection, from
+/// which it differs by rounding in double only.
 struct ViewTransform {
     double eye[3] = {};
     double rows[3][3] = {};  ///< x, y and w from the eye-relative world vector

@@ -29,16 +29,16 @@ void add_places(std::vector<StressAxis>& axes) {
         "is scaled to near and far (depth_range = camera).",
         near_far_cases));
     axes.push_back(make_axis(
-        {"grazing", "angle at which the gaze meets a floor", "deg"},
+        {"grazing", "angle at which the view direction meets a floor", "deg"},
         {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
         "A flat floor fills the frame of a long lens (0.2 degrees, 1000 units away); things stand "
-        "on it. The eye sinks; below 0.2 degrees the floor's far end comes into the picture.",
+        "on it. The eye sinks; below 0.2 degrees the floor's far end comes into the image.",
         grazing_cases));
     axes.push_back(make_axis(
-        {"grazing_linear", "angle at which the gaze meets a floor", "deg"},
+        {"grazing_linear", "angle at which the view direction meets a floor", "deg"},
         {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
         "The same floor, but depth is written as distance itself (depth_encoding = linear) and "
-        "nothing guards against slopes (guard = none), for methods that have these knobs.",
+        "nothing guards against slopes (guard = none), for methods that have these parameters.",
         grazing_linear_cases));
     axes.push_back(
         make_axis({"origin", "distance of scene and camera from the origin", "units"},
@@ -62,11 +62,11 @@ void add_places(std::vector<StressAxis>& axes) {
         "The focal length grows, aimed at the vertex nearest the eye: from a scene of a few "
         "pixels to one corner of it.",
         zoom_cases));
-    axes.push_back(make_axis(
-        {"cube_roll", "roll of the camera", "deg", AxisScale::linear},
-        evenly(0, 350, 10),
-        "The camera turns about its gaze before a cube, a wedge and a solid of twenty faces.",
-        roll_cases));
+    axes.push_back(make_axis({"cube_roll", "roll of the camera", "deg", AxisScale::linear},
+                             evenly(0, 350, 10),
+                             "The camera turns about its view direction before a cube, a wedge and "
+                             "a solid of twenty faces.",
+                             roll_cases));
 }
 
 void add_shapes(std::vector<StressAxis>& axes) {
@@ -94,7 +94,7 @@ std::vector<StressAxis> make_axes() {
     std::vector<StressAxis> axes;
     add_places(axes);
     add_shapes(axes);
-    add_knob_axes(axes);
+    add_parameter_axes(axes);
     add_defect_axes(axes);
     return axes;
 }

@@ -29,8 +29,8 @@ struct StressHeading {
 /// From `low` to `high`, both included.
 [[nodiscard]] std::vector<double> evenly(double low, double high, double step);
 
-// stress_axis_knobs.cpp: what methods and machine are set to, and what is wrong with triangles
-void add_knob_axes(std::vector<StressAxis>& axes);
+// stress_axis_parameters.cpp: what methods and machine are set to, and what is wrong with triangles
+void add_parameter_axes(std::vector<StressAxis>& axes);
 void add_defect_axes(std::vector<StressAxis>& axes);
 
 }  // namespace ink::studies

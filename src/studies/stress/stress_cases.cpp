@@ -44,8 +44,8 @@ void add_face(scene::Mesh& mesh, const std::vector<double>& cuts, int axis, bool
 
 StressCase make_case(const StressPoint& point, scene::Scene scene, const scene::Camera& camera) {
     StressCase stress{std::string(point.axis), point.value, {std::move(scene), {}}};
-    stress.subject.views.push_back({camera, point.size.width_px, point.size.height_px});
-    stress.subject.views.front().camera.name = fmt::format("{}={:g}", point.axis, point.value);
+    stress.scene_views.views.push_back({camera, point.size.width_px, point.size.height_px});
+    stress.scene_views.views.front().camera.name = fmt::format("{}={:g}", point.axis, point.value);
     return stress;
 }
 

@@ -71,7 +71,7 @@ struct StressLook {
 [[nodiscard]] std::vector<StressCase> orientation_cases(const StressPoint& point);
 [[nodiscard]] std::vector<StressCase> soup_cases(const StressPoint& point);
 
-// stress_knobs.cpp: what the methods and the machine are set to
+// stress_parameters.cpp: what the methods and the machine are set to
 /// Names of the depth axis' values, from 1.
 [[nodiscard]] std::vector<std::string> depth_names();
 [[nodiscard]] std::vector<StressCase> depth_cases(const StressPoint& point);

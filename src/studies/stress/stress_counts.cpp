@@ -119,7 +119,7 @@ std::int64_t count_non_finite(const truth::Truth& truth) {
     for (const truth::Curve& curve : truth.curves) {
         for (const truth::CurvePoint* point : {&curve.begin, &curve.end})
             count += is_finite({point->x_px, point->y_px, point->w}) ? 0 : 1;
-        count += std::isfinite(curve.bend_rad) && std::isfinite(curve.view_angle_rad) ? 0 : 1;
+        count += std::isfinite(curve.deviation_rad) && std::isfinite(curve.view_angle_rad) ? 0 : 1;
         count += std::isnan(curve.gap) ? 1 : 0;
     }
     return count;
@@ -134,15 +134,15 @@ std::int64_t count_non_finite(const harness::Row& row) {
 }
 
 std::int64_t count_overflow(method::Method& method,
-                            const harness::Entrant& entrant,
+                            const harness::MethodConfig& config,
                             const scene::Scene& scene,
                             const method::Frame& frame) {
     const std::optional<method::LinearCode> code = method.code();
-    core::ParamValues settings = entrant.info->complete(entrant.settings);
+    core::ParamValues settings = config.info->complete(config.settings);
     const auto overflow = settings.find("overflow");
     if (!code || overflow == settings.end() || !fits_its_bits(*code)) return 0;
     overflow->second = overflow->second == "wrap" ? "saturate" : "wrap";
-    const auto other = entrant.info->make(settings);
+    const auto other = config.info->make(settings);
     other->prepare(scene);
     other->pose(scene);
     const std::vector<method::Layer> own_layers = method.layers(frame);

@@ -22,13 +22,13 @@ namespace ink::studies {
 /// Numbers of a row's scores that are not finite or outside 0..1.
 [[nodiscard]] std::int64_t count_non_finite(const harness::Row& row);
 
-/// Pixels at which the packed code of `method`, made by `entrant` and ready for `scene`, overflows:
+/// Pixels at which the packed code of `method`, made by `config` and ready for `scene`, overflows:
 /// where it comes out otherwise if overflow wraps instead of saturating, or the other way round.
 ///
 /// 0 for methods without packed codes, and for codes whose ranges exceed their bits: those overflow
 /// by intent.
 [[nodiscard]] std::int64_t count_overflow(method::Method& method,
-                                          const harness::Entrant& entrant,
+                                          const harness::MethodConfig& config,
                                           const scene::Scene& scene,
                                           const method::Frame& frame);
 

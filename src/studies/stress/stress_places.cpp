@@ -15,14 +15,14 @@ namespace {
 
 /// Moves scene, cameras and lights by a matrix that only moves and scales evenly.
 void transform(StressCase& stress, const glm::dmat4& moved, double scale) {
-    for (scene::Instance& instance : stress.subject.scene.instances)
+    for (scene::Instance& instance : stress.scene_views.scene.instances)
         instance.world_from_object = moved * instance.world_from_object;
-    scene::Camera& camera = stress.subject.views.front().camera;
+    scene::Camera& camera = stress.scene_views.views.front().camera;
     camera.eye_world = glm::dvec3(moved * glm::dvec4(camera.eye_world, 1));
     camera.near *= scale;
     camera.far *= scale;
-    stress.subject.scene.cameras.clear();
-    stress.subject.scene.lights.clear();
+    stress.scene_views.scene.cameras.clear();
+    stress.scene_views.scene.lights.clear();
 }
 
 /// A way from the origin that is about 1 long, in sixteenths: whole distances along it are exact.
@@ -113,9 +113,9 @@ StressCase rolled(const StressPoint& point, scene::Scene scene) {
 std::vector<StressCase> near_far_cases(const StressPoint& point) {
     std::vector<StressCase> cases = base_cases(point);
     for (StressCase& stress : cases) {
-        scene::Camera& camera = stress.subject.views.front().camera;
+        scene::Camera& camera = stress.scene_views.views.front().camera;
         camera.near = camera.far / point.value;
-        add_near_thing(stress.subject.scene, camera);
+        add_near_thing(stress.scene_views.scene, camera);
         stress.settings = {"depth_range=camera"};
     }
     return cases;
@@ -156,7 +156,7 @@ std::vector<StressCase> origin_cases(const StressPoint& point) {
 std::vector<StressCase> fp32_cases(const StressPoint& point) {
     std::vector<StressCase> cases = moved_away(point);
     for (StressCase& stress : cases)
-        stress.drawn = in_floats(stress.subject.scene);
+        stress.drawn = in_floats(stress.scene_views.scene);
     return cases;
 }
 
@@ -172,14 +172,15 @@ std::vector<StressCase> zoom_cases(const StressPoint& point) {
     std::vector<StressCase> cases =
         catalogue_cases(point, {"blocks", "gear", "rocket", "crystals"});
     for (StressCase& stress : cases) {
-        scene::Camera& camera = stress.subject.views.front().camera;
+        scene::Camera& camera = stress.scene_views.views.front().camera;
         const double slope = std::tan(camera.fov_y_rad / 2) / point.value;
-        scene::Camera aimed = scene::look_at(camera.eye_world,
-                                             nearest_vertex(stress.subject.scene, camera.eye_world),
-                                             {0, 1, 0},
-                                             2 * std::atan(slope));
+        scene::Camera aimed =
+            scene::look_at(camera.eye_world,
+                           nearest_vertex(stress.scene_views.scene, camera.eye_world),
+                           {0, 1, 0},
+                           2 * std::atan(slope));
         aimed.name = camera.name;
-        scene::fit_clip_range(aimed, scene::bounding_sphere(stress.subject.scene));
+        scene::fit_clip_range(aimed, scene::bounding_sphere(stress.scene_views.scene));
         camera = aimed;
     }
     return cases;
@@ -191,7 +192,7 @@ std::vector<StressCase> roll_cases(const StressPoint& point) {
     cases.push_back(rolled(point, roll_scene()));
     cases.push_back(rolled(point, scene_of("wedge", catalogue::extrude(wedge, {-1, 1}))));
     cases.push_back(rolled(point, scene_of("twenty_faces", catalogue::make_icosphere(1.5, 0))));
-    cases.front().subject.scene.name = "cube";
+    cases.front().scene_views.scene.name = "cube";
     return cases;
 }
 

@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "core/simd.h"
 #include "harness/csv.h"
-#include "harness/shots.h"
+#include "harness/evaluations.h"
 #include "studies/stress/stress_counts.h"
 #include "truth/limits.h"
 
@@ -28,8 +28,8 @@ struct StressTruth {
 StressTruth trace(const StressCase& stress, const harness::TraceOptions& options) {
     StressTruth result;
     try {
-        truth::SceneModel model(stress.subject.scene, options.truth);
-        result.truth = harness::trace_view(model, stress.subject.views.front(), options.cache);
+        truth::SceneModel model(stress.scene_views.scene, options.truth);
+        result.truth = harness::trace_view(model, stress.scene_views.views.front(), options.cache);
         result.non_finite = count_non_finite(result.truth->traced);
     } catch (const truth::TooLarge& reason) {
         result.failure = fmt::format("too_large: {}", reason.what());
@@ -39,40 +39,43 @@ StressTruth trace(const StressCase& stress, const harness::TraceOptions& options
     return result;
 }
 
-/// Draws with one method, unscored; its picture is empty if it failed.
-harness::Shot draw_shot(const harness::Entrant& entrant,
-                        const scene::Scene& scene,
-                        const method::Frame& frame,
-                        std::int64_t& overflow) {
+/// Draws with one method, unscored; its image is empty if it failed.
+harness::Evaluation draw_evaluation(const harness::MethodConfig& config,
+                                    const scene::Scene& scene,
+                                    const method::Frame& frame,
+                                    std::int64_t& overflow) {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    methods.push_back(std::make_unique<harness::PreparedMethod>(entrant, scene));
+    methods.push_back(std::make_unique<harness::PreparedMethod>(config, scene));
     const harness::MeasureOptions once{
         .threads = frame.threads, .min_repetitions = 0, .max_repetitions = 0, .skips = frame.skips};
-    harness::Shot shot = std::move(harness::method_shots(methods, frame.view, once).front());
-    shot.row.prepare_ns.reset();
-    shot.row.pose_ns.reset();
-    shot.row.cost.reset();
-    const bool has_size = shot.picture.width_px() == frame.view.width_px &&
-                          shot.picture.height_px() == frame.view.height_px;
-    if (shot.row.is_ok() && !has_size) {
-        shot.row.status = fmt::format(
-            "failed: a picture of {} x {} px", shot.picture.width_px(), shot.picture.height_px());
+    harness::Evaluation evaluation =
+        std::move(harness::method_evaluations(methods, frame.view, once).front());
+    evaluation.row.prepare_ns.reset();
+    evaluation.row.pose_ns.reset();
+    evaluation.row.cost.reset();
+    const bool has_size = evaluation.image.width_px() == frame.view.width_px &&
+                          evaluation.image.height_px() == frame.view.height_px;
+    if (evaluation.row.is_ok() && !has_size) {
+        evaluation.row.status = fmt::format("failed: an image of {} x {} px",
+                                            evaluation.image.width_px(),
+                                            evaluation.image.height_px());
     }
-    if (shot.row.is_ok())
-        overflow = count_overflow(methods.front()->method(), entrant, scene, frame);
-    return shot;
+    if (evaluation.row.is_ok())
+        overflow = count_overflow(methods.front()->method(), config, scene, frame);
+    return evaluation;
 }
 
-void score_shot(const StressTruth& truth, harness::Shot& shot) {
-    if (!truth.failure.empty()) shot.row.status = truth.failure;
-    if (!shot.row.is_ok()) return;
-    const score::Strokes strokes =
-        score::make_strokes(shot.picture, shot.threshold, harness::score_options(shot.threshold));
+void score_evaluation(const StressTruth& truth, harness::Evaluation& evaluation) {
+    if (!truth.failure.empty()) evaluation.row.status = truth.failure;
+    if (!evaluation.row.is_ok()) return;
+    const score::Strokes strokes = score::make_strokes(
+        evaluation.image, evaluation.threshold, harness::score_options(evaluation.threshold));
     harness::fill_score_2px(
-        score::score_strokes(strokes, truth.truth->scoring, harness::score_options(shot.threshold)),
-        shot.row);
-    shot.row.image_hash = core::image_hash(shot.picture);
-    harness::fill_truth_facts(*truth.truth, shot.row);
+        score::score_strokes(
+            strokes, truth.truth->scoring, harness::score_options(evaluation.threshold)),
+        evaluation.row);
+    evaluation.row.image_hash = core::image_hash(evaluation.image);
+    harness::fill_truth_facts(*truth.truth, evaluation.row);
 }
 
 }  // namespace
@@ -85,41 +88,41 @@ void StressCounts::add(const StressCounts& more) {
 }
 
 std::vector<StressRow> stress_rows(const StressCase& stress,
-                                   const std::vector<harness::Entrant>& entrants,
+                                   const std::vector<harness::MethodConfig>& configs,
                                    const harness::MeasureOptions& measure,
                                    const harness::TraceOptions& options) {
     std::optional<core::ForcedSimdTarget> forced;
     for (const core::SimdTarget& target : core::simd_targets()) {
         if (target.name == stress.simd_target) forced.emplace(target);
     }
-    const scene::Scene& scene = stress.drawn ? *stress.drawn : stress.subject.scene;
-    const scene::View& view = stress.subject.views.front();
+    const scene::Scene& scene = stress.drawn ? *stress.drawn : stress.scene_views.scene;
+    const scene::View& view = stress.scene_views.views.front();
     const method::Frame frame{view, stress.threads.value_or(measure.threads), measure.skips};
     const StressTruth truth = trace(stress, options);
     const StressCounts given = count_inputs(scene, view);
 
-    std::vector<harness::Shot> shots;
-    if (truth.truth) shots = harness::bracket_shots(*truth.truth);
-    const std::size_t brackets = shots.size();
-    shots.resize(brackets + entrants.size());
-    std::vector<std::int64_t> overflow(shots.size(), 0);
+    std::vector<harness::Evaluation> evaluations;
+    if (truth.truth) evaluations = harness::baseline_evaluations(*truth.truth);
+    const std::size_t baselines = evaluations.size();
+    evaluations.resize(baselines + configs.size());
+    std::vector<std::int64_t> overflow(evaluations.size(), 0);
     // Nothing is timed, so all may be drawn at once.
-    core::parallel_for(shots.size(), core::hardware_threads(), [&](std::size_t i) {
-        if (i >= brackets) {
-            const harness::Entrant entrant = under_stress(entrants[i - brackets], stress);
-            shots[i] = draw_shot(entrant, scene, frame, overflow[i]);
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (i >= baselines) {
+            const harness::MethodConfig config = under_stress(configs[i - baselines], stress);
+            evaluations[i] = draw_evaluation(config, scene, frame, overflow[i]);
         }
-        score_shot(truth, shots[i]);
-        shots[i].picture = {};
+        score_evaluation(truth, evaluations[i]);
+        evaluations[i].image = {};
     });
 
     const StressAxis& axis = find_stress_axis(stress.axis);
     std::vector<StressRow> rows;
-    for (std::size_t i = 0; i < shots.size(); ++i) {
-        harness::Row& row = shots[i].row;
-        row.scene = stress.subject.scene.name;
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        harness::Row& row = evaluations[i].row;
+        row.scene = stress.scene_views.scene.name;
         row.view = view.camera.name;
-        row.split = stress.subject.scene.split == scene::Split::train ? "train" : "heldout";
+        row.split = stress.scene_views.scene.split == scene::Split::train ? "train" : "heldout";
         row.width = view.width_px;
         row.height = view.height_px;
         row.threads = frame.threads;
@@ -135,9 +138,9 @@ std::vector<StressRow> stress_rows(const StressCase& stress,
 }
 
 void note_differences(std::vector<StressRow>& rows) {
-    std::map<std::string, std::string> first;  // axis, scene and method to the picture's hash
+    std::map<std::string, std::string> first;  // axis, scene and method to the image's hash
     for (StressRow& row : rows) {
-        if (!row.row.is_ok() || !find_stress_axis(row.axis).same_pictures) continue;
+        if (!row.row.is_ok() || !find_stress_axis(row.axis).same_images) continue;
         const std::string key =
             fmt::format("{},{},{}", row.axis, harness::csv_field(row.row.scene), row.row.method);
         const auto [known, is_new] = first.try_emplace(key, row.row.image_hash);

@@ -20,7 +20,7 @@ struct StressCounts {
     /// code whose ranges fit its bits comes out otherwise if it may wrap.
     std::int64_t overflow = 0;
     std::int64_t lost = 0;       ///< 1 if the cell has no result
-    std::int64_t differing = 0;  ///< 1 if the picture differs where the axis allows none to
+    std::int64_t differing = 0;  ///< 1 if the image differs where the axis allows none to
 
     [[nodiscard]] bool is_clean() const {
         return non_finite == 0 && overflow == 0 && lost == 0 && differing == 0;
@@ -37,18 +37,18 @@ struct StressRow {
     StressCounts counts = {};
 };
 
-/// Draws and scores one case: the brackets `none`, `sampled`, `oracle` first, then a row per
-/// entrant.
+/// Draws and scores one case: the baselines `none`, `sampled`, `oracle` first, then a row per
+/// configuration.
 ///
 /// Nothing is timed and rows hold no times, so they are the same bytes on every machine. A method
 /// that throws is a row whose status says so. Only `threads` and `skips` of `measure` are read; of
-/// `trace`, witness is not.
+/// `trace`, cross-check is not.
 [[nodiscard]] std::vector<StressRow> stress_rows(const StressCase& stress,
-                                                 const std::vector<harness::Entrant>& entrants,
+                                                 const std::vector<harness::MethodConfig>& configs,
                                                  const harness::MeasureOptions& measure,
                                                  const harness::TraceOptions& trace);
 
-/// Marks the rows of axes that allow no difference whose picture is not that of the axis' first
+/// Marks the rows of axes that allow no difference whose image is not that of the axis' first
 /// value (of its scene and method). Other rows stay.
 void note_differences(std::vector<StressRow>& rows);
 

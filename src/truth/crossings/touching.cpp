@@ -36,7 +36,7 @@ class Bundle {
     [[nodiscard]] const Sheet& right() const { return right_; }
 
     /// How far two sheets, one on either side, deviate from flat.
-    [[nodiscard]] double bend_rad(const Sheet& s0, const Sheet& s1) const {
+    [[nodiscard]] double deviation_rad(const Sheet& s0, const Sheet& s1) const {
         const glm::dvec3 along = glm::normalize(p_[edge_.b] - p_[edge_.a]);
         const auto into = [&](const Sheet& s) {
             const glm::dvec3 d = p_[s.vertex] - p_[edge_.a];
@@ -133,7 +133,7 @@ LineClass class_against(const EyeView& eye,
     const bool is_pierced = !touching.is_border && bundle.hides_own(touching) &&
                             !bundle.is_level(own, touching) && !bundle.covers_own(touching);
     if (is_pierced) return LineClass::intersection;
-    if (bundle.bend_rad(own, touching) < eye.model.crease_rad) {
+    if (bundle.deviation_rad(own, touching) < eye.model.crease_rad) {
         return eye.model.is_seam(own.face, touching.face) ? LineClass::seam : LineClass::none;
     }
     if (is_outline(own_class)) return own_class;
@@ -153,10 +153,10 @@ SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t) {
     return {seen(bundle.left()), seen(bundle.right())};
 }
 
-double seen_bend_rad(const EyeView& eye, std::uint32_t edge, double t) {
+double seen_deviation_rad(const EyeView& eye, std::uint32_t edge, double t) {
     const Bundle bundle(eye, edge, t);
     const bool has_both = bundle.left().is_there() && bundle.right().is_there();
-    return has_both ? bundle.bend_rad(bundle.left(), bundle.right()) : 0;
+    return has_both ? bundle.deviation_rad(bundle.left(), bundle.right()) : 0;
 }
 
 LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineClass own_class) {

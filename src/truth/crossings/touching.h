@@ -15,7 +15,8 @@ namespace ink::truth {
 /// everywhere. The edge is a line where
 /// - its own faces are seen on both sides, or on one with nothing on the other: as without the
 ///   touching faces;
-/// - an own face is seen on one side and a touching one on the other. If the touching face holds the
+/// - an own face is seen on one side and a touching one on the other. If the touching face holds
+/// the
 ///   edge inside and own faces go on behind it, they pierce it there: an intersection at any angle,
 ///   as between any two faces, unless it lies in the plane of an own one. Else, if the two bend by
 ///   less than a crease, the surface goes on: a seam between two objects, and within one nothing.
@@ -42,7 +43,7 @@ struct SeenSheets {
 [[nodiscard]] SeenSheets seen_sheets_at(const EyeView& eye, std::uint32_t edge, double t);
 
 /// How far the two seen sheets deviate from flat there, 0..pi; 0 where one side is empty.
-[[nodiscard]] double seen_bend_rad(const EyeView& eye, std::uint32_t edge, double t);
+[[nodiscard]] double seen_deviation_rad(const EyeView& eye, std::uint32_t edge, double t);
 
 /// The class of that point by the rule above, if `own_class` is what it is without the touching
 /// faces.

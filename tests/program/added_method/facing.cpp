@@ -5,7 +5,11 @@ namespace ink::methods {
 core::ParamTable<Facing::Params> Facing::table() {
     core::ParamTable<Params> table;
     table.number(&Params::limit, "limit", {0, 1}, "", "|n . v| below which a pixel is a line.")
-        .number(&Params::threshold, "threshold", {1, 255}, "", "Strength from which on it is one.");
+        .number(&Params::threshold,
+                "threshold",
+                {1, 255},
+                "",
+                "Edge response from which on it is one.");
     return buffers::add_surface_params(table);
 }
 

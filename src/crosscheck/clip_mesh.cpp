@@ -1,0 +1,287 @@
+#include "crosscheck/clip_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/parallel.h"
+
+namespace ink::crosscheck {
+namespace {
+
+constexpr double kRelativeTolerance = 1e-6;
+constexpr double kEdgeOn = 1e-13;  ///< relative; what double leaves of an exact zero
+constexpr std::size_t kChunk = 4096;
+
+double cross_xy(const glm::dvec3& a, const glm::dvec3& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+double diagonal(const std::vector<glm::dvec3>& points) {
+    if (points.empty()) return 0;
+    glm::dvec3 low = points[0], high = points[0];
+    for (const glm::dvec3& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return glm::length(high - low);
+}
+
+/// The angle between two vectors, 0..pi.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+}  // namespace
+
+ClipMesh::ClipMesh(const scene::Topology& topology,
+                   const scene::View& view,
+                   const SamplingOptions& options)
+    : topology_(topology),
+      view_(view),
+      projection_(view),
+      crease_rad_(options.crease_rad),
+      material_seams_(options.material_seams),
+      tolerance_(kRelativeTolerance * diagonal(topology.p_world)),
+      p_clip_(topology.p_world.size()),
+      kinds_(topology.edges.size()) {
+    const auto in_chunks = [&](std::size_t count, auto&& body) {
+        core::parallel_for((count + kChunk - 1) / kChunk, options.threads, [&](std::size_t chunk) {
+            const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+            for (std::size_t i = chunk * kChunk; i < end; ++i)
+                body(i);
+        });
+    };
+    in_chunks(p_clip_.size(),
+              [&](std::size_t i) { p_clip_[i] = projection_.to_clip(topology.p_world[i]); });
+    in_chunks(kinds_.size(), [&](std::size_t i) { kinds_[i] = kind_of(topology.edges[i]); });
+}
+
+LocalFace ClipMesh::local_face(std::uint32_t face, const glm::dvec2& p_px) const {
+    LocalFace local;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& p = p_clip_[topology_.faces[face].vertices[i]];
+        local.p[i] = {p.x - p_px.x * p.z, p.y - p_px.y * p.z, p.z};
+    }
+    double volume = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        local.area[i] = cross_xy(local.p[i], local.p[(i + 1) % 3]);
+        volume += local.area[i] * local.p[(i + 2) % 3].z;
+    }
+    local.orientation = volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+    return local;
+}
+
+double ClipMesh::depth(const LocalFace& face) {
+    double weight = 0, weighted = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double share = std::max(0.0, face.orientation * face.area[i]);
+        weight += share;
+        weighted += share * face.p[(i + 2) % 3].z;
+    }
+    return weight > 0 ? weighted / weight : 0;
+}
+
+double ClipMesh::plane_depth(const LocalFace& face) {
+    double weight = 0, weighted = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        weight += face.area[i];
+        weighted += face.area[i] * face.p[(i + 2) % 3].z;
+    }
+    return weight != 0 ? weighted / weight : 0;
+}
+
+bool ClipMesh::is_edge_near(const LocalFace& face, std::size_t side, double reach_px) {
+    const glm::dvec3 &a = face.p[side], &b = face.p[(side + 1) % 3];
+    const double slope = std::hypot(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z);
+    return std::abs(face.area[side]) <= reach_px * slope;
+}
+
+bool ClipMesh::holds(const LocalFace& face, double reach_px) {
+    if (face.orientation == 0) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.orientation * face.area[i] >= 0) continue;
+        if (reach_px == 0 || !is_edge_near(face, i, reach_px)) return false;
+    }
+    return true;
+}
+
+std::uint32_t ClipMesh::opposite(const scene::Edge& edge, std::uint32_t face) const {
+    for (const std::uint32_t v : topology_.faces[face].vertices) {
+        if (v != edge.a && v != edge.b) return v;
+    }
+    return edge.a;
+}
+
+int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
+    // Measured from one end of the edge as it is on the image, where the numbers are small.
+    glm::dvec3 a = p_clip_[edge.a], b = p_clip_[edge.b];
+    glm::dvec3 c = p_clip_[opposite(edge, face)];
+    double sign = 1;
+    if (a.z < b.z) {
+        std::swap(a, b);
+        sign = -1;
+    }
+    if (a.z > 0) {
+        b -= glm::dvec3(a.x, a.y, 0) * (b.z / a.z);
+        c -= glm::dvec3(a.x, a.y, 0) * (c.z / a.z);
+        const double first = b.x * c.y, second = b.y * c.x;
+        const double rounding = std::abs(first) + std::abs(second);
+        // Where they cancel, what remains must exceed what the shift itself rounded off.
+        const double size = std::max({std::abs(a.x), std::abs(a.y), 1.0}) / a.z;
+        const double lost = size * (std::abs(b.z) * (std::abs(c.x) + std::abs(c.y)) +
+                                    std::abs(c.z) * (std::abs(b.x) + std::abs(b.y)));
+        const double det = sign * (first - second);
+        if (std::abs(det) <= kEdgeOn * rounding + 1e-15 * lost) return 0;
+        return det > 0 ? 1 : -1;
+    }
+    return sign * glm::dot(glm::cross(a, b), c) > 0 ? 1 : -1;  // behind the eye: never seen
+}
+
+double ClipMesh::deviation_at(const scene::Edge& edge,
+                              std::uint32_t face0,
+                              std::uint32_t face1) const {
+    const glm::dvec3 a = topology_.p_world[edge.a];
+    const glm::dvec3 along = topology_.p_world[edge.b] - a;
+    const glm::dvec3 normal0 = glm::cross(along, topology_.p_world[opposite(edge, face0)] - a);
+    const glm::dvec3 normal1 = glm::cross(topology_.p_world[opposite(edge, face1)] - a, along);
+    return angle_between(normal0, normal1);
+}
+
+bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
+    const scene::Face &f0 = topology_.faces[face0], &f1 = topology_.faces[face1];
+    return f0.object != f1.object || (material_seams_ && f0.material != f1.material);
+}
+
+truth::LineClass ClipMesh::class_between(const scene::Edge& edge,
+                                         std::uint32_t face0,
+                                         std::uint32_t face1) const {
+    if (deviation_at(edge, face0, face1) >= crease_rad_) return truth::LineClass::crease;
+    return is_seam(face0, face1) ? truth::LineClass::seam : truth::LineClass::none;
+}
+
+ClipMesh::EdgeKind ClipMesh::kind_of(const scene::Edge& edge) const {
+    if (edge.face_count == 1) return EdgeKind::boundary;
+    if (edge.face_count > 2) return EdgeKind::mixed;
+    const auto faces = topology_.faces_of(edge);
+    if (side_of(edge, faces[0]) * side_of(edge, faces[1]) >= 0) return EdgeKind::contour;
+    switch (class_between(edge, faces[0], faces[1])) {
+        case truth::LineClass::crease:
+            return EdgeKind::crease;
+        case truth::LineClass::seam:
+            return EdgeKind::seam;
+        default:
+            return EdgeKind::flat;
+    }
+}
+
+std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
+    std::uint32_t nearest = kNothing;
+    const glm::dvec3 eye = projection_.eye_world();
+    const glm::dvec3 a = topology_.p_world[edge.a] - eye;
+    const glm::dvec3 along = topology_.p_world[edge.b] - topology_.p_world[edge.a];
+    const auto arm = [&](std::uint32_t face) {
+        return topology_.p_world[opposite(edge, face)] - topology_.p_world[edge.a];
+    };
+    for (const std::uint32_t face : topology_.faces_of(edge)) {
+        if (side_of(edge, face) != side) continue;
+        if (nearest == kNothing) {
+            nearest = face;
+            continue;
+        }
+        // Nearer is what lies on the eye's side of the plane of the nearest so far.
+        const glm::dvec3 normal = glm::cross(along, arm(nearest));
+        const glm::dvec3 reach = arm(face);
+        const double of_face = glm::dot(normal, reach), of_eye = -glm::dot(normal, a);
+        const bool is_in_plane =
+            std::abs(of_face) <= kEdgeOn * glm::length(normal) * glm::length(reach);
+        if (!is_in_plane && (of_face > 0) == (of_eye > 0)) nearest = face;
+    }
+    return nearest;
+}
+
+truth::LineClass ClipMesh::likely_class(std::uint32_t edge) const {
+    switch (kinds_[edge]) {
+        case EdgeKind::boundary:
+            return truth::LineClass::boundary;
+        case EdgeKind::contour:
+            return truth::LineClass::contour;
+        case EdgeKind::crease:
+            return truth::LineClass::crease;
+        case EdgeKind::seam:
+            return truth::LineClass::seam;
+        default:
+            return truth::LineClass::none;
+    }
+}
+
+Across ClipMesh::across(std::uint32_t face, std::size_t side) const {
+    const std::uint32_t index = topology_.faces[face].edges[side];
+    const scene::Edge& edge = topology_.edges[index];
+    const auto other = [&] {
+        const auto faces = topology_.faces_of(edge);
+        return faces[0] == face ? faces[1] : faces[0];
+    };
+    switch (kinds_[index]) {
+        case EdgeKind::flat:
+            return {truth::LineClass::none, other()};
+        case EdgeKind::boundary:
+            return {truth::LineClass::boundary, kNothing};
+        case EdgeKind::contour:
+            return {truth::LineClass::contour, kNothing};
+        case EdgeKind::crease:
+            return {truth::LineClass::crease, other()};
+        case EdgeKind::seam:
+            return {truth::LineClass::seam, other()};
+        case EdgeKind::mixed:
+            break;
+    }
+    const int from = side_of(edge, face);
+    const std::uint32_t beyond = from == 0 ? kNothing : nearest_on(edge, -from);
+    if (beyond == kNothing) return {truth::LineClass::contour, kNothing};
+    return {class_between(edge, face, beyond), beyond};
+}
+
+double ClipMesh::deviation_between(std::uint32_t face0, std::uint32_t face1) const {
+    const auto to_eye = [&](std::uint32_t face) {
+        const auto& v = topology_.faces[face].vertices;
+        const glm::dvec3 a = topology_.p_world[v[0]];
+        const glm::dvec3 n = glm::cross(topology_.p_world[v[1]] - a, topology_.p_world[v[2]] - a);
+        return glm::dot(n, projection_.eye_world() - a) < 0 ? -n : n;
+    };
+    return angle_between(to_eye(face0), to_eye(face1));
+}
+
+bool ClipMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
+    const auto& v = topology_.faces[face0].vertices;
+    const auto& w = topology_.faces[face1].vertices;
+    const glm::dvec3 a = topology_.p_world[v[0]];
+    const glm::dvec3 u0 = topology_.p_world[v[1]] - a, u1 = topology_.p_world[v[2]] - a;
+    const glm::dvec3 n = glm::cross(u0, u1);
+    return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
+        const glm::dvec3 d = topology_.p_world[i] - a;
+        const double rounding = kEdgeOn * glm::length(u0) * glm::length(u1) * glm::length(d);
+        return std::abs(glm::dot(n, d)) <= rounding;
+    });
+}
+
+bool ClipMesh::goes_on(std::uint32_t from,
+                       std::uint32_t face,
+                       const glm::dvec3& p_world,
+                       const Closeness& close) const {
+    const auto& v = topology_.faces[face].vertices;
+    std::array<glm::dvec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i)
+        p[i] = topology_.p_world[v[i]] - p_world;
+    const glm::dvec3 n = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
+    if (!(std::abs(glm::dot(n, p[0])) <= close.height)) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 along = glm::normalize(p[(i + 1) % 3] - p[i]);
+        const double outside = glm::dot(glm::cross(along, n), -p[i]);
+        if (outside > close.height + close.slack) return false;
+    }
+    return deviation_between(from, face) < crease_rad_;
+}
+
+}  // namespace ink::crosscheck

@@ -1,0 +1,292 @@
+#include "crosscheck/line_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+namespace ink::crosscheck {
+namespace {
+
+using namespace walking;
+
+constexpr double kTouching = 1e-6;    ///< weld tolerances
+constexpr double kSameDepth = 1e-11;  ///< relative: what double leaves of equal depths
+
+double depth_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
+    return ClipMesh::depth(mesh.local_face(face, p_px));
+}
+
+/// The direction of the line in which two planes meet, as its slant.
+double slant_of_planes(const ClipMesh& mesh, std::uint32_t face0, std::uint32_t face1) {
+    const auto plane = [&](std::uint32_t face) {  // 1/w = plane . (x, y, 1)
+        const auto& v = mesh.topology().faces[face].vertices;
+        const glm::dvec3 &a = mesh.p_clip()[v[0]], &b = mesh.p_clip()[v[1]],
+                         &c = mesh.p_clip()[v[2]];
+        const glm::dvec3 n = glm::cross(b - a, c - a);
+        return n / glm::dot(n, a);
+    };
+    const glm::dvec3 difference = plane(face0) - plane(face1);
+    return slant_of({difference.x, difference.y});
+}
+
+/// Whether the surface that is seen beyond the end of an edge of two faces touches it there, to
+/// within what double leaves.
+bool is_touched(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing) return false;
+    const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_end);
+    const bool has_met = back.met.line_class != truth::LineClass::none;
+    const std::array<std::uint32_t, 3> faces{
+        beyond.sight.face, back.face, has_met ? back.met.face : back.face};
+    return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
+        return mesh.goes_on(end.face, face, end.p_world, {kTouching * mesh.tolerance(), 0});
+    });
+}
+
+/// Whether the surface goes on where one ends: in what is seen beyond, or, if that is a slit of the
+/// weld tolerance behind a border, in what is seen behind the slit. An edge of two faces has no
+/// such slit.
+bool goes_on(const SightRays& rays, const MetEdge& end, const Sample& beyond, Sample& next) {
+    const ClipMesh& mesh = rays.mesh();
+    next = beyond;
+    if (end.line_class != truth::LineClass::boundary) return is_touched(mesh, end, beyond);
+    const double px_per_unit = mesh.projection().focal_px() / end.w;
+    const Closeness close{mesh.tolerance(), 4.0 / 512 / px_per_unit};
+    const auto continues = [&](const Sample& sample) {
+        return sample.sight.face != kNothing &&
+               mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
+    };
+    if (continues(beyond)) return true;
+    next.p_px =
+        mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
+    next.sight = rays.look(next.p_px);
+    return continues(next);
+}
+
+/// One surface's end, told: a line, a defect, or nothing where only the near plane cuts.
+void add_end(const SightRays& rays, const MetEdge& end, const Sample& beyond, Between& between) {
+    const ClipMesh& mesh = rays.mesh();
+    if (end.w < mesh.view().camera.near) {
+        between.is_near_cut = true;
+        return;
+    }
+    truth::LineClass line_class = end.line_class;
+    Sample next;
+    if (goes_on(rays, end, beyond, next)) {
+        between.is_defect = true;
+        if (!mesh.is_seam(end.face, next.sight.face)) return;
+        line_class = truth::LineClass::seam;
+    }
+    const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
+    if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
+}
+
+/// By how much a point lies on the far side of a face's plane as the eye sees it, world units; 0
+/// where double cannot tell it from a point of the plane.
+double depth_under(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const glm::dvec3 n = glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
+    const double height = glm::dot(n, p_world - p[v[0]]);
+    const double towards_eye = glm::dot(n, mesh.projection().eye_world() - p[v[0]]);
+    const double noise =
+        16 * std::numeric_limits<double>::epsilon() * (glm::length(p_world) + glm::length(p[v[0]]));
+    if (!(std::abs(height) > noise)) return 0;
+    return towards_eye > 0 ? -height : height;
+}
+
+/// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
+/// just before it, and it is not seen. By the height over the plane, not by depths: an edge that a
+/// modeller put into a wall lies in it to within the rounding of its floats, on either side.
+bool is_under(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) {
+    if (beyond.sight.face == kNothing || end.w < mesh.view().camera.near) return false;
+    const glm::dvec2 end_px = mesh.px(end.p_world);
+    const Walk cover = walk(mesh, beyond, end_px, Stop::at_end);
+    if (!cover.has_arrived) return false;
+    const double w = ClipMesh::plane_depth(mesh.local_face(cover.face, end_px));
+    if (w < mesh.view().camera.near) return false;
+    const auto& v = mesh.topology().faces[end.face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double under_a = depth_under(mesh, cover.face, p[v[end.side]]);
+    const double under_b = depth_under(mesh, cover.face, p[v[(end.side + 1) % 3]]);
+    // An edge that begins in the plane and goes under it is under it at once.
+    if (under_a * under_b >= 0) return under_a + under_b > 0;
+    return depth_under(mesh, cover.face, end.p_world) > 0;
+}
+
+/// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
+/// lie on each other.
+void add_ends(const SightRays& rays,
+              const std::array<Sample, 2>& samples,
+              const std::array<Walk, 2>& walks,
+              Between& between) {
+    const ClipMesh& mesh = rays.mesh();
+    const auto has_ended = [&](std::size_t i) {
+        return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
+               walks[i].met.line_class != truth::LineClass::none;
+    };
+    const double reach = 4 * mesh.tolerance();
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (!has_ended(i)) continue;
+        const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
+        if (is_behind) continue;
+        if (is_under(mesh, walks[i].met, samples[1 - i])) {
+            // Pieces of a cracked surface overlap as well as gape.
+            Sample next;
+            const bool is_border = walks[i].met.line_class == truth::LineClass::boundary;
+            if (is_border && goes_on(rays, walks[i].met, samples[1 - i], next))
+                between.is_defect = !mesh.is_seam(walks[i].met.face, next.sight.face);
+            continue;
+        }
+        add_end(rays, walks[i].met, samples[1 - i], between);
+    }
+}
+
+/// Whether a feature that the way from `sample` passed comes out beyond the surface seen at
+/// `other`, which neither covers nor touches it.
+bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
+    if (met.w < mesh.view().camera.near) return false;
+    const glm::dvec2 met_px = mesh.px(met.p_world);
+    const Walk cover = walk(mesh, other, met_px, Stop::at_end);
+    if (cover.has_arrived) return depth_under(mesh, cover.face, met.p_world) < 0;
+    return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
+}
+
+/// Tells a feature that the surface seen at sample `i` passes before the other hides it: seen,
+/// though by less than the distance of two samples. False if there is none.
+bool add_passed(const ClipMesh& mesh,
+                std::size_t i,
+                const std::array<Sample, 2>& samples,
+                const std::array<Walk, 2>& walks,
+                Between& between) {
+    const MetEdge& met = walks[i].met;
+    const bool has_passed = walks[i].has_arrived && met.line_class != truth::LineClass::none;
+    const Sample& other = samples[1 - i];
+    if (!has_passed || other.sight.face == kNothing || !is_out(mesh, met, other)) return false;
+    between.lines[between.count++] = {met.line_class, met.slant()};
+    return true;
+}
+
+/// Whether one surface, followed to the other sample, lies in what is seen there: then nothing is
+/// crossed, and the line is what the way passed, or a seam of two objects in one plane.
+bool add_overlap(const ClipMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<Walk, 2>& walks,
+                 Between& between) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::uint32_t seen = samples[1 - i].sight.face;
+        if (!walks[i].has_arrived || !mesh.is_level(walks[i].face, seen)) continue;
+        const MetEdge& met = walks[i].met;
+        if (met.line_class != truth::LineClass::none) {
+            between.lines[between.count++] = {met.line_class, met.slant()};
+        } else if (mesh.is_seam(samples[i].sight.face, seen)) {
+            // The other surface is what bends here.
+            between.lines[between.count++] = {truth::LineClass::seam, walks[1 - i].met.slant()};
+        }
+        return true;
+    }
+    return false;
+}
+
+/// Whether a border of the face passes the point within two weld tolerances.
+bool has_border_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+    const scene::Face& f = mesh.topology().faces[face];
+    const auto& p = mesh.topology().p_world;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh.topology().edges[f.edges[i]].face_count != 1) continue;
+        const glm::dvec3 a = p[f.vertices[i]], along = p[f.vertices[(i + 1) % 3]] - a;
+        const double t =
+            std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
+        if (glm::length(p_world - (a + t * along)) <= 2 * mesh.tolerance()) return true;
+    }
+    return false;
+}
+
+/// Whether two pieces of a cracked surface cross where they overlap by no more than the tolerance:
+/// the border of either lies there, and their planes are flatter to each other than a crease.
+bool is_slit(const ClipMesh& mesh,
+             const std::array<Sample, 2>& samples,
+             const std::array<std::uint32_t, 2>& faces) {
+    // Where the depths of both are the same.
+    const double w_beyond = depth_at(mesh, faces[0], samples[1].p_px);
+    const double before = depth_at(mesh, faces[1], samples[0].p_px) - samples[0].sight.w;
+    const double behind = w_beyond - samples[1].sight.w;
+    const double s = before + behind != 0 ? before / (before + behind) : 0.5;
+    const glm::dvec2 p_px = glm::mix(samples[0].p_px, samples[1].p_px, s);
+    const double w = glm::mix(samples[0].sight.w, w_beyond, s);
+    const glm::dvec3 p_world =
+        mesh.projection().eye_world() + w * mesh.projection().ray_world(p_px.x, p_px.y);
+    // Either may show its back: where the surface folds before the eye its borders are drawn.
+    const double deviation = mesh.deviation_between(faces[0], faces[1]);
+    return std::min(deviation, std::numbers::pi - deviation) < mesh.crease_rad() &&
+           !mesh.is_seam(faces[0], faces[1]) && has_border_at(mesh, faces[0], p_world) &&
+           has_border_at(mesh, faces[1], p_world);
+}
+
+/// Two surfaces that both go on at both samples: one passes through the other, or the near plane
+/// takes one away, or they coincide.
+void add_meeting(const ClipMesh& mesh,
+                 const std::array<Sample, 2>& samples,
+                 const std::array<Walk, 2>& walks,
+                 Between& between) {
+    const double near = mesh.view().camera.near;
+    std::array<double, 2> w_beyond{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        w_beyond[i] = depth_at(mesh, walks[i].face, samples[1 - i].p_px);
+        between.is_near_cut = between.is_near_cut || w_beyond[i] < near;
+    }
+    if (between.is_near_cut) return;
+    if (samples[0].sight.face == kNothing || samples[1].sight.face == kNothing) {
+        between.is_explained = false;
+        return;
+    }
+    const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
+    if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
+        return;
+    if (add_overlap(mesh, samples, walks, between)) return;
+    std::array<std::uint32_t, 2> faces{};  // where they cross
+    for (std::size_t i = 0; i < 2; ++i) {
+        const bool has_passed = add_passed(mesh, i, samples, walks, between);
+        faces[i] = has_passed ? walks[i].face : samples[i].sight.face;
+    }
+    if (is_slit(mesh, samples, faces)) {
+        between.is_defect = true;
+        return;
+    }
+    between.lines[between.count++] = {truth::LineClass::intersection,
+                                      slant_of_planes(mesh, faces[0], faces[1])};
+}
+
+}  // namespace
+
+Between name_between(const SightRays& rays, const Sample& from, const Sample& to) {
+    const ClipMesh& mesh = rays.mesh();
+    const std::array<Sample, 2> samples{from, to};
+    std::array<Walk, 2> walks;
+    Between between;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (samples[i].sight.face == kNothing) continue;
+        walks[i] = walk(mesh, samples[i], samples[1 - i].p_px, Stop::at_end);
+        if (samples[1 - i].sight.face == kNothing || !arrives_at(mesh, walks[i], samples[1 - i]))
+            continue;
+        if (walks[i].met.line_class == truth::LineClass::none) return between;
+        if (walks[i].met.w < mesh.view().camera.near) continue;
+        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant()};
+        return between;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
+        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
+    }
+    add_ends(rays, samples, walks, between);
+    for (std::size_t i = 0; i < 2 && between.count == 1; ++i)
+        add_passed(mesh, i, samples, walks, between);
+    const bool is_told = between.count > 0 || between.is_defect || between.is_near_cut;
+    if (!is_told) add_meeting(mesh, samples, walks, between);
+    return between;
+}
+
+}  // namespace ink::crosscheck

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cmath>
+#include <glm/vec2.hpp>
+
+#include "crosscheck/clip_mesh.h"
+#include "crosscheck/sight_rays.h"
+
+namespace ink::crosscheck {
+
+/// A point of the image and what is seen there.
+struct Sample {
+    glm::dvec2 p_px{0};
+    Sight sight;
+};
+
+/// Ways over the mesh, as the cross-check goes them.
+namespace walking {
+
+/// An edge of a face, met on a way across the image.
+struct MetEdge {
+    truth::LineClass line_class = truth::LineClass::none;
+    std::uint32_t face = kNothing;  ///< it was left through `side`
+    std::size_t side = 0;
+    double w = 0;
+    glm::dvec3 p_world{0};
+    glm::dvec2 outward{0};  ///< unit, on the image, away from the face
+    [[nodiscard]] double slant() const { return std::abs(outward.x) + std::abs(outward.y); }
+};
+
+/// Where a walk came to.
+struct Walk {
+    bool has_arrived = false;  ///< else it ended at `met`, behind which nothing goes on
+    std::uint32_t face = kNothing;
+    MetEdge met;  ///< the end, or the first feature that was passed
+};
+
+/// Whether a walk ends at the first feature edge, or only where nothing goes on.
+enum class Stop { at_feature, at_end };
+
+/// Follows the surface from the face that is seen at `from` towards `to`: to the first feature edge
+/// of any kind, or only to where nothing goes on.
+[[nodiscard]] Walk walk(const ClipMesh& mesh,
+                        const Sample& from,
+                        const glm::dvec2& to_px,
+                        Stop stop);
+
+/// A walk that arrived where another surface is seen, though its own holds the point by a hair:
+/// where it ends within reach, that hair is Embree's rounding, and the walk ended there.
+[[nodiscard]] Walk ended_round(const ClipMesh& mesh,
+                               const Walk& walk,
+                               const Sample& to,
+                               const glm::dvec2& d);
+
+/// Whether a walk came to the surface that is seen at `to`, or to within its reach.
+[[nodiscard]] bool arrives_at(const ClipMesh& mesh, const Walk& walk, const Sample& to);
+
+/// |cos| + |sin| of the direction of a line with this normal; 1 without one.
+[[nodiscard]] double slant_of(const glm::dvec2& normal);
+
+}  // namespace walking
+
+/// Whether a walk over the mesh from one sample to the other meets no feature edge.
+[[nodiscard]] bool is_joined(const ClipMesh& mesh, const Sample& from, const Sample& to);
+
+}  // namespace ink::crosscheck

@@ -1,0 +1,22 @@
+#include "draw/image_output.h"
+
+#include "image_io/image_file.h"
+
+namespace ink::draw {
+void write_drawing(const RgbImage& image, const std::filesystem::path& path) {
+    image_io::write_png(image, path);
+}
+
+void write_responses(const edge::EdgeImage& edge_responses, const std::filesystem::path& path) {
+    image_io::write_png(edge_responses, path);
+}
+
+void write_truth_labels(const truth::Truth& truth, const std::filesystem::path& path) {
+    image_io::write_png(truth.labels, path);
+}
+
+void write_truth_image(const truth::Truth& truth, const std::filesystem::path& path) {
+    image_io::write_png(truth_image(truth.labels), path);
+}
+
+}  // namespace ink::draw

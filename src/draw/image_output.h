@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "draw/error_image.h"
+#include "edge/edge_image.h"
+#include "truth/truth.h"
+
+namespace ink::draw {
+
+/// Writes a finished drawing as PNG. Throws core::Error if the file cannot be written.
+void write_drawing(const RgbImage& image, const std::filesystem::path& path);
+
+/// Writes bare edge responses as an 8-bit grey PNG, which `inkbench score` takes.
+void write_responses(const edge::EdgeImage& edge_responses, const std::filesystem::path& path);
+
+/// Writes a truth's labels as an 8-bit grey PNG of class numbers, which `inkbench score` takes, or
+/// as an image with a colour per class on white.
+void write_truth_labels(const truth::Truth& truth, const std::filesystem::path& path);
+void write_truth_image(const truth::Truth& truth, const std::filesystem::path& path);
+
+}  // namespace ink::draw

@@ -1,0 +1,132 @@
+#include "harness/evaluations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "core/parallel.h"
+#include "harness/line_scores.h"
+#include "score/random_baseline.h"
+#include "truth/curve_facts.h"
+
+namespace ink::harness {
+namespace {
+
+edge::EdgeImage full_response(const core::Image<std::uint8_t>& labels) {
+    edge::EdgeImage image(labels.width_px(), labels.height_px());
+    std::transform(
+        labels.data(), labels.data() + labels.size(), image.data(), [](std::uint8_t label) {
+            return label != 0 ? 255 : 0;
+        });
+    return image;
+}
+
+/// Each view has random images of its own; the same of a seed, whatever else takes part.
+std::uint64_t random_seed(const Row& row) {
+    return core::Hasher().value(row.seed).text(row.scene).text(row.view).result();
+}
+
+}  // namespace
+
+std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
+    std::vector<Evaluation> evaluations(3);
+    const auto& labels = truth.scoring.labels;
+    evaluations[0].row.method = "none";
+    evaluations[0].image = edge::EdgeImage(labels.width_px(), labels.height_px());
+    evaluations[1].row.method = "sampled";
+    evaluations[1].image = truth.traced.sampled;
+    evaluations[2].row.method = "oracle";
+    evaluations[2].image = full_response(labels);
+    return evaluations;
+}
+
+std::vector<Evaluation> method_evaluations(std::vector<std::unique_ptr<PreparedMethod>>& methods,
+                                           const scene::View& view,
+                                           const MeasureOptions& measure) {
+    std::vector<edge::EdgeImage> images;
+    std::vector<DrawTimes> times = draw_in_turns(methods, view, measure, images);
+    std::vector<Evaluation> evaluations(methods.size());
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        evaluations[i].row = methods[i]->row();
+        evaluations[i].image = std::move(images[i]);
+        evaluations[i].threshold = methods[i]->threshold();
+        if (methods[i]->failure().empty()) evaluations[i].code = methods[i]->method().code();
+        if (!times[i].failure.empty()) evaluations[i].row.status = times[i].failure;
+        fill_skips(times[i], measure.skips, evaluations[i].row);
+        fill_times(std::move(times[i].draw_ns), evaluations[i].row);
+    }
+    return evaluations;
+}
+
+void attribute_evaluations(const ViewTruth& truth,
+                           const scene::View& view,
+                           MissPredictor& predictor,
+                           std::vector<Evaluation>& evaluations) {
+    for (Evaluation& evaluation : evaluations) {
+        if (!evaluation.row.is_ok()) continue;
+        evaluation.scored.attribution = predictor.attribute(
+            evaluation.scored.wrong_2px, truth, view, {evaluation.code, evaluation.threshold});
+        evaluation.row.causes = evaluation.scored.attribution.counts;
+    }
+}
+
+void fill_truth_facts(const ViewTruth& truth, Row& row) {
+    const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
+    row.contour_sky_px = behind.sky_px;
+    row.contour_other_px = behind.other_object_px;
+    row.contour_self_px = behind.self_px;
+    row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
+    row.crowded_share = truth.traced.counts.crowded_share;
+}
+
+void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {
+    const LineTruth lines = prepare_lines(truth);
+    const score::RandomBaseline random_baseline(
+        truth.scoring, score_options(255), random_seed(evaluations.front().row));
+    // Scores are not timed, so they may use every core.
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        Evaluation& evaluation = evaluations[i];
+        if (!evaluation.row.is_ok()) return;
+        evaluation.scored = score_image(evaluation.image, truth.scoring, evaluation.threshold);
+        fill_scores(evaluation.scored, evaluation.row);
+        evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
+        evaluation.row.lines = score_lines(evaluation.scored.strokes, lines);
+        evaluation.scored.strokes = {};
+        evaluation.row.image_hash = core::image_hash(evaluation.image);
+    });
+    for (Evaluation& evaluation : evaluations)
+        fill_truth_facts(truth, evaluation.row);
+}
+
+void note_crosscheck(const harness::Crosscheck& check, std::vector<Evaluation>& evaluations) {
+    const double rate = check.agreement.disagreement_rate();
+    const harness::ClassAgreement total = check.agreement.total();
+    for (Evaluation& evaluation : evaluations) {
+        evaluation.row.reference_disagreement = rate;
+        evaluation.row.crosscheck_px = total.truth_px + total.crosscheck_px;
+        if (evaluation.row.is_ok() && rate > harness::kAllowedShare) {
+            evaluation.row.status = fmt::format(
+                "reference_disagreement: the cross-check disagrees on {:.3f} % of the lines",
+                100 * rate);
+        }
+    }
+}
+
+void check_baselines(const std::vector<Evaluation>& evaluations,
+                     std::vector<std::string>& reasons) {
+    for (const Evaluation& evaluation : evaluations) {
+        const Row& row = evaluation.row;
+        if (!row.is_ok() || !row.f_2px) continue;
+        if (row.method == "oracle" && *row.f_2px != 1) {
+            reasons.push_back(fmt::format(
+                "oracle has F = {:.6f} on {} {}, not 1", *row.f_2px, row.scene, row.view));
+        }
+        if (row.method == "none" && row.n_truth > 0 && *row.f_2px != 0) {
+            reasons.push_back(fmt::format(
+                "none has F = {:.6f} on {} {}, not 0", *row.f_2px, row.scene, row.view));
+        }
+    }
+}
+
+}  // namespace ink::harness

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edge/edge_image.h"
+#include "harness/cell.h"
+#include "harness/crosscheck_cache.h"
+#include "harness/miss_prediction.h"
+#include "harness/row.h"
+#include "harness/shown_view.h"
+#include "harness/tracing.h"
+
+namespace ink::harness {
+
+/// One image of a view on its way to a row.
+struct Evaluation {
+    Row row;
+    edge::EdgeImage image;
+    int threshold = 128;
+    std::optional<method::LinearCode> code;
+    Scored scored;
+};
+
+/// The rows that stand in every run and are no methods: floor (`none`), one-sample ceiling
+/// (`sampled`), truth itself (`oracle`), in this order.
+[[nodiscard]] std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth);
+
+/// Draws and times every method on `view`, in turns. A method that fails is an evaluation whose row
+/// says so.
+[[nodiscard]] std::vector<Evaluation> method_evaluations(
+    std::vector<std::unique_ptr<PreparedMethod>>& methods,
+    const scene::View& view,
+    const MeasureOptions& measure);
+
+/// What the cross-check says of the truth stands in every row of the view; a truth that it
+/// contradicts scores nobody.
+void note_crosscheck(const harness::Crosscheck& check, std::vector<Evaluation>& evaluations);
+
+/// Writes what all rows of one view have in common.
+void fill_truth_facts(const ViewTruth& truth, Row& row);
+
+/// Scores every evaluation that did not fail, beside a random image of as many pixels. Each view
+/// has random images of its own: the rows must have scene, view and seed.
+void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
+
+/// Why each scored evaluation is wrong where it is.
+void attribute_evaluations(const ViewTruth& truth,
+                           const scene::View& view,
+                           MissPredictor& predictor,
+                           std::vector<Evaluation>& evaluations);
+
+/// Adds a reason for each baseline that did not come out as it must: such a run says nothing about
+/// methods either.
+void check_baselines(const std::vector<Evaluation>& evaluations, std::vector<std::string>& reasons);
+
+}  // namespace ink::harness

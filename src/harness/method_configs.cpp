@@ -1,0 +1,151 @@
+#include "harness/method_configs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "core/error.h"
+#include "methods/presets.h"
+#include "methods/tuned.h"
+
+namespace ink::harness {
+namespace {
+
+struct Setting {
+    std::string method;  ///< "" means all that know the key
+    std::string key;
+    std::string value;
+    std::string text;
+};
+
+Setting parse_setting(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw core::Error(
+            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value");
+    }
+    Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
+    const auto dot = setting.key.find('.');
+    if (dot != std::string::npos) {
+        setting.method = setting.key.substr(0, dot);
+        setting.key = setting.key.substr(dot + 1);
+    }
+    return setting;
+}
+
+bool knows(const method::MethodInfo& info, const std::string& key) {
+    return std::any_of(info.params.begin(), info.params.end(), [&](const core::Param& param) {
+        return param.name == key;
+    });
+}
+
+void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
+    std::set<std::string> known;
+    bool is_used = false;
+    for (MethodConfig& config : configs) {
+        if (!setting.method.empty() && setting.method != config.info->name) continue;
+        for (const core::Param& param : config.info->params)
+            known.insert(param.name);
+        if (!knows(*config.info, setting.key)) continue;
+        config.settings[setting.key] = setting.value;
+        is_used = true;
+    }
+    if (is_used) return;
+    if (!setting.method.empty() && known.empty()) {
+        std::vector<std::string> names;
+        for (const MethodConfig& config : configs)
+            names.push_back(config.info->name);
+        throw core::Error("--set " + setting.text,
+                          fmt::format("method '{}' does not take part", setting.method),
+                          core::known_names(names, setting.method));
+    }
+    throw core::Error("--set " + setting.text,
+                      fmt::format("there is no parameter '{}'", setting.key),
+                      core::known_names({known.begin(), known.end()}, setting.key));
+}
+
+/// Whether a registered method is itself a preset: `inkbench tune` gives that name, too.
+bool is_shipped(const std::string& name) {
+    const auto shipped = methods::shipped_presets();
+    return std::any_of(
+        shipped.begin(), shipped.end(), [&](const auto& preset) { return preset.name == name; });
+}
+
+}  // namespace
+
+std::vector<std::string> split_list(const std::string& text) {
+    std::vector<std::string> parts;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+        const auto end = std::min(text.find(',', begin), text.size());
+        const auto first = text.find_first_not_of(" \t", begin);
+        if (first < end) {
+            const auto last = text.find_last_not_of(" \t", end - 1);
+            parts.push_back(text.substr(first, last - first + 1));
+        }
+        begin = end + 1;
+    }
+    return parts;
+}
+
+void apply_settings(const std::vector<std::string>& settings, std::vector<MethodConfig>& configs) {
+    for (const std::string& text : settings)
+        apply_setting(parse_setting(text), configs);
+    // Read once here, so that a bad value ends the program before a scene is loaded.
+    for (const MethodConfig& config : configs)
+        (void)config.info->complete(config.settings);
+}
+
+MethodConfig preset_config(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
+    const std::vector<method::MethodInfo>& bases = methods::registry();
+    const methods::Preset preset = methods::parse_preset(text, file.string(), bases);
+    const bool is_taken = std::any_of(
+        bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
+    if (is_taken && !is_shipped(preset.name)) {
+        throw core::Error(file.string(),
+                          fmt::format("there is a method '{}' already", preset.name),
+                          "a name of its own");
+    }
+    auto info = std::make_shared<const method::MethodInfo>(methods::preset_method(preset, bases));
+    return {info.get(), {}, info};
+}
+
+std::vector<MethodConfig> make_configs(const std::string& methods,
+                                       const std::vector<std::string>& settings,
+                                       const std::vector<std::string>& presets) {
+    std::vector<MethodConfig> configs;
+    std::set<std::string> names;
+    for (const std::string& name : split_list(methods)) {
+        if (!names.insert(name).second) {
+            throw core::Error("--methods", fmt::format("'{}' is named twice", name), "each once");
+        }
+        configs.push_back({&methods::find_method(name), {}});
+    }
+    if (configs.empty()) {
+        for (const method::MethodInfo& info : methods::registry())
+            configs.push_back({&info, {}});
+    }
+    for (const std::string& file : presets) {
+        MethodConfig config = preset_config(file);
+        const auto is_namesake = [&](const MethodConfig& other) {
+            return !other.owned && other.info->name == config.info->name;
+        };
+        if (methods.empty()) std::erase_if(configs, is_namesake);
+        if (!names.insert(config.info->name).second) {
+            throw core::Error(file,
+                              fmt::format("'{}' is there twice", config.info->name),
+                              "presets with names of their own");
+        }
+        configs.push_back(std::move(config));
+    }
+    apply_settings(settings, configs);
+    return configs;
+}
+
+}  // namespace ink::harness

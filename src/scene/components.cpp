@@ -1,0 +1,212 @@
+#include "scene/components.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+#include "scene/predicates.h"
+
+namespace ink::scene {
+namespace {
+
+class Groups {
+  public:
+    explicit Groups(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+    std::uint32_t root(std::uint32_t i) {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) { parent_[root(b)] = root(a); }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// What a component is judged by.
+struct Tally {
+    double six_volumes = 0;
+    std::size_t edges = 0;
+    std::size_t vertices = 0;
+    bool is_bent_inwards = false;
+};
+
+bool runs_forward(const Face& face, const Edge& edge) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
+    }
+    return false;
+}
+
+/// Whether the second face of the edge rises before the first.
+bool is_concave(const Topology& topology, const Edge& edge) {
+    const auto faces = topology.faces_of(edge);
+    if (deviation_rad(topology, edge, faces[0], faces[1]) < kFlat_rad) return false;
+    const Face& face = topology.faces[faces[0]];
+    const Face& other = topology.faces[faces[1]];
+    const auto& p = topology.p_world;
+    for (const std::uint32_t v : other.vertices) {
+        if (v == edge.a || v == edge.b) continue;
+        return facing(p[face.vertices[0]], p[face.vertices[1]], p[face.vertices[2]], p[v]) > 0;
+    }
+    return false;
+}
+
+/// The component of each face, numbered in the order of first faces.
+std::vector<std::uint32_t> number_faces(const Topology& topology) {
+    Groups groups(topology.faces.size());
+    for (const Edge& edge : topology.edges) {
+        const auto faces = topology.faces_of(edge);
+        for (const std::uint32_t face : faces)
+            groups.join(faces[0], face);
+    }
+    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(topology.faces.size(), kNone);
+    std::vector<std::uint32_t> component_of(topology.faces.size());
+    std::uint32_t next = 0;
+    for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
+        std::uint32_t& of_root = number[groups.root(f)];
+        if (of_root == kNone) of_root = next++;
+        component_of[f] = of_root;
+    }
+    return component_of;
+}
+
+void add_face(const Topology& topology, const Face& face, Component& component, Tally& tally) {
+    for (const std::uint32_t v : face.vertices) {
+        component.low_world = glm::min(component.low_world, topology.p_world[v]);
+        component.high_world = glm::max(component.high_world, topology.p_world[v]);
+    }
+    ++component.faces;
+    // Seen from a point nearby, so that a small component far from the origin keeps its volume's
+    // sign.
+    const glm::dvec3 origin = topology.p_world[topology.faces.front().vertices[0]];
+    const auto& [a, b, c] = face.vertices;
+    tally.six_volumes +=
+        glm::dot(topology.p_world[a] - origin,
+                 glm::cross(topology.p_world[b] - origin, topology.p_world[c] - origin));
+}
+
+/// Widens the ball round a component whose box is known.
+void reach(const Topology& topology, const Face& face, Component& component) {
+    const glm::dvec3 centre = (component.low_world + component.high_world) * 0.5;
+    for (const std::uint32_t v : face.vertices)
+        component.radius = std::max(component.radius, glm::length(topology.p_world[v] - centre));
+}
+
+void add_edge(const Topology& topology, const Edge& edge, Component& component, Tally& tally) {
+    ++tally.edges;
+    component.is_closed = component.is_closed && edge.face_count == 2;
+    if (edge.face_count != 2) return;
+    const auto faces = topology.faces_of(edge);
+    const bool is_opposite = runs_forward(topology.faces[faces[0]], edge) !=
+                             runs_forward(topology.faces[faces[1]], edge);
+    component.is_consistent = component.is_consistent && is_opposite;
+    // One is enough, and the question is the dearest.
+    tally.is_bent_inwards = tally.is_bent_inwards || is_concave(topology, edge);
+}
+
+/// Each vertex counts for every component that it belongs to.
+void count_vertices(const Topology& topology,
+                    const std::vector<std::uint32_t>& component_of,
+                    std::vector<Tally>& tallies) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> uses;
+    uses.reserve(3 * topology.faces.size());
+    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
+        for (const std::uint32_t v : topology.faces[f].vertices)
+            uses.emplace_back(v, component_of[f]);
+    }
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    for (const auto& [vertex, component] : uses)
+        ++tallies[component].vertices;
+}
+
+bool have_common_room(const Component& a, const Component& b) {
+    const glm::dvec3 apart = (a.low_world + a.high_world - b.low_world - b.high_world) * 0.5;
+    if (glm::length(apart) >= a.radius + b.radius) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = std::max(a.low_world[axis], b.low_world[axis]);
+        const double high = std::min(a.high_world[axis], b.high_world[axis]);
+        if (low > high) return false;
+        if (low < high) continue;
+        // Touching is no crossing, unless a flat component stands within the other.
+        const auto stands_within = [&](const Component& flat, const Component& other) {
+            return flat.low_world[axis] == flat.high_world[axis] && other.low_world[axis] < low &&
+                   other.high_world[axis] > high;
+        };
+        if (!stands_within(a, b) && !stands_within(b, a)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Components find_components(const Topology& topology) {
+    Components found{{}, number_faces(topology)};
+    const std::vector<std::uint32_t>& component_of = found.component_of;
+    const std::size_t count =
+        component_of.empty() ? 0 : 1 + *std::max_element(component_of.begin(), component_of.end());
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Component blank{.faces = 0,
+                          .low_world = glm::dvec3(kInfinity),
+                          .high_world = glm::dvec3(-kInfinity),
+                          .is_closed = true,
+                          .is_consistent = true};
+    std::vector<Component>& components = found.components;
+    components.assign(count, blank);
+    std::vector<Tally> tallies(count);
+    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
+        add_face(
+            topology, topology.faces[f], components[component_of[f]], tallies[component_of[f]]);
+    }
+    for (std::size_t f = 0; f < topology.faces.size(); ++f)
+        reach(topology, topology.faces[f], components[component_of[f]]);
+    for (const Edge& edge : topology.edges) {
+        const std::uint32_t component = component_of[topology.faces_of(edge)[0]];
+        add_edge(topology, edge, components[component], tallies[component]);
+    }
+    count_vertices(topology, component_of, tallies);
+    for (std::size_t i = 0; i < count; ++i) {
+        Component& component = components[i];
+        const Tally& tally = tallies[i];
+        component.is_watertight =
+            component.is_closed && component.is_consistent && tally.six_volumes > 0;
+        const bool is_ball = tally.vertices + component.faces == tally.edges + 2;
+        component.is_convex = component.is_watertight && is_ball && !tally.is_bent_inwards;
+    }
+    return found;
+}
+
+std::size_t count_overlapping_components(const std::vector<Component>& components,
+                                         std::size_t most) {
+    if (components.empty()) return 0;
+    glm::dvec3 low = components.front().low_world, high = components.front().high_world;
+    std::vector<const Component*> sorted;
+    for (const Component& component : components) {
+        low = glm::min(low, component.low_world);
+        high = glm::max(high, component.high_world);
+        sorted.push_back(&component);
+    }
+    // Swept along the longest way, on which the fewest boxes stand side by side.
+    const glm::dvec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    std::sort(sorted.begin(), sorted.end(), [axis](const Component* a, const Component* b) {
+        return a->low_world[axis] < b->low_world[axis];
+    });
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+            if (sorted[j]->low_world[axis] > sorted[i]->high_world[axis]) break;
+            pairs += have_common_room(*sorted[i], *sorted[j]);
+            if (pairs == most) return pairs;
+        }
+    }
+    return pairs;
+}
+
+}  // namespace ink::scene

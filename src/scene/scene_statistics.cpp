@@ -1,0 +1,201 @@
+#include "scene/scene_statistics.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "scene/components.h"
+#include "scene/near_points.h"
+#include "scene/near_sheets.h"
+
+namespace ink::scene {
+namespace {
+
+constexpr std::size_t kMostPairs = 1'000'000;
+constexpr int kProbes = 80;  // a side
+
+double length_of(const Topology& topology, const Edge& edge) {
+    return glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
+}
+
+bool runs_forward(const Face& face, const Edge& edge) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
+    }
+    return false;
+}
+
+void add(EdgeTally& tally, double length_world) {
+    ++tally.count;
+    tally.length_world += length_world;
+}
+
+void add_deviation(SceneStatistics& statistics, double deviation) {
+    const double bin_rad = std::numbers::pi / kDeviationBins;
+    const auto bin = std::min(kDeviationBins - 1, static_cast<int>(deviation / bin_rad));
+    ++statistics.deviations[static_cast<std::size_t>(bin)];
+}
+
+void add_pair_edge(const Topology& topology, const Edge& edge, SceneStatistics& statistics) {
+    const auto faces = topology.faces_of(edge);
+    const Face& face = topology.faces[faces[0]];
+    const Face& other = topology.faces[faces[1]];
+    const double length_world = length_of(topology, edge);
+    const double deviation = deviation_rad(topology, edge, faces[0], faces[1]);
+    if (deviation >= statistics.crease_rad) {
+        add(statistics.creases, length_world);
+        add_deviation(statistics, deviation);
+        const bool is_first = statistics.creases.count == 1;
+        statistics.least_crease_rad =
+            is_first ? deviation : std::min(statistics.least_crease_rad, deviation);
+        return;
+    }
+    if (face.object != other.object) add(statistics.seams, length_world);
+    if (deviation < kFlat_rad) return add(statistics.flat, length_world);
+    add(statistics.smooth, length_world);
+    add_deviation(statistics, deviation);
+    statistics.largest_smooth_rad = std::max(statistics.largest_smooth_rad, deviation);
+    if (runs_forward(face, edge) == runs_forward(other, edge))
+        add(statistics.inside_out, length_world);
+}
+
+void count_edges(const Topology& topology, SceneStatistics& statistics) {
+    for (const Edge& edge : topology.edges) {
+        if (edge.face_count == 2) {
+            add_pair_edge(topology, edge, statistics);
+        } else {
+            add(edge.face_count == 1 ? statistics.boundary : statistics.nonmanifold,
+                length_of(topology, edge));
+        }
+    }
+    for (const Face& face : topology.faces) {
+        statistics.loose_triangles +=
+            std::all_of(face.edges.begin(), face.edges.end(), [&](auto e) {
+                return topology.edges[e].face_count == 1;
+            });
+    }
+}
+
+std::size_t count_cracked_corners(const Topology& topology) {
+    std::vector<glm::dvec3> corners;
+    std::vector<bool> is_taken(topology.p_world.size(), false);
+    for (const Edge& edge : topology.edges) {
+        if (edge.face_count != 1) continue;
+        for (const std::uint32_t v : {edge.a, edge.b}) {
+            if (!is_taken[v]) corners.push_back(topology.p_world[v]);
+            is_taken[v] = true;
+        }
+    }
+    if (corners.empty()) return 0;
+    glm::dvec3 low = corners.front(), high = low;
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
+        low = glm::min(low, corners[i]);
+        high = glm::max(high, corners[i]);
+        all.push_back(i);
+    }
+    NearPoints near(corners);
+    near.add(all, kCrackShare * glm::length(high - low));
+    std::vector<glm::dvec3> places = near.representatives();
+    // Both sides of a crack count: all but those that stayed alone at their place.
+    const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
+    std::sort(places.begin(), places.end(), less);
+    std::size_t cracked = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        cracked += (i > 0 && places[i] == places[i - 1]) ||
+                   (i + 1 < places.size() && places[i] == places[i + 1]);
+    }
+    return cracked;
+}
+
+/// Half the diagonal of each object's own box, the largest over the smallest that is not 0.
+double extent_ratio(const Topology& topology, std::size_t objects) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::vector<glm::dvec3> low(objects, glm::dvec3(kInfinity));
+    std::vector<glm::dvec3> high(objects, glm::dvec3(-kInfinity));
+    for (const Face& face : topology.faces) {
+        for (const std::uint32_t v : face.vertices) {
+            low[face.object] = glm::min(low[face.object], topology.p_world[v]);
+            high[face.object] = glm::max(high[face.object], topology.p_world[v]);
+        }
+    }
+    double least = kInfinity, most = 0;
+    for (std::size_t i = 0; i < objects; ++i) {
+        if (!(low[i].x <= high[i].x)) continue;
+        const double size = glm::length(high[i] - low[i]);
+        least = std::min(least, size);
+        most = std::max(most, size);
+    }
+    return most > 0 ? most / least : 1;
+}
+
+void count_components(const Topology& topology, SceneStatistics& statistics) {
+    const Components found = find_components(topology);
+    statistics.components = found.components.size();
+    for (const Component& component : found.components) {
+        statistics.watertight_components += component.is_watertight;
+        statistics.convex_components += component.is_convex;
+    }
+    statistics.overlapping_components = count_overlapping_components(found.components, kMostPairs);
+    statistics.near_sheets = find_near_sheets(topology, found, statistics.bounds.radius);
+}
+
+}  // namespace
+
+SceneStatistics make_scene_statistics(const Scene& scene, double crease_rad) {
+    const Topology topology = weld(scene);
+    SceneStatistics statistics;
+    statistics.crease_rad = crease_rad;
+    statistics.triangles = topology.faces.size();
+    statistics.vertices = topology.p_world.size();
+    statistics.objects = scene.instances.size();
+    statistics.bounds = bounding_sphere(scene);
+    if (topology.faces.empty()) return statistics;
+    std::set<std::uint32_t> materials;
+    for (const Face& face : topology.faces)
+        materials.insert(face.material);
+    statistics.materials = materials.size();
+    count_edges(topology, statistics);
+    count_components(topology, statistics);
+    statistics.cracked_corners = count_cracked_corners(topology);
+    statistics.extent_ratio = extent_ratio(topology, scene.instances.size());
+    return statistics;
+}
+
+ViewStatistics make_view_statistics(const SceneStatistics& statistics, const View& view) {
+    ViewStatistics seen;
+    const Sphere& ball = statistics.bounds;
+    if (statistics.triangles == 0 || view.width_px < 1 || view.height_px < 1) return seen;
+    const Projection projection(view);
+    const glm::dvec3 centre_view = projection.to_view(ball.center_world);
+    const double distance = glm::length(centre_view);
+    seen.is_inside = distance < ball.radius;
+    const double far = -centre_view.z + ball.radius;
+    if (far > view.camera.near) {
+        seen.near = std::max(-centre_view.z - ball.radius, view.camera.near);
+        seen.far = far;
+    }
+    int hits = 0;
+    for (int y = 0; y < kProbes; ++y) {
+        for (int x = 0; x < kProbes; ++x) {
+            const glm::dvec3 ray = glm::normalize(projection.ray_world(
+                (x + 0.5) * view.width_px / kProbes, (y + 0.5) * view.height_px / kProbes));
+            const double along = glm::dot(ray, ball.center_world - view.camera.eye_world);
+            const double miss_2 = distance * distance - along * along;
+            hits += seen.is_inside || (along > 0 && miss_2 <= ball.radius * ball.radius);
+        }
+    }
+    seen.frame_share = static_cast<double>(hits) / (kProbes * kProbes);
+    const double covered_px = seen.frame_share * view.width_px * view.height_px;
+    seen.px_per_triangle = covered_px / static_cast<double>(statistics.triangles);
+    return seen;
+}
+
+}  // namespace ink::scene

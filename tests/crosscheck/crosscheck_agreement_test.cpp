@@ -1,0 +1,265 @@
+#include <fmt/format.h>
+
+#include "catalogue/catalogue.h"
+#include "crosscheck/dense_sampling.h"
+#include "harness/compare_truths.h"
+#include "harness/crosscheck_cache.h"
+#include "import/import.h"
+#include "tests/shared_files.h"
+#include "tests/truth/shapes.h"
+#include "truth/model.h"
+
+namespace ink::crosscheck {
+namespace {
+
+SamplingOptions two_threads() {
+    SamplingOptions options;
+    options.threads = 2;
+    return options;
+}
+
+struct Both {
+    std::vector<truth::Curve> curves;
+    SampledLines crosscheck;
+};
+
+Both find_both(const truth::Model& model, const scene::View& view) {
+    return {truth::trace_truth(model, view, {2, false}).curves,
+            sample_lines(model.topology, view, two_threads())};
+}
+
+/// Expects 99.9 % both ways of every class.
+void expect_agreement(const Both& both, const scene::View& view) {
+    const harness::Agreement agreement =
+        harness::compare_truths(both.curves, both.crosscheck, view);
+    for (std::size_t i = 0; i < truth::kLineClasses.size(); ++i) {
+        const harness::ClassAgreement& c = agreement.by_class[i];
+        EXPECT_TRUE(c.is_agreed()) << truth::name(truth::kLineClasses[i]) << ": " << c.truth_px
+                                   << " px seen to " << c.truth_share() << ", " << c.crosscheck_px
+                                   << " px traced to " << c.crosscheck_share();
+    }
+    EXPECT_EQ(both.crosscheck.counts.unexplained, 0U);
+}
+
+class CatalogueAgreement : public testing::TestWithParam<std::string> {};
+
+TEST_P(CatalogueAgreement, TruthAndCrosscheckBothWays) {
+    const scene::Scene scene = catalogue::make_catalogue_scene(GetParam());
+    const truth::Model model = truth::build_model(scene, {.threads = 2});
+    for (const scene::Camera& camera : scene.cameras) {
+        SCOPED_TRACE(camera.name);
+        const scene::View view{camera, 640, 360};
+        expect_agreement(find_both(model, view), view);
+    }
+}
+
+std::vector<std::string> catalogue_names() {
+    std::vector<std::string> names;
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
+        names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(SampledLines,
+                         CatalogueAgreement,
+                         testing::ValuesIn(catalogue_names()),
+                         [](const auto& test) { return test.param; });
+
+/// Calls `check` with three views of a model from the shared files, each traced and looked at.
+template <class Check>
+void for_views_of(const std::filesystem::path& path, const Check& check) {
+    const scene::Scene scene = import::import_scene(path);
+    const truth::Model model = truth::build_model(scene, {.threads = 2});
+    for (const scene::Camera& camera :
+         scene::orbit_cameras(scene::bounding_sphere(scene), 3, 640.0 / 360)) {
+        SCOPED_TRACE(camera.name);
+        const scene::View view{camera, 640, 360};
+        check(find_both(model, view), view);
+    }
+}
+
+std::string stem_of(const testing::TestParamInfo<const char*>& test) {
+    const std::string file = test.param;
+    return file.substr(0, file.find('.'));
+}
+
+class ModelAgreement : public testing::TestWithParam<const char*> {};
+
+TEST_P(ModelAgreement, TruthAndCrosscheckBothWays) {
+    const auto path = shared_file(std::string("models/") + GetParam());
+    INK_SKIP_WITHOUT(path);
+    for_views_of(path, expect_agreement);
+}
+
+INSTANTIATE_TEST_SUITE_P(SampledLines,
+                         ModelAgreement,
+                         testing::Values("bunny.obj",
+                                         "spot.obj",
+                                         "teapot.obj",
+                                         "dice.stl",
+                                         "featuretype.stl",
+                                         "milk_truck.glb",
+                                         "conrod.off",
+                                         "knight.mdl"),
+                         stem_of);
+
+/// Models with surfaces that coincide but for rounding, folded slivers, faces nearly edge-on: the
+/// truth has lines there that lie closer to each other than the cross-check's samples.
+class ModelWithStrips : public testing::TestWithParam<const char*> {};
+
+/// Expects 99.9 % both ways of every class, once the strips are taken out of what the cross-check
+/// lacks.
+void expect_agreement_but_for_strips(const Both& both, const scene::View& view) {
+    const harness::Agreement agreement =
+        harness::compare_truths(both.curves, both.crosscheck, view);
+    for (std::size_t i = 0; i < truth::kLineClasses.size(); ++i) {
+        harness::Agreement of_class = agreement;
+        std::erase_if(of_class.disagreements, [&](const harness::Disagreement& d) {
+            return d.line_class != truth::kLineClasses[i];
+        });
+        harness::ClassAgreement c = agreement.by_class[i];
+        c.truth_covered_px += harness::strip_length_px(both.curves, of_class);
+        EXPECT_TRUE(c.is_agreed()) << truth::name(truth::kLineClasses[i]) << ": " << c.truth_px
+                                   << " px seen to " << c.truth_share() << ", " << c.crosscheck_px
+                                   << " px traced to " << c.crosscheck_share();
+    }
+}
+
+TEST_P(ModelWithStrips, TruthAndCrosscheckDifferByStripsAlone) {
+    const auto path = shared_file(std::string("models/") + GetParam());
+    INK_SKIP_WITHOUT(path);
+    for_views_of(path, expect_agreement_but_for_strips);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SampledLines,
+    ModelWithStrips,
+    testing::Values("cycloidal.ply", "apollo.3ds", "temple.glb", "pine.glb", "hydronex.obj"),
+    stem_of);
+
+/// A scene with contours, creases and a seam, traced and looked at; each fault is planted in the
+/// curves alone.
+class PlantedFault : public testing::Test {
+  protected:
+    void SetUp() override {
+        const scene::Scene scene = catalogue::make_catalogue_scene("chess");
+        const truth::Model model = truth::build_model(scene, {.threads = 2});
+        view_ = {scene.cameras.front(), 640, 360};
+        both_ = find_both(model, view_);
+        ASSERT_TRUE(harness::compare_truths(both_.curves, both_.crosscheck, view_).is_agreed());
+    }
+    [[nodiscard]] harness::ClassAgreement of(truth::LineClass c) const {
+        const harness::Agreement agreement =
+            harness::compare_truths(both_.curves, both_.crosscheck, view_);
+        EXPECT_FALSE(agreement.is_agreed());
+        const auto found = std::find(truth::kLineClasses.begin(), truth::kLineClasses.end(), c);
+        return agreement.by_class[found - truth::kLineClasses.begin()];
+    }
+
+    scene::View view_;
+    Both both_;
+};
+
+TEST(StripLength, CountsWhatRunsAlongsideAndNotWhatGoesOn) {
+    const auto line = [](double x0, double x1, double y) {
+        truth::Curve curve;
+        curve.line_class = truth::LineClass::crease;
+        curve.begin = {x0, y, 1};
+        curve.end = {x1, y, 1};
+        return curve;
+    };
+    // The second goes on from the first, the third runs beside the end of the second, the fourth is
+    // twice too far off.
+    const std::vector<truth::Curve> curves = {
+        line(0, 10, 5), line(10, 20, 5), line(15, 30, 5 + 1.0 / 64), line(0, 10, 5 + 1.0 / 16)};
+    const harness::Agreement nothing_seen =
+        harness::compare_truths(curves, {}, truth::view_from(6));
+    EXPECT_NEAR(harness::strip_length_px(curves, nothing_seen), 5 + 5, 0.25);
+}
+
+TEST_F(PlantedFault, EveryFiftiethContourEdgeDropped) {
+    std::map<std::uint32_t, int> order;
+    std::erase_if(both_.curves, [&](const truth::Curve& curve) {
+        if (curve.line_class != truth::LineClass::contour) return false;
+        const auto [edge, is_new] = order.try_emplace(curve.edge, static_cast<int>(order.size()));
+        return edge->second % 50 == 49;
+    });
+    const harness::ClassAgreement contour = of(truth::LineClass::contour);
+    EXPECT_LT(contour.crosscheck_share(), 0.999);
+    EXPECT_GE(contour.truth_share(), 0.999);
+    EXPECT_TRUE(of(truth::LineClass::crease).is_agreed());
+}
+
+TEST_F(PlantedFault, AllLinesMovedByHalfAPixel) {
+    for (truth::Curve& curve : both_.curves) {
+        curve.begin.x_px += 0.5;
+        curve.end.x_px += 0.5;
+    }
+    for (const truth::LineClass c : {truth::LineClass::contour, truth::LineClass::crease}) {
+        EXPECT_LT(of(c).crosscheck_share(), 0.999) << truth::name(c);
+        EXPECT_LT(of(c).truth_share(), 0.999) << truth::name(c);
+    }
+}
+
+TEST_F(PlantedFault, CreasesHidden) {
+    std::erase_if(both_.curves, [](const truth::Curve& curve) {
+        return curve.line_class == truth::LineClass::crease;
+    });
+    EXPECT_EQ(of(truth::LineClass::crease).crosscheck_covered_px, 0);
+    EXPECT_GT(of(truth::LineClass::crease).crosscheck_px, 1000);
+    EXPECT_TRUE(of(truth::LineClass::contour).is_agreed());
+}
+
+TEST(harness::Agreement, CountsWhatOneHasAndTheOtherNot) {
+    // Two level lines of 8 px: one that the cross-check sees to its middle, one that it does not
+    // see.
+    truth::Curve seen, unseen;
+    seen.line_class = unseen.line_class = truth::LineClass::crease;
+    seen.begin = {10, 20.5, 1};
+    seen.end = {18, 20.5, 1};
+    unseen.begin = {10, 40.5, 1};
+    unseen.end = {18, 40.5, 1};
+    SampledLines crosscheck;
+    for (int i = 0; i < 32; ++i)
+        crosscheck.points.push_back({10 + (i + 0.5) / 8, 20.6, truth::LineClass::crease, 0.125});
+    // And one of another class on the same line: no crease, and no curve.
+    crosscheck.points.push_back({17, 20.5, truth::LineClass::seam, 0.125});
+    const std::vector<truth::Curve> curves{seen, unseen};
+    const harness::Agreement agreement =
+        harness::compare_truths(curves, crosscheck, truth::view_from(6));
+    const harness::ClassAgreement crease = agreement.by_class[2], seam = agreement.by_class[4];
+    EXPECT_DOUBLE_EQ(crease.truth_px, 16);
+    // Samples lie at 1/16, 3/16 ...; the last point at 13.9375 reaches 0.229 px on: one sample.
+    EXPECT_DOUBLE_EQ(crease.truth_covered_px, 4.125);
+    EXPECT_DOUBLE_EQ(crease.crosscheck_px, 4);
+    EXPECT_DOUBLE_EQ(crease.crosscheck_share(), 1);
+    EXPECT_DOUBLE_EQ(seam.crosscheck_share(), 0);
+    EXPECT_DOUBLE_EQ(agreement.disagreement_rate(), (11.875 + 0.125) / (16 + 4.125));
+    EXPECT_FALSE(crease.is_agreed());
+    EXPECT_TRUE(seam.is_agreed()) << "a single crossing is no evidence";
+}
+
+TEST(CrosscheckFile, ComesBackWholeOrNotAtAll) {
+    harness::Crosscheck check;
+    check.agreement.by_class[1] = {10, 9.5, 11, 10.25};
+    check.agreement.disagreements = {{1.5, 2.5, 0.125, truth::LineClass::boundary, false, 7}};
+    check.counts.rays = 123;
+    check.look_s = 0.5;
+    const std::string bytes = harness::encode_check(check, "key");
+    const auto back = harness::decode_check(bytes, "key");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->agreement.by_class[1].crosscheck_covered_px, 10.25);
+    ASSERT_EQ(back->agreement.disagreements.size(), 1U);
+    EXPECT_EQ(back->agreement.disagreements[0].line_class, truth::LineClass::boundary);
+    EXPECT_EQ(back->agreement.disagreements[0].curve, 7U);
+    EXPECT_EQ(back->counts.rays, 123U);
+    EXPECT_EQ(back->look_s, 0.5);
+    EXPECT_FALSE(harness::decode_check(bytes, "yek"));
+    EXPECT_FALSE(harness::decode_check(bytes.substr(0, bytes.size() - 1), "key"));
+    std::string changed = bytes;
+    changed.back() = static_cast<char>(changed.back() ^ 1);
+    EXPECT_FALSE(harness::decode_check(changed, "key"));
+}
+
+}  // namespace
+}  // namespace ink::crosscheck

@@ -1,0 +1,188 @@
+#include "crosscheck/dense_sampling.h"
+
+#include "tests/truth/shapes.h"
+
+namespace ink::crosscheck {
+namespace {
+
+// A line's crossings are counted, not measured: over n of them the length is good to a few.
+constexpr double kPx = 0.5;  ///< every expected length holds to this, and
+constexpr double kShare = 0.003;
+
+SampledLines look(const scene::Scene& scene, const scene::View& view, int threads = 1) {
+    SamplingOptions options;
+    options.threads = threads;
+    return sample_lines(scene::weld(scene), view, options);
+}
+
+std::map<truth::LineClass, double> lengths(const SampledLines& crosscheck) {
+    std::map<truth::LineClass, double> sum;
+    for (const SampledPoint& p : crosscheck.points)
+        sum[p.line_class] += p.length_px;
+    return sum;
+}
+
+void expect_length(const SampledLines& crosscheck,
+                   truth::LineClass line_class,
+                   double expected_px) {
+    EXPECT_NEAR(lengths(crosscheck)[line_class], expected_px, kPx + kShare * expected_px)
+        << truth::name(line_class);
+}
+
+TEST(SampledLines, SeesNineEdgesOfATurnedCube) {
+    const glm::dmat4 tilt = glm::rotate(glm::dmat4(1), 0.6, glm::dvec3(1, 0, 0));
+    const glm::dmat4 turn = glm::rotate(tilt, -0.7, glm::dvec3(0, 1, 0));
+    scene::Scene scene = truth::scene_of({truth::box({-1, -1, -1}, {1, 1, 1})});
+    scene.instances[0].world_from_object = turn;
+    const auto length = [&](glm::dvec3 a, glm::dvec3 b) {
+        const glm::dvec3 a_world(turn * glm::dvec4(a, 1)), b_world(turn * glm::dvec4(b, 1));
+        return glm::length(truth::project(a_world, 6) - truth::project(b_world, 6));
+    };
+    const SampledLines crosscheck = look(scene, truth::view_from(6));
+    expect_length(crosscheck,
+                  truth::LineClass::crease,
+                  length({1, 1, 1}, {-1, 1, 1}) + length({1, 1, 1}, {1, -1, 1}) +
+                      length({1, 1, 1}, {1, 1, -1}));
+    expect_length(crosscheck,
+                  truth::LineClass::contour,
+                  length({-1, 1, 1}, {-1, -1, 1}) + length({-1, -1, 1}, {1, -1, 1}) +
+                      length({1, -1, 1}, {1, -1, -1}) + length({1, -1, -1}, {1, 1, -1}) +
+                      length({1, 1, -1}, {-1, 1, -1}) + length({-1, 1, -1}, {-1, 1, 1}));
+    EXPECT_EQ(lengths(crosscheck).size(), 2U);
+    EXPECT_EQ(crosscheck.counts.unexplained, 0U);
+}
+
+TEST(SampledLines, SeesTheSeamOfTwoTilesAndTheirSixBorders) {
+    scene::Mesh left, right;
+    truth::add_quad(left, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
+    truth::add_quad(right, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+    const SampledLines crosscheck = look(truth::scene_of({left, right}), truth::view_from(6));
+    // 100 px a unit at distance 6: the seam is two units long, the outline eight.
+    expect_length(crosscheck, truth::LineClass::seam, 200);
+    expect_length(crosscheck, truth::LineClass::boundary, 800);
+    EXPECT_EQ(lengths(crosscheck).size(), 2U);
+}
+
+TEST(SampledLines, SeesTwoPlanesCross) {
+    // Two squares of side 2 that cross in the line x = 0, z = 0, each turned by 30 degrees to one
+    // side; nothing of either is hidden but beyond that line.
+    const auto c = static_cast<float>(std::cos(std::numbers::pi / 6));
+    const auto s = static_cast<float>(std::sin(std::numbers::pi / 6));
+    scene::Mesh first, second;
+    truth::add_quad(first, {-c, -1, -s}, {c, -1, s}, {c, 1, s}, {-c, 1, -s});
+    truth::add_quad(second, {-c, -1, s}, {c, -1, -s}, {c, 1, -s}, {-c, 1, s});
+    const SampledLines crosscheck = look(truth::scene_of({first, second}), truth::view_from(6));
+    expect_length(crosscheck, truth::LineClass::intersection, 200);
+}
+
+TEST(SampledLines, SeesAContourAsFarAsABoxHidesIt) {
+    // The front face of a box of side 2, face-on, 100 px a unit, and one twice as far behind it and
+    // to the right, whose front spans x = 0.5..3.5 at 60 px a unit: 350..530 px, of which the first
+    // box hides what lies left of 420 px.
+    const SampledLines crosscheck =
+        look(truth::scene_of({truth::box({-1, -1, -0.5}, {1, 1, 0}),
+                              truth::box({0.5, -1, -4.5}, {3.5, 1, -4})}),
+             truth::view_from(6));
+    expect_length(crosscheck, truth::LineClass::contour, 4 * 200 + 120 + 2 * (530 - 420));
+}
+
+TEST(SampledLines, SeesNothingAcrossASlitOfTheWeldTolerance) {
+    // The tiles lie a third of the tolerance (1e-6 of a diagonal of 2.8) apart, in one object.
+    scene::Mesh mesh;
+    truth::add_quad(mesh, {-1, -1, 0}, {-1e-6F, -1, 0}, {-1e-6F, 1, 0}, {-1, 1, 0});
+    truth::add_quad(mesh, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
+    const SampledLines crosscheck = look(truth::scene_of({mesh}), truth::view_from(6));
+    expect_length(crosscheck, truth::LineClass::boundary, 800);
+    EXPECT_EQ(lengths(crosscheck).size(), 1U);
+}
+
+double seen_px(const scene::View& view, const glm::dvec3& a, const glm::dvec3& b) {
+    const scene::Projection projection(view);
+    const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
+    return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+}
+
+/// A box sunk into a floor whose top lies `step` above it, or in its plane, in one object.
+scene::Scene sunk_box(float step) {
+    scene::Mesh mesh = truth::box({-1, -1, -1}, {1, 0, 1});
+    truth::add_quad(mesh, {-2, -step, 2}, {2, -step, 2}, {2, -step, -2}, {-2, -step, -2});
+    return truth::scene_of({mesh});
+}
+
+TEST(SampledLines, SeesNothingWhereABoxIsLevelWithItsFloor) {
+    // The eye stands beyond the wall x = 1: its rim is an edge whose both faces turn to the eye,
+    // though the floor covers the wall.
+    const SampledLines crosscheck = look(sunk_box(0), truth::view_from({4, 6, 0.5}, {0, 0, 0}));
+    EXPECT_GT(lengths(crosscheck)[truth::LineClass::boundary], 500) << "the floor's";
+    EXPECT_EQ(lengths(crosscheck).size(), 1U);
+}
+
+TEST(SampledLines, SeesARimAndItsFootBetweenTwoSamples) {
+    // A step of 1e-5 is a thousandth of a px: the rim of the wall x = 1 is a crease, its foot an
+    // intersection; the other walls are turned away.
+    const scene::View view = truth::view_from({4, 6, 0.5}, {0, 0, 0});
+    const SampledLines crosscheck = look(sunk_box(1e-5F), view);
+    const glm::dvec3 a(1, 0, 1), b(1, 0, -1), c(-1, 0, -1), d(-1, 0, 1);
+    expect_length(crosscheck, truth::LineClass::crease, seen_px(view, a, b));
+    expect_length(crosscheck, truth::LineClass::intersection, seen_px(view, a, b));
+    expect_length(crosscheck,
+                  truth::LineClass::contour,
+                  seen_px(view, b, c) + seen_px(view, c, d) + seen_px(view, d, a));
+}
+
+TEST(SampledLines, SeesBothSidesOfAGapBetweenTwoSamples) {
+    // Two boxes with level fronts, 1e-5 or a thousandth of a px apart, above the weld tolerance.
+    // The eye stands to the left: the right side of the left box is turned away.
+    constexpr float kGap = 1e-5F;
+    const scene::View view = truth::view_from({-3, 0, 6}, {0, 0, 0});
+    const SampledLines crosscheck = look(truth::scene_of({truth::box({-1, -1, -1}, {0, 1, 0}),
+                                                          truth::box({kGap, -1, -1}, {1, 1, 0})}),
+                                         view);
+    const auto across = [&](double x, double z) { return seen_px(view, {x, -1, z}, {x, 1, z}); };
+    const double along = seen_px(view, {-1, 1, 0}, {0, 1, 0}) + seen_px(view, {0, 1, 0}, {1, 1, 0});
+    const double side = seen_px(view, {-1, 1, -1}, {-1, 1, 0});
+    expect_length(crosscheck, truth::LineClass::crease, across(-1, 0) + across(kGap, 0));
+    expect_length(crosscheck,
+                  truth::LineClass::contour,
+                  across(0, 0) + across(-1, -1) + across(1, 0) + 2 * along + 2 * side);
+}
+
+TEST(SampledLines, SeesASpikeThinnerThanItsSamples) {
+    // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Samples lie
+    // 1/8 px apart, and 1/32 px where they stepped over something.
+    scene::Mesh mesh;
+    truth::add_triangle(mesh, {-0.0005F, -0.5F, 0}, {0.0005F, -0.5F, 0}, {0, 0.5F, 0});
+    const SampledLines crosscheck = look(truth::scene_of({mesh}), truth::view_from(6));
+    EXPECT_GT(lengths(crosscheck)[truth::LineClass::boundary], 50);
+    EXPECT_GT(crosscheck.counts.thin_px, 50U);
+}
+
+TEST(SampledLines, TheNearPlaneDrawsNoLine) {
+    // A floor that the near plane cuts, filling the frame's lower half: its far border alone shows.
+    scene::Mesh mesh;
+    truth::add_quad(mesh, {-50, -1, 5}, {50, -1, 5}, {50, -1, -44}, {-50, -1, -44});
+    const SampledLines crosscheck = look(truth::scene_of({mesh}), truth::view_from(6, 4));
+    // At distance 50 the image is 640 px wide, all of which the border crosses.
+    expect_length(crosscheck, truth::LineClass::boundary, 640);
+}
+
+TEST(SampledLines, IsTheSameOnEveryThreadCount) {
+    const scene::Scene scene =
+        truth::scene_of({truth::box({-1, -1, -1}, {1, 1, 1}), truth::box({0, 0, 0}, {2, 2, 2})});
+    const scene::View view = truth::view_from({3, 4, 7}, {0, 0, 0});
+    const SampledLines one = look(scene, view, 1), three = look(scene, view, 3);
+    ASSERT_EQ(one.points.size(), three.points.size());
+    for (std::size_t i = 0; i < one.points.size(); ++i) {
+        EXPECT_EQ(one.points[i].x_px, three.points[i].x_px);
+        EXPECT_EQ(one.points[i].y_px, three.points[i].y_px);
+        EXPECT_EQ(one.points[i].line_class, three.points[i].line_class);
+    }
+    EXPECT_EQ(one.counts.rays, three.counts.rays);
+}
+
+TEST(SampledLines, FindsNothingInAnEmptyScene) {
+    EXPECT_TRUE(sample_lines({}, truth::view_from(6), {}).points.empty());
+}
+
+}  // namespace
+}  // namespace ink::crosscheck

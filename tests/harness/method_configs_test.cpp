@@ -1,0 +1,74 @@
+#include "harness/method_configs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace ink::harness {
+namespace {
+
+std::string message_of(const std::string& methods, const std::vector<std::string>& settings) {
+    try {
+        (void)make_configs(methods, settings);
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(MethodConfigs, NoListIsEveryMethodInTheRegistrysOrder) {
+    const auto configs = make_configs("", {});
+    ASSERT_EQ(configs.size(), methods::registry().size());
+    EXPECT_EQ(configs[0].info->name, methods::registry()[0].name);
+}
+
+TEST(MethodConfigs, ASettingWithoutMethodGoesToAllThatKnowIt) {
+    const auto configs = make_configs("mote4,decaudin", {"clip_bits=3", "threshold=7"});
+    EXPECT_EQ(configs[0].settings.at("clip_bits"), "3");
+    EXPECT_EQ(configs[0].settings.at("threshold"), "7");
+    EXPECT_EQ(configs[1].settings.count("clip_bits"), 0U);
+    EXPECT_EQ(configs[1].settings.at("threshold"), "7");
+}
+
+TEST(MethodConfigs, ASettingWithMethodGoesToThatOneOnly) {
+    const auto configs = make_configs("mote4,mote2", {"mote2.threshold=9"});
+    EXPECT_TRUE(configs[0].settings.empty());
+    EXPECT_EQ(configs[1].settings.at("threshold"), "9");
+}
+
+TEST(MethodConfigs, BadNamesAndValuesAreNamed) {
+    using testing::HasSubstr;
+    EXPECT_THAT(message_of("mote5", {}), HasSubstr("mote4"));
+    EXPECT_THAT(message_of("mote4,mote4", {}), HasSubstr("named twice"));
+    EXPECT_THAT(message_of("mote4", {"clip_bit=2"}), HasSubstr("did you mean clip_bits?"));
+    EXPECT_THAT(message_of("mote4", {"decaudin.k_depth=2"}), HasSubstr("does not take part"));
+    EXPECT_THAT(message_of("mote4", {"clip_bits"}), HasSubstr("key=value"));
+    EXPECT_THAT(message_of("mote4", {"clip_bits=99"}), HasSubstr("clip_bits cannot be '99'"));
+}
+
+TEST(MethodConfigs, APresetCalledAsAShippedOneTakesItsPlace) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "configs_test_preset.toml";
+    std::ofstream(file)
+        << "name = \"mote4_tuned\"\nmethod = \"mote4\"\n[settings]\nthreshold = 77\n";
+    const std::vector<MethodConfig> configs = make_configs("", {}, {file.string()});
+    std::filesystem::remove(file);
+    const auto is_namesake = [](const MethodConfig& e) { return e.info->name == "mote4_tuned"; };
+    EXPECT_EQ(std::count_if(configs.begin(), configs.end(), is_namesake), 1);
+    EXPECT_EQ(configs.back().info->name, "mote4_tuned");
+    EXPECT_EQ(configs.back().info->complete({}).at("threshold"), "77");
+}
+
+TEST(SplitList, LeavesOutWhatIsEmpty) {
+    EXPECT_EQ(split_list("a,,b,"), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(split_list(" a b ,\tc, ,"), (std::vector<std::string>{"a b", "c"}));
+    EXPECT_TRUE(split_list("").empty());
+    EXPECT_TRUE(split_list("  ").empty());
+}
+
+}  // namespace
+}  // namespace ink::harness

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/program/run_program.h"
+
+// What a user sees of the cross-check, and of views that are too large to be traced.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Words = std::vector<std::string>;
+
+constexpr const char* kPngMagic = "\x89PNG";
+
+/// `n` triangles so thin that each is two lines across the image, apart from each other. At
+/// 640 x 360 six thousand of them have more lines than the samples of one truth suffice for.
+std::string needles(int n) {
+    std::string obj;
+    for (int i = 0; i < n; ++i) {
+        const double y = 0.5 * i / n;
+        obj += fmt::format(
+            "v 0 {0:.6f} 0\nv 1 {0:.6f} 0\nv 1 {1:.6f} 0\nf -3 -2 -1\n", y, y + 0.2 / n);
+    }
+    return obj;
+}
+
+TEST(SampledLines, TruthPrintsItsTableAndWritesTheImageOfDisagreements) {
+    const Desk desk;
+    const Words words = {"truth", "cube", "--size", "160x90", "--crosscheck"};
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("cross-check px"),
+                      HasSubstr("disagreement 0.0"),
+                      HasSubstr("0 otherwise"),
+                      HasSubstr("disagreements: inkbench-out/crosscheck/cube_front.png\n")));
+    EXPECT_THAT(desk.read("inkbench-out/crosscheck/cube_front.png"), StartsWith(kPngMagic));
+}
+
+TEST(SampledLines, TheImageGoesWhereItIsToldTo) {
+    const Desk desk;
+    const Outcome outcome = desk.run(
+        {"truth", "cube", "--size", "160x90", "--crosscheck", "--disagreement", "apart.png"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("disagreements: apart.png\n"));
+    EXPECT_THAT(desk.read("apart.png"), StartsWith(kPngMagic));
+    EXPECT_EQ(desk.inventory().size(), 1U) << "and no folder of its own";
+}
+
+TEST(SampledLines, ABadPlaceForTheImageIsRefused) {
+    const Desk desk;
+    const Words words = {"truth", "cube", "--size", "64x36", "--disagreement"};
+    Words text = words, alone = words;
+    text.insert(text.end(), {"x.txt", "--crosscheck"});
+    alone.push_back("x.png");
+    EXPECT_EQ(desk.run(text).exit_code, 2);
+    EXPECT_EQ(desk.run(alone).exit_code, 2) << "there is nothing to disagree without a cross-check";
+    EXPECT_TRUE(desk.inventory().empty());
+    desk.write("inkbench-out", "a file where the folder would be");
+    const Outcome taken = desk.run({"truth", "cube", "--size", "64x36", "--crosscheck"});
+    EXPECT_EQ(taken.exit_code, 2);
+    EXPECT_EQ(taken.out, "");
+    EXPECT_THAT(taken.err, HasSubstr("inkbench-out/crosscheck"));
+}
+
+TEST(SampledLines, CompareRecordsItUnlessToldNotTo) {
+    const Desk desk;
+    Words words = {"compare", "--scenes", "cube", "--methods", "mote4", "--size", "160x90"};
+    words.insert(words.end(), {"--views", "1", "--repetitions", "1", "--out", "out"});
+    EXPECT_EQ(desk.run(words).exit_code, 0);
+    Table rows = parse_csv(desk.read("out/rows.csv"));
+    ASSERT_EQ(rows.size(), 4U);
+    for (const auto& row : rows)
+        EXPECT_LT(std::stod(row.at("reference_disagreement")), 0.001);
+    words.push_back("--no-crosscheck");
+    EXPECT_EQ(desk.run(words).exit_code, 0);
+    rows = parse_csv(desk.read("out/rows.csv"));
+    ASSERT_EQ(rows.size(), 4U);
+    for (const auto& row : rows)
+        EXPECT_EQ(row.at("reference_disagreement"), "");
+}
+
+TEST(TooLarge, TruthSaysTheCountsAndLeavesNothing) {
+    const Desk desk;
+    desk.write("needles.obj", needles(6000));
+    const auto before = desk.inventory();
+    const Outcome outcome =
+        desk.run({"truth", "needles.obj", "--size", "640x360", "--crosscheck", "-o", "truth.png"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err,
+              "inkbench: needles: too_large: 18000 lines need more than 10000000 samples or "
+              "24000000 rays\n");
+    EXPECT_EQ(desk.inventory(), before);
+}
+
+TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
+    const Desk desk;
+    desk.write("needles.obj", needles(6000));
+    Words words = {"compare", "needles.obj", "--scenes", "cube", "--methods", "mote4"};
+    words.insert(words.end(), {"--size", "640x360", "--views", "1", "--repetitions", "1"});
+    words.insert(words.end(), {"--out", "out"});
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    int refused = 0, done = 0;
+    for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
+        if (row.at("scene") == "needles") {
+            EXPECT_THAT(row.at("status"), StartsWith("too_large: 18000 lines need more than "));
+            EXPECT_EQ(row.at("f_2px"), "");
+            ++refused;
+        } else {
+            EXPECT_EQ(row.at("scene"), "cube");
+            EXPECT_EQ(row.at("status"), "ok");
+            EXPECT_NE(row.at("f_2px"), "");
+            ++done;
+        }
+    }
+    EXPECT_EQ(refused, 1) << "the method's";
+    EXPECT_EQ(done, 4) << "the method's and three baselines'";
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("too_large: 18000 lines"));
+}
+
+}  // namespace
+}  // namespace ink::program
