@@ -26,8 +26,7 @@ struct LaneDepthBias {
     [[nodiscard]] bool can_bias_nearer() const { return factor < 0 || units < 0; }
 };
 
-/// By how much that of `count` triangles is biased that is biased most, exactly as set-up adds it;
-/// at least 0. `corners` are as a LaneSlot has them, of vertices that have one depth for both
+/// The largest depth bias among `count` triangles, exactly as set-up adds it; at least 0. `corners` are as a LaneSlot has them, of vertices that have one depth for both
 /// sides, aligned for vectors, and whole vectors of them can be read.
 [[nodiscard]] float most_depth_bias(const LaneDepthBias& depth_bias,
                                     const LaneRecords& records,
