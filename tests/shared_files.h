@@ -9,8 +9,8 @@ inline std::filesystem::path shared_file(const std::string& name) {
 }
 
 /// Skips the running test, and says so, where `path` (a shared_file) is absent.
-#define INK_SKIP_WITHOUT(path)                                                        \
-    if (!std::filesystem::exists(path)) {                                             \
+#define INK_SKIP_WITHOUT(path)                                                       \
+    if (!std::filesystem::exists(path)) {                                            \
         GTEST_SKIP() << "skipped: " << (path).string() << " is not on this machine"; \
-    }                                                                                 \
+    }                                                                                \
     static_assert(true)

@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kHandWidth_px = 2;  // unless a width is asked for
 
-int threshold_of(const harness::MethodConfig& config) {
-    return std::stoi(config.info->complete(config.settings).at("threshold"));
-}
-
 /// The scene's first view, n x n its size.
 scene::View enlarged_view(const harness::SceneViews& scene_views, int n) {
     scene::View view = scene_views.views.front();
@@ -114,7 +110,7 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
                      const DrawOptions& options) {
     const int n = options.antialias;
     const scene::View view = enlarged_view(scene_views, n);
-    const int threshold = threshold_of(config);
+    const int threshold = harness::threshold_of(config);
     const shade::Ink ink{options.ink.value_or(kInk.rgb), threshold};
     const edge::EdgeImage lines =
         style_lines(draw_method(scene_views, config, view, options), threshold, options);

@@ -104,16 +104,6 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
     return recalls;
 }
 
-/// The value of `threshold=` among a row's parameters.
-std::optional<int> threshold_of(const harness::Row& row) {
-    constexpr std::string_view kKey = "threshold=";
-    std::size_t at = row.params.find(kKey);
-    while (at != std::string::npos && at > 0 && row.params[at - 1] != ';')
-        at = row.params.find(kKey, at + 1);
-    if (at == std::string::npos) return std::nullopt;
-    return std::atoi(row.params.c_str() + at + kKey.size());
-}
-
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
     const auto f_2px = values_of(rows, [](const harness::Row& row) { return row.f_2px; });
     Counts sum;
@@ -124,7 +114,7 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     summary.f_2px = pooled(rows, counts_2px);
     if (!rows.empty()) {
         summary.f_2px_range = statistics::f_interval(scenes, {.seed = rows.front()->seed});
-        summary.threshold = threshold_of(*rows.front());
+        summary.threshold = rows.front()->threshold;
     }
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);

@@ -127,7 +127,7 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
 PreparedMethod::PreparedMethod(const MethodConfig& config, const scene::Scene& scene)
     : config_(config) {
     settings_ = config.info->complete(config.settings);
-    threshold_ = std::stoi(settings_.at("threshold"));
+    threshold_ = threshold_of(config);
     method_ = config.info->make(config.settings);
     failure_ = failure_of([&] {
         prepare_ns_ = time_ns([&] { method_->prepare(scene); });
@@ -139,6 +139,7 @@ Row PreparedMethod::row() const {
     Row row;
     row.method = config_.info->name;
     row.params = join_params(settings_);
+    row.threshold = threshold_;
     if (!failure_.empty()) {
         row.status = failure_;
         return row;

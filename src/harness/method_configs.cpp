@@ -91,6 +91,10 @@ std::vector<std::string> split_list(const std::string& text) {
     return parts;
 }
 
+int threshold_of(const MethodConfig& config) {
+    return std::stoi(config.info->complete(config.settings).at("threshold"));
+}
+
 void apply_settings(const std::vector<std::string>& settings, std::vector<MethodConfig>& configs) {
     for (const std::string& text : settings)
         apply_setting(parse_setting(text), configs);

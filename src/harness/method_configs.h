@@ -27,6 +27,9 @@ struct MethodConfig {
 /// that names the file and the line, also where it is called as any other method that there is.
 [[nodiscard]] MethodConfig preset_config(const std::filesystem::path& file);
 
+/// The edge response (1..255) from which a pixel of `config` counts as drawn.
+[[nodiscard]] int threshold_of(const MethodConfig& config);
+
 /// Gives each of `settings` to those that it means, as make_configs does, and reads all of them.
 void apply_settings(const std::vector<std::string>& settings, std::vector<MethodConfig>& configs);
 

@@ -31,8 +31,9 @@ struct Row {
     int height = 0;
     int threads = 1;
     std::uint64_t seed = 0;
-    std::string params;         ///< "key=value;key=value", every parameter
-    std::string status = "ok";  ///< or what went wrong; the metrics below are then empty
+    std::string params;                 ///< "key=value;key=value", every parameter
+    std::optional<int> threshold = {};  ///< edge response from which a pixel counts as drawn
+    std::string status = "ok";          ///< or what went wrong; the metrics below are then empty
     std::optional<double> f_2px;
     std::optional<double> f_1px;
     std::optional<double> precision_2px;

@@ -79,6 +79,9 @@ void add_place(RowTable& table) {
     add(table, {"threads", "", "the method might use"}, &Row::threads);
     add(table, {"seed", "", "as given: of random images and of resampling scenes"}, &Row::seed);
     add(table, {"params", "", "every parameter, key=value;key=value"}, &Row::params);
+    add(table,
+        {"threshold", "", "edge response (1..255) from which a pixel counts as drawn"},
+        &Row::threshold);
     add(table, {"status", "", "ok, or why there are no metrics"}, &Row::status);
 }
 

@@ -140,6 +140,9 @@ Row place_of_setting(const Row& own) {
 Row complete_row(const Row& own, Row&& read) {
     Row row = place_of_setting(own);
     row.params = with_changes(own.params, read.params);
+    if (const std::string own_threshold = value_of(read.params, "threshold");
+        !own_threshold.empty())
+        row.threshold = std::stoi(own_threshold);
     row.status = std::move(read.status);
     row.f_2px = read.f_2px;
     row.precision_2px = read.precision_2px;

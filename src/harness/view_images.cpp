@@ -11,7 +11,6 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "harness/sweep_table.h"
 #include "image_io/image_file.h"
 #include "truth/truth.h"
 
@@ -133,12 +132,6 @@ std::vector<score::WrongPixel> wrong_pixels(const fs::path& file, const Gray& tr
     return wrong;
 }
 
-int threshold_of(const Row& row) {
-    for (const auto& [name, value] : split_params(row.params))
-        if (name == "threshold") return std::stoi(value);
-    return 128;
-}
-
 }  // namespace
 
 fs::path image_folder(const std::string& scene, const std::string& view) {
@@ -190,7 +183,7 @@ std::vector<ShownView> read_shown_views(const fs::path& run, const std::vector<R
         views.back().images.push_back(
             {row.method,
              read_sized(file, labels),
-             threshold_of(row),
+             row.threshold.value_or(128),
              wrong_pixels(folder / (file_name(row.method) + ".errors.png"), labels)});
     }
     return views;

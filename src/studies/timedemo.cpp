@@ -89,7 +89,7 @@ std::vector<Player> make_players(const TimedemoOptions& options, const scene::Vi
         Player player;
         player.config = &config;
         player.method = config.info->make(config.settings);
-        player.threshold = std::stoi(config.info->complete(config.settings).at("threshold"));
+        player.threshold = harness::threshold_of(config);
         player.edge_responses = edge::EdgeImage(view.width_px, view.height_px);
         players.push_back(std::move(player));
     }

@@ -28,10 +28,6 @@ std::string key_of(const harness::MethodConfig& config, DrawnBy by) {
     return (by == DrawnBy::planes ? "planes " : "method ") + harness::join_params(all);
 }
 
-int threshold_of(const harness::MethodConfig& config) {
-    return std::stoi(config.info->complete(config.settings).at("threshold"));
-}
-
 }  // namespace
 
 TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
@@ -112,7 +108,7 @@ const std::vector<edge::EdgeImage>& TuneBench::images_of(const harness::MethodCo
 
 std::vector<score::CurveCount> TuneBench::counts(const harness::MethodConfig& config, DrawnBy by) {
     const std::vector<edge::EdgeImage>& images = images_of(config, by);
-    const score::ScoreOptions options = harness::score_options(threshold_of(config));
+    const score::ScoreOptions options = harness::score_options(harness::threshold_of(config));
     std::vector<score::CurveCount> by_view(views_.size());
     core::parallel_for(views_.size(), threads_, [&](std::size_t i) {
         const BenchView& view = views_[i];
@@ -134,7 +130,7 @@ PlaneAgreement TuneBench::agreement(const harness::MethodConfig& config) {
     agreement.by_planes = counts(config, DrawnBy::planes);
     const std::vector<edge::EdgeImage> planes = images_of(config, DrawnBy::planes);
     const std::vector<edge::EdgeImage>& method = images_of(config, DrawnBy::method);
-    const int threshold = threshold_of(config);
+    const int threshold = harness::threshold_of(config);
     for (std::size_t i = 0; i < views_.size(); ++i) {
         agreement.total_px += static_cast<std::int64_t>(method[i].size());
         for (std::size_t p = 0; p < method[i].size(); ++p) {

@@ -10,13 +10,13 @@ namespace ink::tune {
 [[nodiscard]] harness::TableInfo evaluations_table(const TuneSpace& space);
 
 /// Takes `options.out` for a search: refuses it with core::Error (where = the folder) if it holds
-/// another run, unless `options.is_forced`, which throws that away; then writes run.toml, which says
-/// that the search is not finished.
+/// another run, unless `options.is_forced`, which throws that away; then writes run.toml, which
+/// says that the search is not finished.
 void begin_folder(const TuneOptions& options, const TuneSpace& space);
 
-/// Writes what came of a search into `options.out`, as every run folder has it: rows.csv with a line
-/// per scene for the method as it was, as it was tuned and at random search's best, evaluations.csv,
-/// methods.csv, and run.toml, which then says that it is finished.
+/// Writes what came of a search into `options.out`, as every run folder has it: rows.csv with a
+/// line per scene for the method as it was, as it was tuned and at random search's best,
+/// evaluations.csv, methods.csv, and run.toml, which then says that it is finished.
 void finish_folder(const TuneResult& result, const TuneOptions& options, const TuneSpace& space);
 
 }  // namespace ink::tune

@@ -26,8 +26,9 @@ struct LaneDepthBias {
     [[nodiscard]] bool can_bias_nearer() const { return factor < 0 || units < 0; }
 };
 
-/// The largest depth bias among `count` triangles, exactly as set-up adds it; at least 0. `corners` are as a LaneSlot has them, of vertices that have one depth for both
-/// sides, aligned for vectors, and whole vectors of them can be read.
+/// The largest depth bias among `count` triangles, exactly as set-up adds it; at least 0. `corners`
+/// are as a LaneSlot has them, of vertices that have one depth for both sides, aligned for vectors,
+/// and whole vectors of them can be read.
 [[nodiscard]] float most_depth_bias(const LaneDepthBias& depth_bias,
                                     const LaneRecords& records,
                                     const std::uint32_t* corners,
