@@ -31,6 +31,11 @@ class Canny : public method::Method {
     explicit Canny(const Params& params);
 
     void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
+    [[nodiscard]] bool prepare_like(const method::Method& other,
+                                    const scene::Scene& /*scene*/) override {
+        const auto* same = dynamic_cast<const Canny*>(&other);
+        return same != nullptr && inputs_.prepare_like(same->inputs_);
+    }
     void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `packed`: the codes, black to white.

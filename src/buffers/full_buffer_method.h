@@ -18,6 +18,11 @@ struct FullBufferFrame {
 class FullBufferMethod : public method::Method {
   public:
     void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
+    [[nodiscard]] bool prepare_like(const method::Method& other,
+                                    const scene::Scene& /*scene*/) override {
+        const auto* same = dynamic_cast<const FullBufferMethod*>(&other);
+        return same != nullptr && buffers_.prepare_like(same->buffers_);
+    }
     void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.

@@ -40,6 +40,10 @@ class FullBuffers {
     FullBuffers(const InputParams& params, int halo_px);
 
     void prepare(const scene::Scene& scene) { inputs_.prepare(scene); }
+    /// See SurfaceInputs::prepare_like.
+    [[nodiscard]] bool prepare_like(const FullBuffers& other) {
+        return inputs_.prepare_like(other.inputs_);
+    }
     void pose(const scene::Scene& scene) { inputs_.pose(scene); }
     [[nodiscard]] bool is_empty() const { return inputs_.is_empty(); }
     [[nodiscard]] const raster::PassFormat& format() const { return format_; }

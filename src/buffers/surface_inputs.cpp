@@ -34,13 +34,26 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
 SurfaceInputs::SurfaceInputs(const InputParams& params) : params_(params) {}
 
 void SurfaceInputs::prepare(const scene::Scene& scene) {
-    surface_ = std::make_unique<scene::Surface>(
+    surface_ = std::make_shared<const scene::Surface>(
         scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
-    mesh_ = raster::LaneMesh(*surface_);
+    mesh_ = std::make_shared<raster::LaneMesh>(*surface_);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = scene::scene_hash(scene);
     moved_objects_ = ~std::uint64_t{0};
     last_ = {};
+}
+
+bool SurfaceInputs::prepare_like(const SurfaceInputs& other) {
+    const bool is_alike =
+        params_.normals == other.params_.normals && params_.crease_deg == other.params_.crease_deg;
+    if (!is_alike || !other.surface_ || other.has_moved_) return false;
+    surface_ = other.surface_;
+    mesh_ = other.mesh_;
+    bounds_ = other.bounds_;
+    posed_hash_ = other.posed_hash_;
+    moved_objects_ = ~std::uint64_t{0};
+    last_ = {};
+    return true;
 }
 
 void SurfaceInputs::pose(const scene::Scene& scene) {
@@ -48,14 +61,18 @@ void SurfaceInputs::pose(const scene::Scene& scene) {
     if (hash == posed_hash_) return;
     // Which corners share a normal may change with the dihedral deviation between faces, so a moved
     // scene is flattened anew; its clusters stay if that has not happened.
-    auto moved = std::make_unique<scene::Surface>(
+    auto moved = std::make_shared<const scene::Surface>(
         scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
     if (moved->triangles != surface_->triangles ||
         moved->p_world.size() != surface_->p_world.size()) {
         return prepare(scene);
     }
     moved_objects_ |= moved_objects(*surface_, *moved);
-    mesh_.update(*moved);
+    if (mesh_.use_count() == 1) {
+        mesh_->update(*moved);
+    } else {
+        mesh_ = std::make_shared<raster::LaneMesh>(*moved);
+    }
     surface_ = std::move(moved);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = hash;
@@ -78,7 +95,7 @@ void SurfaceInputs::see(const method::Frame& frame) {
 
 raster::MeshInput SurfaceInputs::mesh_input(const method::Frame& frame) const {
     raster::MeshInput input;
-    input.mesh = &mesh_;
+    input.mesh = mesh_.get();
     input.view = frame.view;
     input.bounds = bounds_;
     input.threads = frame.threads;

@@ -88,6 +88,9 @@ class SurfaceInputs {
 
     /// Once per topology: normals, shared corners, clusters.
     void prepare(const scene::Scene& scene);
+    /// The same by sharing what `other` made of the same scene, if the normals asked for are alike
+    /// and nothing has moved there since; false, and nothing is done, if not.
+    [[nodiscard]] bool prepare_like(const SurfaceInputs& other);
     /// World positions, and normals again, if anything moved since.
     void pose(const scene::Scene& scene);
     /// The view, its depth range, and whether the last frame had the same.
@@ -114,8 +117,8 @@ class SurfaceInputs {
     };
 
     InputParams params_;
-    std::unique_ptr<scene::Surface> surface_;  ///< the mesh borrows it
-    raster::LaneMesh mesh_;
+    std::shared_ptr<const scene::Surface> surface_;  ///< the mesh borrows it
+    std::shared_ptr<raster::LaneMesh> mesh_;         ///< changed only by its single owner
     scene::Sphere bounds_;
     scene::Sphere seen_bounds_;  ///< of the last frame
     std::uint64_t posed_hash_ = 0;

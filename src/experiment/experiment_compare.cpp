@@ -25,6 +25,11 @@ constexpr int kBaselines = 3;
 constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
 
+/// Measured on scans and modelled meshes of 7 to 870 thousand triangles, in the mean of all
+/// methods.
+constexpr double kPrepare_s_per_triangle = 1e-6;
+constexpr double kTruth_s_per_triangle = 4e-6;
+
 /// Where a block's cells are.
 struct BlockPlace {
     std::size_t scene = 0;
@@ -101,6 +106,9 @@ struct SettingsPart {
     std::size_t method = 0;
     std::size_t first = 0;  ///< the number of the first setting, from 1
     std::vector<harness::MethodConfig> settings;
+    /// A grid asks for errors over many settings: they share what they prepare. A method's own
+    /// sweep is timed against other methods: each setting has memory of its own, as these have.
+    Preparation preparation = Preparation::own;
 };
 
 /// Settings of one method: lines of sweep.csv, without baselines.
@@ -115,7 +123,7 @@ BlockResult run_settings(ViewBench& bench,
     options.measure.max_repetitions =
         std::min(brief.max_repetitions, options.measure.max_repetitions);
     options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
-    auto methods = bench.prepared(part.settings, at.scene);
+    auto methods = bench.prepared(part.settings, at.scene, part.preparation);
     std::vector<harness::Evaluation> evaluations =
         harness::method_evaluations(methods, *at.view, options.measure);
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
@@ -130,21 +138,28 @@ BlockResult run_settings(ViewBench& bench,
     return result;
 }
 
-/// Seconds for `cells` images of a view, roughly, on two cores without other work: a part for
-/// every cell, one for its pixels (scores), one for its triangles (drawing) and, where methods are
-/// made ready for the block, one for that; then the truth.
-double work_s(const ViewBench& bench, const BlockPlace& at, int cells, bool is_full) {
+/// What a block has to do.
+struct BlockWork {
+    int cells = 0;
+    int prepared = 0;      ///< methods or settings that are made ready for it
+    bool is_full = false;  ///< methods with baselines; else settings, scored briefly
+};
+
+/// Seconds for a block of a view, roughly, on two cores without other work: a part for every cell,
+/// one for its pixels (scores) and one for its triangles (drawing), one for what is made ready, and
+/// the truth.
+double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& work) {
+    const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
-    const double draws = is_full ? bench.experiment().repetitions : 4;
+    const double draws = work.is_full ? experiment.repetitions : 4;
     const double draw_s = std::min(draws * (0.006 * mpx + 4e-8 * triangles),
-                                   is_full ? bench.experiment().budget_s : 0.03);
-    const double score_s = (is_full && bench.experiment().full_scores ? 0.12 : 0.02) * mpx;
-    // Measured over the catalogue and eleven scanned and modelled meshes: 2.4 us a triangle in the
-    // mean of all methods.
-    const double prepare_s = is_full && !at.is_first_view ? 0 : 2.4e-6 * triangles;
-    const double truth_s = is_full ? 0.05 + 0.2 * mpx + 4e-6 * triangles : 0.01;
-    return cells * (0.002 + draw_s + score_s + prepare_s) + truth_s;
+                                   work.is_full ? experiment.budget_s : 0.03);
+    const double score_s = (work.is_full && experiment.full_scores ? 0.12 : 0.02) * mpx;
+    const double truth_s =
+        work.is_full ? 0.05 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.01;
+    return work.cells * (0.002 + draw_s + score_s) +
+           work.prepared * kPrepare_s_per_triangle * triangles + truth_s;
 }
 
 /// All settings over which a method is swept on the n-th view: its grids', then its own.
@@ -179,6 +194,14 @@ std::vector<std::string> parameters_swept(const ViewBench& bench) {
     return {names.begin(), names.end()};
 }
 
+Preparation preparation_of(const Experiment& experiment, const std::string& method) {
+    const bool has_grid =
+        std::any_of(experiment.grids.begin(), experiment.grids.end(), [&](const SettingGrid& grid) {
+            return grid.method == method;
+        });
+    return has_grid ? Preparation::shared : Preparation::own;
+}
+
 /// The blocks of one method's settings on a place, so many at once.
 void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const BlockPlace& at,
@@ -188,18 +211,17 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    Plan& plan) {
     for (std::size_t begin = 0; begin < settings.size(); begin += kSettingsAtOnce) {
         const std::size_t end = std::min(settings.size(), begin + kSettingsAtOnce);
-        SettingsPart part{method, begin + 1, {}};
+        const std::string& name = settings.front().info->name;
+        SettingsPart part{method, begin + 1, {}, preparation_of(bench->experiment(), name)};
         part.settings.assign(settings.begin() + static_cast<std::ptrdiff_t>(begin),
                              settings.begin() + static_cast<std::ptrdiff_t>(end));
         const int cells = static_cast<int>(part.settings.size());
+        const int prepared = part.preparation == Preparation::shared ? 1 : cells;
         plan.blocks.push_back(
-            {fmt::format("{} sweep {} settings {}..{}",
-                         place_text(*bench, at),
-                         settings.front().info->name,
-                         begin + 1,
-                         end),
+            {fmt::format(
+                 "{} sweep {} settings {}..{}", place_text(*bench, at), name, begin + 1, end),
              cells,
-             work_s(*bench, at, cells, false),
+             work_s(*bench, at, {cells, prepared, false}),
              false,
              [bench, at, part, swept] { return run_settings(*bench, at, part, swept); }});
     }
@@ -225,10 +247,11 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                Plan& plan) {
     const int cells = static_cast<int>(bench->configs().size()) + kBaselines;
     at.first_cell = plan.take_cells(cells);
-    plan.blocks.push_back(
-        {place_text(*bench, at), cells, work_s(*bench, at, cells, true), false, [bench, at] {
-             return run_methods(*bench, at);
-         }});
+    plan.blocks.push_back({place_text(*bench, at),
+                           cells,
+                           work_s(*bench, at, {cells, at.is_first_view ? cells : 0, true}),
+                           false,
+                           [bench, at] { return run_methods(*bench, at); }});
     for (std::size_t m = 0; m < bench->configs().size(); ++m) {
         const std::vector<harness::MethodConfig> settings =
             settings_of(*bench, bench->configs()[m], nth_view);

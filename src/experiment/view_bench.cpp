@@ -64,15 +64,19 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene) {
     turn_to(scene);
-    if (methods_.empty()) methods_ = prepared(configs_, scene);
+    if (methods_.empty()) methods_ = prepared(configs_, scene, Preparation::own);
     return methods_;
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<harness::MethodConfig>& configs, std::size_t scene) const {
+    const std::vector<harness::MethodConfig>& configs,
+    std::size_t scene,
+    Preparation preparation) const {
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
+    const std::vector<std::unique_ptr<harness::PreparedMethod>> none;
     for (const harness::MethodConfig& config : configs)
-        methods.push_back(std::make_unique<harness::PreparedMethod>(config, scenes_[scene]));
+        methods.push_back(std::make_unique<harness::PreparedMethod>(
+            config, scenes_[scene], preparation == Preparation::shared ? methods : none));
     return methods;
 }
 

@@ -12,6 +12,12 @@
 
 namespace ink::experiment {
 
+/// How several settings of a method are made ready.
+enum class Preparation {
+    own,    ///< each by itself, so that each is timed with memory of its own, as other methods are
+    shared  ///< those that would prepare the same share it: many settings cost little more than one
+};
+
 /// The scenes of an experiment, and what is kept of the one that is being worked on from block to
 /// block: its model, its methods made ready, the truth of the last view.
 class ViewBench {
@@ -36,7 +42,9 @@ class ViewBench {
     std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene);
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
-        const std::vector<harness::MethodConfig>& configs, std::size_t scene) const;
+        const std::vector<harness::MethodConfig>& configs,
+        std::size_t scene,
+        Preparation preparation) const;
 
   private:
     void turn_to(std::size_t scene);

@@ -124,13 +124,19 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
     if (times.failure.empty()) row.skips = times.skips;
 }
 
-PreparedMethod::PreparedMethod(const MethodConfig& config, const scene::Scene& scene)
+PreparedMethod::PreparedMethod(const MethodConfig& config,
+                               const scene::Scene& scene,
+                               std::span<const std::unique_ptr<PreparedMethod>> others)
     : config_(config) {
     settings_ = config.info->complete(config.settings);
     threshold_ = threshold_of(config);
     method_ = config.info->make(config.settings);
     failure_ = failure_of([&] {
-        prepare_ns_ = time_ns([&] { method_->prepare(scene); });
+        const auto same = std::find_if(others.begin(), others.end(), [&](const auto& other) {
+            return other->failure().empty() && method_->prepare_like(other->method(), scene);
+        });
+        prepare_ns_ =
+            same != others.end() ? (*same)->prepare_ns_ : time_ns([&] { method_->prepare(scene); });
         pose_ns_ = time_ns([&] { method_->pose(scene); });
     });
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,12 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
 /// One method made ready for one scene: prepared, posed, both timed.
 class PreparedMethod {
   public:
-    /// Makes and prepares. A method that throws is not prepared: see `failure`.
-    PreparedMethod(const MethodConfig& config, const scene::Scene& scene);
+    /// Makes and prepares, where it can by taking over what one of `others` prepared for the same
+    /// scene (Method::prepare_like): its preparation then counts as long as theirs took. A method
+    /// that throws is not prepared: see `failure`.
+    PreparedMethod(const MethodConfig& config,
+                   const scene::Scene& scene,
+                   std::span<const std::unique_ptr<PreparedMethod>> others = {});
 
     [[nodiscard]] const MethodConfig& config() const { return config_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }

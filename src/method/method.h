@@ -84,6 +84,15 @@ class Method {
     /// of it.
     virtual void prepare(const scene::Scene& scene) = 0;
 
+    /// The same as prepare, but by taking over what `other`, prepared for the same scene with other
+    /// settings, has made and this method would make again. False, with nothing done, if there is
+    /// nothing of the kind: then prepare has to be called. Many settings of one method share their
+    /// preparation so.
+    [[nodiscard]] virtual bool prepare_like(const Method& /*other*/,
+                                            const scene::Scene& /*scene*/) {
+        return false;
+    }
+
     /// Whenever a vertex or an instance moved, and once after prepare: world positions and what
     /// depends on them. `scene` has the topology that was prepared.
     virtual void pose(const scene::Scene& scene) = 0;
