@@ -52,7 +52,7 @@ json methods_json(const std::vector<harness::Row>& rows) {
 }
 
 std::string state_text(const experiment::RunRecord& record) {
-    if (!record.false_negatives.empty()) return "unfinished";
+    if (!record.missing_blocks.empty()) return "unfinished";
     return record.faults.empty() ? "finished" : "invalid";
 }
 
@@ -71,7 +71,7 @@ json result_json(const experiment::RunData& run, const fs::path& folder, const f
             {"page", page.string()},
             {"methods", methods_json(run.tables.rows)},
             {"unscored", unscored},
-            {"false_negatives", run.record.false_negatives},
+            {"missing", run.record.missing_blocks},
             {"faults", run.record.faults}};
 }
 
@@ -96,11 +96,11 @@ void print_warnings(const experiment::RunData& run, const fs::path& folder) {
         stderr, "{}", experiment::unscored_text(experiment::unscored_cells(run.tables.rows)));
     for (const std::string& fault : record.faults)
         fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);
-    if (record.false_negatives.empty()) return;
+    if (record.missing_blocks.empty()) return;
     fmt::print(stderr,
                "inkbench: {} of {} parts are missing; what is finished is in {}, the same command "
                "goes on\n",
-               record.false_negatives.size(),
+               record.missing_blocks.size(),
                record.blocks,
                folder.string());
 }

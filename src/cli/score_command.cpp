@@ -93,8 +93,10 @@ std::string table_text(const draw::ScoreRequest& request, const score::Score& s)
 
 void run_score(ScoreArguments a) {
     a.request.options.thin = !a.no_thin;
-    const score::Score result = draw::score_files(a.request);
-    fmt::print("{}", a.as_json ? json_text(result) : table_text(a.request, result));
+    const draw::FilesScore result = draw::score_files(a.request);
+    fmt::print("{}", a.as_json ? json_text(result.score) : table_text(a.request, result.score));
+    for (const std::string& doubt : result.doubts)
+        fmt::print(stderr, "inkbench: {}\n", doubt);
 }
 
 }  // namespace
@@ -125,6 +127,7 @@ void add_score_command(CLI::App& app) {
                      a->request.options.threshold,
                      "Edge response of a predicted pixel, 1..255")
         ->capture_default_str();
+    command->add_flag("--invert", a->request.is_inverted, "The prediction has dark lines on light");
     command->add_flag("--no-thin", a->no_thin, "Take the prediction as wide as it is drawn");
     command
         ->add_option(

@@ -24,7 +24,7 @@ class Gathering {
         if (!record_) {
             record_ = record;
             first_ = folder;
-            missing_ = record.missing;
+            missing_ = record.missing_blocks;
         }
         if (record.identity != record_->identity) refuse_foreign(folder, record);
         const BlockStore store(folder);

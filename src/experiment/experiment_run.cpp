@@ -199,7 +199,7 @@ RunOutcome write_run(const BlockStore& store,
                      RunRecord record,
                      const std::vector<std::string>& missing) {
     RunOutcome outcome;
-    record.false_negatives = missing;
+    record.missing_blocks = missing;
     record.blocks_done = 0;
     record.work_s = 0;
     record.faults.clear();
@@ -249,8 +249,8 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     Work work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
     {
         RunRecord begun = mine;
-        begun.false_negatives = work.missing_of_plan();
-        begun.blocks_done = begun.blocks - static_cast<int>(begun.false_negatives.size());
+        begun.missing_blocks = work.missing_of_plan();
+        begun.blocks_done = begun.blocks - static_cast<int>(begun.missing_blocks.size());
         write_record(begun, options.out);
     }
     write_files(plan, options.out);
@@ -261,9 +261,9 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         outcome = write_run(store, mine, work.missing_of_plan());
     } else {
         outcome.record = mine;
-        outcome.record.false_negatives = work.missing_of_plan();
+        outcome.record.missing_blocks = work.missing_of_plan();
         outcome.record.blocks_done =
-            mine.blocks - static_cast<int>(outcome.record.false_negatives.size());
+            mine.blocks - static_cast<int>(outcome.record.missing_blocks.size());
         write_record(outcome.record, options.out);
     }
     outcome.is_interrupted = !is_done;

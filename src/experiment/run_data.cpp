@@ -137,7 +137,7 @@ RunData read_run(const fs::path& folder) {
             texts[table.name] = std::move(table.text);
         for (const std::size_t block : blocks)
             if (const auto kept = store.read(block))
-                std::erase(run.record.false_negatives, kept->key);
+                std::erase(run.record.missing_blocks, kept->key);
     } else {
         for (const RecordedTable& table : record->tables)
             texts[table.name] = read_file(folder / table.name);

@@ -77,8 +77,7 @@ toml::table progress_of(const RunRecord& record) {
                          {"blocks_done", record.blocks_done},
                          {"cells", record.cells}};
     if (record.times) progress.insert("work_s", record.work_s);
-    if (!record.false_negatives.empty())
-        progress.insert("false_negatives", array_of(record.false_negatives));
+    if (!record.missing_blocks.empty()) progress.insert("missing", array_of(record.missing_blocks));
     if (!record.faults.empty()) progress.insert("faults", array_of(record.faults));
     return progress;
 }
@@ -142,7 +141,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.blocks_done = progress["blocks_done"].value_or(0);
     record.cells = progress["cells"].value_or(0);
     record.work_s = progress["work_s"].value_or(0.0);
-    record.false_negatives = texts_of(progress["false_negatives"]);
+    record.missing_blocks = texts_of(progress["missing"]);
     record.faults = texts_of(progress["faults"]);
     const toml::table* asked = root["asked"].as_table();
     if (record.identity.empty() || !state || asked == nullptr || names.size() != headings.size()) {

@@ -43,8 +43,8 @@ struct RunRecord {
     RunState state = RunState::unfinished;
     int blocks_done = 0;
     double work_s = 0;  ///< that the finished blocks took; 0 if times are left out
-    std::vector<std::string> missing = {};  ///< keys of the blocks that are not done
-    std::vector<std::string> faults = {};   ///< why the run is invalid
+    std::vector<std::string> missing_blocks = {};  ///< keys of the blocks that are not done
+    std::vector<std::string> faults = {};          ///< why the run is invalid
 };
 
 /// The record of a run of `plan` that has not begun.

@@ -129,17 +129,17 @@ std::string invalid_html(const std::vector<std::string>& faults) {
 
 /// An interrupted run says what is missing, so that nobody takes the part for the whole.
 std::string missing_html(const ReportData& data) {
-    if (data.false_negatives.empty()) return "";
+    if (data.missing_blocks.empty()) return "";
     constexpr std::size_t kMostNamed = 20;
     std::string items;
-    for (std::size_t i = 0; i < std::min(kMostNamed, data.false_negatives.size()); ++i)
-        items += fmt::format("<li>{}</li>", core::escape(data.false_negatives[i]));
-    if (data.false_negatives.size() > kMostNamed)
-        items += fmt::format("<li>and {} more</li>", data.false_negatives.size() - kMostNamed);
+    for (std::size_t i = 0; i < std::min(kMostNamed, data.missing_blocks.size()); ++i)
+        items += fmt::format("<li>{}</li>", core::escape(data.missing_blocks[i]));
+    if (data.missing_blocks.size() > kMostNamed)
+        items += fmt::format("<li>and {} more</li>", data.missing_blocks.size() - kMostNamed);
     return warning("This run is not finished.",
                    fmt::format("{} of {} parts are missing, and every number below is of the rest. "
                                "The same command goes on where it stopped. Missing:",
-                               data.false_negatives.size(),
+                               data.missing_blocks.size(),
                                data.blocks),
                    items);
 }

@@ -38,7 +38,7 @@ ReportData report_data(experiment::RunData run) {
             std::move(tables.motion),
             std::move(tables.rolls),
             std::move(tables.cancellation),
-            std::move(run.record.false_negatives),
+            std::move(run.record.missing_blocks),
             run.record.blocks,
             std::move(run.record.faults)};
 }

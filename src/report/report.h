@@ -32,10 +32,10 @@ struct ReportData {
     std::vector<studies::MotionRow> motion = {};      ///< of sequences, if that was asked
     std::vector<studies::RollCurve> rolls = {};       ///< of the cube roll, with them
     std::vector<linear_code::CancellationRow> cancellation =
-        {};                                 ///< of methods that declare a code
-    std::vector<std::string> missing = {};  ///< blocks of the run that are not there
-    int blocks = 0;                         ///< of the whole run
-    std::vector<std::string> faults = {};   ///< why the run is invalid
+        {};                                        ///< of methods that declare a code
+    std::vector<std::string> missing_blocks = {};  ///< blocks of the run that are not there
+    int blocks = 0;                                ///< of the whole run
+    std::vector<std::string> faults = {};          ///< why the run is invalid
 };
 
 /// What a page says of a run. A run over several sizes or numbers of threads is shown at its first.

@@ -20,7 +20,8 @@ std::string fact(std::string_view name, const std::string& value) {
 }
 
 std::string headline(const experiment::RunData& run, const studies::StressCounts& counts) {
-    if (!run.record.missing.empty()) return "Stopped before its end; what was finished is here";
+    if (!run.record.missing_blocks.empty())
+        return "Stopped before its end; what was finished is here";
     if (counts.is_clean()) {
         return "Nothing crashed, nothing overflowed, every number is finite, every image is the "
                "same that must be";
@@ -56,13 +57,13 @@ std::string facts_html(const std::vector<studies::StressRow>& rows,
 
 /// An interrupted run says how much is missing.
 std::string missing_html(const experiment::RunRecord& record) {
-    if (record.missing.empty()) return "";
+    if (record.missing_blocks.empty()) return "";
     return fmt::format(
         "<div class=\"warning\" role=\"alert\"><strong>This run is not finished.</strong> {} of {} "
         "parts are missing, the first is {}. The same command goes on where it stopped.</div>",
-        record.missing.size(),
+        record.missing_blocks.size(),
         record.blocks,
-        core::escape(record.missing.front()));
+        core::escape(record.missing_blocks.front()));
 }
 
 /// Every cell that failed, once with its reason.

@@ -178,13 +178,13 @@ TEST_F(ExperimentRun, RecordsWhatIsMissingWhenItIsCutShort) {
     };
     const RunOutcome outcome = run_experiment(plan, into("a"));
     EXPECT_TRUE(outcome.is_interrupted);
-    EXPECT_THAT(outcome.record.false_negatives, testing::ElementsAre("block 2"));
+    EXPECT_THAT(outcome.record.missing_blocks, testing::ElementsAre("block 2"));
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n");
     const auto record = read_record(folder_ / "a");
     ASSERT_TRUE(record);
     EXPECT_EQ(record->state, RunState::unfinished);
     EXPECT_EQ(record->blocks_done, 2);
-    EXPECT_THAT(record->false_negatives, testing::ElementsAre("block 2"));
+    EXPECT_THAT(record->missing_blocks, testing::ElementsAre("block 2"));
     const RunOutcome next = run_experiment(plan, into("a"));
     EXPECT_EQ(next.record.state, RunState::finished);
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n2,5\n2,6\n");
