@@ -11,7 +11,7 @@
 #include "cli/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "harness/suite.h"
 #include "report/figure_run.h"
 #include "report/figure_set.h"

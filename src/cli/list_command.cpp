@@ -7,7 +7,7 @@
 #include "cli/listing.h"
 #include "core/error.h"
 #include "experiment/dictionary.h"
-#include "harness/methods_table.h"
+#include "harness/tables/methods_table.h"
 
 namespace ink::cli {
 namespace {

@@ -80,9 +80,8 @@ void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts) {
     add_repeatable_option(command,
                           "--no-skip",
                           texts,
-                          "Disable these optimisations: a,b or all; images do not change (see "
-                          "inkbench list skips): other times, "
-                          "the same image",
+                          "Disable these optimisations, a,b or all (see inkbench list skips): "
+                          "other times, the same images",
                           "SKIPS");
 }
 

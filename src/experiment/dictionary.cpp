@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "experiment/stress_summary.h"
-#include "experiment/summary_csv.h"
-#include "experiment/unscored.h"
-#include "harness/cost_tables.h"
-#include "harness/row_table.h"
-#include "harness/score_tables.h"
-#include "harness/sweep_table.h"
+#include "experiment/summary/stress_summary.h"
+#include "experiment/summary/summary_csv.h"
+#include "experiment/summary/unscored.h"
+#include "harness/tables/cost_tables.h"
+#include "harness/tables/row_table.h"
+#include "harness/tables/score_tables.h"
+#include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_table.h"
 #include "studies/motion_table.h"

@@ -7,10 +7,10 @@
 
 #include "experiment/experiment_plan.h"
 #include "experiment/view_bench.h"
-#include "harness/cost_tables.h"
-#include "harness/score_tables.h"
 #include "harness/sweep.h"
-#include "harness/sweep_table.h"
+#include "harness/tables/cost_tables.h"
+#include "harness/tables/score_tables.h"
+#include "harness/tables/sweep_table.h"
 #include "harness/view_images.h"
 #include "linear_code/cancellation_study.h"
 #include "linear_code/cancellation_table.h"

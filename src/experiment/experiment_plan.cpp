@@ -13,7 +13,7 @@
 #include "core/parallel.h"
 #include "core/provenance.h"
 #include "experiment/asked.h"
-#include "harness/methods_table.h"
+#include "harness/tables/methods_table.h"
 
 namespace ink::experiment {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiment/experiment.h"
-#include "harness/table.h"
+#include "harness/tables/table.h"
 #include "harness/tracing.h"
 
 namespace ink::experiment {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiment/cost_model.h"
 #include "experiment/run_record.h"
+#include "experiment/summary/cost_model.h"
 #include "harness/row.h"
 #include "harness/shown_view.h"
 #include "linear_code/cancellation.h"

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "experiment/cost_model.h"
 #include "experiment/run_data.h"
-#include "experiment/stress_summary.h"
-#include "experiment/summary_csv.h"
-#include "experiment/unscored.h"
+#include "experiment/summary/cost_model.h"
+#include "experiment/summary/stress_summary.h"
+#include "experiment/summary/summary_csv.h"
+#include "experiment/summary/unscored.h"
 
 namespace ink::experiment {
 namespace {

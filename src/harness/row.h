@@ -68,9 +68,10 @@ struct Row {
     std::optional<std::int64_t> draw_ns_min;
     int draw_n = 0;  ///< repetitions
     std::optional<int> bytes_per_px;
-    std::optional<CostFacts> cost = {};             ///< what predicted_ns is made from
-    std::optional<std::int64_t> predicted_ns = {};  ///< of draw_ns_min; see experiment/cost_model.h
-    std::optional<double> cost_residual = {};       ///< draw_ns_min / predicted_ns - 1
+    std::optional<CostFacts> cost = {};  ///< what predicted_ns is made from
+    std::optional<std::int64_t> predicted_ns =
+        {};  ///< of draw_ns_min; see experiment/summary/cost_model.h
+    std::optional<double> cost_residual = {};  ///< draw_ns_min / predicted_ns - 1
     /// What the last timed drawing left undone; nothing for baselines and cells that failed.
     std::optional<raster::SkipCounts> skips = {};
     std::string skips_off = {};  ///< skips that were not allowed, "a;b"

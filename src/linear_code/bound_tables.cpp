@@ -1,7 +1,7 @@
 #include "linear_code/bound_tables.h"
 
 #include "harness/cell.h"
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::linear_code {
 namespace {
@@ -49,7 +49,7 @@ void add_models(BoundTable& table) {
     add_model(
         table, {"model_found", "px", "true pixels of which a stencil fires"}, &LinearCount::found);
     add_model(table,
-              {"model_false_ink", "px", "stencils that fire far from lines"},
+              {"model_far_positives", "px", "stencils that fire far from lines"},
               &LinearCount::far_positives);
     add_model(
         table, {"model_n_truth", "px", "true pixels that were asked about"}, &LinearCount::n_truth);

@@ -1,6 +1,6 @@
 #include "linear_code/cancellation_table.h"
 
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::linear_code {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiment/sweep_summary.h"
+#include "experiment/summary/sweep_summary.h"
 #include "report/text_table.h"
 #include "report/verdict.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "draw/palette.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 namespace {

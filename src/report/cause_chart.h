@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "experiment/cause_totals.h"
+#include "experiment/summary/cause_totals.h"
 #include "report/svg.h"
 
 namespace ink::report {

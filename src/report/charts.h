@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "experiment/summary.h"
-#include "experiment/sweep_summary.h"
+#include "experiment/summary/summary.h"
+#include "experiment/summary/sweep_summary.h"
 #include "report/svg.h"
 
 namespace ink::report {

@@ -5,7 +5,7 @@
 
 #include "core/text_table.h"
 #include "draw/palette.h"
-#include "experiment/class_recalls.h"
+#include "experiment/summary/class_recalls.h"
 #include "report/charts.h"
 #include "report/verdict.h"
 #include "truth/line_class.h"

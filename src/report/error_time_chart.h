@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/svg.h"
 #include "statistics/spread.h"
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "experiment/cause_totals.h"
+#include "experiment/summary/cause_totals.h"
 #include "truth/line_class.h"
 
 namespace ink::report {

@@ -10,7 +10,7 @@
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "experiment/run_data.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "core/error.h"
 #include "core/whole_file.h"
-#include "experiment/summary_csv.h"
+#include "experiment/summary/summary_csv.h"
 #include "harness/out_folder.h"
-#include "harness/row_table.h"
+#include "harness/tables/row_table.h"
 #include "image_io/image_file.h"
 #include "report/charts.h"
 #include "report/error_time_chart.h"

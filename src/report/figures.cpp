@@ -13,7 +13,7 @@
 #include "core/whole_file.h"
 #include "draw/error_image.h"
 #include "draw/palette.h"
-#include "experiment/cause_totals.h"
+#include "experiment/summary/cause_totals.h"
 #include "image_io/image_file.h"
 #include "report/cancellation_chart.h"
 #include "report/cause_chart.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/svg.h"
 
 namespace ink::report {

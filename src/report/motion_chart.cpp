@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/escape.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 namespace {

@@ -55,7 +55,7 @@ tbody td, tbody th { border-bottom: 1px solid var(--line); }
 th:first-child, td.name { text-align: left; }
 tbody th { position: sticky; left: 0; background: #fff; }
 tr.best th, tr.best td { background: #eef6fb; }
-tr.bracket th, tr.bracket td { color: var(--soft); font-weight: 400; }
+tr.baseline th, tr.baseline td { color: var(--soft); font-weight: 400; }
 tr.first-baseline th, tr.first-baseline td { border-top: 1px solid #b9bfc8; }
 .verdict { font-size: .86rem; }
 .verdict th, .verdict td { padding: 6px 5.5px; }

@@ -6,7 +6,7 @@
 
 #include "core/escape.h"
 #include "draw/palette.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/cause_totals.h"
+#include "experiment/summary/cause_totals.h"
 
 namespace ink::report {
 

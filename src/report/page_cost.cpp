@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/escape.h"
-#include "experiment/scaling_steps.h"
+#include "experiment/summary/scaling_steps.h"
 #include "report/scaling_chart.h"
 #include "report/verdict.h"
 #include "statistics/spread.h"

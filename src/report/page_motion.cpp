@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/escape.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/motion_chart.h"
 
 namespace ink::report {

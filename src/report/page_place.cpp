@@ -10,7 +10,7 @@
 
 #include "core/escape.h"
 #include "core/text_table.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/verdict.h"
 
 namespace ink::report {

@@ -7,7 +7,7 @@
 #include "core/escape.h"
 #include "core/text_table.h"
 #include "draw/palette.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/page_causes.h"
 #include "report/page_tables.h"
 #include "report/verdict.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/escape.h"
-#include "experiment/skip_totals.h"
+#include "experiment/summary/skip_totals.h"
 #include "harness/skip_switches.h"
 #include "report/verdict.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/escape.h"
 #include "core/text_table.h"
-#include "experiment/paired_differences.h"
+#include "experiment/summary/paired_differences.h"
 #include "report/statistics.h"
 #include "report/verdict.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "experiment/summary.h"
-#include "experiment/sweep_summary.h"
+#include "experiment/summary/summary.h"
+#include "experiment/summary/sweep_summary.h"
 #include "harness/row.h"
 
 namespace ink::report {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "harness/row.h"
 
 namespace ink::report {

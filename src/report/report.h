@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "experiment/cost_model.h"
 #include "experiment/run_data.h"
+#include "experiment/summary/cost_model.h"
 #include "harness/row.h"
 #include "harness/shown_view.h"
 #include "linear_code/cancellation.h"

@@ -10,7 +10,7 @@
 
 #include "core/escape.h"
 #include "draw/palette.h"
-#include "experiment/scaling_steps.h"
+#include "experiment/summary/scaling_steps.h"
 
 namespace ink::report {
 namespace {

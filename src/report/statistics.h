@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/paired_differences.h"
-#include "experiment/summary.h"
+#include "experiment/summary/paired_differences.h"
+#include "experiment/summary/summary.h"
 #include "harness/row.h"
 #include "report/text_table.h"
 #include "statistics/ods.h"

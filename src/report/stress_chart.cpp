@@ -9,7 +9,7 @@
 
 #include "core/escape.h"
 #include "draw/palette.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "report/method_looks.h"
 #include "report/stress_scale.h"
 

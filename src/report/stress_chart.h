@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "experiment/stress_summary.h"
+#include "experiment/summary/stress_summary.h"
 #include "report/svg.h"
 #include "studies/stress/stress_axes.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/escape.h"
 #include "core/whole_file.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 #include "harness/out_folder.h"
 #include "report/page_assets.h"
 #include "report/stress_chart.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiment/stress_summary.h"
+#include "experiment/summary/stress_summary.h"
 #include "report/svg.h"
 #include "studies/stress/stress_axes.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/text_table.h"
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 namespace ink::report {
 

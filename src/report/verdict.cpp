@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "draw/crosscheck_report.h"
-#include "experiment/paired_differences.h"
+#include "experiment/summary/paired_differences.h"
 #include "report/statistics.h"
 #include "report/text_table.h"
 #include "truth/line_class.h"

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::studies {
 namespace {

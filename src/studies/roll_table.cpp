@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::studies {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::studies {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/row_table.h"
+#include "harness/tables/row_table.h"
 #include "studies/scaling.h"
 
 namespace ink::studies {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "harness/skip_switches.h"
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::studies {
 namespace {

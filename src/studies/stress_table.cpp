@@ -1,6 +1,6 @@
 #include "studies/stress_table.h"
 
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::studies {
 namespace {

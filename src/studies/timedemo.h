@@ -7,7 +7,7 @@
 
 #include "harness/method_configs.h"
 #include "harness/suite.h"
-#include "harness/table.h"
+#include "harness/tables/table.h"
 #include "raster/skips.h"
 
 namespace ink::studies {

@@ -7,7 +7,7 @@
 
 #include "core/text_table.h"
 #include "core/whole_file.h"
-#include "harness/table_of.h"
+#include "harness/tables/table_of.h"
 #include "scene/animation.h"
 #include "studies/timedemo.h"
 

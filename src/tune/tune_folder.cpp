@@ -11,9 +11,9 @@
 #include "core/whole_file.h"
 #include "experiment/experiment_run.h"
 #include "harness/cell.h"
-#include "harness/methods_table.h"
 #include "harness/out_folder.h"
-#include "harness/row_table.h"
+#include "harness/tables/methods_table.h"
+#include "harness/tables/row_table.h"
 #include "tune/tune_report.h"
 
 namespace ink::tune {

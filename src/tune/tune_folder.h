@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiment/run_record.h"
-#include "harness/table.h"
+#include "harness/tables/table.h"
 #include "tune/tune.h"
 
 namespace ink::tune {

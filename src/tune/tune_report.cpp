@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiment/paired_differences.h"
+#include "experiment/summary/paired_differences.h"
 #include "methods/preset.h"
 #include "statistics/bootstrap.h"
 #include "tune/tune_folder.h"

@@ -1,4 +1,4 @@
-#include "experiment/cause_totals.h"
+#include "experiment/summary/cause_totals.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

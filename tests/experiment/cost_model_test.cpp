@@ -1,4 +1,4 @@
-#include "experiment/cost_model.h"
+#include "experiment/summary/cost_model.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "core/error.h"
 #include "experiment/block_store.h"
 #include "experiment/folder_lock.h"
-#include "harness/csv_table.h"
+#include "harness/tables/csv_table.h"
 
 namespace ink::experiment {
 namespace {

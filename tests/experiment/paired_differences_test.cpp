@@ -1,4 +1,4 @@
-#include "experiment/paired_differences.h"
+#include "experiment/summary/paired_differences.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "catalogue/catalogue.h"
-#include "harness/cost_tables.h"
 #include "harness/line_scores.h"
-#include "harness/score_tables.h"
+#include "harness/tables/cost_tables.h"
+#include "harness/tables/score_tables.h"
 #include "harness/view_cells.h"
 #include "tests/harness/random_rows.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/scaling_steps.h"
+#include "experiment/summary/scaling_steps.h"
 #include "report/scaling_chart.h"
 #include "tests/harness/skipping_method.h"
 #include "tests/report/markup.h"

@@ -1,4 +1,4 @@
-#include "experiment/stress_summary.h"
+#include "experiment/summary/stress_summary.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "experiment/summary_csv.h"
+#include "experiment/summary/summary_csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "experiment/summary.h"
+#include "experiment/summary/summary.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "experiment/sweep_summary.h"
+#include "experiment/summary/sweep_summary.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "harness/methods_table.h"
+#include "harness/tables/methods_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "harness/row_table.h"
+#include "harness/tables/row_table.h"
 #include "truth/line_class.h"
 
 namespace ink::harness {

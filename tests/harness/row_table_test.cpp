@@ -1,4 +1,4 @@
-#include "harness/row_table.h"
+#include "harness/tables/row_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

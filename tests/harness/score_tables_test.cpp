@@ -1,4 +1,4 @@
-#include "harness/score_tables.h"
+#include "harness/tables/score_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

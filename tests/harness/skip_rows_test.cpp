@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "harness/cell.h"
-#include "harness/row_table.h"
 #include "harness/skip_switches.h"
+#include "harness/tables/row_table.h"
 #include "tests/harness/skipping_method.h"
 #include "tests/scene/small_meshes.h"
 

@@ -1,10 +1,10 @@
-#include "harness/sweep_table.h"
+#include "harness/tables/sweep_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "harness/cost_tables.h"
+#include "harness/tables/cost_tables.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::harness {

@@ -90,7 +90,7 @@ const std::vector<LibraryRule>& library_rules() {
          0},
         {"CLI11", "CLI/", {"src/cli/"}, 0},
         {"NLopt", "nlopt", {"src/tune/"}, 0},
-        {"toml++", "toml++/", {"src/experiment/", "methods/", "tests/"}, 0},
+        {"toml++", "toml++/", {"src/experiment/", "src/tune/", "methods/", "tests/"}, 0},
     };
     return rules;
 }

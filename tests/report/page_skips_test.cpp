@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiment/skip_totals.h"
+#include "experiment/summary/skip_totals.h"
 #include "harness/skip_switches.h"
 #include "report/page.h"
 #include "tests/report/made_up_report.h"

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "experiment/stress_summary.h"
+#include "experiment/summary/stress_summary.h"
 #include "studies/roll_study.h"
 #include "studies/stress/stress_counts.h"
 #include "studies/stress_table.h"

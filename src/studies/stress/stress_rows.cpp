@@ -10,8 +10,8 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/simd.h"
-#include "harness/csv.h"
 #include "harness/evaluations.h"
+#include "harness/tables/csv.h"
 #include "studies/stress/stress_counts.h"
 #include "truth/limits.h"
 

@@ -1,0 +1,103 @@
+#include "experiment/summary/paired_differences.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/text_table.h"
+#include "experiment/summary/summary.h"
+#include "statistics/bootstrap.h"
+
+namespace ink::experiment {
+namespace {
+
+using Counts = score::CurveCount;
+
+std::string format_signed(double value) {
+    return fmt::format("{}{}", value < 0 ? '-' : '+', core::format_share(std::abs(value)));
+}
+
+std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<harness::Row>& rows,
+                                                            const std::string& method) {
+    std::map<harness::Place, const harness::Row*> found;
+    for (const harness::Row& row : rows) {
+        if (row.method == method && row.is_ok() && row.f_2px)
+            found.emplace(harness::place_of(row), &row);
+    }
+    return found;
+}
+
+/// Counts of two methods, summed over the views of each scene that both have.
+struct PairedClusters {
+    std::vector<Counts> a;
+    std::vector<Counts> b;
+};
+
+PairedClusters pair_up(const std::vector<harness::Row>& rows,
+                       const std::string& a,
+                       const std::string& b) {
+    const auto of_b = rows_by_place(rows, b);
+    std::map<std::string, std::pair<Counts, Counts>> by_scene;
+    for (const auto& [where, row] : rows_by_place(rows, a)) {
+        const auto other = of_b.find(where);
+        if (other == of_b.end()) continue;
+        auto& [sum_a, sum_b] = by_scene[row->scene];
+        sum_a += counts_2px(*row);
+        sum_b += counts_2px(*other->second);
+    }
+    PairedClusters clusters;
+    for (const auto& [scene, sums] : by_scene) {
+        clusters.a.push_back(sums.first);
+        clusters.b.push_back(sums.second);
+    }
+    return clusters;
+}
+
+}  // namespace
+
+std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
+                                                     const std::string& a,
+                                                     const std::string& b) {
+    const PairedClusters clusters = pair_up(rows, a, b);
+    if (clusters.a.empty()) return std::nullopt;
+    Counts sum_a;
+    Counts sum_b;
+    for (std::size_t i = 0; i < clusters.a.size(); ++i) {
+        sum_a += clusters.a[i];
+        sum_b += clusters.b[i];
+    }
+    return PairedDifference{
+        a,
+        b,
+        sum_a.f() - sum_b.f(),
+        statistics::paired_interval(clusters.a, clusters.b, {.seed = rows.front().seed})};
+}
+
+std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
+    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
+        return *a.f_2px > *b.f_2px;
+    });
+    std::vector<PairedDifference> differences;
+    for (const MethodSummary& a : summaries) {
+        for (const MethodSummary& b : summaries) {
+            if (a.method == b.method) continue;
+            if (auto paired = paired_difference_of(rows, a.method, b.method))
+                differences.push_back(std::move(*paired));
+        }
+    }
+    return differences;
+}
+
+std::string format_paired_difference(const PairedDifference& paired) {
+    if (!paired.range) return format_signed(paired.difference);
+    return fmt::format("{} [{}, {}]",
+                       format_signed(paired.difference),
+                       format_signed(paired.range->low),
+                       format_signed(paired.range->high));
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,285 @@
+#include "experiment/summary/stress_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "core/text_table.h"
+#include "experiment/summary/summary.h"
+#include "harness/tables/table_of.h"
+#include "statistics/bootstrap.h"
+
+namespace ink::experiment {
+namespace {
+
+/// An error that moves by less than this is called level.
+constexpr double kLevel = 0.02;
+
+/// ".123": an error or a share, without its 0.
+std::string share(double value) {
+    std::string text = fmt::format("{:.2f}", value);
+    return text.starts_with("0") ? text.substr(1) : text;
+}
+
+void add_scores(const std::vector<const studies::StressRow*>& rows,
+                std::uint64_t seed,
+                StressPointSummary& point) {
+    std::vector<score::CurveCount> clusters;
+    score::CurveCount all{};
+    for (const studies::StressRow* row : rows) {
+        point.counts.add(row->counts);
+        if (!row->row.is_ok()) continue;
+        const score::CurveCount counts = counts_2px(row->row);
+        clusters.push_back(counts);
+        all.k += counts.k;
+        all.n_pred += counts.n_pred;
+        all.n_truth += counts.n_truth;
+    }
+    point.cases = static_cast<int>(clusters.size());
+    if (clusters.empty()) return;
+    point.f = all.f();
+    point.f_range = statistics::f_interval(clusters, {.seed = seed});
+    const auto k = static_cast<double>(all.k);
+    if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
+    if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
+    point.truth_px = all.n_truth;
+}
+
+/// "mote4 from .12 (at 20 deg) to .55 (at 0.1 deg)".
+std::string words(const studies::StressAxis& axis, const StressCurve& curve) {
+    return fmt::format("{} from {} (at {}) to {} (at {})",
+                       curve.method,
+                       share(*curve.best()->error()),
+                       format_stress_value(axis, curve.best()->value),
+                       share(*curve.worst()->error()),
+                       format_stress_value(axis, curve.worst()->value));
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string level_words(const std::vector<std::string>& level, std::size_t methods) {
+    if (level.empty()) return "No method stays level.";
+    if (level.size() == methods)
+        return fmt::format("Level: no method's error moves by {} or more.", share(kLevel));
+    if (level.size() > 6) return fmt::format("{} of {} methods stay level.", level.size(), methods);
+    return fmt::format("Level: {}.", joined(level));
+}
+
+using P = StressPointSummary;
+
+harness::TableOf<P> make_points_table() {
+    harness::TableOf<P> table(
+        "stress_summary.csv",
+        "A line per axis, value and method, over its cases: a point of a curve.");
+    const auto add = [&table](harness::Column column, auto value_of) {
+        table.add_derived(std::move(column), value_of);
+    };
+    add({"axis", "", "what grows"}, [](const P& p) { return p.axis; });
+    add({"value", "of unit", "where on the axis"}, [](const P& p) { return p.value; });
+    add({"unit", "", "of value; empty for a pure number"}, [](const P& p) { return p.unit; });
+    add({"method", "", "as in rows.csv"}, [](const P& p) { return p.method; });
+    add({"cases", "", "that have a score"}, [](const P& p) { return p.cases; });
+    add({"f", "0..1", "F within 2 px of the counts of all cases"}, [](const P& p) { return p.f; });
+    add({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+        [](const P& p) { return p.f_range ? std::optional(p.f_range->low) : std::nullopt; });
+    add({"f_hi", "0..1", "upper end"},
+        [](const P& p) { return p.f_range ? std::optional(p.f_range->high) : std::nullopt; });
+    add({"error", "0..1", "1 - f"}, [](const P& p) { return p.error(); });
+    add({"precision", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.precision; });
+    add({"recall", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.recall; });
+    add({"truth_px", "px", "true pixels of all cases"}, [](const P& p) { return p.truth_px; });
+    add({"non_finite", "", "numbers that are NaN or infinite"},
+        [](const P& p) { return p.counts.non_finite; });
+    add({"overflow", "", "codes beyond what they may hold"},
+        [](const P& p) { return p.counts.overflow; });
+    add({"lost_cells", "", "cases without a result"}, [](const P& p) { return p.counts.lost; });
+    add({"differing", "", "images that differ where the axis allows none to"},
+        [](const P& p) { return p.counts.differing; });
+    return table;
+}
+
+const harness::TableOf<P>& points_table() {
+    static const harness::TableOf<P> kTable = make_points_table();
+    return kTable;
+}
+
+}  // namespace
+
+std::optional<double> StressPointSummary::error() const {
+    if (!f) return std::nullopt;
+    return 1 - *f;
+}
+
+std::vector<StressPointSummary> summarise_stress(const std::vector<studies::StressRow>& rows,
+                                                 std::uint64_t seed) {
+    using Key = std::tuple<std::string, double, std::string>;
+    std::map<Key, std::vector<const studies::StressRow*>> groups;
+    std::vector<Key> order;
+    for (const studies::StressRow& row : rows) {
+        const Key key{row.axis, row.value, row.row.method};
+        auto& group = groups[key];
+        if (group.empty()) order.push_back(key);
+        group.push_back(&row);
+    }
+    std::vector<StressPointSummary> points;
+    for (const Key& key : order) {
+        const std::vector<const studies::StressRow*>& group = groups[key];
+        StressPointSummary point;
+        std::tie(point.axis, point.value, point.method) = key;
+        point.unit = group.front()->unit;
+        add_scores(group, seed, point);
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+const harness::TableInfo& stress_summary_table() {
+    return points_table().info();
+}
+
+std::string stress_summary_csv(const std::vector<StressPointSummary>& points) {
+    std::string text = harness::heading(stress_summary_table());
+    for (const StressPointSummary& point : points)
+        text += points_table().line(point);
+    return text;
+}
+
+const StressPointSummary* StressCurve::best() const {
+    const StressPointSummary* found = nullptr;
+    for (const StressPointSummary& point : points) {
+        if (point.f && (found == nullptr || *point.f > *found->f)) found = &point;
+    }
+    return found;
+}
+
+const StressPointSummary* StressCurve::worst() const {
+    const StressPointSummary* found = nullptr;
+    for (const StressPointSummary& point : points) {
+        if (point.f && (found == nullptr || *point.f < *found->f)) found = &point;
+    }
+    return found;
+}
+
+double StressCurve::loss() const {
+    return best() == nullptr ? 0 : *best()->f - *worst()->f;
+}
+
+std::vector<StressCurve> stress_curves(const std::vector<StressPointSummary>& points,
+                                       const std::string& axis) {
+    std::vector<StressCurve> curves;
+    for (const StressPointSummary& point : points) {
+        if (point.axis != axis) continue;
+        auto at = std::find_if(curves.begin(), curves.end(), [&](const StressCurve& curve) {
+            return curve.method == point.method;
+        });
+        if (at == curves.end()) {
+            curves.push_back({point.method, {}});
+            at = curves.end() - 1;
+        }
+        at->points.push_back(point);
+    }
+    for (StressCurve& curve : curves) {
+        std::stable_sort(curve.points.begin(), curve.points.end(), [](auto& a, auto& b) {
+            return a.value < b.value;
+        });
+    }
+    return curves;
+}
+
+std::string format_stress_value(const studies::StressAxis& axis, double value) {
+    for (std::size_t i = 0; i < axis.value_names.size(); ++i) {
+        if (axis.values[i] == value) return axis.value_names[i];
+    }
+    const bool is_plain = value == 0 || (value >= 1e-3 && value < 1e5);
+    const std::string text = is_plain ? fmt::format("{:.4g}", value) : fmt::format("{:.1e}", value);
+    if (axis.unit.empty()) return text;
+    if (axis.unit == "%") return text + " %";
+    if (axis.unit == "deg") return text + "°";
+    return text + " " + axis.unit;
+}
+
+std::string stress_sentence(const studies::StressAxis& axis,
+                            const std::vector<StressCurve>& curves) {
+    std::vector<const StressCurve*> moving;
+    std::vector<std::string> level;
+    std::string ceiling;
+    std::size_t methods = 0;
+    for (const StressCurve& curve : curves) {
+        if (curve.best() == nullptr) continue;
+        if (curve.method == "sampled" && curve.loss() >= kLevel) {
+            ceiling = fmt::format(" The ceiling of one sample a pixel itself moves: {}.",
+                                  words(axis, curve));
+        }
+        if (harness::is_baseline(curve.method)) continue;
+        ++methods;
+        if (curve.loss() < kLevel) {
+            level.push_back(curve.method);
+        } else {
+            moving.push_back(&curve);
+        }
+    }
+    if (methods == 0) return "";
+    std::stable_sort(
+        moving.begin(), moving.end(), [](auto* a, auto* b) { return a->loss() > b->loss(); });
+    std::string text = level_words(level, methods);
+    if (moving.empty()) return text + ceiling;
+    text += " Moves most: ";
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, moving.size()); ++i)
+        text += (i > 0 ? "; " : "") + words(axis, *moving[i]);
+    if (moving.size() > 3)
+        text += fmt::format(". Least of those that move: {}", words(axis, *moving.back()));
+    return text + "." + ceiling;
+}
+
+studies::StressCounts total_counts(const std::vector<studies::StressRow>& rows) {
+    studies::StressCounts total;
+    for (const studies::StressRow& row : rows)
+        total.add(row.counts);
+    return total;
+}
+
+std::string stress_table(const std::vector<StressPointSummary>& points) {
+    core::Cells cells = {{"axis",
+                          "points",
+                          "loses most",
+                          "from",
+                          "to",
+                          "at",
+                          "level",
+                          "non-finite",
+                          "overflow",
+                          "lost",
+                          "differing"}};
+    for (const studies::StressAxis& axis : studies::stress_axes()) {
+        const std::vector<StressCurve> curves = stress_curves(points, axis.name);
+        if (curves.empty()) continue;
+        const StressCurve* worst = nullptr;
+        studies::StressCounts counts;
+        int level = 0;
+        for (const StressCurve& curve : curves) {
+            for (const StressPointSummary& point : curve.points)
+                counts.add(point.counts);
+            if (harness::is_baseline(curve.method) || curve.best() == nullptr) continue;
+            level += curve.loss() < kLevel ? 1 : 0;
+            if (worst == nullptr || curve.loss() > worst->loss()) worst = &curve;
+        }
+        cells.push_back({axis.name,
+                         std::to_string(curves.front().points.size()),
+                         worst == nullptr ? "–" : worst->method,
+                         worst == nullptr ? "–" : share(*worst->best()->error()),
+                         worst == nullptr ? "–" : share(*worst->worst()->error()),
+                         worst == nullptr ? "–" : format_stress_value(axis, worst->worst()->value),
+                         std::to_string(level),
+                         std::to_string(counts.non_finite),
+                         std::to_string(counts.overflow),
+                         std::to_string(counts.lost),
+                         std::to_string(counts.differing)});
+    }
+    return core::aligned(cells);
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,97 @@
+#include "experiment/summary/unscored.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "experiment/summary/summary.h"
+#include "harness/tables/csv.h"
+
+namespace ink::experiment {
+namespace {
+
+bool begins_with(const std::string& text, std::string_view head) {
+    return text.compare(0, head.size(), head) == 0;
+}
+
+std::string remedy_of(const harness::Row& row) {
+    if (begins_with(row.status, "too_large")) {
+        return "a smaller --size, fewer triangles, or a larger --crease, so that fewer edges are "
+               "lines";
+    }
+    if (begins_with(row.status, "reference_disagreement")) {
+        return fmt::format(
+            "inkbench truth {} --view {} --crosscheck --disagreement where.png shows "
+            "the places; --no-crosscheck scores the view all the same",
+            row.scene,
+            row.view);
+    }
+    return fmt::format("inkbench draw {} --view {} --method {} -o alone.png draws it alone",
+                       row.scene,
+                       row.view,
+                       row.method);
+}
+
+}  // namespace
+
+std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {
+    std::map<harness::Place, bool> has_score;  // of any method
+    for (const harness::Row& row : rows) {
+        if (harness::is_baseline(row.method)) continue;
+        bool& has = has_score[harness::place_of(row)];
+        has = has || row.is_ok();
+    }
+    std::vector<Unscored> cells;
+    std::map<harness::Place, bool> is_named;
+    for (const harness::Row& row : rows) {
+        if (row.is_ok() || harness::is_baseline(row.method)) continue;
+        const harness::Place place = harness::place_of(row);
+        const bool is_whole_view = !has_score.at(place);
+        if (is_whole_view && is_named[place]) continue;
+        is_named[place] = true;
+        cells.push_back(
+            {row.scene, row.view, is_whole_view ? "" : row.method, row.status, remedy_of(row)});
+    }
+    return cells;
+}
+
+const harness::TableInfo& unscored_table() {
+    static const harness::TableInfo table{
+        "unscored.csv",
+        "A view without any score, or a method without one on a view.",
+        {{"scene", "", "the scene"},
+         {"view", "", "the view"},
+         {"method", "", "the method; empty where the whole view has no score"},
+         {"reason", "", "status of its rows"},
+         {"remedy", "", "what may help"}}};
+    return table;
+}
+
+std::string unscored_csv(const std::vector<Unscored>& cells) {
+    std::string text = harness::heading(unscored_table());
+    for (const Unscored& cell : cells) {
+        text += fmt::format("{},{},{},{},{}\n",
+                            harness::csv_field(cell.scene),
+                            harness::csv_field(cell.view),
+                            harness::csv_field(cell.method),
+                            harness::csv_field(cell.reason),
+                            harness::csv_field(cell.remedy));
+    }
+    return text;
+}
+
+std::string unscored_text(const std::vector<Unscored>& cells) {
+    std::string text;
+    for (const Unscored& cell : cells) {
+        text += fmt::format("no score: {} {}{}: {}\n    try: {}\n",
+                            cell.scene,
+                            cell.view,
+                            cell.method.empty() ? "" : " " + cell.method,
+                            cell.reason,
+                            cell.remedy);
+    }
+    return text;
+}
+
+}  // namespace ink::experiment

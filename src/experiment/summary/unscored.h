@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/row.h"
+#include "harness/tables/table.h"
+
+namespace ink::experiment {
+
+/// Cells without a score for one and the same reason, on one view.
+struct Unscored {
+    std::string scene;
+    std::string view;
+    std::string method;  ///< "" where no method of the view has a score
+    std::string reason;  ///< the rows' status
+    std::string remedy;  ///< what may help, in a sentence
+};
+
+/// Every view and every cell of `rows` that has no score, in their order: one entry for a view that
+/// has none at all, else one for each method that failed there.
+[[nodiscard]] std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows);
+
+/// unscored.csv: the same as a table of the run folder.
+[[nodiscard]] const harness::TableInfo& unscored_table();
+[[nodiscard]] std::string unscored_csv(const std::vector<Unscored>& cells);
+
+/// For a terminal: a line per entry, its remedy below; "" if all have scores.
+[[nodiscard]] std::string unscored_text(const std::vector<Unscored>& cells);
+
+}  // namespace ink::experiment

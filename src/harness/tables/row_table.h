@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "harness/row.h"
+#include "harness/tables/csv_table.h"
+#include "harness/tables/study.h"
+#include "harness/tables/table.h"
+
+namespace ink::harness {
+
+/// A line of rows.csv: a cell's number, what it was measured for, and all else that it says.
+struct RowRecord {
+    std::int64_t cell = 0;  ///< what side tables name it by
+    Study study = Study::compare;
+    Row row;
+};
+
+/// The columns of rows.csv: cell, study, then what the cell is, its scores, counts and sums, times,
+/// skips and provenance.
+[[nodiscard]] const TableInfo& rows_table();
+
+/// One line with its line break (RFC 4180 quoting). Numbers are in the shortest form that reads
+/// back to the same value, whatever the locale. Counts of a row without a score are empty, as its
+/// metrics are; so is draw_n where nothing was timed.
+[[nodiscard]] std::string row_line(std::int64_t cell, Study study, const Row& row);
+
+/// The rows of rows.csv: row_line of what is read gives the same bytes again. What other tables
+/// hold of a row (tolerances, bins, cost facts) is left out. Throws core::Error that names file,
+/// line, column and value for another heading, a wrong field, or a cell that is there twice.
+[[nodiscard]] std::vector<RowRecord> read_rows(const CsvTable& table);
+
+/// The rows of a run by their cell.
+class RowIndex {
+  public:
+    /// Borrows `rows`.
+    explicit RowIndex(const std::vector<RowRecord>& rows);
+    /// The record that a field of a side table names; another number is refused.
+    [[nodiscard]] const RowRecord& find(const CsvField& cell) const;
+    /// The record of a cell, or null.
+    [[nodiscard]] const RowRecord* find(std::int64_t cell) const;
+
+  private:
+    std::map<std::int64_t, const RowRecord*> by_cell_;
+};
+
+/// The rows alone, without their cells.
+[[nodiscard]] std::vector<Row> rows_of(const std::vector<RowRecord>& records);
+
+}  // namespace ink::harness

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/tables/row_table.h"
+
+namespace ink::harness {
+
+/// The columns of sweep.csv: cell (of the same method at its own settings on the same view),
+/// setting, status, one per parameter of `swept`, then counts, scores, times and cost. Throws
+/// core::Error if a parameter is called as another column is.
+[[nodiscard]] TableInfo sweep_table(const std::vector<std::string>& swept);
+
+/// The line of one setting, ended; `setting` counts from 1 within the cell. The fields of `swept`
+/// are taken from the row's params, empty where the method has no such parameter.
+[[nodiscard]] std::string sweep_line(std::int64_t cell,
+                                     int setting,
+                                     const std::vector<std::string>& swept,
+                                     const Row& row);
+
+/// A setting of a cell.
+struct SweepRecord {
+    std::int64_t cell = 0;
+    int setting = 0;
+    Row row;  ///< as the cell's own row, but for params, status, and what sweep.csv holds
+};
+
+/// The parameters that a sweep.csv has columns of.
+[[nodiscard]] std::vector<std::string> swept_parameters(const CsvTable& csv);
+
+/// The settings of sweep.csv, in order; what is no column of it, and stays as it was with the
+/// settings (method, scene, view, size, threads, triangles ...), is that of the cell's row in
+/// rows.csv. Throws core::Error (file, line, column, value) for another heading, a wrong field or a
+/// cell that `rows` does not have.
+[[nodiscard]] std::vector<SweepRecord> read_sweep(const CsvTable& csv, const RowIndex& rows);
+
+/// "key=value;key=value" as pairs, in order.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> split_params(
+    const std::string& params);
+
+/// The parameters whose value in any of `settings` differs from that in `own`, all given as
+/// "key=value;key=value", sorted by name.
+[[nodiscard]] std::vector<std::string> changed_parameters(const std::string& own,
+                                                          const std::vector<std::string>& settings);
+
+}  // namespace ink::harness
