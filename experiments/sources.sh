@@ -3,7 +3,7 @@
 #
 #   experiments/sources.sh [MODELS]
 #
-# MODELS holds knight.mdl, faerie.md2 and kyonshi/lower.md3 (../shared/models unless given); without
+# MODELS holds knight.mdl, faerie.md2 and kyonshi/lower.md3 (default: ../shared/models); without
 # them TechnicalQuake's pictures are left out, with a word. Needs build/release/inkbench (or INKBENCH)
 # and OpenImageIO's oiiotool. ERRORS=1 also draws polygon_offset's errors, which takes some minutes.
 set -eu
@@ -47,7 +47,7 @@ for method in mote2 mote4; do
 done
 
 size=380x285
-# "Inked": raw, inked, inked and antialiased; then the ink alone, from too little pull to too much.
+# "Inked": raw, inked, inked and antialiased; then the lines alone, from too little depth bias to too much.
 inked() {
     what=$1
     shift

@@ -32,8 +32,9 @@ PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
 CLASS_COLOURS = {"contour": INK, "boundary": PURPLE, "crease": GREEN, "intersection": ORANGE,
                  "seam": SKY}
 CAUSE_COLOURS = {
-    "false_positives_one_triangle": BLUE, "false_positives_one_patch": "#74b9f2", "false_positives_crack": "#2ccf96",
-    "false_positives_frame": "#2a1fb0", "false_positives_other": "#a060f0", "false_negatives_cancelled": VERMILION,
+    "false_positives_one_triangle": BLUE, "false_positives_one_patch": "#74b9f2",
+    "false_positives_crack": "#2ccf96", "false_positives_frame": "#2a1fb0",
+    "false_positives_other": "#a060f0", "false_negatives_cancelled": VERMILION,
     "false_negatives_below_threshold": "#f2b400", "false_negatives_sub_pixel": "#6b4410",
     "false_negatives_thinned": "#ee3377", "false_negatives_unexplained": "#8a1560",
     "false_negatives_undeclared": "#d98a3a",

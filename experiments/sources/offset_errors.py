@@ -3,8 +3,9 @@
 
 Usage: offset_errors.py INKBENCH WORK_FOLDER OUT_FOLDER [SIZE]
 
-Runs `inkbench compare` once a cell (a cell whose rows.csv is in WORK_FOLDER is not run again) and
-writes offset_errors.csv and offset_errors.svg. Counts are pooled over the views, one a scene.
+Runs `inkbench compare` once a cell, each in a run folder of its own under WORK_FOLDER (a run that is
+finished there is not computed again), and writes offset_errors.csv and offset_errors.svg. Counts are
+pooled over the views, one a scene.
 """
 
 import csv
@@ -20,12 +21,11 @@ SCENES = ("sphere,balls,torus,cube,cylinder,cone,blocks,horizon,tiles,layers,hil
 
 
 def run_cell(inkbench, folder, size, factor, units):
-    if (folder / "rows.csv").exists():
-        return
     subprocess.run(
         [inkbench, "compare", "--scenes", SCENES, "--methods", "polygon_offset", "--views", "1",
          "--size", size, "--set", f"factor={factor}", "--set", f"units={units}", "--no-sweep",
-         "--no-crosscheck", "--repetitions", "1", "--out", str(folder)],
+         "--no-crosscheck", "--repetitions", "1", "--images", "none", "--out",
+         str(folder)],
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
