@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/options.h"
 #include "core/error.h"
@@ -56,9 +57,12 @@ std::string state_text(const experiment::RunRecord& record) {
     return record.faults.empty() ? "finished" : "invalid";
 }
 
-json result_json(const experiment::RunData& run, const fs::path& folder, const fs::path& page) {
+json result_json(const experiment::RunRecord& record,
+                 const std::vector<harness::Row>& rows,
+                 const fs::path& folder,
+                 const fs::path& page) {
     json unscored = json::array();
-    for (const experiment::Unscored& cell : experiment::unscored_cells(run.tables.rows)) {
+    for (const experiment::Unscored& cell : experiment::unscored_cells(rows)) {
         unscored.push_back({{"scene", cell.scene},
                             {"view", cell.view},
                             {"method", cell.method},
@@ -66,34 +70,41 @@ json result_json(const experiment::RunData& run, const fs::path& folder, const f
                             {"remedy", cell.remedy}});
     }
     return {{"run", folder.string()},
-            {"kind", run.record.kind},
-            {"state", state_text(run.record)},
+            {"kind", record.kind},
+            {"state", state_text(record)},
             {"page", page.string()},
-            {"methods", methods_json(run.tables.rows)},
+            {"methods", methods_json(rows)},
             {"unscored", unscored},
-            {"missing", run.record.missing_blocks},
-            {"faults", run.record.faults}};
+            {"missing", record.missing_blocks},
+            {"faults", record.faults}};
 }
 
-void print_result(const experiment::RunData& run) {
-    const experiment::RunTables& tables = run.tables;
-    if (!tables.rows.empty()) {
-        fmt::print("{}\n", report::verdict_table(tables.rows, tables.curves));
-        fmt::print("{}", report::threshold_lines(tables.rows, tables.curves));
-        fmt::print("{}", report::best_settings_table(tables.rows, tables.sweep));
-    }
-    if (!tables.stress.empty()) {
-        const auto points =
-            experiment::summarise_stress(tables.stress, tables.stress.front().row.seed);
-        fmt::print("{}", experiment::stress_table(points));
-    }
-    if (!tables.bounds.empty()) fmt::print("{}", linear_code::bound_table(tables.bounds));
+void print_stress(const std::vector<studies::StressRow>& rows) {
+    if (rows.empty()) return;
+    fmt::print("{}",
+               experiment::stress_table(experiment::summarise_stress(rows, rows.front().row.seed)));
 }
 
-void print_warnings(const experiment::RunData& run, const fs::path& folder) {
-    const experiment::RunRecord& record = run.record;
-    fmt::print(
-        stderr, "{}", experiment::unscored_text(experiment::unscored_cells(run.tables.rows)));
+void print_comparison(const report::ReportData& data, bool one_place) {
+    if (data.rows.empty()) return;
+    const harness::Row& first = data.rows.front();
+    if (!one_place) {
+        fmt::print(
+            "At {}x{} px on {} thread(s); the other sizes and numbers of threads are in "
+            "rows.csv.\n",
+            first.width,
+            first.height,
+            first.threads);
+    }
+    fmt::print("{}\n", report::verdict_table(data.rows, data.curves));
+    fmt::print("{}", report::threshold_lines(data.rows, data.curves));
+    fmt::print("{}", report::best_settings_table(data.rows, data.sweep));
+}
+
+void print_warnings(const experiment::RunRecord& record,
+                    const std::vector<harness::Row>& rows,
+                    const fs::path& folder) {
+    fmt::print(stderr, "{}", experiment::unscored_text(experiment::unscored_cells(rows)));
     for (const std::string& fault : record.faults)
         fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);
     if (record.missing_blocks.empty()) return;
@@ -107,7 +118,7 @@ void print_warnings(const experiment::RunData& run, const fs::path& folder) {
 
 }  // namespace
 
-fs::path write_page(const experiment::RunData& run, const fs::path& folder, const fs::path& page) {
+fs::path write_page(experiment::RunData run, const fs::path& folder, const fs::path& page) {
     if (!run.tables.stress.empty()) {
         if (page.empty()) return report::write_stress_page(run, folder);
         core::write_whole_file(page, report::stress_page(run));
@@ -120,32 +131,41 @@ fs::path write_page(const experiment::RunData& run, const fs::path& folder, cons
                           "a run of compare, stress or animation");
     }
     const fs::path target = page.empty() ? folder / "report.html" : page;
-    report::write_report(report::report_data(run), target);
+    report::write_report(report::report_data(std::move(run)), target);
     return target;
 }
 
 void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, const RunShow& show) {
     experiment::RunData run = experiment::read_run(folder);
+    const experiment::RunRecord record = run.record;
+    const std::vector<studies::StressRow> stress = run.tables.stress;
+    const std::vector<linear_code::BoundRow> bounds = run.tables.bounds;
     fs::path page;
-    if (show.has_page && run.record.kind != "bound") page = write_page(run, folder, {});
-    if (!run.tables.rows.empty()) {
-        const report::ReportData data = report::report_data(run);
+    if (show.has_page && !stress.empty()) page = report::write_stress_page(run, folder);
+    const report::ReportData data = report::report_data(std::move(run));
+    if (show.has_page && (record.kind == "compare" || record.kind == "animation")) {
+        page = folder / "report.html";
+        report::write_report(data, page);
+    }
+    if (!data.rows.empty()) {
         core::write_whole_file(folder / "verdict.md",
                                report::verdict_markdown(data.rows, data.curves) + "\n");
         if (show.has_page) report::write_figures(data, folder);
     }
     if (show.is_json) {
-        fmt::print("{}\n", result_json(run, folder, page).dump(2));
+        fmt::print("{}\n", result_json(record, data.rows, folder, page).dump(2));
     } else {
-        print_result(run);
+        print_comparison(data, record.one_place);
+        print_stress(stress);
+        if (!bounds.empty()) fmt::print("{}", linear_code::bound_table(bounds));
         fmt::print("run: {}\n", folder.string());
         if (!page.empty()) fmt::print("report: {}\n", page.string());
     }
     std::fflush(stdout);
-    print_warnings(run, folder);
+    print_warnings(record, data.rows, folder);
     if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
-    if (!run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
-    if (!experiment::unscored_cells(run.tables.rows).empty()) throw CLI::RuntimeError(kUnscored);
+    if (!record.faults.empty()) throw CLI::RuntimeError(kInvalid);
+    if (!experiment::unscored_cells(data.rows).empty()) throw CLI::RuntimeError(kUnscored);
 }
 
 }  // namespace ink::cli

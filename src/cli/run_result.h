@@ -25,7 +25,7 @@ void conclude(const experiment::RunOutcome& outcome,
 
 /// Writes the page of the run in `folder` to `page`, or to the folder's own place if that is empty.
 /// Returns where it is. Throws core::Error for a run that has no page.
-std::filesystem::path write_page(const experiment::RunData& run,
+std::filesystem::path write_page(experiment::RunData run,
                                  const std::filesystem::path& folder,
                                  const std::filesystem::path& page);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/error.h"
@@ -169,17 +171,19 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
 
 std::vector<ShownView> read_shown_views(const fs::path& run, const std::vector<Row>& rows) {
     std::vector<ShownView> views;
+    std::set<std::tuple<std::string, std::string>> methods_there;  // scene and method
     for (const Row& row : rows) {
         if (!is_kept(row)) continue;
         const fs::path folder = run / image_folder(row.scene, row.view);
         const fs::path file = folder / (file_name(row.method) + ".png");
         if (!fs::exists(folder / kTruth) || !fs::exists(file)) continue;
-        const bool is_new =
-            views.empty() || views.back().scene != row.scene || views.back().view != row.view;
-        if (is_new) {
+        if (views.empty() || views.back().scene != row.scene)
             views.push_back({row.scene, row.view, image_io::read_gray(folder / kTruth), {}});
-        }
         const Gray& labels = views.back().labels;
+        // Rows of other sizes and numbers of threads have no images of their own.
+        const bool is_of_row = views.back().view == row.view && labels.width_px() == row.width &&
+                               labels.height_px() == row.height;
+        if (!is_of_row || !methods_there.insert({row.scene, row.method}).second) continue;
         views.back().images.push_back(
             {row.method,
              read_sized(file, labels),

@@ -26,9 +26,9 @@ namespace ink::harness {
 /// name become '_'.
 [[nodiscard]] std::filesystem::path image_folder(const std::string& scene, const std::string& view);
 
-/// The views of which the run folder `run` holds images, in the order of `rows`, which say
-/// thresholds. Throws core::Error (where = the file) for an image that cannot be read or has not
-/// the size of its truth.
+/// The first view of each scene of which the run folder `run` holds images, in the order of `rows`,
+/// which say thresholds. Throws core::Error (where = the file) for an image that cannot be read or
+/// has not the size of its truth.
 [[nodiscard]] std::vector<ShownView> read_shown_views(const std::filesystem::path& run,
                                                       const std::vector<Row>& rows);
 

@@ -85,7 +85,7 @@ TEST(Packer, SkyIsWhatNothingDrawnHolds) {
     EXPECT_EQ(packed<std::uint8_t>(packer, method::kNothingDrawn, {0, 0, 0}), 17);
 }
 
-TEST(method::LinearCode, IsDeclaredByTheSumsAlone) {
+TEST(LinearCode, IsDeclaredByTheSumsAlone) {
     const auto code_of = [](const std::string& method, const core::ParamValues& values) {
         return methods::find_method(method).make(values)->code();
     };

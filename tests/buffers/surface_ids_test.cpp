@@ -106,13 +106,13 @@ edge::EdgeImage from_above(const scene::Scene& scene,
         method, values, scene, {methods::view_from(scene, {1, 2, 0.01}, {1, 0, 0}, {80, 40}), 1});
 }
 
-TEST(methods::Ids, ASeamOfCoplanarTilesIsABorderOfObjectsAndNotOfPatches) {
+TEST(Ids, ASeamOfCoplanarTilesIsABorderOfObjectsAndNotOfPatches) {
     EXPECT_TRUE(has_line(from_above(two_tiles(), "ids", {{"of", "object"}})));
     EXPECT_TRUE(has_line(from_above(two_tiles(), "ids", {{"of", "object_and_patch"}})));
     EXPECT_FALSE(has_line(from_above(two_tiles(), "ids", {{"of", "patch"}})));
 }
 
-TEST(methods::Ids, FollowAPatchThatComesApart) {
+TEST(Ids, FollowAPatchThatComesApart) {
     // The other tile is lifted on its far side by 60 degrees.
     scene::Scene bent = two_tiles();
     const glm::dmat4 lift = glm::rotate(glm::dmat4(1), glm::radians(60.0), {0, 0, 1});

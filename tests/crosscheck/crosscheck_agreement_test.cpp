@@ -210,7 +210,7 @@ TEST_F(PlantedFault, CreasesHidden) {
     EXPECT_TRUE(of(truth::LineClass::contour).is_agreed());
 }
 
-TEST(harness::Agreement, CountsWhatOneHasAndTheOtherNot) {
+TEST(Agreement, CountsWhatOneHasAndTheOtherNot) {
     // Two level lines of 8 px: one that the cross-check sees to its middle, one that it does not
     // see.
     truth::Curve seen, unseen;

@@ -295,7 +295,7 @@ TEST(ParseShard, TakesOneToN) {
         EXPECT_THROW((void)parse_shard(bad), core::Error) << bad;
 }
 
-TEST(harness::CsvTable, KeepsEveryByteOfFieldsItDoesNotChange) {
+TEST(CsvTable, KeepsEveryByteOfFieldsItDoesNotChange) {
     const std::string text = "a,b\n\"x, \"\"y\"\"\n\",2\n,\n";
     const harness::CsvTable table = harness::split_csv(text, "t");
     ASSERT_EQ(table.records.size(), 2U);

@@ -81,7 +81,7 @@ TEST(StressTable, ReadsAndWritesTheSameBytes) {
         lines += studies::stress_line(row.cell, stress);
     }
     const auto read =
-        studies::read_stress(harness::file_of(stress_table(), lines), harness::RowIndex(rows));
+        studies::read_stress(harness::file_of(studies::stress_table(), lines), harness::RowIndex(rows));
     ASSERT_EQ(read.size(), rows.size());
     std::string again;
     for (std::size_t i = 0; i < read.size(); ++i) {
@@ -156,7 +156,7 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
                    "rows.csv)") != std::string::npos;
     };
     EXPECT_TRUE(is_refused(error_of([&] {
-        (void)studies::read_stress(harness::file_of(stress_table(), studies::stress_line(9, {})),
+        (void)studies::read_stress(harness::file_of(studies::stress_table(), studies::stress_line(9, {})),
                                    index);
     })));
     EXPECT_TRUE(is_refused(error_of([&] {

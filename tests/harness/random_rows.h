@@ -116,7 +116,7 @@ inline Row random_row(RandomValues& any) {
     row.ap = any.maybe([&] { return any.share(); });
     row.k_1px = any.maybe([&] { return any.count(); });
     row.n_pred_1px = any.maybe([&] { return any.count(); });
-    if (row.is_scored() && any.coin()) row.chance = {any.count(), any.count(), row.n_truth};
+    if (row.is_scored() && any.coin()) row.random_baseline = {any.count(), any.count(), row.n_truth};
     fill_random_times(any, row);
     row.bytes_per_px = any.maybe([&] { return any.small(); });
     row.image_hash = any.text();
@@ -141,7 +141,7 @@ inline Row random_row(RandomValues& any) {
     }
     if (any.coin()) {
         LineScores& lines = row.lines.emplace();
-        lines.ink = {any.count(), any.count()};
+        lines.positives = {any.count(), any.count()};
         lines.cracks.n_drawn = any.count();
         lines.cracks.n_beside = any.count();
         lines.cracks.all = {any.count(), any.count()};

@@ -90,7 +90,7 @@ TEST(AutoPlan, ASoupsNormalsAreLeftOutWhateverItsCreases) {
         plan_for(scene_of({in_components(catalogue::make_icosphere(1, 2)), cube_mesh()}));
     EXPECT_FALSE(reads_normals(plan));
     EXPECT_THAT(plan.lines,
-                Contains(buffers::Field(&method::PlanLine::why, HasSubstr("no neighbour"))));
+                Contains(testing::Field(&method::PlanLine::why, HasSubstr("no neighbour"))));
 }
 
 TEST(AutoPlan, CoarserFacetsNeedALargerStep) {
@@ -120,10 +120,10 @@ TEST(AutoPlan, SaysThatSeamsAreSeenByNone) {
     const scene::Mesh left = catalogue::make_sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const scene::Mesh right = catalogue::make_sheet({1, 0, 0}, {1, 0, 0}, {0, 1, 0});
     EXPECT_THAT(plan_for(scene_of({left, right})).lines,
-                Contains(buffers::Field(&method::PlanLine::what, HasSubstr("seams"))));
+                Contains(testing::Field(&method::PlanLine::what, HasSubstr("seams"))));
     EXPECT_THAT(
         plan_for(scene_of({left})).lines,
-        testing::Not(Contains(buffers::Field(&method::PlanLine::what, HasSubstr("seams")))));
+        testing::Not(Contains(testing::Field(&method::PlanLine::what, HasSubstr("seams")))));
 }
 
 TEST(AutoPlan, EveryLineHasAReason) {

@@ -44,7 +44,7 @@ std::vector<harness::Row> some_rows() {
     return rows;
 }
 
-TEST(experiment::SkipTotals, PoolCountsAndKnowWhereMostWasSkipped) {
+TEST(SkipTotals, PoolCountsAndKnowWhereMostWasSkipped) {
     const std::vector<harness::Row> rows = some_rows();
     const auto totals = experiment::skip_totals(rows);
     ASSERT_EQ(totals.size(), 2U) << "no baseline";

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/error.h"
+#include "core/escape.h"
 #include "image_io/image_file.h"
 #include "report/figures.h"
 #include "report/html.h"

@@ -231,7 +231,7 @@ TEST_F(Tune, OtherCodesAreDrawnByTheirMethod) {
     EXPECT_FALSE(tune(scenes({"cube"}), options("decaudin", "")).agreement);
 }
 
-TEST(methods::PresetFile, SpellsValuesAsTomlDoes) {
+TEST(PresetFile, SpellsValuesAsTomlDoes) {
     const methods::PresetFile file{
         "mine",
         &methods::find_method("mote4"),
