@@ -11,7 +11,7 @@
 #include "cli/help_format.h"
 #include "core/error.h"
 #include "core/param.h"
-#include "experiment/dictionary.h"
+#include "harness/tables/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "shade/shading.h"
@@ -71,14 +71,8 @@ Json method_params_json() {
 
 Json columns_json() {
     Json list = Json::array();
-    for (const harness::TableInfo& table : experiment::dictionary()) {
-        for (const harness::Column& column : table.columns) {
-            list.push_back({{"table", table.file},
-                            {"name", column.name},
-                            {"unit", column.unit},
-                            {"doc", column.doc}});
-        }
-    }
+    for (const harness::Column& column : harness::rows_table().columns)
+        list.push_back({{"name", column.name}, {"unit", column.unit}, {"doc", column.doc}});
     return list;
 }
 

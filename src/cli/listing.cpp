@@ -91,7 +91,7 @@ std::string list_metrics() {
 std::string list_skips() {
     std::string text = "skips (--no-skip a,b or all; the image is the same)\n";
     for (const raster::SkipInfo& info : raster::skip_infos())
-        text += fmt::format("  {:<14} {:<10} {}\n", info.name, info.unit, info.summary);
+        text += fmt::format("  {:<18} {:<10} {}\n", info.name, info.unit, info.summary);
     return text;
 }
 

@@ -46,6 +46,7 @@ void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace
     options.search.most_boxes = experiment.bound.boxes;
     options.search.threads = experiment.threads.front();
     options.trace = trace;
+    linear_code::check_bound(options);
     harness::ViewRequest request = experiment.view_request;
     request.width_px = experiment.sizes.front().width_px;
     request.height_px = experiment.sizes.front().height_px;

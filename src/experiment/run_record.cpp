@@ -190,6 +190,8 @@ void refuse_other_run(const fs::path& folder, const RunRecord& there, const RunR
             "it holds a run of another build ({}; this is {})", there.build, mine.build);
     } else {
         std::string difference = first_difference(there.asked, mine.asked);
+        if (difference.empty() && there.command != mine.command)
+            difference = fmt::format("there {}, here {}", there.command, mine.command);
         if (difference.empty()) difference = "a model file has changed";
         what = fmt::format("it holds another run, '{}': {}", there.name, difference);
     }

@@ -129,6 +129,10 @@ std::string share(double f) {
 
 }  // namespace
 
+void check_bound(const BoundStudyOptions& options) {
+    (void)what_is_asked(options);
+}
+
 std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scenes,
                                    const BoundStudyOptions& options) {
     Study study(options);

@@ -30,6 +30,10 @@ struct BoundRow {
     LinearBound bound;
 };
 
+/// Throws core::Error (where = the method) if it declares no code, or one that weight_domain()
+/// refuses: before any work.
+void check_bound(const BoundStudyOptions& options);
+
 /// A row for every scene, in their order, then one for the training scenes, the held-out ones and
 /// all of them, where that is more than one scene and not the same as a row before.
 ///

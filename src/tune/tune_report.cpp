@@ -175,8 +175,8 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     text += error_line(result.defaults);
     text += error_line(result.tuned);
     if (result.random) text += error_line(*result.random);
-    text +=
-        fmt::format("\nlead of {} over {} in F, 95 %:\n", options.name, options.config.info->name);
+    text += fmt::format(
+        "\npaired difference of {} and {} in F, 95 %:\n", options.name, options.config.info->name);
     text += paired_difference_line("training", result.tuned.train, result.defaults.train);
     if (result.heldout_views > 0) {
         text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);

@@ -104,7 +104,7 @@ TEST(ExperimentFile, NamesFileLineKeyAndWhatIsAccepted) {
     EXPECT_THAT(of("[grid]\nthreads = [0]\n"),
                 testing::AllOf(HasSubstr("e.toml:4"), HasSubstr("1..256")));
     EXPECT_THAT(
-        of("[measure]\nwitness = 1\n"),
+        of("[measure]\ncrosscheck = 1\n"),
         testing::AllOf(
             HasSubstr("e.toml:4"), HasSubstr("measure.crosscheck"), HasSubstr("true | false")));
     EXPECT_THAT(of("[settings]\nthreshold = 999\n"),

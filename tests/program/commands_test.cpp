@@ -151,7 +151,7 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
         "compare", "--scenes", "torus,staircase", "--size", "320x180", "--repetitions", "1"};
     words.insert(words.end(), {"--out", "out"});
     const std::string out = expect_done(desk, words);
-    EXPECT_THAT(out, AllOf(HasSubstr("random"), HasSubstr("ODS"), HasSubstr("OIS")));
+    EXPECT_THAT(out, AllOf(HasSubstr("random"), HasSubstr("ODS"), HasSubstr("Best settings")));
     const Table rows = rows_of(desk, "out");
     const Table tolerances = parse_csv(desk.read("out/tolerances.csv"));
     EXPECT_EQ(tolerances.size(), 5 * rows.size());
@@ -180,6 +180,11 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| F minus F of |"));
 
     words.push_back("--no-sweep");
+    const Outcome other = desk.run(words);
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.err, AllOf(HasSubstr("it holds another run"), HasSubstr("--force")));
+    EXPECT_NE(desk.read("out/sweep.csv"), "") << "nothing is lost";
+    words.push_back("--force");
     expect_done(desk, words);
     EXPECT_EQ(desk.read("out/sweep.csv"), "") << "an older one must not pass for this run's";
     EXPECT_EQ(rows_of(desk, "out").size(), rows.size());
@@ -271,7 +276,7 @@ TEST(Compare, ViewsAreThoseThatWereAskedFor) {
     const Words start = {"compare", "cube.obj", "--methods", "mote2", "--size", "160x90"};
     const auto views = [&](Words more) {
         more.insert(more.begin(), start.begin(), start.end());
-        more.insert(more.end(), {"--out", "out"});
+        more.insert(more.end(), {"--out", "out", "--force"});
         expect_done(desk, more);
         return only(rows_of(desk, "out"), "mote2").size();
     };
@@ -282,10 +287,7 @@ TEST(Compare, ViewsAreThoseThatWereAskedFor) {
 
 TEST(Compare, CtrlCLeavesFinishedRowsWhole) {
     const Desk desk;
-    const auto is_begun = [&] {
-        const std::string rows = desk.read("out/rows.csv");
-        return std::count(rows.begin(), rows.end(), '\n') > 1;
-    };
+    const auto is_begun = [&] { return desk.inventory().contains("out/blocks/000000/block.toml"); };
     const Outcome outcome = desk.run_until({"compare",
                                             "--scenes",
                                             "torus,cube,sphere,staircase,teapot,room",

@@ -77,7 +77,7 @@ TEST(SampledLines, CompareRecordsItUnlessToldNotTo) {
     ASSERT_EQ(rows.size(), 4U);
     for (const auto& row : rows)
         EXPECT_LT(std::stod(row.at("reference_disagreement")), 0.001);
-    words.push_back("--no-crosscheck");
+    words.insert(words.end(), {"--no-crosscheck", "--force"});
     EXPECT_EQ(desk.run(words).exit_code, 0);
     rows = parse_csv(desk.read("out/rows.csv"));
     ASSERT_EQ(rows.size(), 4U);
@@ -106,7 +106,10 @@ TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
     words.insert(words.end(), {"--size", "640x360", "--views", "1", "--repetitions", "1"});
     words.insert(words.end(), {"--out", "out"});
     const Outcome outcome = desk.run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.exit_code, 3) << "a view has no score";
+    EXPECT_THAT(outcome.err,
+                AllOf(HasSubstr("no score: needles view0: too_large: 18000 lines"),
+                      HasSubstr("try: a smaller --size")));
     int refused = 0, done = 0;
     for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
         if (row.at("scene") == "needles") {
@@ -120,9 +123,14 @@ TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
             ++done;
         }
     }
-    EXPECT_EQ(refused, 1) << "the method's";
+    EXPECT_EQ(refused, 4) << "the method's and three baselines'";
     EXPECT_EQ(done, 4) << "the method's and three baselines'";
     EXPECT_THAT(desk.read("out/report.html"), HasSubstr("too_large: 18000 lines"));
+    const Table unscored = parse_csv(desk.read("out/unscored.csv"));
+    ASSERT_EQ(unscored.size(), 1U);
+    EXPECT_EQ(unscored[0].at("scene"), "needles");
+    EXPECT_EQ(unscored[0].at("method"), "") << "the whole view";
+    EXPECT_THAT(unscored[0].at("remedy"), StartsWith("a smaller --size"));
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ TEST(Draw, ALayerThatCountsSaysWhat) {
                                         "-o",
                                         "a.png"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("a.png\n54 edges: "), HasSubstr(" 0 lone (red)")));
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("a.png\n54 edges: "), HasSubstr(" 0 boundary (red)")));
 }
 
 TEST(Draw, ALayerThatIsNotThereIsRefusedByName) {

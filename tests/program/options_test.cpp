@@ -98,7 +98,7 @@ TEST(SceneOption, ModelFilesStandInListsAndGlobsToo) {
     const Desk desk;
     for (const char* name : {"one.obj", "two.obj", "a, b.obj"})
         desk.write(name, kObj);
-    const Words bound = {"bound", "--size", "64x36", "--views", "1"};
+    const Words bound = {"bound", "--size", "64x36", "--views", "1", "--force"};
     const std::string both = expect_done(desk, bound, {"one.obj", "two.obj"});
     EXPECT_THAT(both, AllOf(HasSubstr("\none "), HasSubstr("\ntwo ")));
     EXPECT_EQ(expect_done(desk, bound, {"--scenes", "one.obj,two.obj"}), both);
@@ -112,7 +112,7 @@ TEST(SceneOption, EveryCommandTakesBothWays) {
         {"compare", "--methods", "mote4", "--no-sweep", "--repetitions", "1", "--out", "out"},
         {"bound"},
         {"figures", "--methods", "mote4", "--repetitions", "1", "--out", "figures"},
-        {"tune", "--method", "mote4", "--evaluations", "2", "--no-random", "--no-bound"},
+        {"tune", "--method", "mote4", "--evaluations", "2", "--no-random", "--no-bound", "--force"},
         {"draw", "-o", "a.png"},
         {"truth", "-o", "b.png"},
         {"explain", "--method", "mote4"},

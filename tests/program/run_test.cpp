@@ -65,7 +65,7 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
     // 4 scenes x 2 views x (3 methods + 3 baselines + 6 settings), a block for rows and one for the
     // sweep on each view.
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Best settings"), HasSubstr("report.html")));
+    EXPECT_THAT(outcome.out, HasSubstr("report.html"));
     const Table rows = parse_csv(desk.read("inkbench-out/tiny/rows.csv"));
     EXPECT_EQ(rows.size(), 48U);
     EXPECT_EQ(parse_csv(desk.read("inkbench-out/tiny/sweep.csv")).size(), 48U);

@@ -17,8 +17,9 @@ using Words = std::vector<std::string>;
 /// The first row of mote4 after `inkbench compare` with these words more.
 std::map<std::string, std::string> compared(const Desk& desk, const Words& more) {
     Words words = {"compare", "--scenes", "torus", "--methods", "mote4", "--size", "160x90"};
-    words.insert(words.end(),
-                 {"--no-sweep", "--no-crosscheck", "--repetitions", "2", "--out", "out"});
+    words.insert(
+        words.end(),
+        {"--no-sweep", "--no-crosscheck", "--repetitions", "2", "--out", "out", "--force"});
     words.insert(words.end(), more.begin(), more.end());
     const Outcome outcome = desk.run(words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

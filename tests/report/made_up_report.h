@@ -105,6 +105,7 @@ inline harness::Row made_up_row(const std::string& method, double f, double draw
         {"contour", std::min(1.0, f * 1.05)}, {"crease", f * 0.9}, {"seam", f * 0.5}};
     row.truth_px_by_class = {{"contour", 600}, {"crease", 300}, {"seam", 100}};
     row.params = "clip_bits=2;threshold=24";
+    row.threshold = 24;
     if (draw_ms > 0) {
         row.draw_ns = static_cast<std::int64_t>(draw_ms * 1e6);
         row.bytes_per_px = 5;

@@ -173,13 +173,36 @@ TEST(ReportPage, SaysHowFarTruthAndCrosscheckAgree) {
     EXPECT_EQ(nesting_error(disputed), "");
 }
 
-TEST(ReportPage, ARunWithWrongBaselinesIsInvalid) {
+TEST(ReportPage, SaysWhyARunIsInvalid) {
     EXPECT_THAT(report_page(made_up_report({})), Not(HasSubstr("This run is invalid")));
     ReportData data = made_up_report({});
-    for (harness::Row& row : data.rows) {
-        if (row.method == "oracle") row.f_2px = 0.99;
-    }
-    EXPECT_THAT(report_page(data), HasSubstr("This run is invalid"));
+    data.faults = {"oracle has F = 0.990000 on <scene> view0, not 1"};
+    const std::string page = report_page(data);
+    EXPECT_THAT(page, HasSubstr("This run is invalid"));
+    EXPECT_THAT(page, HasSubstr("<li>oracle has F = 0.990000 on &lt;scene&gt; view0, not 1</li>"));
+}
+
+TEST(ReportPage, SaysWhatAnInterruptedRunLacks) {
+    ReportData data = made_up_report({});
+    EXPECT_THAT(report_page(data), Not(HasSubstr("This run is not finished")));
+    data.blocks = 40;
+    for (int i = 0; i < 25; ++i)
+        data.missing_blocks.push_back("cube & ball view" + std::to_string(i));
+    const std::string page = report_page(data);
+    EXPECT_THAT(page, HasSubstr("25 of 40 parts are missing"));
+    EXPECT_THAT(page, HasSubstr("<li>cube &amp; ball view19</li><li>and 5 more</li>"));
+    EXPECT_EQ(nesting_error(page), "");
+}
+
+TEST(ReportPage, NamesViewsWithoutAScoreWithReasonAndRemedy) {
+    ReportData data = made_up_report({.scenes = 2});
+    EXPECT_THAT(report_page(data), Not(HasSubstr("Some views have no score")));
+    for (harness::Row& row : data.rows)
+        if (row.scene == "scene_2") row.status = "too_large: 5 lines";
+    const std::string page = report_page(data);
+    EXPECT_THAT(page, HasSubstr("Some views have no score"));
+    EXPECT_THAT(page, HasSubstr("too_large: 5 lines<br>Try: a smaller --size"));
+    EXPECT_EQ(nesting_error(page), "");
 }
 
 TEST(EncodeScenes, ShrinksAndThenLeavesOutToStayInTheBudget) {

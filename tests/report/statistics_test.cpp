@@ -14,6 +14,7 @@ using testing::ElementsAre;
 std::vector<experiment::MethodSummary> summaries_with_everything() {
     harness::Row row = made_up_row("fine", 0.9, 8);
     row.params = "max_threshold=3;threshold=24";
+    row.threshold = 24;
     row.tolerance_sweep = {{700, 1000, 1000},
                            {800, 1000, 1000},
                            {900, 1000, 1000},

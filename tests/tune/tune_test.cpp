@@ -41,6 +41,7 @@ class Tune : public testing::Test {
         made.parameters = parameters;
         made.plan = {.evaluations = 24, .seed = 7};
         made.out = out_;
+        made.is_forced = true;  // several searches in one test
         made.name = method + "_found";
         made.command = "inkbench tune " + method;
         made.threads = 2;
@@ -105,9 +106,9 @@ TEST_F(Tune, WritesEveryEvaluationAndAPresetThatReadsBack) {
     const TuneOptions with = options("decaudin", "k_normal=0.05..1,join");
     const TuneResult result = tune(scenes({"cube"}), with);
     const std::string csv = read("evaluations.csv");
-    EXPECT_THAT(
-        csv,
-        testing::StartsWith("evaluation,phase,k_normal,join,e_train,drawn_by\n1,start,0.25,max,"));
+    EXPECT_THAT(csv,
+                testing::StartsWith(
+                    "evaluation,phase,k_normal,join,e_train,drawn_by,draw_ms\n1,start,0.25,max,"));
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 24 + 24);
     EXPECT_FALSE(fs::exists(out_ / "evaluations.csv.part"));
 
