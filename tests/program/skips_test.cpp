@@ -57,12 +57,12 @@ TEST(NoSkip, DrawsTheSameImage) {
 
 TEST(NoSkip, RefusesWhatIsNoSkip) {
     const Desk desk;
-    for (const Words& words : {Words{"compare", "--scenes", "torus", "--no-skip", "hiden"},
-                               Words{"draw", "torus", "-o", "a.png", "--no-skip", "hiden"}}) {
+    for (const Words& words : {Words{"compare", "--scenes", "torus", "--no-skip", "oclusion_culling"},
+                               Words{"draw", "torus", "-o", "a.png", "--no-skip", "oclusion_culling"}}) {
         const Outcome outcome = desk.run(words);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("temporal_reuse")));
-        EXPECT_THAT(outcome.err, HasSubstr("did you mean hidden?"));
+        EXPECT_THAT(outcome.err, HasSubstr("did you mean occlusion_culling?"));
     }
     const Outcome both = desk.run(
         {"compare", "--scenes", "torus", "--skip-study", "--no-skip", "occlusion_culling"});
