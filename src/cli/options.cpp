@@ -84,7 +84,11 @@ std::string quoted(const std::string& word) {
 }  // namespace
 
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc) {
-    return command.add_option("-o,--out", out, doc)->type_name("DIR")->capture_default_str();
+    auto* option =
+        command.add_option("-o,--out", out, doc)->type_name("DIR")->capture_default_str();
+    return option->check([](const std::string& folder) {
+        return std::string(folder.empty() ? "an empty name is no folder" : "");
+    });
 }
 
 void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {
