@@ -12,9 +12,7 @@ TextColumn share_column(std::string heading,
 
 TextColumn name_column() {
     return {"method", [](const experiment::MethodSummary& s) {
-                constexpr std::size_t kLongest = 16;
-                const std::string name = s.method + (s.is_baseline ? " *" : "");
-                return name.size() <= kLongest ? name : name.substr(0, kLongest - 2) + "..";
+                return s.method + (s.is_baseline ? " *" : "");
             }};
 }
 

@@ -20,8 +20,7 @@ struct TextColumn {
 [[nodiscard]] TextColumn share_column(std::string heading,
                                       std::optional<double> experiment::MethodSummary::*field);
 
-/// The method's name, a baseline's with a star; cut to 16 characters, so that a table keeps its
-/// width whatever methods are called.
+/// The method's name, whole, so that it can be copied; a baseline's with a star.
 [[nodiscard]] TextColumn name_column();
 
 /// `columns` of `summaries`.

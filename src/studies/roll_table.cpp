@@ -21,6 +21,16 @@ void read_degrees(const harness::CsvField& field, double& angle_rad) {
     angle_rad = field.as<double>() * std::numbers::pi / 180;
 }
 
+/// The columns that say of which crease of which cell a line is.
+template <class Record>
+void add_crease(harness::TableOf<Record>& table) {
+    table.add(
+        {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
+    table.add(
+        {"crease", "", "0, 1, 2: by the number of its edge"},
+        [](auto& r) -> auto& { return r.crease; });
+}
+
 struct SampleRecord {
     std::int64_t cell = 0;
     int crease = 0;
@@ -34,11 +44,7 @@ const harness::TableOf<SampleRecord>& samples() {
             "roll.csv",
             "A line per cell of study `roll`, crease and angle: how a method draws a crease of a "
             "cube while the camera rolls once round.");
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"crease", "", "0, 1, 2: by the number of its edge"},
-            [](auto& r) -> auto& { return r.crease; });
+        add_crease(table);
         table.add(
             {"roll_deg", "deg", "by which the camera is rolled"},
             [](const SampleRecord& r) { return degrees_text(r.sample.roll_rad); },
@@ -95,11 +101,7 @@ const harness::TableOf<VanishingRecord>& vanishings() {
             "vanishing.csv",
             "A line per cell of study `roll`, crease and angle at which a code has no step across "
             "it: where the crease was lost.");
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"crease", "", "0, 1, 2: by the number of its edge"},
-            [](auto& r) -> auto& { return r.crease; });
+        add_crease(table);
         table.add(
             {"predicted_deg", "deg", "the angle without a step"},
             [](const VanishingRecord& r) { return degrees_text(r.at.predicted_rad); },

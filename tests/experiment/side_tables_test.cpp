@@ -14,24 +14,6 @@
 namespace ink::experiment {
 namespace {
 
-template <class Call>
-std::string error_of(Call call) {
-    try {
-        call();
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-/// Rows as rows.csv gives them back.
-std::vector<harness::RowRecord> read_again(const std::vector<harness::RowRecord>& rows) {
-    std::string lines;
-    for (const harness::RowRecord& row : rows)
-        lines += harness::row_line(row.cell, row.study, row.row);
-    return harness::read_rows(harness::file_of(harness::rows_table(), lines));
-}
-
 TEST(SkipsTable, ReadsAndWritesTheSameBytes) {
     harness::RandomValues any(4);
     std::vector<harness::RowRecord> rows;
@@ -57,7 +39,7 @@ TEST(SkipsTable, ReadsAndWritesTheSameBytes) {
         rows.push_back({cell, harness::Study::skips, studies::skip_row(time, options)});
         lines += studies::skip_line(cell, time);
     }
-    const std::vector<harness::RowRecord> of_file = read_again(rows);
+    const std::vector<harness::RowRecord> of_file = harness::read_again(rows);
     const auto read = studies::read_skips(harness::file_of(studies::skips_table(), lines),
                                           harness::RowIndex(of_file));
     std::string again;
@@ -80,8 +62,8 @@ TEST(StressTable, ReadsAndWritesTheSameBytes) {
         stress.counts = {any.count(), any.count(), any.small(), any.small()};
         lines += studies::stress_line(row.cell, stress);
     }
-    const auto read =
-        studies::read_stress(harness::file_of(studies::stress_table(), lines), harness::RowIndex(rows));
+    const auto read = studies::read_stress(harness::file_of(studies::stress_table(), lines),
+                                           harness::RowIndex(rows));
     ASSERT_EQ(read.size(), rows.size());
     std::string again;
     for (std::size_t i = 0; i < read.size(); ++i) {
@@ -155,25 +137,25 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
                    "line 2: column cell holds '9' (accepted: the number of a cell of "
                    "rows.csv)") != std::string::npos;
     };
-    EXPECT_TRUE(is_refused(error_of([&] {
-        (void)studies::read_stress(harness::file_of(studies::stress_table(), studies::stress_line(9, {})),
-                                   index);
+    EXPECT_TRUE(is_refused(harness::message_of([&] {
+        (void)studies::read_stress(
+            harness::file_of(studies::stress_table(), studies::stress_line(9, {})), index);
     })));
-    EXPECT_TRUE(is_refused(error_of([&] {
+    EXPECT_TRUE(is_refused(harness::message_of([&] {
         (void)studies::read_skips(
             harness::file_of(studies::skips_table(), studies::skip_line(9, {})), index);
     })));
-    EXPECT_TRUE(is_refused(error_of([&] {
+    EXPECT_TRUE(is_refused(harness::message_of([&] {
         (void)studies::read_scaling(
             harness::file_of(studies::scaling_table(), studies::scaling_line(9, {})), index);
     })));
-    EXPECT_TRUE(is_refused(error_of([&] {
+    EXPECT_TRUE(is_refused(harness::message_of([&] {
         (void)linear_code::read_bounds(
             harness::file_of(linear_code::bound_table(), linear_code::bound_line(9, {})), index);
     })));
     linear_code::CancellationRow crease;
     crease.kind = {truth::LineClass::crease, 40};
-    EXPECT_TRUE(is_refused(error_of([&] {
+    EXPECT_TRUE(is_refused(harness::message_of([&] {
         (void)linear_code::read_cancellation(
             harness::file_of(linear_code::cancellation_table(),
                              linear_code::cancellation_line(9, crease)),

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "core/error.h"
 #include "harness/tables/row_table.h"
 #include "truth/line_class.h"
 
@@ -116,7 +117,8 @@ inline Row random_row(RandomValues& any) {
     row.ap = any.maybe([&] { return any.share(); });
     row.k_1px = any.maybe([&] { return any.count(); });
     row.n_pred_1px = any.maybe([&] { return any.count(); });
-    if (row.is_scored() && any.coin()) row.random_baseline = {any.count(), any.count(), row.n_truth};
+    if (row.is_scored() && any.coin())
+        row.random_baseline = {any.count(), any.count(), row.n_truth};
     fill_random_times(any, row);
     row.bytes_per_px = any.maybe([&] { return any.small(); });
     row.image_hash = any.text();
@@ -167,6 +169,25 @@ inline std::vector<RowRecord> random_rows(RandomValues& any, int count) {
 /// A table as its file has it, split again.
 inline CsvTable file_of(const TableInfo& info, const std::string& lines) {
     return split_csv(heading(info) + lines, info.file);
+}
+
+/// Rows as rows.csv gives them back.
+inline std::vector<RowRecord> read_again(const std::vector<RowRecord>& rows) {
+    std::string lines;
+    for (const RowRecord& row : rows)
+        lines += row_line(row.cell, row.study, row.row);
+    return read_rows(file_of(rows_table(), lines));
+}
+
+/// What the core::Error of `call` says; "" if there is none.
+template <class Call>
+std::string message_of(Call call) {
+    try {
+        call();
+    } catch (const core::Error& error) {
+        return error.what();
+    }
+    return "";
 }
 
 }  // namespace ink::harness

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -223,6 +224,33 @@ TEST(Compare, TheReportNeedsNothingBesideIt) {
     std::smatch match;
     EXPECT_FALSE(std::regex_search(page.begin(), page.end(), match, outside))
         << std::string(match[0].first, std::min(match[0].first + 80, page.end()));
+}
+
+TEST(Report, IsMadeFromTheFolderAloneWhereverItIs) {
+    const Desk desk;
+    expect_done(desk,
+                {"compare",
+                 "--scenes",
+                 "cube,tiles",
+                 "--methods",
+                 "mote4,ids",
+                 "--size",
+                 "160x90",
+                 "--out",
+                 "out"});
+    // When it was made is the one thing that may differ.
+    const auto without_date = [](const std::string& page) {
+        return std::regex_replace(page, std::regex("<dt>made</dt><dd>[^<]*</dd>"), "");
+    };
+    const std::string page = without_date(desk.read("out/report.html"));
+    ASSERT_THAT(page, HasSubstr("</html>"));
+    std::filesystem::rename(desk.work() / "out", desk.work() / "elsewhere");
+    EXPECT_THAT(expect_done(desk, {"report", "elsewhere", "-o", "again.html"}),
+                HasSubstr("again.html"));
+    EXPECT_EQ(without_date(desk.read("again.html")), page);
+    const Outcome nothing = desk.run({"report", "nowhere"});
+    EXPECT_EQ(nothing.exit_code, 2);
+    EXPECT_THAT(nothing.err, HasSubstr("there is no run in it"));
 }
 
 TEST(Compare, TheImageDoesNotDependOnThreads) {

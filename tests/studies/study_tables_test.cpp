@@ -16,24 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 
-template <class Call>
-std::string error_of(Call call) {
-    try {
-        call();
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-/// Rows as rows.csv gives them back.
-std::vector<harness::RowRecord> read_again(const std::vector<harness::RowRecord>& rows) {
-    std::string lines;
-    for (const harness::RowRecord& row : rows)
-        lines += harness::row_line(row.cell, row.study, row.row);
-    return harness::read_rows(harness::file_of(harness::rows_table(), lines));
-}
-
 MotionRow random_motion(harness::RandomValues& any) {
     MotionRow row;
     row.scene = any.text();
@@ -73,7 +55,7 @@ TEST(MotionTable, ReadsAndWritesTheSameBytesWithLivesAsLines) {
         motion += motion_line(cell, written.back());
         lives += life_lines(cell, written.back());
     }
-    const std::vector<harness::RowRecord> of_file = read_again(rows);
+    const std::vector<harness::RowRecord> of_file = harness::read_again(rows);
     const auto read = read_motion(harness::file_of(motion_table(), motion),
                                   harness::file_of(lives_table(), lives),
                                   harness::RowIndex(of_file));
@@ -96,7 +78,7 @@ TEST(MotionTable, RefusesLivesThatNobodyLived) {
     const std::vector<harness::RowRecord> rows = {{1, harness::Study::motion, {}}};
     const harness::CsvTable motion = harness::file_of(motion_table(), motion_line(1, {}));
     const auto error = [&](const std::string& lives) {
-        return error_of([&] {
+        return harness::message_of([&] {
             (void)read_motion(
                 motion, harness::file_of(lives_table(), lives), harness::RowIndex(rows));
         });
@@ -148,7 +130,7 @@ TEST(RollTable, ReadsAndWritesTheSameBytes) {
                 vanishing += vanishing_lines(cell, curve);
             }
         }
-        const std::vector<harness::RowRecord> of_file = read_again(rows);
+        const std::vector<harness::RowRecord> of_file = harness::read_again(rows);
         const auto read = read_rolls(harness::file_of(roll_table(), roll),
                                      harness::file_of(vanishing_table(), vanishing),
                                      harness::RowIndex(of_file));
@@ -192,7 +174,7 @@ TEST(ScalingTable, ReadsAndWritesTheSameBytes) {
         rows.push_back({cell, harness::Study::scaling, scaling_row(point)});
         lines += scaling_line(cell, point);
     }
-    const std::vector<harness::RowRecord> of_file = read_again(rows);
+    const std::vector<harness::RowRecord> of_file = harness::read_again(rows);
     const auto read =
         read_scaling(harness::file_of(scaling_table(), lines), harness::RowIndex(of_file));
     std::string again;
@@ -203,7 +185,7 @@ TEST(ScalingTable, ReadsAndWritesTheSameBytes) {
                   harness::row_line(cell, harness::Study::scaling, rows[i].row));
     }
     EXPECT_EQ(again, lines);
-    EXPECT_THAT(error_of([&] {
+    EXPECT_THAT(harness::message_of([&] {
                     (void)read_scaling(harness::file_of(scaling_table(), "1,weight,1,1,0.1\n"),
                                        harness::RowIndex(rows));
                 }),

@@ -15,8 +15,18 @@ namespace {
 
 using Counts = score::CurveCount;
 
-std::string format_signed(double value) {
-    return fmt::format("{}{}", value < 0 ? '-' : '+', core::format_share(std::abs(value)));
+constexpr int kDigits = 3;
+
+/// ".012" with the sign before it.
+std::string format_signed(double value, int digits) {
+    const std::string share = fmt::format("{:.{}f}", std::abs(value), digits);
+    return fmt::format("{}{}", value < 0 ? '-' : '+', share[0] == '0' ? share.substr(1) : share);
+}
+
+/// Whether an interval that ends near 0 still says, so rounded, on which side of 0 it lies.
+bool says_side(const statistics::Interval& range, int digits) {
+    const double least = 0.5 * std::pow(10.0, -digits);
+    return std::abs(range.low) >= least && std::abs(range.high) >= least;
 }
 
 std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<harness::Row>& rows,
@@ -93,11 +103,12 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
 }
 
 std::string format_paired_difference(const PairedDifference& paired) {
-    if (!paired.range) return format_signed(paired.difference);
+    if (!paired.range) return format_signed(paired.difference, kDigits);
+    const int digits = says_side(*paired.range, kDigits) ? kDigits : kDigits + 1;
     return fmt::format("{} [{}, {}]",
-                       format_signed(paired.difference),
-                       format_signed(paired.range->low),
-                       format_signed(paired.range->high));
+                       format_signed(paired.difference, digits),
+                       format_signed(paired.range->low, digits),
+                       format_signed(paired.range->high, digits));
 }
 
 }  // namespace ink::experiment
