@@ -57,8 +57,9 @@ TEST(NoSkip, DrawsTheSameImage) {
 
 TEST(NoSkip, RefusesWhatIsNoSkip) {
     const Desk desk;
-    for (const Words& words : {Words{"compare", "--scenes", "torus", "--no-skip", "oclusion_culling"},
-                               Words{"draw", "torus", "-o", "a.png", "--no-skip", "oclusion_culling"}}) {
+    for (const Words& words :
+         {Words{"compare", "--scenes", "torus", "--no-skip", "oclusion_culling"},
+          Words{"draw", "torus", "-o", "a.png", "--no-skip", "oclusion_culling"}}) {
         const Outcome outcome = desk.run(words);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("temporal_reuse")));
