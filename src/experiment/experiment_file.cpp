@@ -120,6 +120,8 @@ void read_grid(TomlReader& grid, Experiment& experiment) {
                 static_cast<int>(grid.whole("frames", 2, 10000).value_or(experiment.frames));
             experiment.roll = grid.flag("roll").value_or(true);
             break;
+        case ExperimentKind::bound:
+            break;  // asked for on the command line alone
     }
     grid.refuse_unknown(known);
 }

@@ -124,18 +124,17 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     const std::string text{std::istreambuf_iterator<char>(stream),
                            std::istreambuf_iterator<char>()};
     const toml::table root = parse_toml(text, file);
-    const toml::node_view<const toml::node> view(root);
     RunRecord record;
-    record.name = view["name"].value_or(std::string());
-    record.kind = view["kind"].value_or(std::string());
-    record.command = view["command"].value_or(std::string());
-    record.identity = view["identity"].value_or(std::string());
-    record.build = view["build"].value_or(std::string());
-    record.times = view["times"].value_or(true);
-    record.one_place = view["one_place"].value_or(true);
-    const auto names = texts_of(view["tables"]["names"]);
-    const auto headings = texts_of(view["tables"]["headings"]);
-    const auto progress = view["progress"];
+    record.name = root["name"].value_or(std::string());
+    record.kind = root["kind"].value_or(std::string());
+    record.command = root["command"].value_or(std::string());
+    record.identity = root["identity"].value_or(std::string());
+    record.build = root["build"].value_or(std::string());
+    record.times = root["times"].value_or(true);
+    record.one_place = root["one_place"].value_or(true);
+    const auto names = texts_of(root["tables"]["names"]);
+    const auto headings = texts_of(root["tables"]["headings"]);
+    const auto progress = root["progress"];
     const auto state = state_called(progress["state"].value_or(std::string()));
     record.blocks = progress["blocks"].value_or(0);
     record.blocks_done = progress["blocks_done"].value_or(0);
