@@ -25,8 +25,8 @@ constexpr int kBaselines = 3;
 constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
 
-/// Measured on scans and modelled meshes of 7 to 870 thousand triangles, in the mean of all
-/// methods.
+/// In the mean of all methods. With these a comparison of a scan of 69 thousand triangles was said
+/// to take 24 s and took 24.5.
 constexpr double kPrepare_s_per_triangle = 1e-6;
 constexpr double kTruth_s_per_triangle = 4e-6;
 
