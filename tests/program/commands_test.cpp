@@ -315,7 +315,9 @@ TEST(Compare, ViewsAreThoseThatWereAskedFor) {
 
 TEST(Compare, CtrlCLeavesFinishedRowsWhole) {
     const Desk desk;
-    const auto is_begun = [&] { return desk.inventory().contains("out/blocks/000000/block.toml"); };
+    const auto is_begun = [&] {
+        return std::filesystem::exists(desk.work() / "out/blocks/000000/block.toml");
+    };
     const Outcome outcome = desk.run_until({"compare",
                                             "--scenes",
                                             "torus,cube,sphere,staircase,teapot,room",
