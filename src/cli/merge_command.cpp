@@ -32,7 +32,7 @@ void add_merge_command(CLI::App& app) {
     command->callback([args] {
         const experiment::RunOutcome outcome =
             experiment::merge_shards({args->folders.begin(), args->folders.end()}, args->out);
-        conclude(outcome, args->out, {.has_page = true, .is_json = args->is_json});
+        conclude(outcome, args->out, args->is_json);
     });
 }
 

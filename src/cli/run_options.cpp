@@ -85,7 +85,7 @@ void run_to_end(experiment::Experiment experiment,
     }
     const experiment::RunOutcome outcome = run_experiment(plan, run);
     if (run.shard.is_all()) {
-        conclude(outcome, run.out, {.has_page = true, .is_json = options.is_json});
+        conclude(outcome, run.out, options.is_json);
         return;
     }
     if (outcome.is_interrupted) end_interrupted("the same command goes on");

@@ -52,11 +52,6 @@ json methods_json(const std::vector<harness::Row>& rows) {
     return methods;
 }
 
-std::string state_text(const experiment::RunRecord& record) {
-    if (!record.missing_blocks.empty()) return "unfinished";
-    return record.faults.empty() ? "finished" : "invalid";
-}
-
 json result_json(const experiment::RunRecord& record,
                  const std::vector<harness::Row>& rows,
                  const fs::path& folder,
@@ -71,7 +66,7 @@ json result_json(const experiment::RunRecord& record,
     }
     return {{"run", folder.string()},
             {"kind", record.kind},
-            {"state", state_text(record)},
+            {"state", experiment::name(record.state)},
             {"page", page.string()},
             {"methods", methods_json(rows)},
             {"unscored", unscored},
@@ -135,24 +130,24 @@ fs::path write_page(experiment::RunData run, const fs::path& folder, const fs::p
     return target;
 }
 
-void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, const RunShow& show) {
+void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, bool is_json) {
     experiment::RunData run = experiment::read_run(folder);
     const experiment::RunRecord record = run.record;
     const std::vector<studies::StressRow> stress = run.tables.stress;
     const std::vector<linear_code::BoundRow> bounds = run.tables.bounds;
     fs::path page;
-    if (show.has_page && !stress.empty()) page = report::write_stress_page(run, folder);
+    if (!stress.empty()) page = report::write_stress_page(run, folder);
     const report::ReportData data = report::report_data(std::move(run));
-    if (show.has_page && (record.kind == "compare" || record.kind == "animation")) {
+    if (record.kind == "compare" || record.kind == "animation") {
         page = folder / "report.html";
         report::write_report(data, page);
     }
     if (!data.rows.empty()) {
         core::write_whole_file(folder / "verdict.md",
                                report::verdict_markdown(data.rows, data.curves) + "\n");
-        if (show.has_page) report::write_figures(data, folder);
+        report::write_figures(data, folder);
     }
-    if (show.is_json) {
+    if (is_json) {
         fmt::print("{}\n", result_json(record, data.rows, folder, page).dump(2));
     } else {
         print_comparison(data, record.one_place);

@@ -7,21 +7,16 @@
 
 namespace ink::cli {
 
-/// What a command shows of a run beside its tables.
-struct RunShow {
-    bool has_page = true;  ///< report.html or stress.html beside the tables
-    bool is_json = false;  ///< one JSON object on stdout instead of tables for people
-};
-
 /// Shows what came of a run in `folder`: the verdict and the best settings, or the counts of
-/// stress; every view without a score with its reason and a remedy; where page and tables are.
+/// stress; every view without a score with its reason and a remedy; where page and tables are. With
+/// `is_json` one JSON object on stdout instead of tables for people.
 ///
 /// Writes report.html, verdict.md and figures (or stress.html) from the folder alone. Ends the
 /// program by CLI::RuntimeError: 1 for an invalid run, 3 for views without a score, 130 if it was
 /// interrupted.
 void conclude(const experiment::RunOutcome& outcome,
               const std::filesystem::path& folder,
-              const RunShow& show);
+              bool is_json);
 
 /// Writes the page of the run in `folder` to `page`, or to the folder's own place if that is empty.
 /// Returns where it is. Throws core::Error for a run that has no page.

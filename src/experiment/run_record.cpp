@@ -19,21 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFile = "run.toml";
 
-std::string_view state_name(RunState state) {
-    switch (state) {
-        case RunState::unfinished:
-            return "unfinished";
-        case RunState::finished:
-            return "finished";
-        case RunState::invalid:
-            return "invalid";
-    }
-    return "";
-}
-
-std::optional<RunState> state_called(const std::string& name) {
+std::optional<RunState> state_called(const std::string& word) {
     for (const RunState state : {RunState::unfinished, RunState::finished, RunState::invalid})
-        if (state_name(state) == name) return state;
+        if (name(state) == word) return state;
     return std::nullopt;
 }
 
@@ -72,7 +60,7 @@ toml::table machine() {
 }
 
 toml::table progress_of(const RunRecord& record) {
-    toml::table progress{{"state", state_name(record.state)},
+    toml::table progress{{"state", name(record.state)},
                          {"blocks", record.blocks},
                          {"blocks_done", record.blocks_done},
                          {"cells", record.cells}};
@@ -99,6 +87,18 @@ std::string first_difference(const std::string& there, const std::string& mine) 
 }
 
 }  // namespace
+
+std::string_view name(RunState state) {
+    switch (state) {
+        case RunState::unfinished:
+            return "unfinished";
+        case RunState::finished:
+            return "finished";
+        case RunState::invalid:
+            return "invalid";
+    }
+    return "";
+}
 
 RunRecord record_of(const Plan& plan) {
     RunRecord record;

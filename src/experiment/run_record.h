@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment/experiment_plan.h"
@@ -16,6 +17,9 @@ enum class RunState {
     finished,
     invalid,  ///< all is there, but what must hold does not: see RunRecord::faults
 };
+
+/// "unfinished", "finished", "invalid": as run.toml has it.
+[[nodiscard]] std::string_view name(RunState state);
 
 /// A table of a run folder.
 struct RecordedTable {

@@ -11,7 +11,6 @@ namespace ink::harness {
 
 /// How the settings of a method's sweep are drawn and timed beside the methods themselves.
 struct SweepOptions {
-    int views = 1;  ///< of every scene, its first ones; 0 leaves the sweep out
     /// A front needs times to a few percent, and takes medians over views: few repetitions do, and
     /// one where a frame is long.
     MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 3, .budget_s = 0.02};
