@@ -6,6 +6,7 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "core/error.h"
@@ -170,11 +171,14 @@ void BlockStore::release_images(std::size_t index) const {
 }
 
 void BlockStore::remove_leftovers() const {
+    static const std::regex kHalfWritten(R"(.*\.[0-9a-f]{16}\.part)");
     std::error_code ignored;
     std::vector<fs::path> parts;
-    for (const fs::path& folder : {blocks_, folder_}) {
-        for (const auto& entry : fs::directory_iterator(folder, ignored))
-            if (entry.path().extension() == kUnfinished) parts.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator(blocks_, ignored))
+        if (entry.path().extension() == kUnfinished) parts.push_back(entry.path());
+    for (const auto& entry : fs::recursive_directory_iterator(folder_, ignored)) {
+        if (std::regex_match(entry.path().filename().string(), kHalfWritten))
+            parts.push_back(entry.path());
     }
     for (const fs::path& part : parts)
         fs::remove_all(part, ignored);

@@ -234,6 +234,7 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     const FolderLock lock(options.out, !options.shard.is_all());
     const RunRecord mine = record_of(plan);
     take_folder(options.out, mine, options.is_forced);
+    if (options.shard.is_all()) store.remove_leftovers();
     const auto there = read_record(options.out);
     if (there && is_complete(*there, options.out)) {
         store.clear();
@@ -245,7 +246,6 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         return outcome;
     }
     store.make_folder();
-    if (options.shard.is_all()) store.remove_leftovers();
     Work work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
     {
         RunRecord begun = mine;
