@@ -1,0 +1,155 @@
+// The card that floats beside the pointer: the image behind a point or a table cell. A click pins it
+// and blinks the truth over it; from there one more goes to the viewer.
+
+const card = {
+    node: null,
+    rows: [],
+    at: 0,
+    isPinned: false,
+    blinks: null,
+    isTruthShown: false,
+};
+
+/// Lets `node` answer the pointer with the images of `rows` (of one run), the worst first. `facts`
+/// are lines of text that the card shows below.
+function answerPointer(node, rows, facts = []) {
+    const shown = sortedByErrors(rows);
+    const target = node.node ? node.node() : node;
+    target.classList.add('answers');
+    target.setAttribute('tabindex', '0');
+    target.addEventListener('pointerenter', event => {
+        if (!card.isPinned && event.pointerType !== 'touch') showCard(shown, facts, event);
+    });
+    target.addEventListener('pointermove', event => {
+        if (!card.isPinned) moveCard(event.clientX, event.clientY);
+    });
+    target.addEventListener('pointerleave', () => {
+        if (!card.isPinned) hideCard();
+    });
+    const pin = event => {
+        event.stopPropagation();
+        const box = target.getBoundingClientRect();
+        showCard(shown, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
+        pinCard();
+    };
+    target.addEventListener('click', pin);
+    target.addEventListener('keydown', event => {
+        if (event.key === 'Enter') pin(event);
+    });
+}
+
+/// Rows with most wrong pixels first; those of which there are images before those of which there
+/// are none.
+function sortedByErrors(rows) {
+    const wrong = row => (row.false_positives || 0) + (row.false_negatives || 0);
+    const hasImage = row => viewImages.has(runOf(row), row.scene, row.view, row.method);
+    return [...rows].sort((a, b) => hasImage(b) - hasImage(a) || wrong(b) - wrong(a));
+}
+
+function runOf(row) {
+    return runs[row.run ?? state.get('run')] || runs[0];
+}
+
+function showCard(rows, facts, {clientX, clientY}) {
+    card.rows = rows;
+    card.facts = facts;
+    card.at = 0;
+    if (!card.node) {
+        card.node = element('div', {class: 'card', role: 'dialog', 'aria-label': 'Image of a view'});
+        document.body.append(card.node);
+        document.addEventListener('click', event => {
+            if (card.isPinned && !card.node.contains(event.target)) hideCard();
+        });
+        document.addEventListener('keydown', event => {
+            if (event.key === 'Escape') hideCard();
+        });
+    }
+    card.node.hidden = false;
+    fillCard();
+    moveCard(clientX, clientY);
+}
+
+function hideCard() {
+    if (!card.node) return;
+    card.node.hidden = true;
+    card.isPinned = false;
+    card.node.classList.remove('pinned');
+    clearInterval(card.blinks);
+    card.isTruthShown = false;
+}
+
+function pinCard() {
+    card.isPinned = true;
+    card.node.classList.add('pinned');
+    clearInterval(card.blinks);
+    card.isTruthShown = false;
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+        card.blinks = setInterval(() => {
+            card.isTruthShown = !card.isTruthShown;
+            drawCardImage();
+        }, 700);
+    }
+    fillCard();
+    const box = card.node.getBoundingClientRect();
+    moveCard(box.left, box.top, 0);
+}
+
+function moveCard(x, y, gap = 16) {
+    const width = card.node.offsetWidth;
+    const height = card.node.offsetHeight;
+    const left = x + gap + width > innerWidth ? x - gap - width : x + gap;
+    card.node.style.left = `${Math.max(6, Math.min(left, innerWidth - width - 6))}px`;
+    card.node.style.top = `${Math.max(6, Math.min(y + gap, innerHeight - height - 6))}px`;
+}
+
+function cardWidth_px() {
+    return card.isPinned ? Math.min(680, innerWidth - 40) : Math.min(340, innerWidth - 40);
+}
+
+function fillCard() {
+    const row = card.rows[card.at];
+    const many = card.rows.length > 1;
+    card.canvas = element('canvas', {class: 'picture'});
+    card.words = element('p', {class: 'note'});
+    const step = by => () => {
+        card.at = (card.at + by + card.rows.length) % card.rows.length;
+        fillCard();
+    };
+    const open = () => {
+        state.set({scene: row.scene, view: row.view, right: row.method, run: runOf(row).index});
+        hideCard();
+        document.getElementById('pictures').scrollIntoView();
+    };
+    card.node.replaceChildren(
+        element('div', {class: 'card-head'},
+            element('strong', {}, row ? `${row.method} · ${row.scene} · ${row.view}` : ''),
+            card.isPinned ? element('button', {type: 'button', onclick: hideCard, 'aria-label': 'Close'}, '×') : null),
+        card.canvas,
+        card.words,
+        row && isScored(row) ? element('p', {},
+            `F ${formatShare(row.f_2px)} · missing ${row.false_negatives ?? NOTHING} px · false ` +
+            `${row.false_positives ?? NOTHING} px` +
+            (row.draw_ns ? ` · ${formatMs(row.draw_ns * 1e-6)} ms` : '')) : element('p', {}, row ? row.status : ''),
+        ...card.facts.map(fact => element('p', {}, fact)),
+        card.isPinned ? element('div', {class: 'tools'},
+            many ? element('button', {type: 'button', onclick: step(-1)}, '‹ worse') : null,
+            many ? element('span', {class: 'note'}, `${card.at + 1} of ${card.rows.length} views`) : null,
+            many ? element('button', {type: 'button', onclick: step(1)}, 'better ›') : null,
+            element('button', {type: 'button', class: 'main', onclick: open}, 'Open in the viewer'))
+            : element('p', {class: 'note'}, many
+                ? `Worst of ${card.rows.length} views. A click blinks the truth over it.`
+                : 'A click blinks the truth over it.'));
+    drawCardImage();
+}
+
+async function drawCardImage() {
+    const row = card.rows[card.at];
+    if (!row) return;
+    const canvas = card.canvas;
+    const what = card.isTruthShown ? 'truth' : row.method;
+    const isDrawn = await drawThumb(canvas, runOf(row), row.scene, row.view, what, cardWidth_px());
+    canvas.hidden = !isDrawn;
+    card.words.textContent = !isDrawn
+        ? 'The run folder has no image of this view (--images all keeps every view’s).'
+        : card.isPinned ? (card.isTruthShown ? 'the truth' : 'the method, errors in colour') : '';
+}

@@ -1,0 +1,144 @@
+// The bar on top that all parts of the page obey, and what it leaves of a run.
+
+state.define('run', 0);
+state.define('families', null);
+state.define('methods', null);
+state.define('scenes', null);
+state.define('split', 'all');
+state.define('measure', 'f_2px');
+state.define('budget', 0);
+state.define('theme', 'auto');
+
+/// What the page shows now: the rows that the filters leave, and what they say together.
+function currentView() {
+    const run = runs[state.get('run')] || runs[0];
+    return viewOf(run);
+}
+
+function isSceneShown(row) {
+    const scenes = state.get('scenes');
+    const split = state.get('split');
+    return (!scenes || scenes.includes(row.scene)) && (split === 'all' || row.split === split);
+}
+
+function isMethodChosen(info) {
+    const methods = state.get('methods');
+    const families = state.get('families');
+    if (info.isBaseline) return true;
+    return (!methods || methods.includes(info.name)) && (!families || families.includes(info.family));
+}
+
+function viewOf(run) {
+    const measure = state.get('measure');
+    const allRows = run.rows.filter(isSceneShown);
+    const isMethodShown = name => isMethodChosen(run.methods.get(name));
+    const rows = allRows.filter(row => isMethodShown(row.method));
+    const summaries = [...groupBy(rows, row => row.method)].map(
+        ([name, ofMethod]) => summarise(run.methods.get(name), ofMethod, measure));
+    const budget = state.get('budget');
+    const isAffordable = s => !budget || (s.ms !== null && s.ms <= budget);
+    const contestants = summaries.filter(s => !s.isBaseline && s.value !== null);
+    const ranked = contestants.filter(isAffordable).sort((a, b) => b.value - a.value);
+    const scenes = distinct(allRows, row => row.scene);
+    return {
+        run, measure, allRows, rows, summaries, contestants, ranked, isAffordable, isMethodShown, scenes,
+        best: ranked[0] || null,
+        views: distinct(allRows, row => `${row.scene}\n${row.view}`).length,
+        methods: contestants.map(s => s.info),
+        /// Lines of a side table of the run that the filters leave, joined with their rows.
+        lines: name => run.joined(name).filter(
+            line => isMethodShown(line.method) && isSceneShown(line)),
+    };
+}
+
+function isFiltered() {
+    return ['families', 'methods', 'scenes', 'split', 'measure', 'budget'].some(name => !state.isDefault(name));
+}
+
+function drawFilters(root) {
+    const run = runs[state.get('run')] || runs[0];
+    const methods = [...run.methods.values()].filter(info => !info.isBaseline);
+    const scenes = distinct(run.table('rows.csv').lines, row => row.scene);
+    const families = distinct(methods, info => info.family);
+    const classes = CLASSES.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
+    const splits = distinct(run.rows, row => row.split);
+    const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
+    const times = ascending(run.rows.map(row => row.draw_ns)).map(ns => ns * 1e-6);
+    const openPickers = [...root.querySelectorAll('details.picker[open]')].map(node => node.dataset.name);
+
+    const controls = element('div', {class: 'filter-row'},
+        runs.length > 1 ? chooser('Run', runs.map((r, i) => [i, r.label]), run.index,
+            index => state.set({run: Number(index)})) : null,
+        families.length > 1 ? familyButtons(families) : null,
+        methods.length > 1 ? picker('Methods', 'methods', methods.map(info => info.name)) : null,
+        scenes.length > 1 ? picker('Scenes', 'scenes', scenes) : null,
+        splits.length > 1 ? chooser('Split', [['all', 'all scenes'], ['train', 'training'], ['heldout', 'held-out']],
+            state.get('split'), split => state.set({split})) : null,
+        run.rows.length ? chooser('Measure', [
+            ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
+            ...classes.map(name => [name, `recall: ${name}`])], state.get('measure'),
+            measure => state.set({measure})) : null,
+        times.length ? budgetField(times) : null,
+        isFiltered() ? element('button', {type: 'button', id: 'reset', onclick: () => state.reset()}, 'Reset') : null,
+        chooser('Theme', [['auto', 'as the system'], ['light', 'light'], ['dark', 'dark']], state.get('theme'),
+            theme => state.set({theme})));
+    root.replaceChildren(element('details', {class: 'filters', open: isOpen},
+        element('summary', {}, isFiltered() ? 'Filters (changed)' : 'Filters'), controls));
+    for (const name of openPickers) {
+        const node = root.querySelector(`details.picker[data-name="${name}"]`);
+        if (node) node.open = true;
+    }
+}
+
+function familyButtons(families) {
+    const chosen = state.get('families') || families;
+    return element('span', {class: 'choices', role: 'group', 'aria-label': 'Families of methods'},
+        families.map(family => {
+            const isOn = chosen.includes(family);
+            const button = toggleButton((FAMILIES[family] || FAMILIES.other).title, isOn, () => {
+                const left = isOn ? chosen.filter(f => f !== family) : [...chosen, family];
+                state.set({families: left.length === families.length || left.length === 0 ? null : left});
+            });
+            button.dataset.family = family;
+            button.style.setProperty('--family', (FAMILIES[family] || FAMILIES.other).colour);
+            button.classList.add('family');
+            return button;
+        }));
+}
+
+/// A list of names to tick; null means all of them.
+function picker(title, name, all) {
+    const chosen = state.get(name);
+    const isOn = entry => !chosen || chosen.includes(entry);
+    const choose = list => state.set({[name]: list.length === all.length ? null : list});
+    return element('details', {class: 'picker', 'data-name': name},
+        element('summary', {}, title, element('b', {}, chosen ? ` ${chosen.length} of ${all.length}` : ' all')),
+        element('div', {class: 'picker-list'},
+            element('div', {class: 'tools'},
+                element('button', {type: 'button', onclick: () => choose(all)}, 'All'),
+                element('button', {type: 'button', onclick: () => choose([])}, 'None')),
+            all.map(entry => element('label', {}, element('input', {
+                type: 'checkbox', value: entry, checked: isOn(entry),
+                onchange: event => choose(all.filter(
+                    other => (other === entry ? event.target.checked : isOn(other)))),
+            }), ' ', entry))));
+}
+
+/// The time budget: methods that take longer are greyed, and the headline names the best within it.
+function budgetField(times) {
+    const [low, high] = [d3.min(times), d3.max(times)];
+    const budget = state.get('budget');
+    const span = Math.log(high / low) || 1;
+    const place = budget ? (1000 * Math.log(budget / low)) / span : 1000;
+    const words = element('b', {}, budget ? `${formatMs(budget)} ms` : 'none');
+    const valueAt = at => (at >= 1000 ? 0 : Number((low * Math.exp((span * at) / 1000)).toPrecision(3)));
+    return element('label', {class: 'field'}, element('span', {}, 'Time budget ', words),
+        element('input', {
+            type: 'range', id: 'budget', min: 0, max: 1000, value: place, 'aria-label': 'Time budget in ms',
+            oninput: event => {
+                const value = valueAt(Number(event.target.value));
+                words.textContent = value ? `${formatMs(value)} ms` : 'none';
+            },
+            onchange: event => state.set({budget: valueAt(Number(event.target.value))}),
+        }));
+}

@@ -1,0 +1,108 @@
+// Puts the page together. Sections stand in the order in which their files were read; each draws
+// what the filters leave when it comes near the window, and again when a choice changes.
+
+let runs = [];
+let viewImages = null;
+const sections = [];
+
+/// Declares a part of the page: {id, title, intro, isThere(view), draw(root, view), uses, isFolded}. `uses` names the
+/// choices, beside the filters, that it must be drawn again for.
+function addSection(section) {
+    sections.push(section);
+}
+
+const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'budget'];
+
+function drawSection(section) {
+    section.isStale = false;
+    section.body.replaceChildren();
+    const view = cachedView();
+    const isThere = !section.isThere || section.isThere(view);
+    if (!isThere) return;
+    section.draw(section.body, view);
+}
+
+let viewCache = null;
+function cachedView() {
+    if (!viewCache) viewCache = currentView();
+    return viewCache;
+}
+
+function buildSections(main, nav) {
+    const view = cachedView();
+    const watcher = new IntersectionObserver(entries => {
+        for (const entry of entries) {
+            const section = sections.find(s => s.node === entry.target);
+            section.isNear = entry.isIntersecting;
+            if (section.isNear && section.isStale) drawSection(section);
+        }
+    }, {rootMargin: '600px'});
+    for (const section of sections) {
+        section.body = element('div', {class: 'section-body'});
+        const intro = typeof section.intro === 'function' ? section.intro(view) : section.intro;
+        section.node = element('section', {id: section.id},
+            element('h2', {}, section.title), intro ? element('p', {class: 'soft'}, intro) : null, section.body);
+        section.isStale = true;
+        section.node.hidden = Boolean(section.isThere && !section.isThere(view));
+        main.append(section.node);
+        watcher.observe(section.node);
+        nav.append(element('a', {href: `#${section.id}`, 'data-section': section.id, onclick: event => {
+            event.preventDefault();
+            section.node.scrollIntoView({behavior: 'smooth'});
+        }}, section.title));
+    }
+    showLinks();
+}
+
+function showLinks() {
+    const view = cachedView();
+    for (const section of sections) {
+        const isThere = !section.isThere || section.isThere(view);
+        section.node.hidden = !isThere;
+        const link = document.querySelector(`nav a[data-section="${section.id}"]`);
+        link.hidden = !isThere;
+    }
+}
+
+function redraw(changed) {
+    const isFilter = changed.some(name => FILTERS.includes(name));
+    if (changed.includes('theme')) applyTheme();
+    if (isFilter) {
+        viewCache = null;
+        showLinks();
+        drawHeader(document.querySelector('header .wrap'), cachedView());
+    }
+    drawFilters(document.getElementById('filters'));
+    for (const section of sections) {
+        const uses = section.uses || [];
+        const isHit = isFilter || changed.some(name => uses.includes(name) || uses.some(u => u.endsWith('*') && name.startsWith(u.slice(0, -1))));
+        if (!isHit) continue;
+        section.isStale = true;
+        if (section.isNear) drawSection(section);
+    }
+}
+
+function applyTheme() {
+    const theme = state.get('theme');
+    const isDark = theme === 'dark' || (theme === 'auto' && matchMedia('(prefers-color-scheme: dark)').matches);
+    document.documentElement.className = isDark ? 'dark-theme' : 'light-theme';
+}
+
+function start() {
+    const packed = JSON.parse(document.getElementById('data').textContent);
+    runs = packed.runs.map((run, index) => new Run(run, index));
+    viewImages = new ViewImages(JSON.parse(document.getElementById('images').textContent));
+    window.columnDocs = packed.columns;
+    applyTheme();
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', applyTheme);
+    drawHeader(document.querySelector('header .wrap'), cachedView());
+    drawFilters(document.getElementById('filters'));
+    buildSections(document.querySelector('main'), document.querySelector('nav .wrap'));
+    state.onChange(redraw);
+    window.addEventListener('hashchange', () => state.readAddress());
+    document.querySelector('footer').textContent =
+        `Made by inkbench ${packed.version}. This page needs no other file and no network.`;
+    document.documentElement.dataset.ready = '1';
+}
+
+start();

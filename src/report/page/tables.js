@@ -1,0 +1,157 @@
+// Tables of a run folder, as the program packed them into the page.
+//
+// A packed column is an array; {constant: value}, the same value on every line; or
+// {words: [...], at: [...]}, texts that repeat. An empty field is null.
+
+/// The values of a packed column, one a line.
+function unpackColumn(packed, lineCount) {
+    if (Array.isArray(packed)) return packed;
+    if (packed.words) return packed.at.map(index => (index < 0 ? null : packed.words[index]));
+    return new Array(lineCount).fill(packed.constant);
+}
+
+/// One table: columns by name, unpacked when they are first asked for.
+class Table {
+    constructor(name, packed) {
+        this.name = name;
+        this.lineCount = packed ? packed.lines : 0;
+        this.packed = packed ? packed.columns : {};
+        this.unpacked = {};
+        this.madeLines = null;
+    }
+
+    get names() {
+        return Object.keys(this.packed);
+    }
+
+    has(name) {
+        return name in this.packed;
+    }
+
+    /// The values of a column; all null if the table has none of that name.
+    column(name) {
+        if (!(name in this.unpacked)) {
+            this.unpacked[name] = unpackColumn(
+                this.has(name) ? this.packed[name] : {constant: null}, this.lineCount);
+        }
+        return this.unpacked[name];
+    }
+
+    /// The lines as objects, a property a column.
+    get lines() {
+        if (this.madeLines) return this.madeLines;
+        const names = this.names;
+        const columns = names.map(name => this.column(name));
+        this.madeLines = Array.from({length: this.lineCount}, (_, line) => {
+            const made = {};
+            for (let i = 0; i < names.length; ++i) made[names[i]] = columns[i][line];
+            return made;
+        });
+        return this.madeLines;
+    }
+}
+
+/// One run: its record, its tables, its methods.
+class Run {
+    constructor(packed, index) {
+        this.index = index;
+        this.label = packed.label;
+        this.record = packed.record;
+        this.tables = {};
+        for (const [name, table] of Object.entries(packed.tables))
+            this.tables[name] = new Table(name, table);
+        this.cells = new Map();
+        for (const row of this.table('rows.csv').lines) this.cells.set(row.cell, row);
+        this.rows = this.mainRows();
+        this.methods = this.readMethods();
+        this.settings = this.readSettings();
+    }
+
+    /// A table of the run; one without lines if the run has none of that name.
+    table(name) {
+        return this.tables[name] || new Table(name, null);
+    }
+
+    has(name) {
+        return this.table(name).lineCount > 0;
+    }
+
+    /// The rows of the comparison itself, at the first size and number of threads: no one time of a
+    /// method means anything over several.
+    mainRows() {
+        const rows = this.table('rows.csv').lines.filter(row => row.study === 'compare');
+        if (rows.length === 0) return rows;
+        const {width, height, threads} = rows[0];
+        return rows.filter(
+            row => row.width === width && row.height === height && row.threads === threads);
+    }
+
+    readMethods() {
+        const listed = new Map();
+        for (const line of this.table('methods.csv').lines) {
+            listed.set(line.method, {
+                name: line.method,
+                isBaseline: line.role !== 'method',
+                family: line.family || 'other',
+                marker: line.marker || 'circle',
+                presetOf: line.preset_of || '',
+                params: parseParams(line.params),
+            });
+        }
+        const methods = new Map();
+        for (const row of this.table('rows.csv').lines) {
+            if (methods.has(row.method)) continue;
+            methods.set(row.method, listed.get(row.method) || {
+                name: row.method,
+                isBaseline: BASELINES.includes(row.method),
+                family: 'other',
+                marker: 'circle',
+                presetOf: '',
+                params: parseParams(row.params),
+            });
+        }
+        return methods;
+    }
+
+    /// Settings that sweep.csv tried: its lines, each with the fields of its cell's row.
+    readSettings() {
+        return this.joined('sweep.csv');
+    }
+
+    /// The lines of a side table, each with the fields of its cell's row beneath its own.
+    joined(name) {
+        return this.table(name).lines.map(line => {
+            const row = this.cells.get(line.cell) || {};
+            return Object.assign(Object.create(row), line);
+        });
+    }
+}
+
+const BASELINES = ['none', 'sampled', 'oracle'];
+const CLASSES = ['contour', 'boundary', 'crease', 'intersection', 'seam'];
+
+/// "a=1;b=2" as an object.
+function parseParams(text) {
+    const params = {};
+    for (const pair of (text || '').split(';')) {
+        const at = pair.indexOf('=');
+        if (at > 0) params[pair.slice(0, at)] = pair.slice(at + 1);
+    }
+    return params;
+}
+
+/// Lines grouped by what `key` gives: a Map in order of first appearance.
+function groupBy(lines, key) {
+    const groups = new Map();
+    for (const line of lines) {
+        const name = key(line);
+        if (!groups.has(name)) groups.set(name, []);
+        groups.get(name).push(line);
+    }
+    return groups;
+}
+
+/// Values of `key` over the lines, each once, in order of first appearance.
+function distinct(lines, key) {
+    return [...new Set(lines.map(key))];
+}

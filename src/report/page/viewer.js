@@ -1,0 +1,231 @@
+// The viewer: two images of one view under one slider, with zoom that both share.
+
+const viewer = {zoom: 1, x: 0, y: 0, cut: 0.5, blinks: null, isRightShown: true};
+
+state.define('scene', '');
+state.define('view', '');
+state.define('left', 'truth');
+state.define('right', '');
+state.define('rightRun', -1);
+state.define('look', 'errors');
+
+/// What stands in the viewer: the reader's choice where there are images of it, else the first view
+/// that has any and the best method.
+function viewerChoice(shown) {
+    const run = shown.run;
+    const views = viewsWithImages(shown);
+    if (views.length === 0) return null;
+    const asked = views.find(v => v.scene === state.get('scene') && v.view === state.get('view')) ||
+        views.find(v => v.scene === state.get('scene'));
+    const {scene, view} = asked || views[0];
+    const other = runs[state.get('rightRun')] || run;
+    const names = [...other.methods.keys()].filter(name => viewImages.has(other, scene, view, name));
+    const best = shown.best && names.includes(shown.best.method) ? shown.best.method : names.find(n => n !== 'oracle' && n !== 'sampled');
+    const right = names.includes(state.get('right')) ? state.get('right') : best || 'truth';
+    const left = viewImages.has(run, scene, view, state.get('left')) ? state.get('left') : 'truth';
+    return {run, other, scene, view, left, right, views};
+}
+
+function viewsWithImages(shown) {
+    const views = [];
+    for (const [key, rows] of groupBy(shown.allRows, row => `${row.scene}\n${row.view}`)) {
+        const {scene, view} = rows[0];
+        if (viewImages.entry(shown.run, scene, view)) views.push({key, scene, view, rows});
+    }
+    return views;
+}
+
+function drawViewer(root, shown) {
+    clearInterval(viewer.blinks);
+    viewer.blinks = null;
+    viewer.isRightShown = true;
+    const choice = viewerChoice(shown);
+    if (!choice) {
+        root.append(element('p', {class: 'note'},
+            shown.run.rows.length ? 'The run folder holds no images of these views.' : 'This run has no images.'));
+        return;
+    }
+    const canvas = element('canvas', {
+        class: 'stage', tabindex: '0', role: 'img',
+        'aria-label': `${choice.left} and ${choice.right} on ${choice.scene}; arrow keys move the divider, plus and minus zoom`,
+    });
+    const slider = element('input', {type: 'range', min: 0, max: 1000, value: viewer.cut * 1000,
+                                     'aria-label': 'Divider between the two images', id: 'divider'});
+    const side = element('div', {class: 'side'});
+    root.append(viewerControls(choice, shown), element('div', {class: 'viewer'},
+        element('div', {class: 'stage-box'}, canvas,
+            element('div', {class: 'under-stage'},
+                element('span', {}, sideName(choice.left)), slider, element('span', {}, sideName(choice.right)))),
+        side));
+    root.append(imageLegend(state.get('look')), truthLegend());
+    fillSide(side, choice, shown);
+    bindStage(canvas, slider, choice);
+}
+
+function sideName(name) {
+    return name === 'truth' ? 'truth' : name;
+}
+
+function viewerControls(choice, shown) {
+    const scenes = distinct(choice.views, view => view.scene);
+    const ofScene = choice.views.filter(view => view.scene === choice.scene);
+    const names = run => ['truth', ...[...run.methods.keys()].filter(
+        name => name !== 'oracle' && viewImages.has(run, choice.scene, choice.view, name))];
+    const blink = element('button', {type: 'button', class: 'toggle', id: 'blink', 'aria-pressed': 'false',
+                                     title: 'Shows the two images in turns (key B)'}, 'Blink');
+    return element('div', {class: 'tools'},
+        chooser('Scene', scenes.map(s => [s, s]), choice.scene, scene => state.set({scene, view: ''})),
+        ofScene.length > 1 ? chooser('View', ofScene.map(v => [v.view, v.view]), choice.view,
+            view => state.set({scene: choice.scene, view})) : null,
+        chooser('Left', names(choice.run).map(n => [n, n]), choice.left, left => state.set({left})),
+        chooser('Right', names(choice.other).map(n => [n, n]), choice.right, right => state.set({right})),
+        runs.length > 1 ? chooser('Right of run', runs.map((run, i) => [i, run.label]), choice.other.index,
+            index => state.set({rightRun: Number(index)})) : null,
+        choiceButtons('Colours', [['errors', 'Errors'], ['causes', 'Causes'], ['drawn', 'Lines']],
+            state.get('look'), look => state.set({look})),
+        blink,
+        element('button', {type: 'button', class: 'quiet', id: 'fit'}, 'Fit'),
+        element('button', {type: 'button', class: 'quiet', id: 'nearer', 'aria-label': 'Zoom in'}, '+'),
+        element('button', {type: 'button', class: 'quiet', id: 'farther', 'aria-label': 'Zoom out'}, '−'));
+}
+
+/// Every method's number on this view; a click shows it on the right.
+function fillSide(side, choice, shown) {
+    const here = choice.views.find(v => v.scene === choice.scene && v.view === choice.view);
+    const rows = sortLines(here.rows.filter(row => shown.isMethodShown(row.method)),
+                           {value: row => row.f_2px}, true);
+    side.append(element('h3', {}, `${choice.scene}, ${choice.view}`));
+    for (const row of rows) {
+        if (!viewImages.has(shown.run, row.scene, row.view, row.method)) continue;
+        side.append(element('button', {
+            type: 'button', class: 'side-line', 'aria-pressed': row.method === choice.right ? 'true' : 'false',
+            onclick: () => state.set({scene: choice.scene, view: choice.view, right: row.method}),
+        }, methodName(shown.run.methods.get(row.method)),
+            element('span', {class: 'number'}, formatShare(row.f_2px)),
+            element('span', {class: 'number soft'}, row.draw_ns ? `${formatMs(row.draw_ns * 1e-6)} ms` : '')));
+    }
+}
+
+async function bindStage(canvas, slider, choice) {
+    const look = state.get('look');
+    const [left, right] = await Promise.all([
+        viewImages.codes(choice.run, choice.scene, choice.view, choice.left),
+        viewImages.codes(choice.other, choice.scene, choice.view, choice.right),
+    ]);
+    const size = left || right;
+    if (!size) return;
+    const sharp = [left, right].map(image => image && paintCodes(image, look));
+    const fat = [left, right].map(image => image && paintCodes(thickenCodes(image), look));
+    const context = canvas.getContext('2d');
+    const fit = () => Object.assign(viewer, {zoom: 1, x: 0, y: 0});
+    const draw = () => {
+        const width = canvas.parentElement.clientWidth;
+        const height = Math.min((width * size.height) / size.width, Math.max(260, innerHeight * 0.72));
+        const dense = window.devicePixelRatio || 1;
+        canvas.style.height = `${height}px`;
+        canvas.width = Math.round(width * dense);
+        canvas.height = Math.round(height * dense);
+        const base = Math.min(canvas.width / size.width, canvas.height / size.height);
+        const scale = base * viewer.zoom;
+        viewer.scale = scale / dense;
+        const clamp = (at, seen, all) => Math.max(0, Math.min(at, Math.max(0, all - seen)));
+        viewer.x = clamp(viewer.x, canvas.width / scale, size.width);
+        viewer.y = clamp(viewer.y, canvas.height / scale, size.height);
+        const dx = Math.max(0, (canvas.width - size.width * scale) / 2) - viewer.x * scale;
+        const dy = Math.max(0, (canvas.height - size.height * scale) / 2) - viewer.y * scale;
+        context.fillStyle = '#fff';
+        context.fillRect(0, 0, canvas.width, canvas.height);
+        const images = scale / dense < 0.8 ? fat : sharp;
+        context.imageSmoothingEnabled = scale < 1;
+        const cut = viewer.blinks ? (viewer.isRightShown ? 0 : 1) : viewer.cut;
+        [[images[0], 0, cut], [images[1], cut, 1]].forEach(([image, from, to]) => {
+            if (!image || from >= to) return;
+            context.save();
+            context.beginPath();
+            context.rect(from * canvas.width, 0, (to - from) * canvas.width, canvas.height);
+            context.clip();
+            context.drawImage(image, dx, dy, size.width * scale, size.height * scale);
+            context.restore();
+        });
+        if (!viewer.blinks) {
+            context.fillStyle = 'rgb(0, 114, 178)';
+            context.fillRect(cut * canvas.width - dense, 0, 2 * dense, canvas.height);
+        }
+        canvas.dataset.drawn = `${choice.left}|${choice.right}|${choice.scene}|${choice.view}`;
+        canvas.dataset.cut = cut.toFixed(3);
+    };
+    const zoomAt = (factor, px, py) => {
+        const before = viewer.scale;
+        const zoom = Math.max(1, Math.min(40, viewer.zoom * factor));
+        const after = (before * zoom) / viewer.zoom;
+        viewer.x += px / before - px / after;
+        viewer.y += py / before - py / after;
+        viewer.zoom = zoom;
+        draw();
+    };
+    const setCut = cut => {
+        viewer.cut = Math.max(0, Math.min(1, cut));
+        slider.value = viewer.cut * 1000;
+        draw();
+    };
+    slider.addEventListener('input', () => setCut(slider.value / 1000));
+    canvas.addEventListener('wheel', event => {
+        // The wheel belongs to the page until the image was clicked.
+        if (document.activeElement !== canvas && !event.ctrlKey) return;
+        event.preventDefault();
+        const box = canvas.getBoundingClientRect();
+        zoomAt(event.deltaY < 0 ? 1.25 : 0.8, event.clientX - box.left, event.clientY - box.top);
+    }, {passive: false});
+    let held = null;
+    canvas.addEventListener('pointerdown', event => {
+        const box = canvas.getBoundingClientRect();
+        const isDivider = Math.abs(event.clientX - box.left - viewer.cut * box.width) < 14;
+        held = {isDivider: isDivider || viewer.zoom === 1, x: event.clientX, y: event.clientY};
+        canvas.setPointerCapture(event.pointerId);
+        if (held.isDivider) setCut((event.clientX - box.left) / box.width);
+    });
+    canvas.addEventListener('pointermove', event => {
+        if (!held) return;
+        if (held.isDivider) {
+            const box = canvas.getBoundingClientRect();
+            setCut((event.clientX - box.left) / box.width);
+            return;
+        }
+        viewer.x -= (event.clientX - held.x) / viewer.scale;
+        viewer.y -= (event.clientY - held.y) / viewer.scale;
+        Object.assign(held, {x: event.clientX, y: event.clientY});
+        draw();
+    });
+    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { held = null; });
+    const blinkButton = document.getElementById('blink');
+    const blink = () => {
+        if (viewer.blinks) {
+            clearInterval(viewer.blinks);
+            viewer.blinks = null;
+        } else {
+            viewer.blinks = setInterval(() => {
+                viewer.isRightShown = !viewer.isRightShown;
+                draw();
+            }, 600);
+        }
+        blinkButton.setAttribute('aria-pressed', viewer.blinks ? 'true' : 'false');
+        draw();
+    };
+    blinkButton.addEventListener('click', blink);
+    const middle = () => [canvas.clientWidth / 2, canvas.clientHeight / 2];
+    document.getElementById('nearer').addEventListener('click', () => zoomAt(1.6, ...middle()));
+    document.getElementById('farther').addEventListener('click', () => zoomAt(1 / 1.6, ...middle()));
+    document.getElementById('fit').addEventListener('click', () => { fit(); draw(); });
+    canvas.addEventListener('keydown', event => {
+        const keys = {
+            ArrowLeft: () => setCut(viewer.cut - 0.02), ArrowRight: () => setCut(viewer.cut + 0.02),
+            '+': () => zoomAt(1.6, ...middle()), '-': () => zoomAt(1 / 1.6, ...middle()),
+            0: () => { fit(); draw(); }, b: blink,
+        };
+        if (!keys[event.key]) return;
+        event.preventDefault();
+        keys[event.key]();
+    });
+    draw();
+    new ResizeObserver(draw).observe(canvas.parentElement);
+}
