@@ -21,6 +21,10 @@ add_library(ink_opencv INTERFACE)
 target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
 target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
 
+# The charts of the page: d3.min.js becomes part of the program and is never copied into the tree.
+# Debian: node-d3.
+find_file(INK_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/share/javascript/d3 REQUIRED)
+
 # Kernels are compiled for the scalar target, which every other must equal bit for bit, and for what runs
 # on today's x86: AVX2 and AVX-512. The targets below (SSE2 to SSE4) would only lengthen the build.
 add_library(ink_highway INTERFACE)

@@ -1,33 +1,58 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "cli/run_result.h"
-#include "experiment/run_data.h"
+#include "core/error.h"
+#include "report/run_page.h"
 
 namespace ink::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportArgs {
+    std::vector<std::string> folders;
+    std::string file;
+};
+
+/// Where the page goes: beside the tables of a single run, else where the user says.
+fs::path page_path(const ReportArgs& args) {
+    if (!args.file.empty()) {
+        check_output_path(args.file, {".html"});
+        return args.file;
+    }
+    if (args.folders.size() == 1) return fs::path(args.folders.front()) / "report.html";
+    throw core::Error("inkbench report",
+                      "several runs have no folder in common for their page",
+                      "-o FILE.html");
+}
+
+}  // namespace
 
 void add_report_command(CLI::App& app) {
-    struct ReportArgs {
-        std::string folder;
-        std::string file;
-    };
     auto args = std::make_shared<ReportArgs>();
     auto* command = app.add_subcommand(
-        "report", "Make the page of a run from its folder alone, on any machine");
-    command->add_option("run", args->folder, "Folder of a run")->required();
-    command->add_option(
-        "-o,--output", args->file, "HTML file (default: report.html in the folder)");
+        "report",
+        "Make the page of a run, or of several beside each other, from their folders alone");
+    command->add_option("run", args->folders, "Folders of runs")->required();
+    command->add_option("-o,--output",
+                        args->file,
+                        "HTML file (default, of a single run: report.html in its folder)");
     command->footer(
-        "Example: inkbench report inkbench-out -o report.html\n"
+        "With several runs the page says what was asked differently, and shows the differences of\n"
+        "their results with their intervals.\n"
+        "Example: inkbench report before after -o report.html\n"
         "Exit codes: 0 done, 2 bad input.");
     command->callback([args] {
-        if (!args->file.empty()) check_output_path(args->file, {".html"});
-        const experiment::RunData run = experiment::read_run(args->folder);
-        fmt::print("report: {}\n", write_page(run, args->folder, args->file).string());
+        const fs::path file = page_path(*args);
+        report::write_run_page({args->folders.begin(), args->folders.end()}, file);
+        fmt::print("report: {}\n", file.string());
     });
 }
 

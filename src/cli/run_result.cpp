@@ -7,19 +7,16 @@
 #include <utility>
 
 #include "cli/options.h"
-#include "core/error.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "experiment/summary/stress_summary.h"
 #include "experiment/summary/summary.h"
 #include "experiment/summary/unscored.h"
 #include "linear_code/linear_bound_study.h"
-#include "report/best_settings.h"
-#include "report/figures.h"
-#include "report/report.h"
-#include "report/statistics.h"
-#include "report/stress_page.h"
-#include "report/verdict.h"
+#include "report/run_page.h"
+#include "report/text/best_settings.h"
+#include "report/text/verdict.h"
+#include "report/text/verdict_terms.h"
 
 namespace ink::cli {
 namespace {
@@ -80,9 +77,9 @@ void print_stress(const std::vector<studies::StressRow>& rows) {
                experiment::stress_table(experiment::summarise_stress(rows, rows.front().row.seed)));
 }
 
-void print_comparison(const report::ReportData& data, bool one_place) {
-    if (data.rows.empty()) return;
-    const harness::Row& first = data.rows.front();
+void print_comparison(const experiment::RunTables& tables, bool one_place) {
+    if (tables.rows.empty()) return;
+    const harness::Row& first = tables.rows.front();
     if (!one_place) {
         fmt::print(
             "At {}x{} px on {} thread(s); the other sizes and numbers of threads are in "
@@ -91,9 +88,9 @@ void print_comparison(const report::ReportData& data, bool one_place) {
             first.height,
             first.threads);
     }
-    fmt::print("{}\n", report::verdict_table(data.rows, data.curves));
-    fmt::print("{}", report::threshold_lines(data.rows, data.curves));
-    fmt::print("{}", report::best_settings_table(data.rows, data.sweep));
+    fmt::print("{}\n", report::verdict_table(tables.rows, tables.curves));
+    fmt::print("{}", report::threshold_lines(tables.rows, tables.curves));
+    fmt::print("{}", report::best_settings_table(tables.rows, tables.sweep));
 }
 
 void print_warnings(const experiment::RunRecord& record,
@@ -113,54 +110,30 @@ void print_warnings(const experiment::RunRecord& record,
 
 }  // namespace
 
-fs::path write_page(experiment::RunData run, const fs::path& folder, const fs::path& page) {
-    if (!run.tables.stress.empty()) {
-        if (page.empty()) return report::write_stress_page(run, folder);
-        core::write_whole_file(page, report::stress_page(run));
-        return page;
-    }
-    const bool has_page = run.record.kind == "compare" || run.record.kind == "animation";
-    if (!has_page) {
-        throw core::Error(folder.string(),
-                          fmt::format("a run of kind {} has no page", run.record.kind),
-                          "a run of compare, stress or animation");
-    }
-    const fs::path target = page.empty() ? folder / "report.html" : page;
-    report::write_report(report::report_data(std::move(run)), target);
-    return target;
-}
-
 void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, bool is_json) {
     experiment::RunData run = experiment::read_run(folder);
-    const experiment::RunRecord record = run.record;
-    const std::vector<studies::StressRow> stress = run.tables.stress;
-    const std::vector<linear_code::BoundRow> bounds = run.tables.bounds;
-    fs::path page;
-    if (!stress.empty()) page = report::write_stress_page(run, folder);
-    const report::ReportData data = report::report_data(std::move(run));
-    if (record.kind == "compare" || record.kind == "animation") {
-        page = folder / "report.html";
-        report::write_report(data, page);
-    }
-    if (!data.rows.empty()) {
+    experiment::keep_one_place(run.tables);
+    const std::vector<harness::Row>& rows = run.tables.rows;
+    const fs::path page = folder / "report.html";
+    report::write_run_page({folder}, page);
+    if (!rows.empty()) {
         core::write_whole_file(folder / "verdict.md",
-                               report::verdict_markdown(data.rows, data.curves) + "\n");
-        report::write_figures(data, folder);
+                               report::verdict_markdown(rows, run.tables.curves) + "\n");
     }
     if (is_json) {
-        fmt::print("{}\n", result_json(record, data.rows, folder, page).dump(2));
+        fmt::print("{}\n", result_json(run.record, rows, folder, page).dump(2));
     } else {
-        print_comparison(data, record.one_place);
-        print_stress(stress);
-        if (!bounds.empty()) fmt::print("{}", linear_code::bound_table(bounds));
-        fmt::print("run: {}\n", folder.string());
-        if (!page.empty()) fmt::print("report: {}\n", page.string());
+        print_comparison(run.tables, run.record.one_place);
+        print_stress(run.tables.stress);
+        if (!run.tables.bounds.empty())
+            fmt::print("{}", linear_code::bound_table(run.tables.bounds));
+        fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     }
     std::fflush(stdout);
-    print_warnings(record, data.rows, folder);
+    print_warnings(run.record, rows, folder);
     if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
-    if (!record.faults.empty()) throw CLI::RuntimeError(kInvalid);
-    if (!experiment::unscored_cells(data.rows).empty()) throw CLI::RuntimeError(kUnscored);
+    if (!run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
+    if (!experiment::unscored_cells(rows).empty()) throw CLI::RuntimeError(kUnscored);
 }
 
 }  // namespace ink::cli

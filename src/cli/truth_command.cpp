@@ -14,7 +14,7 @@
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
 #include "harness/tracing.h"
-#include "report/figures.h"
+#include "harness/view_images.h"
 
 namespace ink::cli {
 namespace {
@@ -60,7 +60,7 @@ std::string default_disagreement(const scene::Scene& scene, const scene::View& v
                           "this folder cannot be made",
                           "a writable working folder, or --disagreement FILE");
     }
-    const std::string name = report::file_stem(scene.name + "_" + view.camera.name) + ".png";
+    const std::string name = harness::file_name(scene.name + "_" + view.camera.name) + ".png";
     const auto path = folder / name;
     check_output_path(path, {".png"});
     return path.string();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "experiment/summary/cost_model.h"
 #include "experiment/summary/stress_summary.h"
 #include "experiment/summary/summary_csv.h"
 #include "experiment/summary/unscored.h"
@@ -94,9 +95,11 @@ std::vector<harness::TableInfo> dictionary() {
             harness::bins_table(),
             sweep(),
             harness::cost_table(),
+            cost_fit_table(),
             linear_code::cancellation_table(),
             studies::stress_table(),
             stress_summary_table(),
+            stress_axes_table(),
             studies::motion_table(),
             studies::lives_table(),
             studies::roll_table(),

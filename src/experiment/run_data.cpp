@@ -8,12 +8,13 @@
 
 #include "core/error.h"
 #include "experiment/block_store.h"
+#include "experiment/dictionary.h"
 #include "experiment/run_tables.h"
+#include "experiment/summary/cost_model.h"
 #include "experiment/summary/summary.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
-#include "harness/view_images.h"
 #include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_table.h"
 #include "studies/motion_table.h"
@@ -120,6 +121,17 @@ void write_costs(const RunTables& run, Texts& texts) {
     }
 }
 
+void keep_one_place(RunTables& tables) {
+    if (tables.rows.empty()) return;
+    const harness::Row first = tables.rows.front();
+    const auto is_elsewhere = [&](const harness::Row& row) {
+        return row.width != first.width || row.height != first.height ||
+               row.threads != first.threads;
+    };
+    std::erase_if(tables.rows, is_elsewhere);
+    std::erase_if(tables.sweep, is_elsewhere);
+}
+
 RunData read_run(const fs::path& folder) {
     const auto record = read_record(folder);
     if (!record) {
@@ -127,6 +139,7 @@ RunData read_run(const fs::path& folder) {
             folder.string(), "there is no run in it", "a folder with a run.toml of inkbench");
     }
     RunData run;
+    run.folder = folder;
     run.record = *record;
     const BlockStore store(folder);
     const std::vector<std::size_t> blocks = store.indices();
@@ -141,10 +154,14 @@ RunData read_run(const fs::path& folder) {
     } else {
         for (const RecordedTable& table : record->tables)
             texts[table.name] = read_file(folder / table.name);
+        for (const harness::TableInfo& table : dictionary()) {
+            const bool is_made_of_others = !texts.contains(table.file) && table.file != "run.toml";
+            if (is_made_of_others && fs::exists(folder / table.file))
+                texts[table.file] = read_file(folder / table.file);
+        }
     }
     run.tables = parse_tables(texts, folder.string());
-    if (record->times) run.cost_fit = predict_costs(run.tables.rows, run.tables.sweep);
-    run.views = harness::read_shown_views(folder, run.tables.rows);
+    run.texts = std::move(texts);
     return run;
 }
 

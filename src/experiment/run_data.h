@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "experiment/run_record.h"
-#include "experiment/summary/cost_model.h"
 #include "harness/row.h"
-#include "harness/shown_view.h"
 #include "linear_code/cancellation.h"
 #include "linear_code/linear_bound_study.h"
 #include "statistics/ods.h"
@@ -50,13 +48,17 @@ struct RunTables {
 /// Writes what predict_costs found out into the texts of cost.csv and sweep.csv.
 void write_costs(const RunTables& tables, std::map<std::string, std::string>& texts);
 
-/// A run folder, read back whole: all that a page or a figure needs.
+/// A run folder, read back whole: all that a page or a figure needs, but its images.
 struct RunData {
+    std::filesystem::path folder;
     RunRecord record;
-    RunTables tables;
-    CostFit cost_fit;                       ///< what the predicted times were made from
-    std::vector<harness::ShownView> views;  ///< those of which the folder holds images
+    std::map<std::string, std::string> texts;  ///< every table as CSV, by file name
+    RunTables tables;                          ///< the same, read
 };
+
+/// Leaves the rows and settings of the first size and number of threads: no one time of a method
+/// means anything over several.
+void keep_one_place(RunTables& tables);
 
 /// Reads the run in `folder`; of one that was killed, what its finished blocks hold. Throws
 /// core::Error (where = the folder) if there is no run in it, or one that cannot be read.

@@ -31,7 +31,8 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         texts[table.name] = joined(table, store, blocks);
 
     RunTables data = parse_tables(texts, store.folder().string());
-    if (record.times && predict_costs(data.rows, data.sweep).cells > 0) write_costs(data, texts);
+    const CostFit fit = record.times ? predict_costs(data.rows, data.sweep) : CostFit{};
+    if (fit.cells > 0) write_costs(data, texts);
     std::vector<FinishedTable> tables;
     for (const RecordedTable& table : record.tables)
         tables.push_back({table.name, std::move(texts.at(table.name))});
@@ -40,10 +41,12 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         tables.push_back({"summary.csv", summary_csv(data.rows, data.curves)});
     if (record.kind == "compare")
         tables.push_back({"unscored.csv", unscored_csv(unscored_cells(data.rows))});
+    if (fit.cells > 0) tables.push_back({"cost_fit.csv", cost_fit_csv(fit)});
     if (!data.stress.empty()) {
         const std::uint64_t seed = data.stress.front().row.seed;
         tables.push_back(
             {"stress_summary.csv", stress_summary_csv(summarise_stress(data.stress, seed))});
+        tables.push_back({"stress_axes.csv", stress_axes_csv(data.stress)});
     }
     return tables;
 }

@@ -8,7 +8,6 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/error.h"
@@ -24,16 +23,6 @@ using Gray = core::Image<std::uint8_t>;
 using Rgb = core::Image<glm::u8vec3>;
 
 constexpr const char* kTruth = "truth.png";
-
-std::string file_name(const std::string& text) {
-    std::string name = text;
-    for (char& c : name) {
-        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
-                              c == '-' || c == '_' || c == '+';
-        if (!is_plain) c = '_';
-    }
-    return name;
-}
 
 template <class Image>
 std::string png(const Image& image) {
@@ -136,6 +125,18 @@ std::vector<score::WrongPixel> wrong_pixels(const fs::path& file, const Gray& tr
 
 }  // namespace
 
+std::string file_name(const std::string& text) {
+    constexpr std::size_t kLongest = 200;  // file systems allow 255, and an ending comes behind
+    std::string name = text.substr(0, kLongest);
+    for (char& c : name) {
+        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
+                              c == '-' || c == '_' || c == '+';
+        if (!is_plain) c = '_';
+    }
+    if (name.empty() || name.front() == '.') name.insert(name.begin(), '_');
+    return name;
+}
+
 fs::path image_folder(const std::string& scene, const std::string& view) {
     return fs::path("images") / file_name(scene) / file_name(view);
 }
@@ -169,28 +170,27 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
     return files;
 }
 
-std::vector<ShownView> read_shown_views(const fs::path& run, const std::vector<Row>& rows) {
-    std::vector<ShownView> views;
-    std::set<std::tuple<std::string, std::string>> methods_there;  // scene and method
+std::optional<ShownView> read_shown_view(const fs::path& run, const std::vector<Row>& rows) {
+    if (rows.empty()) return std::nullopt;
+    const fs::path folder = run / image_folder(rows.front().scene, rows.front().view);
+    if (!fs::exists(folder / kTruth)) return std::nullopt;
+    ShownView view{
+        rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}};
+    std::set<std::string> methods_there;
     for (const Row& row : rows) {
-        if (!is_kept(row)) continue;
-        const fs::path folder = run / image_folder(row.scene, row.view);
         const fs::path file = folder / (file_name(row.method) + ".png");
-        if (!fs::exists(folder / kTruth) || !fs::exists(file)) continue;
-        if (views.empty() || views.back().scene != row.scene)
-            views.push_back({row.scene, row.view, image_io::read_gray(folder / kTruth), {}});
-        const Gray& labels = views.back().labels;
         // Rows of other sizes and numbers of threads have no images of their own.
-        const bool is_of_row = views.back().view == row.view && labels.width_px() == row.width &&
-                               labels.height_px() == row.height;
-        if (!is_of_row || !methods_there.insert({row.scene, row.method}).second) continue;
-        views.back().images.push_back(
+        const bool is_of_row =
+            row.width == view.labels.width_px() && row.height == view.labels.height_px();
+        if (!is_kept(row) || !is_of_row || !fs::exists(file)) continue;
+        if (!methods_there.insert(row.method).second) continue;
+        view.images.push_back(
             {row.method,
-             read_sized(file, labels),
+             read_sized(file, view.labels),
              row.threshold.value_or(128),
-             wrong_pixels(folder / (file_name(row.method) + ".errors.png"), labels)});
+             wrong_pixels(folder / (file_name(row.method) + ".errors.png"), view.labels)});
     }
-    return views;
+    return view;
 }
 
 }  // namespace ink::harness

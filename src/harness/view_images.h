@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,19 @@ namespace ink::harness {
 [[nodiscard]] std::map<std::string, std::string> image_files(
     const ViewTruth& truth, const scene::Scene& scene, const std::vector<Evaluation>& evaluations);
 
+/// `text` as part of a file's name: letters, digits, `.`, `-`, `_` and `+` stay, the rest becomes
+/// `_`; never empty, hidden, or longer than 201 characters.
+[[nodiscard]] std::string file_name(const std::string& text);
+
 /// The folder of a view's images inside the run folder; characters that do not belong in a file's
 /// name become '_'.
 [[nodiscard]] std::filesystem::path image_folder(const std::string& scene, const std::string& view);
 
-/// The first view of each scene of which the run folder `run` holds images, in the order of `rows`,
-/// which say thresholds. Throws core::Error (where = the file) for an image that cannot be read or
-/// has not the size of its truth.
-[[nodiscard]] std::vector<ShownView> read_shown_views(const std::filesystem::path& run,
-                                                      const std::vector<Row>& rows);
+/// The images that the run folder `run` holds of one view, by `rows` of that view, which say methods
+/// and thresholds; nothing if it holds none. Rows of another size than the images are left out.
+/// Throws core::Error (where = the file) for an image that cannot be read or has not the size of
+/// its truth.
+[[nodiscard]] std::optional<ShownView> read_shown_view(const std::filesystem::path& run,
+                                                       const std::vector<Row>& rows);
 
 }  // namespace ink::harness

@@ -1,4 +1,7 @@
 #include "experiment/summary/cost_model.h"
+#include "harness/tables/csv.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
@@ -183,6 +186,33 @@ CostFit predict_costs(std::vector<harness::Row>& rows, std::vector<harness::Row>
         all.push_back(cell.sample);
     fit.ns_per_unit = fit_unit_costs(all);
     return fit;
+}
+
+const harness::TableInfo& cost_fit_table() {
+    static const harness::TableInfo table{
+        "cost_fit.csv",
+        "A line per kind of work: the price that the cost model found for one of it, the same for "
+        "all methods.",
+        {{"unit", "", "the kind of work"},
+         {"ns_per_unit", "ns", "what one costs, fitted to all timed cells", true},
+         {"doc", "", "what one of it is"},
+         {"cells", "", "timed cells that the prices were fitted to", true},
+         {"left_out", "", "scene or view: each prediction is from a fit without its own"}}};
+    return table;
+}
+
+std::string cost_fit_csv(const CostFit& fit) {
+    std::string text = harness::heading(cost_fit_table());
+    if (fit.cells == 0) return text;
+    for (std::size_t i = 0; i < kCostUnits; ++i) {
+        text += fmt::format("{},{},{},{},{}\n",
+                            cost_units()[i].name,
+                            fit.ns_per_unit[i],
+                            harness::csv_field(std::string(cost_units()[i].doc)),
+                            fit.cells,
+                            fit.left_out);
+    }
+    return text;
 }
 
 }  // namespace ink::experiment

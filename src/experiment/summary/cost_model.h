@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "harness/frame_counts.h"
 #include "harness/row.h"
+#include "harness/tables/table.h"
 
 namespace ink::experiment {
 
@@ -60,5 +62,9 @@ struct CostFit {
 /// The cells are the timed ones of `rows` and `sweep` together. `cells` is 0 if nothing was
 /// predicted.
 CostFit predict_costs(std::vector<harness::Row>& rows, std::vector<harness::Row>& sweep);
+
+/// cost_fit.csv: a line per kind of work with its price; the heading alone for a fit of no cells.
+[[nodiscard]] const harness::TableInfo& cost_fit_table();
+[[nodiscard]] std::string cost_fit_csv(const CostFit& fit);
 
 }  // namespace ink::experiment

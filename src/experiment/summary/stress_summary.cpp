@@ -10,6 +10,8 @@
 #include "experiment/summary/summary.h"
 #include "harness/tables/table_of.h"
 #include "statistics/bootstrap.h"
+#include "harness/tables/csv.h"
+#include "studies/stress/stress_axes.h"
 
 namespace ink::experiment {
 namespace {
@@ -280,6 +282,37 @@ std::string stress_table(const std::vector<StressPointSummary>& points) {
                          std::to_string(counts.differing)});
     }
     return core::aligned(cells);
+}
+
+const harness::TableInfo& stress_axes_table() {
+    static const harness::TableInfo table{
+        "stress_axes.csv",
+        "A line per axis of stress.csv: what it varies.",
+        {{"axis", "", "as in stress.csv"},
+         {"title", "", "what its values are"},
+         {"unit", "", "of its values; empty for a pure number"},
+         {"is_log", "", "true: values lie on a logarithmic scale"},
+         {"sentence", "", "what is varied, and what stays"},
+         {"value_names", "", "of named values 1, 2, 3 and so on, a;b;c; empty for numbers"}}};
+    return table;
+}
+
+std::string stress_axes_csv(const std::vector<studies::StressRow>& rows) {
+    std::string text = harness::heading(stress_axes_table());
+    for (const studies::StressAxis& axis : studies::stress_axes()) {
+        const bool is_there = std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+            return row.axis == axis.name;
+        });
+        if (!is_there) continue;
+        text += fmt::format("{},{},{},{},{},{}\n",
+                            axis.name,
+                            harness::csv_field(axis.title),
+                            harness::csv_field(axis.unit),
+                            axis.scale == studies::AxisScale::log,
+                            harness::csv_field(axis.sentence),
+                            harness::csv_field(fmt::format("{}", fmt::join(axis.value_names, ";"))));
+    }
+    return text;
 }
 
 }  // namespace ink::experiment

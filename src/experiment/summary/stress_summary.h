@@ -38,6 +38,10 @@ struct StressPointSummary {
 /// stress_summary.csv, heading and line breaks included.
 [[nodiscard]] std::string stress_summary_csv(const std::vector<StressPointSummary>& points);
 
+/// stress_axes.csv: what each axis of the rows varies, for who reads its values.
+[[nodiscard]] const harness::TableInfo& stress_axes_table();
+[[nodiscard]] std::string stress_axes_csv(const std::vector<studies::StressRow>& rows);
+
 /// The points of one method on one axis, by value.
 struct StressCurve {
     std::string method;

@@ -75,6 +75,9 @@ class State {
 
     writeAddress() {
         const parts = [];
+        // What a part of the page that was not drawn yet will ask for.
+        for (const [name, text] of this.fromAddress)
+            if (!(name in this.defaults)) parts.push(`${name}=${encodeURIComponent(text)}`);
         for (const [name, value] of Object.entries(this.values)) {
             if (this.isDefault(name)) continue;
             parts.push(`${name}=${encodeURIComponent(State.format(value)).replace(/%2C/g, ',')}`);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ink::report {
+
+/// `text` as a JSON string that may stand in a script element: "<" is written as an escape.
+[[nodiscard]] std::string json_text(std::string_view text);
+
+/// A column of a CSV table as JSON, as page/tables.js reads it: an array; {"constant": value} if
+/// all lines hold the same; {"words": [...], "at": [...]} for texts that repeat (at: index of the
+/// word, -1 for an empty field).
+///
+/// Numbers keep their digits; inf becomes a number that JavaScript reads as Infinity, nan and empty
+/// fields null. A column is of texts if one field is neither number nor flag, or is a whole number
+/// of more than 15 digits, which JavaScript would round.
+[[nodiscard]] std::string packed_column(const std::vector<std::string>& fields);
+
+/// A CSV table (RFC 4180, heading first) as JSON: {"lines": count, "columns": {name: packed}}.
+/// Throws core::Error (where = `where` and the line) for text that is no table.
+[[nodiscard]] std::string packed_table(std::string_view csv, const std::string& where);
+
+}  // namespace ink::report

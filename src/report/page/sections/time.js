@@ -1,0 +1,135 @@
+// Error against time, or against bytes: a point per method, its settings around it, and the front of
+// those that nothing beats in both.
+
+state.define('time.x', 'ms');
+state.define('time.xlog', true);
+state.define('time.ylog', true);
+state.define('time.y', 'error');
+state.define('time.settings', true);
+
+addSection({
+    id: 'time',
+    title: 'Error against time',
+    intro: 'Lower left is better. A method’s bars are the 95 % interval of its error and the quartiles of its time over ' +
+        'views. The grey stair is the lowest error to be had at each time. Point at a method to see its worst image; ' +
+        'a click keeps it and blinks the truth over it.',
+    isThere: view => view.contestants.some(s => s.ms !== null),
+    uses: ['time.*'],
+    draw(root, view) {
+        const sweep = settingsOf(view);
+        const isBytes = state.get('time.x') === 'bytes';
+        const isError = state.get('time.y') === 'error';
+        const measure = MEASURES[view.measure];
+        const lines = [...timeLines(view.contestants), ...(isBytes || !state.get('time.settings') ? [] : sweep)];
+        makeChart(root, {
+            id: 'error-time',
+            title: `${isError ? measure.error : measure.title} against ${isBytes ? 'bytes a pixel' : 'time of a frame'}`,
+            note: sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : null,
+            height: width => Math.max(380, Math.min(600, width * 0.52)),
+            controls: [
+                choiceButtons('Horizontal axis', [['ms', 'Time'], ['bytes', 'Bytes']], state.get('time.x'), x => state.set({'time.x': x})),
+                choiceButtons('Vertical axis', [['error', 'Error'], ['score', 'Score']], state.get('time.y'), y => state.set({'time.y': y})),
+                isBytes ? null : toggleButton('log x', state.get('time.xlog'), on => state.set({'time.xlog': on})),
+                isError ? toggleButton('log y', state.get('time.ylog'), on => state.set({'time.ylog': on})) : null,
+                sweep.length && !isBytes ? toggleButton('settings', state.get('time.settings'), on => state.set({'time.settings': on})) : null,
+            ].filter(Boolean),
+            draw: chart => drawTimeChart(chart, view, lines, {isBytes, isError}),
+            csv: () => [['method', 'setting', 'draw_ms', 'draw_ms_q25', 'draw_ms_q75', 'bytes_per_px', view.measure, 'low', 'high'],
+                ...lines.map(l => [l.method, l.setting, l.ms, l.msRange && l.msRange.low, l.msRange && l.msRange.high,
+                                   l.bytes, l.value, l.range && l.range.low, l.range && l.range.high])],
+        });
+    },
+});
+
+function timeLines(summaries) {
+    return summaries.map(s => ({...s, setting: '', isSetting: false}));
+}
+
+/// One line per setting that a sweep tried, its views pooled.
+function settingsOf(view) {
+    // Sweeps are scored within 2 px alone, all classes together.
+    if (!['f_2px', 'precision', 'recall'].includes(view.measure)) return [];
+    const lines = view.run.readSettings().filter(
+        line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
+    const own = new Set(['cell', 'setting', 'status']);
+    const swept = view.run.table('sweep.csv').names.filter(name => !own.has(name) && !(name in SWEEP_NUMBERS) &&
+        !columnDoc('sweep.csv', name));
+    return [...groupBy(lines, line => `${line.method}\n${swept.map(name => line[name]).join(';')}`).values()].map(rows => {
+        const info = view.run.methods.get(rows[0].method);
+        const made = summarise(info, rows, view.measure);
+        const changed = swept.filter(name => rows[0][name] !== null && String(rows[0][name]) !== String(info.params[name]));
+        return {...made, rows: [], range: null, msRange: null, isSetting: true,
+                setting: changed.map(name => `${name}=${rows[0][name]}`).join(', ')};
+    }).filter(line => line.value !== null && line.ms !== null);
+}
+
+/// Columns of sweep.csv that are results and no parameters, for tables without docs.
+const SWEEP_NUMBERS = {f_2px: 1, precision_2px: 1, recall_2px: 1, k_2px: 1, n_pred: 1, n_truth: 1};
+
+function columnDoc(table, name) {
+    const docs = window.columnDocs && window.columnDocs[table];
+    return docs && docs[name];
+}
+
+function drawTimeChart(chart, view, lines, {isBytes, isError}) {
+    const area = plotArea(chart, {left: 52, right: 24, top: 28, bottom: 46});
+    const {plot, width, height} = area;
+    const xOf = line => (isBytes ? line.bytes : line.ms);
+    const yOf = line => (isError ? 1 - line.value : line.value);
+    const shown = lines.filter(line => isNumber(xOf(line)) && isNumber(yOf(line)));
+    const isXLog = !isBytes && state.get('time.xlog');
+    const isYLog = isError && state.get('time.ylog');
+    const smallest = isYLog ? Math.max(1e-4, (d3.min(shown.filter(l => yOf(l) > 0), yOf) || 1e-3) / 1.5) : null;
+    const bars = shown.filter(line => line.range).flatMap(line => [line.range.low, line.range.high].map(v => (isError ? 1 - v : v)));
+    const times = isBytes ? [] : shown.filter(line => line.msRange).flatMap(line => [line.msRange.low, line.msRange.high]);
+    const x = makeScale([...shown.map(xOf), ...times], [0, width], {isLog: isXLog, includesZero: !isXLog});
+    const y = makeScale([...shown.map(yOf), ...bars], [height, 0], {isLog: isYLog, least: smallest});
+    const py = line => y(isYLog ? Math.max(yOf(line), smallest) : yOf(line));
+    const px = line => x(xOf(line));
+    drawAxis(plot, x, {side: 'bottom', title: isBytes ? 'bytes a pixel, all buffers' : 'time of a frame, ms', isLog: isXLog, length: width, across: height});
+    drawAxis(plot, y, {side: 'left', title: isError ? MEASURES[view.measure].error : MEASURES[view.measure].title, isLog: isYLog, length: height, across: width});
+    drawFront(plot, shown, {px, py, xOf, error: line => 1 - line.value, width, x});
+    const budget = state.get('budget');
+    if (budget && !isBytes) {
+        plot.append('line').attr('class', 'budget').attr('x1', x(budget)).attr('x2', x(budget)).attr('y1', 0).attr('y2', height);
+        plot.append('text').attr('class', 'tick').attr('x', x(budget) + 4).attr('y', 10).text(`budget ${formatMs(budget)} ms`);
+    }
+    for (const line of shown.filter(l => l.isSetting)) {
+        const point = plot.append('path').attr('d', markerOf(line.info)).attr('class', 'setting')
+            .attr('transform', `translate(${px(line)},${py(line)}) scale(.55)`).style('fill', colourOf(line.info));
+        point.append('title').text(`${line.method}: ${line.setting || 'its own setting'}\n${MEASURES[view.measure].title} ${formatShare(line.value)}, ${formatMs(line.ms)} ms`);
+    }
+    const methods = shown.filter(l => !l.isSetting);
+    for (const line of methods) drawBars(plot, line, {px, py, x, y, isBytes, isError, smallest, height});
+    for (const line of methods) {
+        const node = plot.append('g').attr('class', 'point').attr('data-method', line.method)
+            .attr('transform', `translate(${px(line)},${py(line)})`);
+        node.append('circle').attr('r', 11).attr('class', 'catch');
+        node.append('path').attr('d', markerOf(line.info)).call(markerStyle, line.info);
+        if (!view.isAffordable(line)) node.attr('opacity', 0.35);
+        answerPointer(node, line.rows, [
+            `${line.method}: ${MEASURES[view.measure].title} ${formatShare(line.value)}` +
+            (line.range ? ` (${formatRange(line.range)})` : '') +
+            (line.ms ? `, ${formatMs(line.ms)} ms` : '') + (line.bytes ? `, ${line.bytes} B/px` : '')]);
+    }
+    placeLabels(plot, methods.map(line => ({x: px(line), y: py(line), text: line.method, colour: colourOf(line.info)})), width, height);
+}
+
+function drawBars(plot, line, {px, py, x, y, isBytes, isError, smallest, height}) {
+    const bar = (x1, y1, x2, y2) => plot.append('line').attr('class', 'interval').style('stroke', colourOf(line.info))
+        .attr('x1', x1).attr('y1', y1).attr('x2', x2).attr('y2', y2);
+    if (line.range) {
+        const ends = [line.range.low, line.range.high].map(v => (isError ? 1 - v : v)).map(v => (smallest ? Math.max(v, smallest) : v));
+        bar(px(line), Math.min(height, y(ends[0])), px(line), Math.max(0, Math.min(height, y(ends[1]))));
+    }
+    if (line.msRange && !isBytes) bar(x(line.msRange.low), py(line), x(line.msRange.high), py(line));
+}
+
+/// The stair of what nothing beats in both, over methods and their settings.
+function drawFront(plot, shown, {px, py, xOf, error, width}) {
+    const front = paretoFront(shown, xOf, error);
+    if (front.length === 0) return;
+    let path = `M${px(front[0])},${py(front[0])}`;
+    for (let i = 1; i < front.length; ++i) path += `H${px(front[i])}V${py(front[i])}`;
+    plot.append('path').attr('class', 'front').attr('d', `${path}H${width}`);
+}

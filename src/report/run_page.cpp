@@ -1,0 +1,158 @@
+#include "report/run_page.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "core/escape.h"
+#include "core/provenance.h"
+#include "core/whole_file.h"
+#include "experiment/dictionary.h"
+#include "experiment/run_data.h"
+#include "report/packed_images.h"
+#include "report/packed_tables.h"
+#include "report/page_files.h"
+
+namespace ink::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The page stays under 20 MB; tables and scripts take the rest.
+constexpr std::size_t kImageBudget_bytes = 16'000'000;
+
+std::string json_texts(const std::vector<std::string>& texts) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : texts)
+        quoted.push_back(json_text(text));
+    return fmt::format("[{}]", fmt::join(quoted, ","));
+}
+
+std::string record_json(const experiment::RunRecord& record) {
+    return fmt::format(
+        R"({{"name":{},"kind":{},"command":{},"identity":{},"build":{},"asked":{},"times":{},)"
+        R"("state":{},"blocks":{},"blocks_done":{},"cells":{},"work_s":{},"missing_blocks":{},)"
+        R"("faults":{}}})",
+        json_text(record.name),
+        json_text(record.kind),
+        json_text(record.command),
+        json_text(record.identity),
+        json_text(record.build),
+        json_text(record.asked),
+        record.times,
+        json_text(experiment::name(record.state)),
+        record.blocks,
+        record.blocks_done,
+        record.cells,
+        record.work_s,
+        json_texts(record.missing_blocks),
+        json_texts(record.faults));
+}
+
+std::string run_json(const experiment::RunData& run, const std::string& label) {
+    std::vector<std::string> tables;
+    for (const auto& [name, text] : run.texts)
+        tables.push_back(json_text(name) + ":" +
+                         packed_table(text, (run.folder / name).string()));
+    return fmt::format(R"({{"label":{},"record":{},"tables":{{{}}}}})",
+                       json_text(label),
+                       record_json(run.record),
+                       fmt::join(tables, ","));
+}
+
+/// Unit and meaning of every column of the tables that the runs have.
+std::string column_docs(const std::vector<experiment::RunData>& runs) {
+    std::set<std::string> files;
+    for (const experiment::RunData& run : runs)
+        for (const auto& [name, text] : run.texts)
+            files.insert(name);
+    std::vector<std::string> tables;
+    for (const harness::TableInfo& table : experiment::dictionary()) {
+        if (!files.contains(table.file)) continue;
+        std::vector<std::string> columns;
+        for (const harness::Column& column : table.columns)
+            columns.push_back(fmt::format(R"({}:{{"unit":{},"doc":{}}})",
+                                          json_text(column.name),
+                                          json_text(column.unit),
+                                          json_text(column.doc)));
+        tables.push_back(
+            fmt::format("{}:{{{}}}", json_text(table.file), fmt::join(columns, ",")));
+    }
+    return fmt::format("{{{}}}", fmt::join(tables, ","));
+}
+
+/// What each run is called: the end of its folder's path that tells it from the others.
+std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
+    std::vector<fs::path> whole;
+    for (const fs::path& folder : folders) {
+        const fs::path path = fs::absolute(folder).lexically_normal();
+        whole.push_back(path.has_filename() ? path : path.parent_path());
+    }
+    std::vector<std::string> labels;
+    for (const fs::path& path : whole) {
+        fs::path label = path.filename();
+        fs::path above = path.parent_path();
+        const auto is_shared = [&] {
+            int count = 0;
+            for (const fs::path& other : whole) {
+                const std::string end = "/" + label.string();
+                count += other.string().ends_with(end) ? 1 : 0;
+            }
+            return count > 1;
+        };
+        while (is_shared() && above.has_filename()) {
+            label = above.filename() / label;
+            above = above.parent_path();
+        }
+        labels.push_back(label.string());
+    }
+    return labels;
+}
+
+std::string title_of(const std::vector<std::string>& labels) {
+    return fmt::format("Inkbench: {}", fmt::join(labels, ", "));
+}
+
+/// The template with each {{name}} replaced; one pass, so that no value is looked into.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& values) {
+    std::string text;
+    while (true) {
+        const std::size_t open = page.find("{{");
+        const std::size_t close = page.find("}}", open);
+        text += page.substr(0, open);
+        if (open == std::string_view::npos || close == std::string_view::npos) return text;
+        text += values.at(std::string(page.substr(open + 2, close - open - 2)));
+        page.remove_prefix(close + 2);
+    }
+}
+
+}  // namespace
+
+std::string run_page(const std::vector<fs::path>& folders) {
+    std::vector<experiment::RunData> runs;
+    for (const fs::path& folder : folders)
+        runs.push_back(experiment::read_run(folder));
+    const std::vector<std::string> labels = labels_of(folders);
+    std::vector<std::string> packed;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        packed.push_back(run_json(runs[i], labels[i]));
+    return filled(
+        page_files().index,
+        {{"title", core::escape(title_of(labels))},
+         {"style", std::string(page_files().style)},
+         {"d3", std::string(page_files().d3)},
+         {"scripts", std::string(page_files().scripts)},
+         {"data",
+          fmt::format(R"({{"version":{},"columns":{},"runs":[{}]}})",
+                      json_text(core::provenance().version),
+                      column_docs(runs),
+                      fmt::join(packed, ","))},
+         {"images", packed_images(runs, kImageBudget_bytes)}});
+}
+
+void write_run_page(const std::vector<fs::path>& folders, const fs::path& file) {
+    core::write_whole_file(file, run_page(folders));
+}
+
+}  // namespace ink::report

@@ -1,0 +1,228 @@
+#include "report/text/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+#include "draw/crosscheck_report.h"
+#include "experiment/summary/paired_differences.h"
+#include "report/text/verdict_terms.h"
+#include "report/text/text_table.h"
+#include "truth/line_class.h"
+
+namespace ink::report {
+namespace {
+
+/// "36", or "35/36" where a cell failed.
+std::string views_of(const experiment::MethodSummary& s) {
+    const std::string views = fmt::format("{}", s.views);
+    return s.failed == 0 ? views : fmt::format("{}/{}", views, s.views + s.failed);
+}
+
+std::vector<TextColumn> main_columns() {
+    return {
+        name_column(),
+        share_column("F 2px", &experiment::MethodSummary::f_2px),
+        {"95 %", [](const experiment::MethodSummary& s) { return format_range(s.f_2px_range); }},
+        share_column("train", &experiment::MethodSummary::f_train),
+        share_column("held-out", &experiment::MethodSummary::f_heldout),
+        share_column("macro", &experiment::MethodSummary::f_macro),
+        share_column("F 1px", &experiment::MethodSummary::f_1px),
+        share_column("prec.", &experiment::MethodSummary::precision),
+        share_column("recall", &experiment::MethodSummary::recall),
+        {"width",
+         [](const experiment::MethodSummary& s) {
+             return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
+         }},
+        {"draw ms", [](const experiment::MethodSummary& s) { return format_ms(s.draw_ms); }},
+        {"B/px",
+         [](const experiment::MethodSummary& s) {
+             return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
+         }},
+        {"views", views_of},
+    };
+}
+
+/// One column per class that some view has.
+std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummary>& summaries) {
+    std::vector<TextColumn> columns;
+    for (const truth::LineClass c : truth::kLineClasses) {
+        const std::string name(truth::name(c));
+        const bool is_there = std::any_of(
+            summaries.begin(), summaries.end(), [&](const experiment::MethodSummary& s) {
+                return s.recall_by_class.count(name) != 0;
+            });
+        if (!is_there) continue;
+        columns.push_back({name, [name](const experiment::MethodSummary& s) {
+                               const auto found = s.recall_by_class.find(name);
+                               return found == s.recall_by_class.end()
+                                          ? "-"
+                                          : core::format_share(found->second);
+                           }});
+    }
+    return columns;
+}
+
+constexpr const char* kBaselineNote =
+    "* baselines, not methods: `none` draws nothing, `sampled` sees the exact lines once per pixel "
+    "centre,\n  `oracle` is the truth itself.";
+
+/// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
+std::string cost_of(const experiment::Verdict& verdict) {
+    const experiment::MethodSummary& best = *verdict.best;
+    const experiment::MethodSummary* cheapest = verdict.cheapest;
+    if (!best.draw_ms) return "; no time was taken.";
+    const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
+    if (verdict.runner_up == nullptr) return cost + ".";
+    if (cheapest == &best) return cost + ", which is also the cheapest.";
+    return fmt::format("{}, {:.1f} times as long as the cheapest, {} ({} ms, F {}).",
+                       cost,
+                       *best.draw_ms / *cheapest->draw_ms,
+                       cheapest->method,
+                       format_ms(cheapest->draw_ms),
+                       core::format_share(cheapest->f_2px));
+}
+
+/// Whether the paired difference of the winner is significant; nothing where scenes are too few to
+/// tell.
+std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdict& verdict) {
+    if (verdict.runner_up == nullptr) return "";
+    const auto paired =
+        experiment::paired_difference_of(rows, verdict.best->method, verdict.runner_up->method);
+    if (!paired || !paired->range) return "";
+    const std::string other = fmt::format(
+        "{} (F {})", verdict.runner_up->method, core::format_share(verdict.runner_up->f_2px));
+    if (paired->is_significant()) {
+        return fmt::format(" Its paired difference to {} is {}: significant.",
+                           other,
+                           experiment::format_paired_difference(*paired));
+    }
+    return fmt::format(
+        " These scenes cannot tell it from {}: the paired difference is {}, and the 95 % interval "
+        "holds 0.",
+        other,
+        experiment::format_paired_difference(*paired));
+}
+
+std::string failures(const std::vector<experiment::MethodSummary>& summaries) {
+    int failed = 0;
+    for (const experiment::MethodSummary& s : summaries)
+        failed += s.failed;
+    if (failed == 0) return "";
+    return fmt::format(" {} cell{} failed and enter{} no number here.",
+                       failed,
+                       failed == 1 ? "" : "s",
+                       failed == 1 ? "s" : "");
+}
+
+/// As a Markdown list below a line of its own.
+std::string threshold_list(const std::vector<harness::Row>& rows,
+                           const std::vector<statistics::CellCurve>& curves) {
+    std::string text;
+    std::istringstream lines(threshold_lines(rows, curves));
+    for (std::string line; std::getline(lines, line);)
+        text += fmt::format("{}- {}\n", text.empty() ? "\n" : "", line);
+    return text;
+}
+
+}  // namespace
+
+std::string format_range(const std::optional<statistics::Interval>& range) {
+    return range ? core::format_share(range->low) + "-" + core::format_share(range->high) : "-";
+}
+
+std::string format_ms(const std::optional<double>& ms) {
+    if (!ms) return "-";
+    // What rounds to 10 or 100 is shown as such: 9.996 is "10.0", not "10.00".
+    const int decimals = *ms < 0.0995 ? 3 : *ms < 9.995 ? 2 : *ms < 99.95 ? 1 : 0;
+    return fmt::format("{:.{}f}", *ms, decimals);
+}
+
+std::string verdict_details(const std::vector<harness::Row>& rows,
+                            const std::vector<experiment::MethodSummary>& summaries) {
+    const experiment::Verdict verdict = experiment::find_verdict(summaries);
+    if (verdict.best == nullptr) {
+        return "No method was scored on any view, so there is no verdict." + failures(summaries);
+    }
+    const experiment::MethodSummary& best = *verdict.best;
+    return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}",
+                       core::format_share(best.f_2px),
+                       best.views,
+                       best.views == 1 ? "" : "s",
+                       cost_of(verdict),
+                       doubt(rows, verdict),
+                       failures(summaries));
+}
+
+std::string verdict_headline(const experiment::Verdict& verdict) {
+    if (verdict.best == nullptr) return "No verdict: no method was scored";
+    const bool is_alone = verdict.runner_up == nullptr;
+    return verdict.best->method +
+           (is_alone ? " is the only method scored" : " makes the fewest errors");
+}
+
+std::string verdict_sentence(const std::vector<harness::Row>& rows,
+                             const std::vector<experiment::MethodSummary>& summaries) {
+    const experiment::Verdict verdict = experiment::find_verdict(summaries);
+    const std::string details = verdict_details(rows, summaries);
+    if (verdict.best == nullptr) return details;
+    return fmt::format("{}: {}", verdict_headline(verdict), details);
+}
+
+std::string verdict_table(const std::vector<harness::Row>& rows,
+                          const std::vector<statistics::CellCurve>& curves) {
+    std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    experiment::add_curves(curves, summaries);
+    const std::string sentence = verdict_sentence(rows, summaries);
+    if (summaries.empty()) return sentence;
+    std::string text = core::aligned(cells_of(main_columns(), summaries));
+    const auto add = [&](std::string_view title, std::vector<TextColumn> columns) {
+        if (columns.empty()) return;
+        columns.insert(columns.begin(), name_column());
+        text += fmt::format("\n{}\n{}", title, core::aligned(cells_of(columns, summaries)));
+    };
+    add("recall of", class_columns(summaries));
+    add("F at other thresholds and tolerances", statistics_columns(summaries));
+    text += fmt::format("\n{}\n\n", kBaselineNote);
+    for (const auto& [term, meaning] : definitions())
+        text += fmt::format("{:<14}{}\n", term, meaning);
+    const std::string crosscheck = draw::crosscheck_sentence(rows);
+    return fmt::format("{}\n{}{}{}", text, sentence, crosscheck.empty() ? "" : "\n", crosscheck);
+}
+
+std::string verdict_markdown(const std::vector<harness::Row>& rows,
+                             const std::vector<statistics::CellCurve>& curves) {
+    std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    experiment::add_curves(curves, summaries);
+    const std::string sentence = verdict_sentence(rows, summaries);
+    if (summaries.empty()) return sentence + "\n";
+    std::vector<TextColumn> columns = main_columns();
+    for (TextColumn& column : class_columns(summaries)) {
+        columns.push_back({"recall " + column.heading, column.text});
+    }
+    std::string text = core::markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
+    const std::string crosscheck = draw::crosscheck_sentence(rows);
+    if (!crosscheck.empty()) text += "\n" + crosscheck + "\n";
+    std::vector<TextColumn> statistics = statistics_columns(summaries);
+    if (!statistics.empty()) {
+        statistics.insert(statistics.begin(), name_column());
+        text += "\nAt other thresholds and tolerances:\n\n" +
+                core::markdown(cells_of(statistics, summaries));
+    }
+    const core::Cells differences =
+        paired_difference_cells(experiment::all_paired_differences(rows));
+    if (!differences.empty()) {
+        text +=
+            "\nBy how much F of a line's method exceeds that of a column's, with 95 % intervals "
+            "(scenes resampled, both methods on the same ones):\n\n" +
+            core::markdown(differences);
+    }
+    text += '\n';
+    for (const auto& [term, meaning] : definitions())
+        text += fmt::format("- {}: {}.\n", term, meaning);
+    return text + threshold_list(rows, curves);
+}
+
+}  // namespace ink::report

@@ -1,0 +1,328 @@
+"""The page in a browser: a headless Chromium opens what the program wrote and uses it.
+
+Run by ctest with INKBENCH (the program) in the environment. Without Chromium, its driver or
+Selenium the tests skip: the exit code is 77, and the last line says what is missing.
+"""
+
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SKIPPED = 77
+PROGRAM = os.environ.get("INKBENCH", "build/release/inkbench")
+
+
+def skip(what):
+    print(f"Skipped: {what} (./bootstrap install browser installs it).")
+    sys.exit(SKIPPED)
+
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import Select, WebDriverWait
+except ImportError:
+    skip("python3-selenium is not installed")
+
+CHROMIUM = shutil.which("chromium")
+DRIVER = shutil.which("chromedriver")
+if not CHROMIUM or not DRIVER:
+    skip("chromium or chromium-driver is not installed")
+
+
+def inkbench(*words, codes=(0,)):
+    """Runs the program; fails with what it printed."""
+    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+    if done.returncode not in codes:
+        raise AssertionError(f"inkbench {' '.join(map(str, words))}: exit {done.returncode}\n"
+                             f"{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def open_browser(folder):
+    options = Options()
+    options.binary_location = CHROMIUM
+    for switch in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                   "--no-first-run", "--disable-background-networking", "--disable-sync",
+                   "--window-size=1280,900", f"--user-data-dir={folder}/profile"):
+        options.add_argument(switch)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="inkbench-page-"))
+        usual = ["--scenes", "cube,torus,tiles", "--methods", "mote4,ids,edge_hash", "--size",
+                 "160x90", "--repetitions", "1", "--no-crosscheck"]
+        inkbench("compare", *usual, "--out", cls.folder / "before")
+        inkbench("compare", *usual, "--set", "mote4.threshold=40", "--out", cls.folder / "after")
+        cls.page = cls.folder / "two.html"
+        inkbench("report", cls.folder / "before", cls.folder / "after", "-o", cls.page)
+        cls.browser = open_browser(cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        shutil.rmtree(cls.folder, ignore_errors=True)
+
+    def open(self, file=None, address=""):
+        self.browser.get("about:blank")
+        self.browser.get_log("browser")
+        self.browser.get((file or self.folder / "before" / "report.html").as_uri() + address)
+        self.wait(lambda: self.script("return document.documentElement.dataset.ready === '1'"))
+
+    def tearDown(self):
+        said = [entry["message"] for entry in self.browser.get_log("browser")
+                if entry["level"] in ("SEVERE", "WARNING")]
+        self.assertEqual(said, [], "the console is not silent")
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def wait(self, condition):
+        return WebDriverWait(self.browser, 20).until(lambda _: condition())
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def find_all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def show(self, section):
+        """Scrolls to a part, waits until it is drawn, and gives it."""
+        self.script("document.getElementById(arguments[0]).scrollIntoView()", section)
+        self.wait(lambda: self.script(
+            "return document.querySelector('#' + arguments[0] + ' .section-body').childElementCount > 0", section))
+        return self.find(f"#{section}")
+
+    def address(self):
+        return self.script("return location.hash")
+
+    def column(self, section, index):
+        return self.script(
+            "return [...document.querySelectorAll(`#${arguments[0]} tbody tr`)].map("
+            "row => row.children[arguments[1]].textContent.trim())", section, index)
+
+    # ---- What is shown -------------------------------------------------------------------
+
+    def test_every_part_draws(self):
+        self.open()
+        self.script("for (const section of sections) if (!section.node.hidden) drawSection(section)")
+        empty = self.script(
+            "return sections.filter(s => !s.node.hidden && !s.body.textContent.trim()).map(s => s.id)")
+        self.assertEqual(empty, [])
+        self.assertGreater(len(self.script("return sections.filter(s => !s.node.hidden)")), 8)
+
+    def test_numbers_are_those_of_summary_csv(self):
+        self.open()
+        shown = self.script(
+            "return currentView().summaries.map(s => [s.method, s.value, s.f_1px, s.precision,"
+            " s.recall, s.macro, s.train, s.heldout, s.ms, s.range && s.range.low, s.range && s.range.high])")
+        with open(self.folder / "before" / "summary.csv", newline="") as file:
+            lines = {line["method"]: line for line in csv.DictReader(file)}
+        self.assertEqual({line[0] for line in shown}, set(lines))
+        keys = ["f_2px", "f_1px", "precision", "recall", "f_macro", "f_train", "f_heldout", "draw_ms"]
+        for method, *values in shown:
+            for key, value in zip(keys, values):
+                kept = lines[method][key]
+                with self.subTest(method=method, key=key):
+                    if kept == "":
+                        self.assertIsNone(value)
+                    else:
+                        self.assertAlmostEqual(value, float(kept), places=9)
+            for key, value in zip(["f_lo", "f_hi"], values[8:]):
+                with self.subTest(method=method, key=key):
+                    # Resampled by other random numbers: the ends agree as far as these allow.
+                    self.assertAlmostEqual(value, float(lines[method][key]), delta=0.02)
+
+    def test_page_needs_no_network(self):
+        text = (self.folder / "before" / "report.html").read_text()
+        self.open()
+        loaded = self.script("return performance.getEntriesByType('resource').map(e => e.name)"
+                             ".filter(name => !name.startsWith('data:'))")
+        self.assertEqual(loaded, [])
+        self.assertNotIn("src=\"http", text)
+
+    # ---- Filters and state ----------------------------------------------------------------
+
+    def test_filter_leaves_out_a_method_and_stands_in_the_address(self):
+        self.open()
+        self.show("verdict")
+        self.assertIn("edge_hash", self.column("verdict", 0))
+        self.assertEqual(self.address(), "")
+        self.find('details.picker[data-name="methods"] summary').click()
+        self.find('.picker-list input[value="edge_hash"]').click()
+        self.show("verdict")
+        self.wait(lambda: "edge_hash" not in self.column("verdict", 0))
+        self.assertEqual(self.address(), "#methods=mote4,ids")
+        self.open(address="#methods=mote4,ids")
+        self.show("verdict")
+        self.assertNotIn("edge_hash", self.column("verdict", 0))
+        self.find("#reset").click()
+        self.wait(lambda: self.address() == "")
+
+    def test_measure_and_scene_change_the_numbers(self):
+        self.open(address="#scenes=cube&measure=crease")
+        self.show("verdict")
+        expected = self.script(
+            "const rows = runs[0].rows.filter(r => r.method === 'mote4' && r.scene === 'cube');"
+            "return d3.sum(rows, r => r.k_crease) / d3.sum(rows, r => r.truth_px_crease)")
+        line = self.column("verdict", 0).index("mote4")
+        self.assertEqual(self.column("verdict", 1)[line], f"{expected:.3f}")
+
+    def test_budget_names_the_best_that_fits(self):
+        self.open()
+        fastest = self.script(
+            "return currentView().contestants.reduce((a, b) => a.ms < b.ms ? a : b)")
+        self.script("state.set({budget: arguments[0]})", fastest["ms"] * 1.0001)
+        self.wait(lambda: "Within" in self.find("h1").text)
+        self.assertIn(fastest["method"], self.find("h1").text)
+
+    def test_table_sorts_both_ways_and_keeps_it_in_the_address(self):
+        self.open()
+        self.show("verdict")
+        head = "#verdict thead tr:last-child th:nth-child(2) button"
+        numbers = lambda: [float(v) for v in self.column("verdict", 1)]
+        self.assertEqual(numbers(), sorted(numbers(), reverse=True))
+        self.find(head).click()
+        self.wait(lambda: numbers() == sorted(numbers()))
+        self.assertIn("sort.verdict=value.up", self.address())
+
+    # ---- Pointer, viewer, charts -----------------------------------------------------------
+
+    def hover(self, element):
+        self.script("arguments[0].scrollIntoView({block: 'center'})", element)
+        webdriver.ActionChains(self.browser).move_to_element(element).perform()
+
+    def test_pointer_on_a_point_shows_its_image_and_a_click_blinks_the_truth(self):
+        self.open()
+        self.show("time")
+        point = self.find('#time .point[data-method="ids"]')
+        self.hover(point)
+        self.wait(lambda: self.script("return card.node && !card.node.hidden"))
+        self.assertIn("ids", self.find(".card-head").text)
+        self.wait(lambda: self.script("return !card.canvas.hidden && card.canvas.width > 10"))
+        point.click()
+        self.wait(lambda: self.find(".card.pinned").is_displayed())
+        seen = set()
+        self.wait(lambda: seen.add(self.find(".card .note").text) or len(seen - {""}) == 2)
+        self.assertIn("the truth", seen)
+        self.find(".card button.main").click()
+        self.wait(lambda: "right=ids" in self.address())
+
+    def test_pointer_on_a_cell_shows_its_image(self):
+        self.open()
+        self.show("scenes")
+        self.hover(self.find("#scenes tbody td.answers:last-child"))
+        self.wait(lambda: self.script("return card.node && !card.node.hidden"))
+
+    def test_slider_moves_the_divider(self):
+        self.open()
+        self.show("pictures")
+        self.wait(lambda: self.find("canvas.stage").get_attribute("data-drawn"))
+        self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.500")
+        slider = self.find("#divider")
+        for _ in range(10):
+            slider.send_keys(Keys.ARROW_LEFT)
+        self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.490")
+
+    def test_viewer_shows_errors_in_colour(self):
+        self.open(address="#right=mote4&scene=cube")
+        self.show("pictures")
+        self.wait(lambda: "mote4" in (self.find("canvas.stage").get_attribute("data-drawn") or ""))
+        wrong = self.script(
+            "const row = runs[0].rows.find(r => r.method === 'mote4' && r.scene === 'cube');"
+            "return row.false_negatives + row.false_positives")
+        done = self.browser.execute_async_script(
+            "const done = arguments[0]; const row = runs[0].rows.find(r => r.method === 'mote4' && r.scene === 'cube');"
+            "viewImages.codes(runs[0], row.scene, row.view, 'mote4').then(image =>"
+            " done([image.width, image.height, image.codes.filter(code => code >= FIRST_WRONG).length,"
+            " image.codes.filter(code => code === 2).length]))")
+        self.assertEqual(done[:2], [160, 90])
+        self.assertGreater(done[3], 50)
+        if wrong:
+            self.assertGreater(done[2], 0)
+
+    def test_chart_toggles_its_axis(self):
+        self.open()
+        self.show("time")
+        ticks = lambda: self.script(
+            "return [...document.querySelectorAll('#chart-error-time .axis:first-of-type .tick')].map(t => t.textContent)")
+        before = ticks()
+        button = [b for b in self.find_all("#time .toggle") if b.text == "log x"][0]
+        self.assertEqual(button.get_attribute("aria-pressed"), "true")
+        button.click()
+        self.wait(lambda: ticks() and ticks() != before)
+        self.assertEqual(self.address(), "#time.xlog=0")
+
+    def test_chart_leaves_as_svg_and_csv(self):
+        self.open()
+        self.show("time")
+        self.script("window.saved = []; saveFile = (name, type, text) => window.saved.push([name, type, text])")
+        for button in self.find_all("#chart-error-time .chart-head button.quiet"):
+            button.click()
+        saved = self.script("return window.saved")
+        self.assertEqual([file[0] for file in saved], ["error-time.svg", "error-time.csv"])
+        self.assertIn("<svg", saved[0][2])
+        self.assertNotIn("var(--", saved[0][2])
+        lines = list(csv.reader(saved[1][2].splitlines()))
+        self.assertEqual(lines[0][0], "method")
+        self.assertIn("mote4", [line[0] for line in lines])
+
+    # ---- Two runs --------------------------------------------------------------------------
+
+    def test_two_runs_show_the_changed_threshold(self):
+        self.open(self.page)
+        section = self.show("runs")
+        self.assertIn("mote4.threshold", section.text)
+        self.assertIn("40", section.text)
+        first = self.column("runs", 0)
+        self.assertIn("mote4.threshold", first)
+        self.assertIn("Images changed for mote4;", section.text)
+        same = self.script("return runLines(viewOf(runs[0]), viewOf(runs[1]), 'f_2px')"
+                           ".map(line => [line.method, line.isSame])")
+        self.assertEqual(dict(same), {"mote4": False, "ids": True, "edge_hash": True})
+
+    def test_second_run_can_be_shown(self):
+        self.open(self.page, "#run=1")
+        Select(self.find("#filters select")).select_by_visible_text("before")
+        self.wait(lambda: self.address() == "")
+
+    # ---- Warnings ---------------------------------------------------------------------------
+
+    def test_a_failed_view_is_seen_without_scrolling(self):
+        # A sheet seen edge-on from its own plane: a view of no line has no score.
+        cut = self.folder / "cut"
+        shutil.copytree(self.folder / "before", cut)
+        with open(cut / "unscored.csv", "a") as file:
+            file.write("cube,front,,the two references differ,try --crease 60\n")
+        inkbench("report", cut, "-o", self.folder / "cut.html")
+        self.open(self.folder / "cut.html")
+        warning = self.find(".warning")
+        self.assertIn("the two references differ", warning.text)
+        self.assertLess(warning.location["y"], 500)
+
+    def test_phone_width_has_no_sideways_scroll(self):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True})
+        try:
+            self.open()
+            self.script("for (const section of sections) if (!section.node.hidden) drawSection(section)")
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + ["-v"] + sys.argv[1:])
