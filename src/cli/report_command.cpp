@@ -28,9 +28,8 @@ fs::path page_path(const ReportArgs& args) {
         return args.file;
     }
     if (args.folders.size() == 1) return fs::path(args.folders.front()) / "report.html";
-    throw core::Error("inkbench report",
-                      "several runs have no folder in common for their page",
-                      "-o FILE.html");
+    throw core::Error(
+        "inkbench report", "several runs have no folder in common for their page", "-o FILE.html");
 }
 
 }  // namespace

@@ -174,8 +174,7 @@ std::optional<ShownView> read_shown_view(const fs::path& run, const std::vector<
     if (rows.empty()) return std::nullopt;
     const fs::path folder = run / image_folder(rows.front().scene, rows.front().view);
     if (!fs::exists(folder / kTruth)) return std::nullopt;
-    ShownView view{
-        rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}};
+    ShownView view{rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}};
     std::set<std::string> methods_there;
     for (const Row& row : rows) {
         const fs::path file = folder / (file_name(row.method) + ".png");

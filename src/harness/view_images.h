@@ -31,10 +31,10 @@ namespace ink::harness {
 /// name become '_'.
 [[nodiscard]] std::filesystem::path image_folder(const std::string& scene, const std::string& view);
 
-/// The images that the run folder `run` holds of one view, by `rows` of that view, which say methods
-/// and thresholds; nothing if it holds none. Rows of another size than the images are left out.
-/// Throws core::Error (where = the file) for an image that cannot be read or has not the size of
-/// its truth.
+/// The images that the run folder `run` holds of one view, by `rows` of that view, which say
+/// methods and thresholds; nothing if it holds none. Rows of another size than the images are left
+/// out. Throws core::Error (where = the file) for an image that cannot be read or has not the size
+/// of its truth.
 [[nodiscard]] std::optional<ShownView> read_shown_view(const std::filesystem::path& run,
                                                        const std::vector<Row>& rows);
 

@@ -59,15 +59,13 @@ std::string method_png(const harness::ShownView& view,
 std::string packed_view(const harness::ShownView& view, int factor) {
     std::vector<std::string> pngs(view.images.size() + 1);
     core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
-        pngs[i] = i == 0 ? truth_png(view.labels, factor)
-                         : method_png(view, view.images[i - 1], factor);
+        pngs[i] =
+            i == 0 ? truth_png(view.labels, factor) : method_png(view, view.images[i - 1], factor);
     });
     std::string methods;
     for (std::size_t i = 1; i < pngs.size(); ++i) {
-        methods += fmt::format("{}{}:\"{}\"",
-                               i == 1 ? "" : ",",
-                               json_text(view.images[i - 1].method),
-                               pngs[i]);
+        methods += fmt::format(
+            "{}{}:\"{}\"", i == 1 ? "" : ",", json_text(view.images[i - 1].method), pngs[i]);
     }
     return fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
                        json_text(view.scene + "\n" + view.view),

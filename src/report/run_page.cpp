@@ -53,8 +53,7 @@ std::string record_json(const experiment::RunRecord& record) {
 std::string run_json(const experiment::RunData& run, const std::string& label) {
     std::vector<std::string> tables;
     for (const auto& [name, text] : run.texts)
-        tables.push_back(json_text(name) + ":" +
-                         packed_table(text, (run.folder / name).string()));
+        tables.push_back(json_text(name) + ":" + packed_table(text, (run.folder / name).string()));
     return fmt::format(R"({{"label":{},"record":{},"tables":{{{}}}}})",
                        json_text(label),
                        record_json(run.record),
@@ -76,8 +75,7 @@ std::string column_docs(const std::vector<experiment::RunData>& runs) {
                                           json_text(column.name),
                                           json_text(column.unit),
                                           json_text(column.doc)));
-        tables.push_back(
-            fmt::format("{}:{{{}}}", json_text(table.file), fmt::join(columns, ",")));
+        tables.push_back(fmt::format("{}:{{{}}}", json_text(table.file), fmt::join(columns, ",")));
     }
     return fmt::format("{{{}}}", fmt::join(tables, ","));
 }
@@ -137,18 +135,17 @@ std::string run_page(const std::vector<fs::path>& folders) {
     std::vector<std::string> packed;
     for (std::size_t i = 0; i < runs.size(); ++i)
         packed.push_back(run_json(runs[i], labels[i]));
-    return filled(
-        page_files().index,
-        {{"title", core::escape(title_of(labels))},
-         {"style", std::string(page_files().style)},
-         {"d3", std::string(page_files().d3)},
-         {"scripts", std::string(page_files().scripts)},
-         {"data",
-          fmt::format(R"({{"version":{},"columns":{},"runs":[{}]}})",
-                      json_text(core::provenance().version),
-                      column_docs(runs),
-                      fmt::join(packed, ","))},
-         {"images", packed_images(runs, kImageBudget_bytes)}});
+    return filled(page_files().index,
+                  {{"title", core::escape(title_of(labels))},
+                   {"style", std::string(page_files().style)},
+                   {"d3", std::string(page_files().d3)},
+                   {"scripts", std::string(page_files().scripts)},
+                   {"data",
+                    fmt::format(R"({{"version":{},"columns":{},"runs":[{}]}})",
+                                json_text(core::provenance().version),
+                                column_docs(runs),
+                                fmt::join(packed, ","))},
+                   {"images", packed_images(runs, kImageBudget_bytes)}});
 }
 
 void write_run_page(const std::vector<fs::path>& folders, const fs::path& file) {

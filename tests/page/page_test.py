@@ -289,7 +289,7 @@ class PageTest(unittest.TestCase):
         self.assertIn("40", section.text)
         first = self.column("runs", 0)
         self.assertIn("mote4.threshold", first)
-        self.assertIn("Images changed for mote4;", section.text)
+        self.assertIn("Results changed for mote4;", section.text)
         same = self.script("return runLines(viewOf(runs[0]), viewOf(runs[1]), 'f_2px')"
                            ".map(line => [line.method, line.isSame])")
         self.assertEqual(dict(same), {"mote4": False, "ids": True, "edge_hash": True})

@@ -8,9 +8,9 @@
 
 #include "core/text_table.h"
 #include "experiment/summary/summary.h"
+#include "harness/tables/csv.h"
 #include "harness/tables/table_of.h"
 #include "statistics/bootstrap.h"
-#include "harness/tables/csv.h"
 #include "studies/stress/stress_axes.h"
 
 namespace ink::experiment {
@@ -300,17 +300,17 @@ const harness::TableInfo& stress_axes_table() {
 std::string stress_axes_csv(const std::vector<studies::StressRow>& rows) {
     std::string text = harness::heading(stress_axes_table());
     for (const studies::StressAxis& axis : studies::stress_axes()) {
-        const bool is_there = std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
-            return row.axis == axis.name;
-        });
+        const bool is_there = std::any_of(
+            rows.begin(), rows.end(), [&](const auto& row) { return row.axis == axis.name; });
         if (!is_there) continue;
-        text += fmt::format("{},{},{},{},{},{}\n",
-                            axis.name,
-                            harness::csv_field(axis.title),
-                            harness::csv_field(axis.unit),
-                            axis.scale == studies::AxisScale::log,
-                            harness::csv_field(axis.sentence),
-                            harness::csv_field(fmt::format("{}", fmt::join(axis.value_names, ";"))));
+        text +=
+            fmt::format("{},{},{},{},{},{}\n",
+                        axis.name,
+                        harness::csv_field(axis.title),
+                        harness::csv_field(axis.unit),
+                        axis.scale == studies::AxisScale::log,
+                        harness::csv_field(axis.sentence),
+                        harness::csv_field(fmt::format("{}", fmt::join(axis.value_names, ";"))));
     }
     return text;
 }

@@ -68,7 +68,7 @@ const CAUSES = [
      text: 'missing: drawn, but thinning moved it out of reach'},
     {name: 'unexplained', kind: 'false_negatives', rgb: [138, 21, 96],
      text: 'missing: the code should have shown it'},
-    {name: 'undeclared', kind: 'false_negatives', rgb: [205, 100, 40],
+    {name: 'undeclared', kind: 'false_negatives', rgb: [150, 108, 84],
      text: 'missing, cause unknown: only packed codes can be analysed'},
 ];
 
@@ -115,8 +115,8 @@ function formatSignedRange(range, digits = 3) {
 /// Three digits that count.
 function formatNumber(value) {
     if (!isNumber(value)) return NOTHING;
-    if (value === 0) return '0';
     const size = Math.abs(value);
+    if (Number.isInteger(value) && size < 100000) return String(value);
     if (size >= 100000) return d3.format('.3s')(value).replace('G', ' G').replace('M', ' M').replace('k', ' k');
     if (size >= 100) return value.toFixed(0);
     if (size >= 10) return value.toFixed(1);
@@ -129,6 +129,11 @@ const formatMs = formatNumber;
 
 function formatPercent(share, digits = 1) {
     return isNumber(share) ? `${(100 * share).toFixed(digits)} %` : NOTHING;
+}
+
+/// The room that names at the left of a chart take, in px.
+function nameRoom(names) {
+    return Math.max(60, 18 + 6.7 * (d3.max(names, name => name.length) || 0));
 }
 
 function count(number, noun) {

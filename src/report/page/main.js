@@ -1,16 +1,6 @@
 // Puts the page together. Sections stand in the order in which their files were read; each draws
 // what the filters leave when it comes near the window, and again when a choice changes.
 
-let runs = [];
-let viewImages = null;
-const sections = [];
-
-/// Declares a part of the page: {id, title, intro, isThere(view), draw(root, view), uses, isFolded}. `uses` names the
-/// choices, beside the filters, that it must be drawn again for.
-function addSection(section) {
-    sections.push(section);
-}
-
 const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'budget'];
 
 function drawSection(section) {

@@ -55,15 +55,11 @@ function drawViewer(root, shown) {
     root.append(viewerControls(choice, shown), element('div', {class: 'viewer'},
         element('div', {class: 'stage-box'}, canvas,
             element('div', {class: 'under-stage'},
-                element('span', {}, sideName(choice.left)), slider, element('span', {}, sideName(choice.right)))),
+                element('span', {}, choice.left), slider, element('span', {}, choice.right)),
+            imageLegend(state.get('look')), truthLegend()),
         side));
-    root.append(imageLegend(state.get('look')), truthLegend());
     fillSide(side, choice, shown);
     bindStage(canvas, slider, choice);
-}
-
-function sideName(name) {
-    return name === 'truth' ? 'truth' : name;
 }
 
 function viewerControls(choice, shown) {

@@ -55,7 +55,7 @@ function causeTotals(summary) {
 }
 
 function drawCauseChart(chart, lines, unit, isShare) {
-    const {plot, width, height} = plotArea(chart, {left: 128, right: 16, top: 8, bottom: 46});
+    const {plot, width, height} = plotArea(chart, {left: nameRoom(lines.map(line => line.method)), right: 16, top: 8, bottom: 46});
     const most = kind => d3.max(lines, line => unit(line) * line[kind]) || 0;
     const x = d3.scaleLinear().domain([-most('missing') * 1.02 || -1, most('false') * 1.02 || 1]).range([0, width]);
     drawAxis(plot, x, {side: 'bottom', title: `missing ←   ${isShare ? '% of the true pixels' : 'pixels'}   → false`,

@@ -28,7 +28,7 @@ addSection({
 
 /// A panel a class, side by side; methods from top to bottom.
 function drawClassChart(chart, methods, classes, points) {
-    const {plot, width, height} = plotArea(chart, {left: 128, right: 12, top: 30, bottom: 34});
+    const {plot, width, height} = plotArea(chart, {left: nameRoom(methods.map(s => s.method)), right: 12, top: 30, bottom: 34});
     const gap = 22;
     const wide = (width - gap * (classes.length - 1)) / classes.length;
     const band = height / methods.length;

@@ -31,7 +31,7 @@ addSection({
 
 /// Lines of {method, info, rows, difference} as points with intervals round 0.
 function drawDifferences(chart, lines, title) {
-    const {plot, width, height} = plotArea(chart, {left: 128, right: 90, top: 8, bottom: 46});
+    const {plot, width, height} = plotArea(chart, {left: nameRoom(lines.map(line => line.method)), right: 90, top: 8, bottom: 46});
     const ends = lines.flatMap(({difference: d}) => (d.range ? [d.range.low, d.range.high, d.value] : [d.value]));
     const x = makeScale([0, ...ends], [0, width]);
     drawAxis(plot, x, {side: 'bottom', title, length: width, across: height, format: v => formatSigned(Number(v.toFixed(4)), 3)});

@@ -32,7 +32,8 @@ function headline(view) {
 function verdictSentences(view) {
     const {best, ranked, contestants, measure} = view;
     if (!best) return ['No method is left by these filters.'];
-    const words = [`${MEASURES[measure].title} ${formatShare(best.value)}` +
+    const words = [(runs.length > 1 ? `${view.run.label}: ${best.method} is best, ` : '') +
+        `${MEASURES[measure].title} ${formatShare(best.value)}` +
         (best.range ? ` (95 % interval ${formatRange(best.range)})` : '') +
         ` over ${count(best.views, 'view')} of ${count(best.scenes, 'scene')}` +
         (best.ms ? `, ${formatMs(best.ms)} ms a frame. ` : '. ')];

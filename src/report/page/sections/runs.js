@@ -24,8 +24,8 @@ addSection({
         }
         const changed = lines.filter(line => !line.isSame);
         root.append(element('p', {class: 'verdict-line'}, changed.length
-            ? `Images changed for ${changed.map(line => line.method).join(', ')}; those of ${count(lines.length - changed.length, 'other method')} are the same, bit for bit.`
-            : 'All images are the same, bit for bit: these runs differ in times alone.'));
+            ? `Results changed for ${changed.map(line => line.method).join(', ')}; those of ${count(lines.length - changed.length, 'other method')} are the same, bit for bit.`
+            : 'All results are the same, bit for bit: these runs differ in times alone.'));
         const drawn = lines.filter(line => line.difference);
         makeChart(root, {
             id: 'runs', title: `${MEASURES[view.measure].title}: ${b.label} less ${a.label}`, height: 24 + 22 * drawn.length + 46,
@@ -39,15 +39,17 @@ addSection({
     },
 });
 
-/// The methods of both runs, those whose images differ first, the largest difference on top.
+/// The methods of both runs, those whose results differ first, the largest difference on top.
 function runLines(ofA, ofB, measure) {
     const keyOf = row => `${row.scene}\n${row.view}`;
     return ofA.contestants.map(first => {
         const second = ofB.contestants.find(s => s.method === first.method);
         if (!second) return null;
-        const hashes = new Map(first.rows.map(row => [keyOf(row), row.image_hash]));
-        const both = second.rows.filter(row => hashes.has(keyOf(row)));
-        const differing = both.filter(row => hashes.get(keyOf(row)) !== row.image_hash);
+        // The hash is of edge responses: a threshold alone changes the counts and not the hash.
+        const resultOf = row => [row.image_hash, row.k_2px, row.n_pred, row.n_truth, row.false_positives].join();
+        const results = new Map(first.rows.map(row => [keyOf(row), resultOf(row)]));
+        const both = second.rows.filter(row => results.has(keyOf(row)));
+        const differing = both.filter(row => results.get(keyOf(row)) !== resultOf(row));
         const tagged = (differing.length ? differing : both).map(row => Object.assign(Object.create(row), {run: ofB.run.index}));
         return {
             method: first.method, info: second.info, rows: tagged, isSame: differing.length === 0, differing: differing.length,
@@ -63,7 +65,7 @@ function drawRunTable(root, lines, view) {
     makeTable(root, {
         name: 'runs', lines, order: '', lineClass: line => (line.isSame ? 'baseline' : 'changed'), columns: [
             methodColumn(line => line.info, {rows: line => line.rows}),
-            {key: 'images', title: 'images', isText: true, value: line => line.differing,
+            {key: 'results', title: 'results', isText: true, value: line => line.differing,
              text: line => (line.isSame ? 'the same' : `${count(line.differing, 'view')} differ`)},
             {key: 'first', title: `${title}, first`, value: line => line.first, text: line => formatShare(line.first, 4)},
             {key: 'second', title: 'second', value: line => line.second, text: line => formatShare(line.second, 4)},
@@ -80,7 +82,7 @@ function drawRunTable(root, lines, view) {
     });
 }
 
-/// Per scene, for the methods whose images differ.
+/// Per scene, for the methods whose results differ.
 function drawRunScenes(root, ofA, ofB, changed, view) {
     if (!changed.length) return;
     const lines = ofA.scenes.filter(scene => ofB.scenes.includes(scene)).map(scene => ({scene}));
@@ -91,7 +93,7 @@ function drawRunScenes(root, ofA, ofB, changed, view) {
     };
     const values = lines.flatMap(line => changed.map(c => Math.abs(difference(line, c.method) ?? 0)));
     const most = Math.max(1e-4, d3.max(values) || 0);
-    root.append(element('h3', {}, 'By scene, methods whose images differ'));
+    root.append(element('h3', {}, 'By scene, methods whose results differ'));
     makeTable(root, {
         name: 'run-scenes', lines, order: '', columns: [
             {key: 'scene', title: 'scene', isText: true, value: line => line.scene},

@@ -1,0 +1,12 @@
+// What the whole page knows: the runs, their images, and the parts that were declared.
+
+let runs = [];
+let viewImages = null;
+const sections = [];
+
+/// Declares a part of the page: {id, title, intro, isThere(view), draw(root, view), uses, isFolded}.
+/// `uses` names the choices, beside the filters, for which it must be drawn again ("time.*": all
+/// that begin so). A folded part starts closed.
+function addSection(section) {
+    sections.push(section);
+}
