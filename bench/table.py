@@ -5,8 +5,8 @@
 
 Reads what ink_bench wrote with --benchmark_out; without a file it runs ink_bench on what the table
 needs (some minutes) and leaves the JSON beside the program. Prints Markdown. With --readme the
-table also replaces the block between <!-- speed --> and <!-- /speed --> in README.md. What was not
-run is said so. Needs nothing but Python.
+table also replaces the block between <!-- speed --> and <!-- /speed --> in bench/README.md. What was
+not run is marked. Needs nothing but Python.
 """
 
 import argparse
@@ -270,8 +270,8 @@ def read(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("json", nargs="?", help="what ink_bench wrote; without it, it is run")
-    parser.add_argument("--readme", nargs="?", const=ROOT / "README.md", type=Path,
-                        help="replace the block in this file (README.md)")
+    parser.add_argument("--readme", nargs="?", const=ROOT / "bench/README.md", type=Path,
+                        help="replace the block in this file (bench/README.md)")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/ink_bench")
     options = parser.parse_args()
     try:
