@@ -62,13 +62,12 @@ core::ParamTable<Auto::Params> Auto::table() {
                 "step_scale",
                 {0.25, 4},
                 "",
-                "Times the planned step from which on there is a line.")
-        .number(
-            &Params::crease_deg,
-            "crease_deg",
-            {0, 180},
-            "deg",
-            "Dihedral deviation from which on an edge is a crease, in the plan and in the normals.")
+                "Factor on the planned least step that is a line.")
+        .number(&Params::crease_deg,
+                "crease_deg",
+                {0, 180},
+                "deg",
+                "Least dihedral deviation of a crease, in the plan and in the normals.")
         .choice(&Params::interpolation,
                 "interpolation",
                 {"affine", "perspective"},
@@ -85,7 +84,7 @@ core::ParamTable<Auto::Params> Auto::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Edge response from which on a pixel is a line; a step as planned has 64.");
+                "Least edge response of a line pixel; a step as planned has 64.");
 }
 
 Auto::Auto(const Params& params) : params_(params) {

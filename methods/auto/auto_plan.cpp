@@ -59,7 +59,7 @@ class Planner {
         const std::string depth_alone = "depth alone, no normals";
         const std::string both = "depth and normals, weighted 16 : 12 : 6 : 3";
         if (wishes_.channels != Channels::planned) {
-            return say(is_depth_only_ ? depth_alone : both, "it was asked for");
+            return say(is_depth_only_ ? depth_alone : both, "requested by a parameter");
         }
         if (is_soup()) {
             return say(depth_alone,
@@ -119,7 +119,7 @@ class Planner {
         plan_.store = is_byte ? raster::Store::u8 : raster::Store::u16;
         say(is_byte ? "one byte a pixel" : "two bytes a pixel",
             wishes_.bytes != Bytes::planned
-                ? "it was asked for"
+                ? "requested by a parameter"
                 : fmt::format("that step is {:.1f} of {:.0f} codes of a byte, and clipping leaves "
                               "multiples of 4",
                               step_ * kByteRange,
@@ -132,7 +132,7 @@ class Planner {
                             (wishes_.encoding == Encoding::planned && step_ >= kLogStep);
         plan_.encoding = is_log ? raster::DepthEncoding::log : raster::DepthEncoding::inverse;
         const std::string what = is_log ? "depth as log w" : "depth as 1/w";
-        if (wishes_.encoding != Encoding::planned) return say(what, "it was asked for");
+        if (wishes_.encoding != Encoding::planned) return say(what, "requested by a parameter");
         say(what,
             is_log
                 ? "each code is the same share of the distance, where 1/w spends most on what is "

@@ -35,7 +35,7 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
                 "width_px",
                 {1, 16},
                 "px",
-                "Width of the wireframe's lines, to the nearest px; half of it is seen.")
+                "Width of the wireframe's lines, to the nearest px; half of it is visible.")
         .number(&Params::units,
                 "units",
                 {-65536, 65536},
@@ -49,11 +49,8 @@ core::ParamTable<BackFaces::Params> BackFaces::table() {
                 "depth_format",
                 {"q32", "z24", "z16"},
                 "Format of the depth buffer: float 1/w, or whole steps of window depth.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
     return table;
 }
 

@@ -99,8 +99,8 @@ core::ParamTable<Canny::Params> Canny::table() {
                 "low",
                 gradient,
                 "",
-                "Gradient from which on a pixel may continue a line; a step of one code has 4.")
-        .number(&Params::high, "high", gradient, "", "Gradient from which on a pixel begins one.")
+                "Least gradient of a pixel that continues a line; a step of one code has 4.")
+        .number(&Params::high, "high", gradient, "", "Least gradient of a pixel that begins one.")
         .choice(&Params::aperture, "aperture", {"3", "5", "7"}, "Side of the Sobel kernels, in px.")
         .flag(&Params::l2_gradient,
               "l2_gradient",
@@ -112,7 +112,7 @@ core::ParamTable<Canny::Params> Canny::table() {
                 "threshold",
                 {1, 255},
                 "",
-                "Edge response from which on a pixel is a line; it draws 0 and 255 alone.");
+                "Least edge response of a line pixel; it draws only 0 and 255.");
 }
 
 Canny::Canny(const Params& params)

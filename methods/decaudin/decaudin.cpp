@@ -77,11 +77,8 @@ core::ParamTable<Decaudin::Params> Decaudin::table() {
                 {-1, 1},
                 "depth",
                 "Depth of empty pixels; -1 stands for infinity, a whole range beyond far.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 Decaudin::Decaudin(const Params& params)

@@ -61,12 +61,13 @@ core::ParamTable<EdgeHash::Params> EdgeHash::table() {
         .choice(&Params::scope,
                 "scope",
                 {"object", "scene"},
-                "A model is a mesh, or the whole scene as it stands.")
+                "A model is one mesh, or the whole scene.")
         .number(&Params::epsilon,
                 "epsilon",
                 {0, 0.01},
                 "diagonals",
-                "Vertices this near each other are one, as a share of the model's box's diagonal.")
+                "Vertices this near each other are welded, as a share of the diagonal of the "
+                "model's box.")
         .number(&Params::cached_frames,
                 "cached_frames",
                 {1, 65536},
@@ -75,17 +76,13 @@ core::ParamTable<EdgeHash::Params> EdgeHash::table() {
         .choice(&Params::eye,
                 "eye",
                 {"position", "stale"},
-                "Contours for where the eye is, or for the last view unlike this one.")
+                "Contours for the present eye, or for the last view that was different.")
         .choice(&Params::boundary_edges,
                 "boundary_edges",
                 {"contour", "crease", "none"},
                 "Whether an edge of one face is drawn as a contour, as a crease, or not at all.");
     return buffers::add_hidden_line_params(table).number(
-        &Params::threshold,
-        "threshold",
-        {1, 255},
-        "",
-        "Edge response from which on a pixel is a line.");
+        &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 EdgeHash::EdgeHash(const Params& params)

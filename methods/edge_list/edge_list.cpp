@@ -48,16 +48,16 @@ core::ParamTable<EdgeList::Params> EdgeList::table() {
         .choice(&Params::builder,
                 "builder",
                 {"all_pairs", "temp_list", "hash"},
-                "How edges are found: the same edges, another time (prepare).")
+                "How edges are found: the edges are the same, the time of prepare is not.")
         .choice(&Params::scope,
                 "scope",
                 {"object", "scene"},
                 "Edges among each object's own triangles, or over all that touch.")
-        .choice(&Params::facing,
-                "facing",
-                {"position", "direction"},
-                "Faces turn by the eye's position, exactly, or by the view direction alone, as "
-                "CoRgi had it.")
+        .choice(
+            &Params::facing,
+            "facing",
+            {"position", "direction"},
+            "Facing by the eye's position, exactly, or by the view direction alone, as in CoRgi.")
         .choice(&Params::edge_on,
                 "edge_on",
                 {"leave_out", "include"},
@@ -67,11 +67,7 @@ core::ParamTable<EdgeList::Params> EdgeList::table() {
                 {"thick", "thin", "none"},
                 "How an edge of one face is drawn; the source had none.");
     return buffers::add_hidden_line_params(table).number(
-        &Params::threshold,
-        "threshold",
-        {1, 255},
-        "",
-        "Edge response from which on a pixel is a line.");
+        &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 EdgeList::EdgeList(const Params& params)

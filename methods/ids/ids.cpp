@@ -95,12 +95,12 @@ core::ParamTable<Ids::Params> Ids::table() {
         .choice(&Params::depth_format,
                 "depth_format",
                 {"q32", "z24", "z16"},
-                "Format of the depth test, which also tells the nearer side.")
+                "Format of the depth test, which also decides the nearer side.")
         .number(&Params::threshold,
                 "threshold",
                 {1, 255},
                 "",
-                "Edge response from which on a pixel is a line; it draws 0 and 255 alone.");
+                "Least edge response of a line pixel; it draws only 0 and 255.");
 }
 
 Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}

@@ -76,21 +76,18 @@ core::ParamTable<InvertedHull::Params> InvertedHull::table() {
                 {0.25, 50},
                 "radius/1000",
                 "The same as a share of the scene's radius, for space = world.")
-        .number(&Params::crease_deg,
-                "crease_deg",
-                {0, 180},
-                "deg",
-                "Dihedral deviation from which on the hull comes apart at an edge; 180 keeps it "
-                "together.")
+        .number(
+            &Params::crease_deg,
+            "crease_deg",
+            {0, 180},
+            "deg",
+            "Least dihedral deviation of an edge at which the hull splits; 180 keeps it together.")
         .choice(&Params::depth_format,
                 "depth_format",
                 {"q32", "z24", "z16"},
                 "Format of the depth buffer: float 1/w, or whole steps of window depth.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
     return table;
 }
 

@@ -103,11 +103,8 @@ core::ParamTable<JumpFlood::Params> JumpFlood::table() {
                 {0, 1},
                 "",
                 "Jump of 1/distance within one id that is a border, over the nearer's; 0: none.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 JumpFlood::JumpFlood(const Params& params) : params_(params), ids_(params, 2) {}

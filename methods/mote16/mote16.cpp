@@ -93,7 +93,7 @@ core::ParamTable<Mote16::Params> Mote16::table() {
         .choice(&Params::layout,
                 "layout",
                 {"sum", "8+8", "10+6", "4x4"},
-                "How 16 bits are shared out: guesses, the original is lost.")
+                "How the 16 bits are divided: guesses, the original is lost.")
         .number(&Params::range_depth,
                 "range_depth",
                 range,

@@ -64,11 +64,7 @@ core::ParamTable<PlaneDistance::Params> PlaneDistance::table() {
                 "",
                 "Least change of the normal that is a line: 2 sin(a/2) for a crease of angle a.");
     return buffers::add_surface_params(table).number(
-        &Params::threshold,
-        "threshold",
-        {1, 255},
-        "",
-        "Edge response from which on a pixel is a line.");
+        &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 PlaneDistance::PlaneDistance(const Params& params)

@@ -48,7 +48,7 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
                 "width_px",
                 {1, 16},
                 "px",
-                "Width of the wireframe's lines, to the nearest px; half of it is seen.")
+                "Width of the wireframe's lines, to the nearest px; half of it is visible.")
         .number(&Params::factor,
                 "factor",
                 {-8, 8},
@@ -71,11 +71,8 @@ core::ParamTable<PolygonOffsetInk::Params> PolygonOffsetInk::table() {
                 "depth_format",
                 {"q32", "z24", "z16"},
                 "Format of the depth buffer: float 1/w, or whole steps of window depth.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
     return table;
 }
 

@@ -54,18 +54,15 @@ core::ParamTable<Roberts::Params> Roberts::table() {
                 "guard_start",
                 {0, 0.99},
                 "",
-                "1 - |n.v| from which on the ramp rises (guard = ramp).")
-        .number(&Params::guard_scale,
-                "guard_scale",
-                {0, 100},
-                "",
-                "How many times more the ramp asks on edge (guard = ramp).");
+                "1 - |n.v| at which the ramp begins to rise (guard = ramp).")
+        .number(
+            &Params::guard_scale,
+            "guard_scale",
+            {0, 100},
+            "",
+            "How much the ramp adds to the threshold's factor at grazing angles (guard = ramp).");
     return buffers::add_surface_params(table).number(
-        &Params::threshold,
-        "threshold",
-        {1, 255},
-        "",
-        "Edge response from which on a pixel is a line.");
+        &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 Roberts::Roberts(const Params& params)

@@ -88,7 +88,7 @@ core::ParamTable<Sobel::Params> Sobel::table() {
                 "Profiles, internal edges, or the stronger of the two.")
         .flag(&Params::uses_normals,
               "uses_normals",
-              "The same operators over the normal's components, too.")
+              "Run the same operators over the normal's components too.")
         .number(&Params::k_first,
                 "k_first",
                 {1e-5, 10},
@@ -103,18 +103,15 @@ core::ParamTable<Sobel::Params> Sobel::table() {
                 "k_normal",
                 {1e-3, 10},
                 "",
-                "Either of both at which a component of the normal makes a full line.");
+                "Value of either at which a component of the normal makes a full line.");
     return buffers::add_input_params(table)
         .number(&Params::sky,
                 "sky",
                 {-1, 1},
                 "depth",
                 "Depth of empty pixels; -1 stands for infinity, a whole range beyond far.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(
+            &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 Sobel::Sobel(const Params& params)

@@ -45,7 +45,7 @@ core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Dihedral deviation from which on an edge between two seen faces is a line.")
+                "Least dihedral deviation of an edge between two seen faces that is a line.")
         .number(&P::offset_factor,
                 "offset_factor",
                 {-16, 16},

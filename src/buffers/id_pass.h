@@ -24,17 +24,17 @@ core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
         .choice(&P::of,
                 "of",
                 {"object", "patch", "object_and_patch", "triangle"},
-                "What an id tells apart: objects, smooth patches, both, or every triangle.")
+                "What has an id of its own: objects, smooth patches, both, or every triangle.")
         .number(&P::crease_deg,
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Dihedral deviation from which on an edge parts two smooth patches.")
+                "Least dihedral deviation of an edge between two smooth patches.")
         .number(&P::weld_epsilon,
                 "weld_epsilon",
                 {0, 0.01},
                 "",
-                "How near vertices of an object are one for its patches, as a share of its "
+                "Vertices of an object this near are welded for its patches, as a share of its "
                 "diagonal.");
 }
 

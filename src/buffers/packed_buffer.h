@@ -35,10 +35,11 @@ core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
                 "quantise",
                 {"sum", "each"},
                 "Round the sum once, or every channel before it is summed.")
-        .choice(&P::overflow,
-                "overflow",
-                {"saturate", "wrap"},
-                "What a code beyond its bits does; a wrapped one is filtered modulo its range.")
+        .choice(
+            &P::overflow,
+            "overflow",
+            {"saturate", "wrap"},
+            "What happens to a code beyond its bits; a wrapped one is filtered modulo its range.")
         .choice(&P::response,
                 "response",
                 {"absolute", "positive", "wrap"},
@@ -52,11 +53,7 @@ core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
         .flag(&P::fatten, "fatten", "Blur the codes slightly before the filter: fatter lines.")
         .number(
             &P::sky, "sky", {0, static_cast<double>(max_code)}, "code", "What empty pixels hold.")
-        .number(&P::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Edge response from which on a pixel is a line.");
+        .number(&P::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
 /// Depth and normal packed into one or two small integers a pixel, and MOTE's filter over them.

@@ -41,7 +41,7 @@ core::ParamTable<P>& add_surface_params(core::ParamTable<P>& table) {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Dihedral deviation from which on an edge parts two smooth patches.")
+                "Least dihedral deviation of an edge between two smooth patches.")
         .choice(&P::interpolation,
                 "interpolation",
                 {"affine", "perspective"},

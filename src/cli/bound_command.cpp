@@ -68,19 +68,19 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
 void add_bound_command(CLI::App& app) {
     auto args = std::make_shared<BoundArgs>();
     auto* command = app.add_subcommand(
-        "bound", "Bound from above what any four weights of a packed code could score");
+        "bound", "Compute an upper bound on the score of any four weights of a packed code");
     add_scene_options(
         *command, args->scenes, "Built-in scenes or model files (default: the catalogue)");
     add_method_options(
         *command, args->methods, fmt::format("{}; one whose code is a linear sum", kMethod));
     add_set_option(*command, args->settings);
-    command->add_flag("--signed", args->bound.is_signed, "Weights below 0 too");
+    command->add_flag("--signed", args->bound.is_signed, "Allow negative weights");
     command
         ->add_option("--least-threshold",
                      args->bound.least_threshold,
                      "Least threshold in codes (0: the least that the filter draws)")
         ->capture_default_str();
-    command->add_option("--gap", args->bound.gap, "Stop where upper and found are this close")
+    command->add_option("--gap", args->bound.gap, "Stop when upper and found are this close")
         ->capture_default_str();
     command->add_option("--boxes", args->bound.boxes, "Stop after this many boxes of weights")
         ->capture_default_str();

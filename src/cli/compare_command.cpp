@@ -109,8 +109,8 @@ void add_study_options(CLI::App& command, CompareArgs& args) {
                      "roll.csv, vanishing.csv and plots, about a minute");
     command.add_flag("--skip-study",
                      args.skip_study,
-                     "Measure too what each skip is worth, on scenes made for it: skips.csv and "
-                     "the report's part on skips");
+                     "Also measure how much time each skip saves, on scenes made for it: skips.csv "
+                     "and a part of the report");
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ void add_compare_command(CLI::App& app) {
     command
         ->add_option("--images",
                      args->images,
-                     "Of which views images are kept: none, the first of each scene, or all")
+                     "Views whose images are kept: none, the first of each scene, or all")
         ->capture_default_str();
     add_no_skip_option(*command, args->no_skip);
     add_study_options(*command, *args);

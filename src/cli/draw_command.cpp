@@ -127,8 +127,7 @@ void add_draw_command(CLI::App& app) {
     command
         ->add_option("--layer",
                      args->layer,
-                     "Write what the method has inside instead, if it has that; an EXR has all "
-                     "of them")
+                     "Write one of the method's internal buffers instead; an EXR has all of them")
         ->type_name("packed|filtered|depth|normal|ids|edges");
     add_threads_option(*command, args->threads, "Threads of the method");
     add_no_skip_option(*command, args->no_skip);

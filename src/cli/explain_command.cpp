@@ -91,9 +91,9 @@ void run_explain(const ExplainArgs& args) {
 
 void add_explain_command(CLI::App& app) {
     auto args = std::make_shared<ExplainArgs>();
-    auto* command = app.add_subcommand(
-        "explain",
-        "Say where a scene is, what it has, what each method may leave out there, and why");
+    auto* command = app.add_subcommand("explain",
+                                       "Explain a scene: where it is, what it has, and what each "
+                                       "method may leave out there and why");
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);

@@ -103,7 +103,7 @@ void add_quiet_option(CLI::App& command) {
     command.add_flag_callback(
         "-q,--quiet",
         [] { core::progress_display().is_quiet = true; },
-        "Say nothing of the progress (a line on a terminal, else one every ten seconds)");
+        "Show no progress (default: a line on a terminal, else one every ten seconds)");
 }
 
 void end_interrupted(const std::string& what_is_left) {
@@ -206,7 +206,7 @@ void add_truth_settings(CLI::App& command, TruthSettings& settings) {
     command
         .add_option("--crease",
                     settings.crease_deg,
-                    "Crease angle of the truth: edges whose faces turn by more are creases")
+                    "Crease angle of the truth: edges with a larger dihedral deviation are creases")
         ->type_name("DEGREES")
         ->capture_default_str();
     command
@@ -241,7 +241,7 @@ void add_cache_options(CLI::App& command, CacheOptions& options) {
                     "Folder of traced truths (default: $XDG_CACHE_HOME/inkbench, or "
                     "~/.cache/inkbench)")
         ->type_name("DIR");
-    command.add_flag("--no-cache", options.none, "Trace every truth anew and keep none");
+    command.add_flag("--no-cache", options.none, "Trace every truth again and keep none");
 }
 
 std::filesystem::path cache_folder(const CacheOptions& options) {

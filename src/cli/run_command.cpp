@@ -58,7 +58,7 @@ void add_run_command(CLI::App& app) {
     command->add_option("--views", args->views, "Views of each scene, the first N")->type_name("N");
     add_cache_options(*command, args->cache);
     command->footer(
-        "The folder is inkbench-out/NAME unless --out says another.\n"
+        "The folder is inkbench-out/NAME, or that of --out.\n"
         "Example: inkbench run experiments/smoke.toml --size 320x180\n"
         "Exit codes: 0 done, 1 the run is invalid, 2 bad input or disk full, 3 views without a "
         "score, 130 interrupted.");

@@ -114,7 +114,7 @@ void add_score_command(CLI::App& app) {
             "truth",
             a->request.truth,
             "8-bit image of classes, as inkbench truth -o writes it: 0 no line, every other value "
-            "a class; a line of no class where it has nothing beside 0 but 1 or 255")
+            "a class. If it holds nothing but 0 and 1, or 0 and 255, its lines have no class")
         ->type_name("FILE")
         ->required();
     command
@@ -128,7 +128,7 @@ void add_score_command(CLI::App& app) {
                      "Edge response of a predicted pixel, 1..255")
         ->capture_default_str();
     command->add_flag("--invert", a->request.is_inverted, "The prediction has dark lines on light");
-    command->add_flag("--no-thin", a->no_thin, "Take the prediction as wide as it is drawn");
+    command->add_flag("--no-thin", a->no_thin, "Do not thin the prediction");
     command
         ->add_option(
             "--band", a->request.options.band_px, "Leave out this many pixels along the frame")
@@ -140,7 +140,7 @@ void add_score_command(CLI::App& app) {
     command->add_flag("--json", a->as_json, "Print JSON instead of a table");
     command->footer(
         "Example: inkbench score pred.png truth.png --tol 1 --json\n"
-        "What compare does: --threshold (the method's) --ignore 7 --band 6.\n"
+        "compare scores with --ignore 7 --band 6 and each method's own --threshold.\n"
         "Exit codes: 0 done, 2 bad input.");
     command->callback([a] { run_score(*a); });
 }

@@ -86,7 +86,7 @@ void add_stress_command(CLI::App& app) {
         "Writes rows.csv, stress.csv, stress_summary.csv, stress.html and "
         "figures/stress_<axis>.svg.\n"
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
-        "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell was lost or "
+        "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell has no result or "
         "images differ that must not; 2 bad input; 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);

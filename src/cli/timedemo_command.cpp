@@ -112,7 +112,7 @@ void add_timedemo_command(CLI::App& app) {
     command->add_flag("--json", args->json, "Print JSON instead of the table");
     add_quiet_option(*command);
     command->footer(
-        "Prints frames per second; what its words mean stands below the table.\n"
+        "Prints frames per second, with a legend below the table.\n"
         "With --views file, a camera that the model moves is followed first (path 'own').\n"
         "Example: inkbench timedemo gear --methods mote4,edge_hash --frames 30\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted.");

@@ -159,11 +159,11 @@ void add_truth_command(CLI::App& app) {
         ->type_name("FILE");
     command->add_flag("--crosscheck,--witness",
                       args->crosscheck,
-                      "Hold the curves against dense sampling, and the rasterizer against Embree");
+                      "Compare the curves with dense sampling, and the rasterizer with Embree");
     command
         ->add_option("--disagreement",
                      args->disagreement,
-                     "PNG of what only one of the two has, with --crosscheck (default: "
+                     "PNG of the lines that only one of the two has, with --crosscheck (default: "
                      "inkbench-out/crosscheck/SCENE_VIEW.png)")
         ->type_name("FILE");
     command->add_option("--view", args->view, "Name of the view (default: the first)")

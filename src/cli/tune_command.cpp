@@ -160,14 +160,13 @@ void add_tune_command(CLI::App& app) {
                      "What to tune: parameters a,b or a=low..high,b (default: those that the "
                      "method marks as tunable, else its threshold)")
         ->type_name("PARAMS");
-    add_set_option(*command, args->settings, "A parameter that stays as it is: key=value");
+    add_set_option(*command, args->settings, "A fixed parameter: key=value");
     command
-        ->add_option(
-            "--objective",
-            args->objective,
-            "What is made small. error: 1 - F at 2 px, all training views pooled; scenes: (mean "
-            "root of each scene's error) squared, so that each scene has its say; ap: 1 - "
-            "average precision")
+        ->add_option("--objective",
+                     args->objective,
+                     "What the search minimises. error: 1 - F at 2 px, all training views pooled; "
+                     "scenes: (mean root of each scene's error) squared, so that every scene "
+                     "counts; ap: 1 - average precision")
         ->type_name("error|scenes|ap")
         ->capture_default_str();
     command
@@ -186,9 +185,9 @@ void add_tune_command(CLI::App& app) {
         ->type_name(fmt::format("{}", fmt::join(tune::local_searches(), "|")))
         ->capture_default_str();
     command->add_flag(
-        "--no-random", args->no_random, "No random search of as many evaluations beside it");
+        "--no-random", args->no_random, "Skip the random search with as many evaluations");
     command->add_flag(
-        "--no-bound", args->no_bound, "No linear bound beside it, for methods that declare a code");
+        "--no-bound", args->no_bound, "Skip the linear bound, for methods that declare a code");
     add_scene_options(*command,
                       args->scenes,
                       "Scenes or model files that take part (default: the catalogue): the training "
@@ -197,7 +196,7 @@ void add_tune_command(CLI::App& app) {
     command
         ->add_option("--more-views",
                      args->more_views,
-                     "Random views round each training scene, besides its own")
+                     "Random views round each training scene, in addition to its own")
         ->capture_default_str();
     add_truth_settings(*command, args->truth);
     command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
@@ -205,7 +204,7 @@ void add_tune_command(CLI::App& app) {
     add_out_folder_option(*command, args->out, "Folder of the run, with NAME.toml");
     command->add_flag(
         "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
-    add_threads_option(*command, args->threads, "Threads; nothing but times depends on it");
+    add_threads_option(*command, args->threads, "Threads; only times depend on it");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

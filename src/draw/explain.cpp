@@ -87,7 +87,7 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
         count(
             "near_sheets", l.near_sheets.pairs, "pairs", "parallel faces of two components, close"),
         {"near_sheets_gap", l.near_sheets.least_gap_share, "radii", "the least gap among them"},
-        flag("may_hide", l.may_hide(), "a part may stand before another, or before itself"),
+        flag("may_hide", l.may_hide(), "a part may hide another, or itself"),
         flag("may_cross", l.may_cross(), "components may pierce each other"),
         flag("watertight", l.is_watertight(), "every component is closed and turned outwards"),
     };

@@ -99,7 +99,7 @@ Optimisation cull_back_faces(const SceneFacts& facts) {
 
 Optimisation cull_occluded(const scene::SceneStatistics& statistics) {
     if (statistics.may_hide())
-        return {"occlusion_culling", true, "parts of the scene may stand before others"};
+        return {"occlusion_culling", true, "parts of the scene may hide others"};
     return {"occlusion_culling", true, "one convex component hides nothing but its own back"};
 }
 

@@ -29,7 +29,7 @@ harness::TableInfo run_record() {
         "its keys.",
         {{"name", "", "of the run"},
          {"kind", "", "compare, stress, animation, bound or tune"},
-         {"command", "", "as it was typed, less what says where results go"},
+         {"command", "", "as typed, without the options that say where results go"},
          {"identity", "", "hash of all that rows depend on, the build included"},
          {"build", "", "version and commit of the program"},
          {"times", "", "false: fields of times are left empty"},
@@ -46,7 +46,7 @@ harness::TableInfo run_record() {
 
 harness::TableInfo methods() {
     return {"methods.csv",
-            "A line per method of the run, baselines first: what the program says of it.",
+            "A line per method of the run, baselines first: what the registry says of it.",
             {{"method", "", "as in rows.csv"},
              {"role", "", "method, floor, ceiling or exact"},
              {"family", "", "methods of one family share a colour"},
@@ -60,14 +60,15 @@ harness::TableInfo methods() {
 
 /// Its parameters differ from run to run: one stands here for all that are searched.
 harness::TableInfo evaluations() {
-    return {"evaluations.csv",
-            "A line per evaluation of the tuner, in the order in which it asked for them.",
-            {{"evaluation", "", "its number within the search; the random one counts anew"},
-             {"phase", "", "start, global, local or random"},
-             {"PARAMETER", "", "one column per searched parameter, under its own name"},
-             {"e_train", "0..1", "what the search lowers, over training views"},
-             {"drawn_by", "", "method, or planes: drawn from planes made once a view"},
-             {"draw_ms", "ms", "median, where there is a time budget", true}}};
+    return {
+        "evaluations.csv",
+        "A line per evaluation of the tuner, in the order in which they were made.",
+        {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
+         {"phase", "", "start, global, local or random"},
+         {"PARAMETER", "", "one column per searched parameter, under its own name"},
+         {"e_train", "0..1", "what the search lowers, over training views"},
+         {"drawn_by", "", "method, or planes: drawn from planes made once per view"},
+         {"draw_ms", "ms", "median, where there is a time budget", true}}};
 }
 
 /// Its columns differ from run to run: one stands here for all swept parameters.

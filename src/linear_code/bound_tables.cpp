@@ -42,7 +42,7 @@ void add_model(BoundTable& table, harness::Column column, std::int64_t LinearCou
 }
 
 void add_models(BoundTable& table) {
-    table.add_derived({"f_model", "0..1", "F of its weights by the bound's reckoning"},
+    table.add_derived({"f_model", "0..1", "F of its weights by the bound's more lenient rule"},
                       [](const Record& r) {
                           return r.row.modelled ? std::optional(r.row.modelled->f()) : std::nullopt;
                       });
@@ -52,20 +52,21 @@ void add_models(BoundTable& table) {
               {"model_far_positives", "px", "stencils that fire far from lines"},
               &LinearCount::far_positives);
     add_model(
-        table, {"model_n_truth", "px", "true pixels that were asked about"}, &LinearCount::n_truth);
+        table, {"model_n_truth", "px", "true pixels that the bound counts"}, &LinearCount::n_truth);
 }
 
 void add_bound(BoundTable& table) {
     table.add(
-        {"f_found", "0..1", "the best F that weights were found for"},
+        {"f_found", "0..1", "the best F of weights that were found"},
         [](auto& r) -> auto& { return r.row.bound.f_found; });
     table.add(
-        {"f_upper", "0..1", "no weights come above this"},
+        {"f_upper", "0..1", "no weights can exceed this"},
         [](auto& r) -> auto& { return r.row.bound.f_upper; });
     table.add_derived({"gap", "0..1", "f_upper less f_found"},
                       [](const Record& r) { return r.row.bound.gap(); });
     table.add(
-        {"boxes", "", "of weights looked at"}, [](auto& r) -> auto& { return r.row.bound.boxes; });
+        {"boxes", "", "of weights that were searched"},
+        [](auto& r) -> auto& { return r.row.bound.boxes; });
     table.add(
         {"found", "px", "true pixels of which a stencil fires, by the weights found"},
         [](auto& r) -> auto& { return r.row.bound.count.found; });
@@ -73,7 +74,7 @@ void add_bound(BoundTable& table) {
         {"far_positives", "px", "stencils that fire far from lines, by them"},
         [](auto& r) -> auto& { return r.row.bound.count.far_positives; });
     table.add(
-        {"asked_truth", "px", "true pixels that were asked about"},
+        {"asked_truth", "px", "true pixels that the bound counts"},
         [](auto& r) -> auto& { return r.row.bound.count.n_truth; });
     constexpr const char* kWeights[] = {"depth", "nx", "ny", "nz"};
     for (std::size_t i = 0; i < std::size(kWeights); ++i) {
@@ -87,7 +88,7 @@ const BoundTable& table() {
     static const BoundTable kTable = [] {
         BoundTable table("bound.csv",
                          "A line per cell of study `bound`: the most that any four weights could "
-                         "reach on a scene, or on several, beside what a method's own reach.");
+                         "reach on a scene or on several, and what a method's own weights reach.");
         table.add(
             {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
         add_measured(table);

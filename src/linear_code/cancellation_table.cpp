@@ -24,9 +24,9 @@ void add_kind(CancellationTable& table) {
             field.refuse("contour, boundary, crease, intersection, seam");
         });
     table.add(
-        {"dihedral_low_deg", "deg", "how far from flat the two faces are, from here on"},
+        {"dihedral_low_deg", "deg", "dihedral deviation of the two faces at which the bin begins"},
         [](auto& r) -> auto& { return r.row.kind.dihedral_low_deg; });
-    table.add_derived({"dihedral_high_deg", "deg", "and before here"}, [](const Record& r) {
+    table.add_derived({"dihedral_high_deg", "deg", "at which the bin ends"}, [](const Record& r) {
         const auto low = r.row.kind.dihedral_low_deg;
         return low ? std::optional(*low + kDihedralBin_deg) : std::nullopt;
     });

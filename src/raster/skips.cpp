@@ -12,19 +12,19 @@ const std::array<SkipInfo, kSkipCount>& skip_infos() {
         {Skip::back_face_culling,
          "back_face_culling",
          "clusters",
-         "Clusters turned away, of watertight solids."},
+         "Back-facing clusters of watertight solids."},
         {Skip::no_sample, "no_sample", "triangles", "Triangles that cover no pixel centre."},
         {Skip::occlusion_culling,
          "occlusion_culling",
          "triangles",
-         "Triangles behind what is drawn already."},
-        {Skip::empty_tiles, "empty_tiles", "tiles", "Tiles that nobody draws to."},
+         "Triangles behind what was already drawn."},
+        {Skip::empty_tiles, "empty_tiles", "tiles", "Tiles to which nothing is drawn."},
         {Skip::flat_tiles, "flat_tiles", "tiles", "Tiles inside one plane: the filter gives 0."},
         {Skip::flat_stencils, "flat_stencils", "pixels", "Stencils inside one triangle: 0 too."},
         {Skip::temporal_reuse,
          "temporal_reuse",
          "tiles",
-         "Tiles that nothing moved in since last time."},
+         "Tiles in which nothing moved since the last frame."},
     }};
     return kInfos;
 }

@@ -24,7 +24,7 @@ core::ParamTable<P> tone_table() {
                 "crease_deg",
                 {0, 180},
                 "deg",
-                "Dihedral deviation from which on an edge parts two smooth patches.")
+                "Least dihedral deviation of an edge between two smooth patches.")
         .number(&P::ambient, "ambient", {0, 1}, "", "Light that arrives everywhere.")
         .number(&P::splash_alpha,
                 "splash_alpha",

@@ -46,7 +46,7 @@ void add_flicker(MotionTable& table) {
         table, {"disappeared_px", "px", "drawn pixels with none in reach a frame later"}, [
         ](auto& m) -> auto& { return m.flicker.disappeared; });
     add_count(
-        table, {"excused_px", "px", "pixels like those where the truth itself came or went"}, [
+        table, {"excused_px", "px", "such pixels where the truth itself appeared or disappeared"}, [
         ](auto& m) -> auto& { return m.flicker.excused; });
     add_count(
         table, {"counted_px", "px", "drawn pixels of both frames of each step"}, [

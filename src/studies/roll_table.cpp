@@ -123,7 +123,7 @@ const harness::TableOf<VanishingRecord>& vanishings() {
             [](const VanishingRecord& r) { return error_text(r.at); },
             [](const harness::CsvField&, VanishingRecord&) {});
         table.add(
-            {"recall_there", "0..1", "share of the crease drawn at the very angle"},
+            {"recall_there", "0..1", "share of the crease drawn at exactly this angle"},
             [](auto& r) -> auto& { return r.at.recall_there; });
         return table;
     }();

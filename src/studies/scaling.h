@@ -42,7 +42,7 @@ struct ScalingPoint {
     int threads = 1;
     std::int64_t draw_ns_min = 0;
     int draw_n = 0;             ///< timed frames
-    double noise = kTimeNoise;  ///< what draw_ns_min may be off by, as a share of it
+    double noise = kTimeNoise;  ///< how far off draw_ns_min may be, as a share of it
     std::string status = "ok";  ///< or why nothing was timed
 
     [[nodiscard]] bool is_timed() const { return draw_ns_min > 0; }

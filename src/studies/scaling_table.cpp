@@ -46,7 +46,7 @@ const harness::TableOf<Record>& table() {
             {"covered_share", "0..1", "of the image, by the sphere"},
             [](auto& r) -> auto& { return r.point.covered_share; });
         table.add(
-            {"noise", "0..1", "what draw_ns_min may be off by, as a share of it", true},
+            {"noise", "0..1", "how far off draw_ns_min may be, as a share of it", true},
             [](const Record& r) {
                 return r.point.draw_n > 0 ? harness::csv_text(r.point.noise) : "";
             },

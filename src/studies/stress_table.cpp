@@ -19,7 +19,7 @@ const harness::TableOf<Record>& table() {
         table.add(
             {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
         table.add(
-            {"axis", "", "what grows: `inkbench list axes` tells of each"},
+            {"axis", "", "what grows: `inkbench list axes` explains each"},
             [](auto& r) -> auto& { return r.row.axis; });
         table.add(
             {"value", "of unit", "where on the axis; of named values the number"},
@@ -31,7 +31,7 @@ const harness::TableOf<Record>& table() {
             {"non_finite", "", "numbers that are NaN or infinite, of view, truth and scores"},
             [](auto& r) -> auto& { return r.row.counts.non_finite; });
         table.add(
-            {"overflow", "", "codes beyond what they may hold"},
+            {"overflow", "", "codes that overflowed"},
             [](auto& r) -> auto& { return r.row.counts.overflow; });
         table.add(
             {"lost_cell", "", "1 if the cell has no result"},

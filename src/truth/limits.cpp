@@ -57,7 +57,7 @@ void check_memory(const scene::Scene& scene, const TruthLimits& limits) {
     if (bytes <= limits.memory_bytes) return;
     constexpr std::size_t kMega = 1'000'000;
     throw TooLarge(std::to_string(scene::triangle_count(scene)) + " triangles and " +
-                   std::to_string(places) + " vertices are reckoned to take " +
+                   std::to_string(places) + " vertices are estimated to take " +
                    std::to_string(bytes / kMega) + " MB, more than " +
                    std::to_string(limits.memory_bytes / kMega));
 }

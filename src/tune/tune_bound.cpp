@@ -19,7 +19,7 @@ std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
     if (!study.config.info->make(study.config.settings)->code()) return "";
     study.trace = options.trace;
     study.search.threads = options.threads;
-    std::string text = "linear bound: no four weights of this code come above it\n";
+    std::string text = "linear bound: no four weights of this code can exceed it\n";
     try {
         const std::vector<linear_code::BoundRow> rows = linear_code::study_bounds(scenes, study);
         for (const char* split : {"train", "heldout"}) {
@@ -30,8 +30,8 @@ std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
             if (pooled == nullptr) continue;
             const double f = pooled->measured.f();
             text += fmt::format(
-                "  {:<12} F {:.4f} of at most {:.4f}: {:.4f} below; the bound is at most {:.4f} "
-                "above what weights reach by its reckoning\n",
+                "  {:<12} F {:.4f} of at most {:.4f}: {:.4f} below; by the bound's own rule some "
+                "weights come within {:.4f} of it\n",
                 pooled->scene,
                 f,
                 pooled->bound.f_upper,

@@ -115,8 +115,8 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
 harness::TableInfo evaluations_table(const TuneSpace& space) {
     harness::TableInfo table{
         "evaluations.csv",
-        "A line per evaluation of the tuner, in the order in which it asked for them.",
-        {{"evaluation", "", "its number within the search; the random one counts anew"},
+        "A line per evaluation of the tuner, in the order in which they were made.",
+        {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
          {"phase", "", "start, global, local or random"}}};
     for (const TunedParameter& parameter : space.parameters())
         table.columns.push_back(

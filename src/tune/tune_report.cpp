@@ -101,8 +101,8 @@ std::string agreement_line(const TuneResult& result) {
         });
     const PlaneAgreement& agreement = *result.agreement;
     return fmt::format(
-        "drawn from planes: {} of {} evaluations; all that was best when it came is the method's "
-        "own\n  at the tuned settings {:.4f} % of the pixels differ, E by {:+.6f}\n\n",
+        "drawn from planes: {} of {} evaluations; every new best was drawn by the method itself\n  "
+        "at the tuned settings {:.4f} % of the pixels differ, E by {:+.6f}\n\n",
         n_planes,
         result.steps.size(),
         100.0 * static_cast<double>(agreement.differ_px) /
@@ -182,7 +182,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
         text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);
     }
     const bool is_late = options.budget_ms && result.tuned.found.value > 1;
-    if (is_late) text += "none of the settings keeps within the time budget\n";
+    if (is_late) text += "no setting keeps within the time budget\n";
     if (options.budget_ms) {
         text += fmt::format("median drawing {:.3f} ms of {} allowed\n",
                             result.tuned.found.draw_ms.value_or(0),

@@ -73,7 +73,7 @@ TEST(StressSentence, NamesTheLevelAndTheWorst) {
     ASSERT_EQ(curves.size(), 3U);
     EXPECT_NEAR(curves[2].loss(), 0.4, 1e-12);
     EXPECT_EQ(stress_sentence(studies::find_stress_axis("grazing"), curves),
-              "Level: steady. Moves most: mote4 from .20 (at 20°) to .60 (at 0.1°).");
+              "Constant: steady. Largest change: mote4 from .20 (at 20°) to .60 (at 0.1°).");
 }
 
 TEST(StressTable, HasALinePerAxisThatRan) {

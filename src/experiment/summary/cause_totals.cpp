@@ -34,23 +34,24 @@ std::string_view meaning_of(score::Cause cause) {
         case Cause::one_patch:
             return "inside one smooth patch: its triangles show";
         case Cause::crack:
-            return "a true line crosses the stencil, but lies out of reach";
+            return "a true line crosses the stencil, but out of reach";
         case Cause::frame:
             return "the true line is in the band at the frame, or beyond";
         case Cause::other:
             return "several surfaces meet here without a true line";
         case Cause::cancelled:
-            return "a channel alone would have shown it, the sum of all does not";
+            return "one channel alone would show it, the sum of all does not";
         case Cause::below_threshold:
             return "no channel alone reaches the threshold";
         case Cause::sub_pixel:
             return "between pixel centres that see the same triangle";
         case Cause::thinned:
-            return "drawn, but so close to others that thinning took it away";
+            return "drawn, but so close to other lines that thinning removed it";
         case Cause::unexplained:
             return "the declared code should have drawn it";
         case Cause::undeclared:
-            return "not drawn; the method declares no linear code to ask";
+            return "not drawn, cause unknown: only methods that declare a linear code can be "
+                   "analysed";
     }
     return "?";
 }

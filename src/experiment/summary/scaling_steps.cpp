@@ -43,7 +43,7 @@ ScalingStep step_between(const studies::ScalingPoint& a, const studies::ScalingP
 std::string words(const ScalingStep& step) {
     const studies::ScalingAxisInfo& axis =
         studies::scaling_axes()[static_cast<std::size_t>(step.axis)];
-    return fmt::format("{} from {} to {} {}, exponent {:.2f} (noise alone may make {:.2f})",
+    return fmt::format("{} from {} to {} {}, exponent {:.2f} (noise alone can give {:.2f})",
                        step.method,
                        format_scaling_x(step.axis, step.from),
                        format_scaling_x(step.axis, step.to),

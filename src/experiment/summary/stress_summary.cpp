@@ -64,11 +64,12 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::string level_words(const std::vector<std::string>& level, std::size_t methods) {
-    if (level.empty()) return "No method stays level.";
+    if (level.empty()) return "No method's error stays constant.";
     if (level.size() == methods)
-        return fmt::format("Level: no method's error moves by {} or more.", share(kLevel));
-    if (level.size() > 6) return fmt::format("{} of {} methods stay level.", level.size(), methods);
-    return fmt::format("Level: {}.", joined(level));
+        return fmt::format("Constant: no method's error changes by {} or more.", share(kLevel));
+    if (level.size() > 6)
+        return fmt::format("The errors of {} of {} methods stay constant.", level.size(), methods);
+    return fmt::format("Constant: {}.", joined(level));
 }
 
 using P = StressPointSummary;
@@ -96,8 +97,7 @@ harness::TableOf<P> make_points_table() {
     add({"truth_px", "px", "true pixels of all cases"}, [](const P& p) { return p.truth_px; });
     add({"non_finite", "", "numbers that are NaN or infinite"},
         [](const P& p) { return p.counts.non_finite; });
-    add({"overflow", "", "codes beyond what they may hold"},
-        [](const P& p) { return p.counts.overflow; });
+    add({"overflow", "", "codes that overflowed"}, [](const P& p) { return p.counts.overflow; });
     add({"lost_cells", "", "cases without a result"}, [](const P& p) { return p.counts.lost; });
     add({"differing", "", "images that differ where the axis allows none to"},
         [](const P& p) { return p.counts.differing; });
@@ -213,8 +213,7 @@ std::string stress_sentence(const studies::StressAxis& axis,
     for (const StressCurve& curve : curves) {
         if (curve.best() == nullptr) continue;
         if (curve.method == "sampled" && curve.loss() >= kLevel) {
-            ceiling = fmt::format(" The ceiling of one sample a pixel itself moves: {}.",
-                                  words(axis, curve));
+            ceiling = fmt::format(" The baseline sampled itself changes: {}.", words(axis, curve));
         }
         if (harness::is_baseline(curve.method)) continue;
         ++methods;
@@ -229,11 +228,11 @@ std::string stress_sentence(const studies::StressAxis& axis,
         moving.begin(), moving.end(), [](auto* a, auto* b) { return a->loss() > b->loss(); });
     std::string text = level_words(level, methods);
     if (moving.empty()) return text + ceiling;
-    text += " Moves most: ";
+    text += " Largest change: ";
     for (std::size_t i = 0; i < std::min<std::size_t>(3, moving.size()); ++i)
         text += (i > 0 ? "; " : "") + words(axis, *moving[i]);
     if (moving.size() > 3)
-        text += fmt::format(". Least of those that move: {}", words(axis, *moving.back()));
+        text += fmt::format(". Smallest change: {}", words(axis, *moving.back()));
     return text + "." + ceiling;
 }
 

@@ -23,7 +23,7 @@ std::string remedy_of(const harness::Row& row) {
     if (begins_with(row.status, "reference_disagreement")) {
         return fmt::format(
             "inkbench truth {} --view {} --crosscheck --disagreement where.png shows "
-            "the places; --no-crosscheck scores the view all the same",
+            "the places; --no-crosscheck scores the view anyway",
             row.scene,
             row.view);
     }

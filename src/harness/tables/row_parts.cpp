@@ -207,9 +207,7 @@ void add_skip_columns(RowTable& table) {
                     field.read((*r.row.skips)[skip].*count);
                 });
         };
-        add("",
-            &raster::SkipCount::skipped,
-            fmt::format("left undone in a frame: {}", info.summary));
+        add("", &raster::SkipCount::skipped, fmt::format("left out in a frame: {}", info.summary));
         add("_of", &raster::SkipCount::of, "how many there were; 0 where this does not apply");
     }
 }

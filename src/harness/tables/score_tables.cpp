@@ -40,7 +40,7 @@ TableOf<CountsAt<At>> counts_table(const std::string& file, const std::string& d
 const TableOf<AtThreshold>& curves() {
     static const auto kTable = counts_table<int>(
         "curves.csv",
-        "99 lines per cell that came out: its counts within 2 px at every threshold.",
+        "99 lines per scored cell: its counts within 2 px at every threshold.",
         {"threshold",
          "1/100",
          "of the full edge response: a pixel is on where 100 S >= 255 threshold"});
@@ -50,7 +50,7 @@ const TableOf<AtThreshold>& curves() {
 const TableOf<AtTolerance>& tolerances() {
     static const auto kTable = counts_table<double>(
         "tolerances.csv",
-        "A line per cell that came out and tolerance: its counts at its own threshold.",
+        "A line per scored cell and tolerance: its counts at its own threshold.",
         {"tolerance_px", "px", "how far a match may be, centre to centre"});
     return kTable;
 }

@@ -25,8 +25,8 @@ void add_places(std::vector<StressAxis>& axes) {
         {"near_far", "far distance over near distance"},
         decades(1, 9),
         "The camera's near plane moves towards the eye while far stays behind the scene; a small "
-        "pyramid stands 2.5 near distances before the eye, so that the range is used, and depth "
-        "is scaled to near and far (depth_range = camera).",
+        "pyramid is 2.5 near distances before the eye, so that the range is used, and depth is "
+        "scaled to near and far (depth_range = camera).",
         near_far_cases));
     axes.push_back(make_axis(
         {"grazing", "angle at which the view direction meets a floor", "deg"},
@@ -45,23 +45,22 @@ void add_places(std::vector<StressAxis>& axes) {
                   decades(0, 8),
                   "Scene and camera move together away from the origin, by transforms in double.",
                   origin_cases));
-    axes.push_back(make_axis(
-        {"fp32", "distance of scene and camera from the origin", "units"},
-        decades(0, 8),
-        "As the axis before, but methods are given world positions rounded to floats, as a "
-        "renderer holds them that works in fp32 throughout; the truth is of the exact scene.",
-        fp32_cases));
+    axes.push_back(
+        make_axis({"fp32", "distance of scene and camera from the origin", "units"},
+                  decades(0, 8),
+                  "As the axis before, but methods are given world positions rounded to floats, as "
+                  "in a renderer that works in fp32 throughout; the truth is of the exact scene.",
+                  fp32_cases));
     axes.push_back(
         make_axis({"scale", "size of the model over its own"},
                   powers_of_two(-30, 30, 6),
                   "Scene, camera, near and far grow together by powers of two, 9e-10 to 1e9.",
                   scale_cases));
-    axes.push_back(make_axis(
-        {"zoom", "magnification"},
-        powers_of_two(-5, 6, 1),
-        "The focal length grows, aimed at the vertex nearest the eye: from a scene of a few "
-        "pixels to one corner of it.",
-        zoom_cases));
+    axes.push_back(make_axis({"zoom", "magnification"},
+                             powers_of_two(-5, 6, 1),
+                             "The focal length grows, aimed at the vertex nearest the eye: from a "
+                             "scene of a few pixels to one of its corners.",
+                             zoom_cases));
     axes.push_back(make_axis({"cube_roll", "roll of the camera", "deg", AxisScale::linear},
                              evenly(0, 350, 10),
                              "The camera turns about its view direction before a cube, a wedge and "

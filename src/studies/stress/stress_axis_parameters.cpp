@@ -28,8 +28,8 @@ void add_parameter_axes(std::vector<StressAxis>& axes) {
         {"code_bits", "bits of the packed code", "bits", AxisScale::linear},
         evenly(3, 16, 1),
         "Ranges of packed codes shrink by powers of two and the response is scaled up by as many "
-        "bits. The 16 fractional bits of the rasterizer's code planes are a constant: this is how "
-        "few whole ones a code does with. Methods that pack nothing are level lines.",
+        "bits. The 16 fractional bits of the rasterizer's code planes are a constant; this axis "
+        "varies the whole bits. Methods that pack nothing do not change.",
         code_bits_cases));
     axes.push_back(make_axis(
         {"saturate", "sum of the ranges over what they are by default"},
@@ -75,17 +75,17 @@ void add_defect_axes(std::vector<StressAxis>& axes) {
            duplicate_cases);
     defect("t_junctions",
            "that are cut at an edge their neighbour does not share",
-           "Some triangles of a ring, a cube and a drum are halved at the middle of a side, which "
-           "their neighbours know nothing of.",
+           "Some triangles of a ring, a cube and a drum are halved at the middle of a side. Their "
+           "neighbours do not share that vertex.",
            t_junction_cases);
     defect("cracks",
-           "that are torn off by a hairline",
+           "that are separated by a hairline",
            "Some triangles get vertices of their own, each off by up to a millionth of a unit: "
-           "less than the truth's weld tolerance, so nothing of it is a line.",
+           "less than the truth's weld tolerance, so the truth has no line there.",
            crack_cases);
     defect("orientation",
            "that are turned inside out",
-           "Some triangles run the other way round; the truth does not care.",
+           "Some triangles run the other way round; the truth does not depend on this.",
            orientation_cases);
     defect("soup",
            "without shared vertices",
