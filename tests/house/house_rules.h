@@ -44,4 +44,11 @@ using Findings = std::vector<std::string>;
 /// No text names a path of one machine or a host that packages come from.
 [[nodiscard]] Findings check_words(const SourceTree& tree);
 
+/// README.md has at most 600 words, those of its tables and commands among them.
+[[nodiscard]] Findings check_readme(const SourceTree& tree);
+
+/// Pages (*.md) have none of the words and turns on a short list, each of which has a plainer one,
+/// and no fraction without its leading zero. Code is not read.
+[[nodiscard]] Findings check_prose(const SourceTree& tree);
+
 }  // namespace ink::house

@@ -52,5 +52,13 @@ TEST(House, TextKnowsNoMachine) {
     EXPECT_THAT(check_words(project()), IsEmpty());
 }
 
+TEST(House, ReadmeIsShort) {
+    EXPECT_THAT(check_readme(project()), IsEmpty());
+}
+
+TEST(House, PagesAreInPlainWords) {
+    EXPECT_THAT(check_prose(project()), IsEmpty());
+}
+
 }  // namespace
 }  // namespace ink::house
