@@ -76,11 +76,10 @@ class Planner {
         }
         is_depth_only_ = false;
         if (statistics_.has_creases()) {
-            return say(
-                both,
-                fmt::format("{} creases turn the normal where depth has only a kink; weights "
-                            "unlike each other do not cancel in the same directions",
-                            statistics_.creases.count + statistics_.nonmanifold.count));
+            return say(both,
+                       fmt::format("{} creases turn the normal where depth has only a kink; "
+                                   "weights that differ do not cancel in the same directions",
+                                   statistics_.creases.count + statistics_.nonmanifold.count));
         }
         say(both,
             fmt::format("{} pairs of components may cross, and where they do depth has no step",
@@ -94,8 +93,8 @@ class Planner {
         if (!is_rough) {
             step_ = kLeastStep;
             why =
-                "all faces are flat: a plane's code, rounded once, answers 2 at most, and 3 is "
-                "clipped";
+                "all faces are flat: a plane's code, rounded once, responds with 2 at most, and 3 "
+                "is clipped";
         } else if (is_depth_only_) {
             step_ = kDepthCurvedStep;
             why = "depth bends from facet to facet, most where a curved surface turns away";
@@ -107,7 +106,8 @@ class Planner {
                 deviation_deg);
         }
         step_ *= wishes_.step_scale;
-        say(fmt::format("a line from {:.2g} % of the range on", 100 * step_), std::move(why));
+        say(fmt::format("least step of a line: {:.2g} % of the range", 100 * step_),
+            std::move(why));
     }
 
     void choose_store() {
@@ -117,7 +117,7 @@ class Planner {
         const bool is_byte =
             wishes_.bytes == Bytes::one || (wishes_.bytes == Bytes::planned && is_enough);
         plan_.store = is_byte ? raster::Store::u8 : raster::Store::u16;
-        say(is_byte ? "one byte a pixel" : "two bytes a pixel",
+        say(is_byte ? "one byte per pixel" : "two bytes per pixel",
             wishes_.bytes != Bytes::planned
                 ? "requested by a parameter"
                 : fmt::format("that step is {:.1f} of {:.0f} codes of a byte, and clipping leaves "
@@ -137,8 +137,8 @@ class Planner {
             is_log
                 ? "each code is the same share of the distance, where 1/w spends most on what is "
                   "nearest; its kinks where triangles of a plane meet are less than the step"
-                : "on a plane it is linear over all its triangles, and steps as small as planned "
-                  "bear no kink within one");
+                : "on a plane it is linear over all its triangles, and a step this small allows no "
+                  "kink within a plane");
     }
 
     void say_what_no_code_sees() {

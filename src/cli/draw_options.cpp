@@ -129,7 +129,7 @@ void add_look_options(CLI::App& command, LookOptions& options) {
                     "them, and 2 px wide by hand")
         ->type_name("PX")
         ->capture_default_str();
-    command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines again by hand");
+    command.add_flag("--hand-drawn", options.hand_drawn, "Draw the lines as if by hand");
     add_repeatable_option(
         command,
         "--set-hand",

@@ -86,8 +86,8 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
     const double strip_px = harness::strip_length_px(curves, check.agreement);
     if (strip_px > 0) {
         text += fmt::format(
-            "of the truth that the cross-check lacks {:.1f} px run within 1/32 px of another line: "
-            "strips thinner than its samples lie apart\n",
+            "{:.1f} px of the truth that the cross-check lacks run within 1/32 px of another line: "
+            "strips thinner than the distance between its samples\n",
             strip_px);
     }
     return text;

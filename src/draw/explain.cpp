@@ -26,7 +26,7 @@ void add_edges(std::vector<Fact>& facts,
                const scene::EdgeTally& tally,
                const std::string& doc) {
     facts.push_back(count(name, tally.count, "edges", doc));
-    facts.push_back({name + "_length", tally.length_world, "world", "their length together"});
+    facts.push_back({name + "_length", tally.length_world, "world", "total length of these edges"});
 }
 
 void add_deviations(std::vector<Fact>& facts, const scene::SceneStatistics& statistics) {
@@ -45,16 +45,13 @@ void add_deviations(std::vector<Fact>& facts, const scene::SceneStatistics& stat
 std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
     std::vector<Fact> facts = {
         count("triangles", l.triangles, "triangles", "degenerate and repeated ones left out"),
-        count("vertices", l.vertices, "places", "after welding what lies at the same place"),
+        count("vertices", l.vertices, "places", "after welding vertices at the same place"),
         count("objects", l.objects, "objects", "placed meshes"),
         count("materials", l.materials, "materials", "used by a triangle"),
-        {"crease_angle",
-         glm::degrees(l.crease_rad),
-         "deg",
-         "dihedral deviation from which on an edge is a crease"},
+        {"crease_angle", glm::degrees(l.crease_rad), "deg", "least dihedral deviation of a crease"},
     };
-    add_edges(facts, "creases", l.creases, "bent by that or more");
-    add_edges(facts, "smooth", l.smooth, "bent by less: a curved surface in facets");
+    add_edges(facts, "creases", l.creases, "with at least that deviation");
+    add_edges(facts, "smooth", l.smooth, "with less: a curved surface made of facets");
     add_edges(facts, "flat", l.flat, "within a plane");
     add_edges(facts, "seams", l.seams, "between two objects, flatter than a crease");
     add_edges(facts, "boundary", l.boundary, "with one face");
@@ -65,9 +62,12 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
         {"largest_smooth",
          glm::degrees(l.largest_smooth_rad),
          "deg",
-         "dihedral deviation short of a crease"},
-        {"least_crease", glm::degrees(l.least_crease_rad), "deg", "dihedral deviation of a crease"},
-        count("components", l.components, "components", "parts that no edge joins"),
+         "largest dihedral deviation below a crease"},
+        {"least_crease",
+         glm::degrees(l.least_crease_rad),
+         "deg",
+         "least dihedral deviation found at a crease"},
+        count("components", l.components, "components", "parts that share no edge"),
         count("watertight_components",
               l.watertight_components,
               "components",
@@ -77,8 +77,10 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
               "components",
               "watertight, and cannot hide their own front"),
         count("loose_triangles", l.loose_triangles, "triangles", "without a neighbour"),
-        count(
-            "cracked_corners", l.cracked_corners, "corners", "of boundaries, a hair from another"),
+        count("cracked_corners",
+              l.cracked_corners,
+              "corners",
+              "of boundary edges, very near another corner"),
         count("overlapping_components",
               l.overlapping_components,
               "pairs",
@@ -97,12 +99,12 @@ std::vector<Fact> facts_of(const scene::SceneStatistics& l) {
 
 std::vector<Fact> facts_of(const scene::ViewStatistics& v) {
     return {
-        {"near", v.near, "world", "the nearest that the scene's ball can be seen"},
-        {"far", v.far, "world", "and the farthest"},
+        {"near", v.near, "world", "nearest visible point of the scene's bounding sphere"},
+        {"far", v.far, "world", "its farthest point"},
         {"depth_ratio", v.depth_ratio(), "times", "far over near"},
-        flag("inside", v.is_inside, "the eye is within the ball"),
-        {"frame_share", 100 * v.frame_share, "%", "of the image that the ball covers"},
-        {"px_per_triangle", v.px_per_triangle, "px", "of that, shared out evenly"},
+        flag("inside", v.is_inside, "the eye is inside the bounding sphere"),
+        {"frame_share", 100 * v.frame_share, "%", "of the image is covered by the bounding sphere"},
+        {"px_per_triangle", v.px_per_triangle, "px", "of that, per triangle"},
     };
 }
 
@@ -188,7 +190,7 @@ std::string as_text(const Explanation& explanation) {
                             text_of(method.skips));
         if (!method.channels.empty()) {
             text += fmt::format(
-                "{}: channels that tell nothing here (leaving one out changes bits)\n{}",
+                "{}: channels that show no line here (leaving one out changes bits)\n{}",
                 method.method,
                 text_of(method.channels));
         }

@@ -27,7 +27,7 @@ Optimisation omit_channel(const LinearCode& code,
     if (!has_weight(code, channel)) return {name, true, "the code gives it no weight"};
     if (channel == 0) return {name, false, "steps of depth are the outlines"};
     if (statistics.loose_share() > kMostlyLoose) {
-        return {name, true, "most triangles are loose: their normals tell facets, not lines"};
+        return {name, true, "most triangles are loose: their normals show facets, not lines"};
     }
     if (statistics.has_creases()) {
         return {name,
@@ -41,9 +41,8 @@ Optimisation omit_channel(const LinearCode& code,
                 fmt::format("{} pairs of components may cross each other",
                             statistics.overlapping_components)};
     }
-    return {name,
-            true,
-            "there are neither creases nor crossings, so normals tell no line of their own"};
+    return {
+        name, true, "there are neither creases nor crossings, so normals add no line of their own"};
 }
 
 /// Why a plane can have a response, or "" if its |L| <= 2 is sure to be clipped.
@@ -56,7 +55,7 @@ std::string against_flatness(const std::optional<LinearCode>& code) {
         return "refused: response = wrap turns a small negative L into a strong line";
     }
     if (code->response.clip_bits < 2) {
-        return fmt::format("refused: clip_bits = {}, and a plane's code may answer up to 2",
+        return fmt::format("refused: clip_bits = {}, and a plane's code may respond with up to 2",
                            code->response.clip_bits);
     }
     return "";
@@ -86,15 +85,14 @@ Optimisation omit_flat(std::string name, const std::optional<LinearCode>& code) 
 Optimisation cull_back_faces(const SceneFacts& facts) {
     const std::string name = "back_face_culling";
     if (facts.watertight_solids == 0) {
-        return {name, false, "no solid is closed and turned outwards: backs may be seen"};
+        return {name, false, "no solid is closed and turned outwards: back faces may be visible"};
     }
-    return {
-        name,
-        true,
-        fmt::format("{} of {} solids are watertight: seen from outside, their fronts hide their "
-                    "back_face_culling",
-                    facts.watertight_solids,
-                    facts.solids)};
+    return {name,
+            true,
+            fmt::format("{} of {} solids are watertight: seen from outside, their front faces "
+                        "hide their back faces",
+                        facts.watertight_solids,
+                        facts.solids)};
 }
 
 Optimisation cull_occluded(const scene::SceneStatistics& statistics) {
@@ -109,9 +107,8 @@ Optimisation omit_no_sample(const std::vector<scene::ViewStatistics>& views) {
         least = std::min(least, view.px_per_triangle);
     return {"no_sample",
             true,
-            views.empty()
-                ? "a triangle between pixel centres draws nothing"
-                : fmt::format("down to {:.3g} pixels a triangle, shared out evenly", least)};
+            views.empty() ? "a triangle between pixel centres draws nothing"
+                          : fmt::format("triangles of down to {:.3g} pixels on average", least)};
 }
 
 Optimisation omit_frustum(const std::vector<scene::ViewStatistics>& views) {
@@ -131,8 +128,8 @@ Optimisation omit_empty_tiles(const std::vector<scene::ViewStatistics>& views) {
         least = std::min(least, view.frame_share);
     return {"empty_tiles",
             true,
-            fmt::format("sky alone has no line; the scene's ball leaves up to {:.0f} % of the "
-                        "image to it",
+            fmt::format("the sky has no line; up to {:.0f} % of the image is outside the scene's "
+                        "bounding sphere",
                         100 * (1 - least))};
 }
 

@@ -115,14 +115,12 @@ std::vector<harness::TableInfo> dictionary() {
 std::string dictionary_markdown() {
     std::string text =
         "# The tables of a run folder\n\n"
-        "Made by `inkbench list columns --markdown`; a test holds this page against the "
+        "Made by `inkbench list columns --markdown`; a test compares this page with the "
         "program.\n\n"
-        "`rows.csv` has a line per cell and is complete in itself; every other table names a cell "
-        "of "
-        "it by its number in `cell`. Files are CSV (RFC 4180, UTF-8, \"\\n\"), numbers in the "
-        "shortest form that reads back to the same value, empty where nothing was measured. Two "
-        "runs "
-        "of one plan differ in columns marked *time* and in no others.\n";
+        "`rows.csv` has one line per cell and is complete in itself. Every other table names a "
+        "cell of it by its number in `cell`. Files are CSV (RFC 4180, UTF-8, \"\\n\"). Numbers "
+        "have the shortest form that reads back to the same value. A field is empty where nothing "
+        "was measured. Two runs of one plan differ only in columns marked *time*.\n";
     for (const harness::TableInfo& table : dictionary())
         text += fmt::format("\n{}", harness::dictionary_section(table));
     return text;

@@ -29,7 +29,7 @@ struct NearSheets {
 /// Edges are those of the welded scene. Each with two faces is a crease, smooth, or flat; the rest
 /// are boundaries and non-manifold ones. Seams and inside-out edges are counted among those, too.
 struct SceneStatistics {
-    double crease_rad = 0;  ///< dihedral deviation from which on an edge is a crease
+    double crease_rad = 0;  ///< least dihedral deviation of a crease
 
     std::size_t triangles = 0;  ///< degenerate and repeated ones left out
     std::size_t vertices = 0;   ///< places
@@ -49,7 +49,7 @@ struct SceneStatistics {
     double largest_smooth_rad = 0;  ///< 0 without any
     double least_crease_rad = 0;    ///< 0 without any
 
-    std::size_t components = 0;             ///< parts that no edge joins
+    std::size_t components = 0;             ///< parts that share no edge
     std::size_t watertight_components = 0;  ///< closed, consistently oriented, turned outwards
     std::size_t convex_components = 0;  ///< of these, such as cannot hide a part of their own front
     std::size_t loose_triangles = 0;    ///< no neighbour at any edge
