@@ -6,6 +6,7 @@ function(ink_room name)
     add_library(ink::${name} ALIAS ink_${name})
     target_include_directories(ink_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
     target_link_libraries(ink_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
+    ink_use_precompiled(ink_${name} room)
 endfunction()
 
 # ink_test(ROOM SOURCES ... LINKS ...): the tests of one room, one program; each TEST is a ctest case.
@@ -17,6 +18,7 @@ function(ink_test room)
         INK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" INK_BINARY_DIR="${CMAKE_BINARY_DIR}"
         INK_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
     target_link_libraries(test_${room} PRIVATE ${TEST_LINKS} GTest::gmock GTest::gtest_main)
+    ink_use_precompiled(test_${room} test)
     gtest_discover_tests(test_${room} TEST_PREFIX ${room}/ DISCOVERY_MODE PRE_TEST
         PROPERTIES TIMEOUT 300)
 endfunction()
