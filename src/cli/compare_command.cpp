@@ -20,6 +20,16 @@ constexpr int kMostRepetitions = 10000;
 constexpr const char* kQuickSize = "640x360";
 constexpr int kQuickRepetitions = 3;
 
+/// What `--demo` compares unless told otherwise: each kind of line and difficulty once, and of each
+/// family the methods that the README recommends beside those of the sources.
+constexpr const char* kDemoScenes =
+    "torus,cube,blocks,tiles,hills,gear,figure,teapot,letters,knot,chess,staircase";
+constexpr const char* kDemoMethods =
+    "decaudin,roberts_tuned,sobel,mote4,mote4_tuned,auto,polygon_offset,edge_hash,inverted_hull,"
+    "ids,"
+    "jump_flood";
+constexpr const char* kDemoOut = "inkbench-out/demo";
+
 struct CompareArgs {
     SceneOptions scenes;
     std::vector<std::string> methods;
@@ -40,6 +50,7 @@ struct CompareArgs {
     bool skip_study = false;
     bool motion = false;
     bool quick = false;
+    bool demo = false;
     std::string images = "first";
 };
 
@@ -57,6 +68,13 @@ void apply_quick(CompareArgs& args, const CLI::App& command) {
     if (command.count("--repetitions") == 0) args.repetitions = kQuickRepetitions;
     args.no_sweep = true;
     args.no_crosscheck = true;
+}
+
+void apply_demo(CompareArgs& args, const CLI::App& command) {
+    args.quick = true;
+    if (args.scenes.is_empty()) args.scenes.listed = {kDemoScenes};
+    if (args.methods.empty()) args.methods = {kDemoMethods};
+    if (command.count("--out") == 0) args.folder.out = kDemoOut;
 }
 
 experiment::Experiment experiment_of(const CompareArgs& args) {
@@ -131,6 +149,10 @@ void add_compare_command(CLI::App& app) {
                       args->quick,
                       "A first look: 640x360, one view a scene, few repetitions, no sweep, no "
                       "check of the truth");
+    command->add_flag("--demo",
+                      args->demo,
+                      "As --quick, of a dozen scenes and the main methods unless others are named, "
+                      "in inkbench-out/demo: a minute");
     add_truth_settings(*command, args->truth);
     add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
@@ -160,6 +182,7 @@ void add_compare_command(CLI::App& app) {
         "Exit codes: 0 done, 1 the run is invalid, 2 bad input, 3 views without a score, 130 "
         "interrupted.");
     command->callback([args, command] {
+        if (args->demo) apply_demo(*args, *command);
         if (args->quick) apply_quick(*args, *command);
         experiment::Experiment experiment = experiment_of(*args);
         experiment.command = run_command_text(*command);

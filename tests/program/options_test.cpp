@@ -177,6 +177,17 @@ TEST(MethodOption, UnknownNamesListWhatThereIs) {
     expect_refused(desk, {"compare", "--methods", ","}, {"--methods", "names no method"});
 }
 
+TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
+    const Desk desk;
+    const std::string plan = expect_done(desk, {"compare", "--demo", "--dry-run"}, {});
+    EXPECT_THAT(plan, HasSubstr(" in 12 blocks"));
+    expect_done(
+        desk, {"compare", "--demo"}, {"--scenes", "cube", "--methods", "ids", "--size", "64x36"});
+    const Table rows = parse_csv(desk.read("inkbench-out/demo/rows.csv"));
+    EXPECT_EQ(rows.size(), 4U);  // with three baselines
+    EXPECT_EQ(rows.at(0).at("scene"), "cube");
+}
+
 TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     const Desk desk;
     (void)expect_done(desk, {"bound", "cube", "--size", "64x36"}, {"--out", "a/b"});
