@@ -12,6 +12,8 @@ function drawSection(section) {
     section.draw(section.body, view);
 }
 
+state.define('open', []);
+
 let viewCache = null;
 function cachedView() {
     if (!viewCache) viewCache = currentView();
@@ -24,24 +26,43 @@ function buildSections(main, nav) {
         for (const entry of entries) {
             const section = sections.find(s => s.node === entry.target);
             section.isNear = entry.isIntersecting;
-            if (section.isNear && section.isStale) drawSection(section);
+            if (section.isNear && section.isStale && isOpen(section)) drawSection(section);
         }
     }, {rootMargin: '600px'});
     for (const section of sections) {
         section.body = element('div', {class: 'section-body'});
         const intro = typeof section.intro === 'function' ? section.intro(view) : section.intro;
-        section.node = element('section', {id: section.id},
-            element('h2', {}, section.title), intro ? element('p', {class: 'soft'}, intro) : null, section.body);
+        const words = intro ? element('p', {class: 'soft'}, intro) : null;
+        section.node = element('section', {id: section.id}, section.isFolded
+            ? foldedPart(section, words)
+            : [element('h2', {}, section.title), words, section.body]);
         section.isStale = true;
         section.node.hidden = Boolean(section.isThere && !section.isThere(view));
         main.append(section.node);
         watcher.observe(section.node);
         nav.append(element('a', {href: `#${section.id}`, 'data-section': section.id, onclick: event => {
             event.preventDefault();
+            if (section.fold) section.fold.open = true;
             section.node.scrollIntoView({behavior: 'smooth'});
         }}, section.title));
     }
     showLinks();
+}
+
+/// A part that few need starts closed; which ones are open stands in the address.
+function foldedPart(section, words) {
+    section.fold = element('details', {class: 'fold', open: state.get('open').includes(section.id)},
+        element('summary', {}, element('h2', {}, section.title)), words, section.body);
+    section.fold.addEventListener('toggle', () => {
+        const others = state.get('open').filter(id => id !== section.id);
+        state.set({open: section.fold.open ? [...others, section.id] : others});
+        if (section.fold.open && section.isStale) drawSection(section);
+    });
+    return section.fold;
+}
+
+function isOpen(section) {
+    return !section.fold || section.fold.open;
 }
 
 function showLinks() {
@@ -68,7 +89,7 @@ function redraw(changed) {
         const isHit = isFilter || changed.some(name => uses.includes(name) || uses.some(u => u.endsWith('*') && name.startsWith(u.slice(0, -1))));
         if (!isHit) continue;
         section.isStale = true;
-        if (section.isNear) drawSection(section);
+        if (section.isNear && isOpen(section)) drawSection(section);
     }
 }
 
