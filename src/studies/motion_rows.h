@@ -32,23 +32,6 @@ struct MotionRow {
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
 };
 
-/// A method's counts over all its sequences that did not fail.
-struct MotionTotal {
-    std::string method = {};
-    int sequences = 0;
-    int failed = 0;
-    int frames = 0;
-    double frames_per_s = 60;
-    score::Flicker flicker = {};
-    score::PopCount pops = {};
-    std::vector<std::int64_t> lives = {};
-
-    [[nodiscard]] std::int64_t false_lines() const;
-};
-
-/// One total per method, in order of first appearance.
-[[nodiscard]] std::vector<MotionTotal> motion_totals(const std::vector<MotionRow>& rows);
-
 /// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
 /// with one is invalid.
 [[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);

@@ -8,7 +8,7 @@
 
 #include "draw/palette.h"
 #include "score/score.h"
-#include "tests/report/made_up_report.h"
+#include "tests/report/made_up_rows.h"
 
 namespace ink::draw {
 namespace {

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "method/family.h"
-#include "report/stress_chart.h"
-#include "report/stress_page.h"
 #include "tests/report/markup.h"
 
 namespace ink::experiment {
@@ -68,12 +66,16 @@ TEST(StressSummary, ALostCellIsCountedAndNotScored) {
     EXPECT_THAT(stress_summary_csv(points), HasSubstr("grazing,0.1,deg,mote4,1,0.5,,,0.5,"));
 }
 
-TEST(StressSentence, NamesTheLevelAndTheWorst) {
+TEST(StressCurves, KnowTheirBestAndWorstPoint) {
     const auto curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
     ASSERT_EQ(curves.size(), 3U);
     EXPECT_NEAR(curves[2].loss(), 0.4, 1e-12);
-    EXPECT_EQ(stress_sentence(studies::find_stress_axis("grazing"), curves),
-              "Constant: steady. Largest change: mote4 from .20 (at 20°) to .60 (at 0.1°).");
+}
+
+TEST(StressAxes, TableNamesTheAxesThatRan) {
+    const std::string table = stress_axes_csv(some_rows());
+    EXPECT_THAT(table, HasSubstr("axis,title,unit,is_log,sentence,value_names\ngrazing,"));
+    EXPECT_THAT(table, Not(HasSubstr("cube_roll")));
 }
 
 TEST(StressTable, HasALinePerAxisThatRan) {
@@ -81,41 +83,6 @@ TEST(StressTable, HasALinePerAxisThatRan) {
     EXPECT_THAT(table, HasSubstr("grazing"));
     EXPECT_THAT(table, HasSubstr("mote4"));
     EXPECT_THAT(table, Not(HasSubstr("cube_roll")));
-}
-
-TEST(StressChart, HasAPanelPerFamilyAndOneMoreForStrangers) {
-    std::vector<StressCurve> curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
-    const studies::StressAxis& axis = studies::find_stress_axis("grazing");
-    const std::string svg = report::stress_chart(axis, curves).file("x");
-    for (const method::Family family : method::kFamilies)
-        EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", method::label_of(family))));
-    std::erase_if(curves, [](const StressCurve& curve) { return curve.method == "steady"; });
-    EXPECT_THAT(
-        report::stress_chart(axis, curves).file("x"),
-        testing::AllOf(HasSubstr(">packed<"), HasSubstr(">mote4<"), Not(HasSubstr(">other<"))));
-}
-
-TEST(StressChart, NamesEveryMethod) {
-    const auto curves = stress_curves(summarise_stress(some_rows(), 1), "grazing");
-    const std::string svg =
-        report::stress_chart(studies::find_stress_axis("grazing"), curves).file("x");
-    EXPECT_THAT(svg, HasSubstr(">mote4<"));
-    EXPECT_THAT(svg, HasSubstr(">steady<"));
-    EXPECT_THAT(svg, HasSubstr("angle at which the view direction meets a floor, deg"));
-    EXPECT_THAT(svg, Not(HasSubstr("nan")));
-}
-
-TEST(StressPage, TellsOfLostCellsAndNeedsNoOtherFile) {
-    RunData run;
-    run.tables.stress = some_rows();
-    EXPECT_THAT(report::stress_page(run), HasSubstr("Nothing crashed"));
-    run.tables.stress[2].counts.lost = 1;
-    run.tables.stress[2].row.status = "failed: <no ink>";
-    const std::string page = report::stress_page(run);
-    EXPECT_THAT(page, HasSubstr("failed: &lt;no ink&gt;"));
-    EXPECT_THAT(page, Not(HasSubstr("Nothing crashed")));
-    EXPECT_THAT(page, Not(HasSubstr("src=")));
-    EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "report/verdict.h"
+#include "report/text/verdict.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/text_table.h"
-#include "tests/report/made_up_report.h"
+#include "tests/report/made_up_rows.h"
 
 namespace ink::report {
 namespace {

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "report/motion_chart.h"
 #include "studies/roll_table.h"
 #include "tests/harness/skipping_method.h"
-#include "tests/report/markup.h"
 
 namespace ink::studies {
 namespace {
@@ -147,16 +145,6 @@ TEST(RollTable, HasALinePerAngleAndOnePerPrediction) {
     unpredicted.samples.resize(1);
     EXPECT_EQ(roll_lines(3, unpredicted), "3,1,0,20,20,,\n");
     EXPECT_EQ(vanishing_lines(3, made_up_curve()), "3,1,45,46,1,0.05\n3,1,225,,,\n");
-}
-
-TEST(RollChart, MarksPredictionsAndHasAPanelPerCode) {
-    const std::string svg = report::roll_chart({made_up_curve()}).inline_element("roll");
-    EXPECT_EQ(report::nesting_error(svg), "");
-    EXPECT_THAT(svg, HasSubstr(">a&lt;b</text>"));
-    EXPECT_THAT(svg, HasSubstr("<title>crease 2: predicted 45.0°, measured 46.0°</title>"));
-    EXPECT_THAT(svg, HasSubstr("<title>crease 2: predicted 225.0°, measured nowhere</title>"));
-    EXPECT_THAT(report::roll_chart({}).inline_element("roll"),
-                HasSubstr("No method here declares a code"));
 }
 
 }  // namespace

@@ -49,29 +49,6 @@ void add_scores(const std::vector<const studies::StressRow*>& rows,
     point.truth_px = all.n_truth;
 }
 
-/// "mote4 from .12 (at 20 deg) to .55 (at 0.1 deg)".
-std::string words(const studies::StressAxis& axis, const StressCurve& curve) {
-    return fmt::format("{} from {} (at {}) to {} (at {})",
-                       curve.method,
-                       share(*curve.best()->error()),
-                       format_stress_value(axis, curve.best()->value),
-                       share(*curve.worst()->error()),
-                       format_stress_value(axis, curve.worst()->value));
-}
-
-std::string joined(const std::vector<std::string>& names) {
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string level_words(const std::vector<std::string>& level, std::size_t methods) {
-    if (level.empty()) return "No method's error stays constant.";
-    if (level.size() == methods)
-        return fmt::format("Constant: no method's error changes by {} or more.", share(kLevel));
-    if (level.size() > 6)
-        return fmt::format("The errors of {} of {} methods stay constant.", level.size(), methods);
-    return fmt::format("Constant: {}.", joined(level));
-}
-
 using P = StressPointSummary;
 
 harness::TableOf<P> make_points_table() {
@@ -202,45 +179,6 @@ std::string format_stress_value(const studies::StressAxis& axis, double value) {
     if (axis.unit == "%") return text + " %";
     if (axis.unit == "deg") return text + "°";
     return text + " " + axis.unit;
-}
-
-std::string stress_sentence(const studies::StressAxis& axis,
-                            const std::vector<StressCurve>& curves) {
-    std::vector<const StressCurve*> moving;
-    std::vector<std::string> level;
-    std::string ceiling;
-    std::size_t methods = 0;
-    for (const StressCurve& curve : curves) {
-        if (curve.best() == nullptr) continue;
-        if (curve.method == "sampled" && curve.loss() >= kLevel) {
-            ceiling = fmt::format(" The baseline sampled itself changes: {}.", words(axis, curve));
-        }
-        if (harness::is_baseline(curve.method)) continue;
-        ++methods;
-        if (curve.loss() < kLevel) {
-            level.push_back(curve.method);
-        } else {
-            moving.push_back(&curve);
-        }
-    }
-    if (methods == 0) return "";
-    std::stable_sort(
-        moving.begin(), moving.end(), [](auto* a, auto* b) { return a->loss() > b->loss(); });
-    std::string text = level_words(level, methods);
-    if (moving.empty()) return text + ceiling;
-    text += " Largest change: ";
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, moving.size()); ++i)
-        text += (i > 0 ? "; " : "") + words(axis, *moving[i]);
-    if (moving.size() > 3)
-        text += fmt::format(". Smallest change: {}", words(axis, *moving.back()));
-    return text + "." + ceiling;
-}
-
-studies::StressCounts total_counts(const std::vector<studies::StressRow>& rows) {
-    studies::StressCounts total;
-    for (const studies::StressRow& row : rows)
-        total.add(row.counts);
-    return total;
 }
 
 std::string stress_table(const std::vector<StressPointSummary>& points) {

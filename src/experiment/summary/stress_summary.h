@@ -60,14 +60,6 @@ struct StressCurve {
 /// A value of an axis as people read it: "1e-07", "20 deg", "zbuffer16 z16".
 [[nodiscard]] std::string format_stress_value(const studies::StressAxis& axis, double value);
 
-/// What the curves of an axis show, measured: which stay level, which lose most and where, what
-/// becomes of the ceiling. "" without a point.
-[[nodiscard]] std::string stress_sentence(const studies::StressAxis& axis,
-                                          const std::vector<StressCurve>& curves);
-
-/// Counts over all rows.
-[[nodiscard]] studies::StressCounts total_counts(const std::vector<studies::StressRow>& rows);
-
 /// For a terminal: a line per axis with the method that loses most, and the counts.
 [[nodiscard]] std::string stress_table(const std::vector<StressPointSummary>& points);
 

@@ -7,19 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "report/report.h"
+#include "core/image.h"
+#include "edge/edge_image.h"
+#include "harness/row.h"
 #include "truth/line_class.h"
 
 namespace ink::report {
 
-/// How large an invented comparison is.
+/// How large an invented image is.
 struct MadeUpSize {
-    int scenes = 2;
-    int views = 3;
     int width_px = 160;
     int height_px = 90;
-    std::vector<std::string> methods = {"mote2", "mote4", "mote16", "decaudin"};
-    std::string scene_prefix = "scene";
 };
 
 /// A truth of circles (contours) with a cross (creases), a bar (seam) and a corner to be ignored.
@@ -111,47 +109,6 @@ inline harness::Row made_up_row(const std::string& method, double f, double draw
         row.bytes_per_px = 5;
     }
     return row;
-}
-
-/// An invented comparison: methods listed later are better and slower.
-inline ReportData made_up_report(const MadeUpSize& size) {
-    ReportData data;
-    data.command = "inkbench compare --size 1280x720";
-    data.elapsed_s = 83.2;
-    std::mt19937_64 random(7);
-    for (int s = 0; s < size.scenes; ++s) {
-        const std::string scene = size.scene_prefix + "_" + std::to_string(s + 1);
-        harness::ShownView shown{
-            scene, "front", made_up_labels(size, static_cast<std::uint64_t>(s)), {}};
-        for (int v = 0; v < size.views; ++v) {
-            const auto add = [&](harness::Row row) {
-                row.scene = scene;
-                row.view = v == 0 ? "front" : "orbit_" + std::to_string(v);
-                row.split = s % 3 == 2 ? "heldout" : "train";
-                row.width = size.width_px;
-                row.height = size.height_px;
-                row.triangles = 1200 * (s + 1);
-                data.rows.push_back(row);
-            };
-            for (std::size_t m = 0; m < size.methods.size(); ++m) {
-                const double noise = static_cast<double>(random() % 1000) / 1000;
-                const double f =
-                    0.72 + 0.06 * static_cast<double>(std::min<std::size_t>(m, 3)) - 0.12 * noise;
-                const double ms = (2.1 + 1.9 * static_cast<double>(m * m)) * (0.7 + 0.6 * noise);
-                add(made_up_row(size.methods[m], f, ms));
-                if (v == 0) {
-                    shown.images.push_back(
-                        {size.methods[m], made_up_drawing(shown.labels, 1 - f, random()), 128});
-                }
-            }
-            add(made_up_row("none", 0, 0));
-            add(made_up_row("sampled", 0.975, 0));
-            add(made_up_row("oracle", 1, 0));
-        }
-        shown.images.push_back({"sampled", made_up_drawing(shown.labels, 0.02, 1), 128});
-        data.views.push_back(std::move(shown));
-    }
-    return data;
 }
 
 }  // namespace ink::report

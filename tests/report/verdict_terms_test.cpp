@@ -1,10 +1,10 @@
-#include "report/statistics.h"
+#include "report/text/verdict_terms.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/text_table.h"
-#include "tests/report/made_up_report.h"
+#include "tests/report/made_up_rows.h"
 
 namespace ink::report {
 namespace {

@@ -1,0 +1,56 @@
+#include "report/packed_tables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace ink::report {
+namespace {
+
+TEST(JsonText, IsSafeInsideAScript) {
+    EXPECT_EQ(json_text("a\"b\n"), R"("a\"b\n")");
+    EXPECT_EQ(json_text("</script><b>"), R"("\u003c/script>\u003cb>")");
+    EXPECT_EQ(nlohmann::json::parse(json_text("</script>")), "</script>");
+    EXPECT_NO_THROW((void)nlohmann::json::parse(json_text("\xff\xfe broken")));
+}
+
+TEST(PackedColumn, KeepsTheDigitsOfNumbers) {
+    EXPECT_EQ(packed_column({"0.1", "", "1e-7", "-3"}), "[0.1,null,1e-7,-3]");
+    EXPECT_EQ(packed_column({"true", "false"}), "[true,false]");
+    EXPECT_EQ(packed_column({"inf", "-inf", "nan", "1"}), "[1e999,-1e999,null,1]");
+}
+
+TEST(PackedColumn, NamesRepeatedTextsOnce) {
+    EXPECT_EQ(packed_column({"ids", "", "mote4", "ids"}),
+              R"({"words":["ids","mote4"],"at":[0,-1,1,0]})");
+}
+
+TEST(PackedColumn, OneValueOnEveryLineStandsOnce) {
+    EXPECT_EQ(packed_column({"640", "640", "640"}), R"({"constant":640})");
+    EXPECT_EQ(packed_column({"a", "a"}), R"({"constant":"a"})");
+    EXPECT_EQ(packed_column({"", ""}), R"({"constant":null})");
+    EXPECT_EQ(packed_column({"7"}), "[7]");
+    EXPECT_EQ(packed_column({}), "[]");
+}
+
+TEST(PackedColumn, CodesThatJavaScriptWouldRoundOrRefuseAreTexts) {
+    EXPECT_EQ(packed_column({"12345678901234567", "1"}),
+              R"({"words":["12345678901234567","1"],"at":[0,1]})");
+    EXPECT_EQ(packed_column({"007", "1"}), R"({"words":["007","1"],"at":[0,1]})");
+    EXPECT_EQ(packed_column({"-01", "1"}), R"({"words":["-01","1"],"at":[0,1]})");
+}
+
+TEST(PackedTable, IsJsonWithAColumnEach) {
+    const auto table =
+        nlohmann::json::parse(packed_table("method,f\n\"a,b\",0.5\nids,\n", "rows.csv"));
+    EXPECT_EQ(table["lines"], 2);
+    EXPECT_EQ(table["columns"]["method"]["words"], (std::vector<std::string>{"a,b", "ids"}));
+    EXPECT_EQ(table["columns"]["f"], nlohmann::json::parse("[0.5,null]"));
+    EXPECT_THROW((void)packed_table("a,b\n1\n", "rows.csv"), core::Error);
+}
+
+}  // namespace
+}  // namespace ink::report

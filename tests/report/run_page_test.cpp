@@ -1,0 +1,126 @@
+#include "report/run_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.h"
+#include "core/image.h"
+#include "experiment/run_data.h"
+#include "experiment/run_record.h"
+#include "harness/view_images.h"
+#include "image_io/image_file.h"
+#include "methods/registry.h"
+#include "report/packed_images.h"
+#include "tests/report/made_up_rows.h"
+
+namespace ink::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A run folder with two views of one scene, one method, and images of both.
+class RunPage : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / ("run_page_" + std::string(info->name()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        experiment::RunRecord record;
+        record.name = "<made up>";
+        record.kind = "compare";
+        record.command = "inkbench compare </script>";
+        record.state = experiment::RunState::finished;
+        experiment::write_record(record, folder_);
+        run_.folder = folder_;
+        for (const char* view : {"front", "side"}) {
+            harness::Row row = made_up_row("mote4", 0.8, 2);
+            row.scene = "cube";
+            row.view = view;
+            row.width = 160;
+            row.height = 90;
+            row.threshold = 128;
+            run_.tables.rows.push_back(row);
+            write_images(row);
+        }
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    void write_images(const harness::Row& row) const {
+        const fs::path images = folder_ / harness::image_folder(row.scene, row.view);
+        fs::create_directories(images);
+        const auto labels = made_up_labels({}, 3);
+        image_io::write_png(labels, images / "truth.png");
+        image_io::write_png(made_up_drawing(labels, 0.2, 5), images / "mote4.png");
+        image_io::write_png(core::Image<std::uint8_t>(160, 90), images / "mote4.errors.png");
+    }
+
+    fs::path folder_;
+    experiment::RunData run_;
+};
+
+TEST_F(RunPage, IsOneFileThatAsksForNothing) {
+    const std::string page = run_page({folder_});
+    EXPECT_THAT(page, testing::StartsWith("<!doctype html>"));
+    EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
+    EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+    EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
+    const std::string page = run_page({folder_});
+    EXPECT_THAT(page, HasSubstr("inkbench compare \\u003c/script>"));
+    const fs::path odd = folder_ / "<b>";
+    fs::create_directories(odd);
+    fs::copy(folder_ / "run.toml", odd / "run.toml");
+    EXPECT_THAT(run_page({odd}), HasSubstr("<title>Inkbench: &lt;b&gt;</title>"));
+}
+
+TEST_F(RunPage, AFolderWithoutARunIsAnError) {
+    EXPECT_THROW((void)run_page({folder_ / "images"}), core::Error);
+    EXPECT_THROW(write_run_page({folder_}, folder_ / "no" / "page.html"), core::Error);
+}
+
+TEST_F(RunPage, HoldsTheImagesOfEveryView) {
+    const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+    ASSERT_EQ(images.size(), 1U);
+    EXPECT_EQ(images[0].size(), 2U);
+    const auto& view = images[0]["cube\nfront"];
+    EXPECT_EQ(view["width"], 160);
+    EXPECT_EQ(view["height"], 90);
+    EXPECT_THAT(view["truth"].get<std::string>(), testing::StartsWith("iVBORw0KGgo"));
+    EXPECT_TRUE(view["methods"].contains("mote4"));
+}
+
+TEST_F(RunPage, ImagesStayInTheirBudget) {
+    const std::size_t whole = packed_images({run_}, 1'000'000).size();
+    const std::string shrunk = packed_images({run_}, whole / 2);
+    EXPECT_LT(shrunk.size(), whole);
+    EXPECT_EQ(nlohmann::json::parse(shrunk)[0].size(), 2U) << "shrunk, not left out";
+    EXPECT_EQ(nlohmann::json::parse(packed_images({run_}, 400))[0].size(), 0U);
+}
+
+TEST_F(RunPage, ARunOfAnotherSizeHasNoImagesOfItsOwn) {
+    for (harness::Row& row : run_.tables.rows)
+        row.width = 320;
+    const auto images = nlohmann::json::parse(packed_images({run_}, 1'000'000));
+    EXPECT_TRUE(images[0]["cube\nfront"]["methods"].empty());
+}
+
+TEST(MethodLooks, NoTwoMethodsOfAFamilyShareAMarker) {
+    std::set<std::tuple<method::Family, method::Marker, bool>> looks;
+    for (const method::MethodInfo& info : methods::registry()) {
+        const bool is_hollow = !info.preset_of.empty();
+        EXPECT_TRUE(looks.insert({info.family, info.marker, is_hollow}).second) << info.name;
+    }
+}
+
+}  // namespace
+}  // namespace ink::report
