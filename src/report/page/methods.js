@@ -1,0 +1,51 @@
+// Lines of tables, sorted by the method they are about, and added up.
+
+/// Lines by method: [{name, info, isBaseline, lines}] in the order of the run's methods, baselines
+/// last. Methods without a line are left out.
+function byMethod(run, lines) {
+    const groups = groupBy(lines, line => line.method);
+    const known = [...run.methods.values()].filter(info => groups.has(info.name));
+    const ordered = [...known.filter(info => !info.isBaseline), ...known.filter(info => info.isBaseline)];
+    return ordered.map(info => ({
+        name: info.name, info, isBaseline: info.isBaseline, lines: groups.get(info.name),
+    }));
+}
+
+/// The sum of a field over lines; empty fields count nothing.
+function sumOf(lines, field) {
+    let sum = 0;
+    for (const line of lines) sum += line[field] || 0;
+    return sum;
+}
+
+/// A share of sums; null where there is nothing to divide by.
+function shareOf(part, whole) {
+    return whole > 0 ? part / whole : null;
+}
+
+/// Mean, spread (standard deviation) and root mean square of `n` values with these sums; null
+/// without values.
+function momentsOf(n, sum, sumOfSquares) {
+    if (!(n > 0)) return null;
+    const mean = sum / n;
+    return {
+        mean,
+        spread: Math.sqrt(Math.max(0, sumOfSquares / n - mean * mean)),
+        rms: Math.sqrt(sumOfSquares / n),
+    };
+}
+
+/// The median of values; null without any.
+function medianOf(values) {
+    return quantile(ascending(values), 0.5);
+}
+
+/// The columns that every table by method begins with.
+function infoColumn() {
+    return methodColumn(line => line.info);
+}
+
+/// Lines about baselines are grey.
+function baselineClass(line) {
+    return line.isBaseline ? 'baseline' : null;
+}
