@@ -25,7 +25,7 @@ file(WRITE "${OUT}" "#include \"report/page_files.h\"
 namespace ink::report {
 
 const PageFiles& page_files() {
-    static constexpr PageFiles kFiles = {
+    static const PageFiles kFiles = {
         .index = ${index},
         .style = ${style},
         .scripts =
