@@ -2,6 +2,7 @@
 
 state.define('settings.method', '');
 state.define('settings.param', '');
+state.define('settings.log', false);
 
 addSection({
     id: 'settings',
@@ -92,7 +93,9 @@ function settingsCharts(root, methods) {
         chooser('Method', withParams.map(m => [m.name, m.name]), method.name,
             name => state.set({'settings.method': name, 'settings.param': ''})),
         chooser('Parameter', method.params.map(name => [name, name]), param,
-            name => state.set({'settings.param': name}))),
+            name => state.set({'settings.param': name})),
+        choiceButtons('Scale of time', [[false, 'Linear time'], [true, 'Logarithmic time']], state.get('settings.log'),
+            log => state.set({'settings.log': log}))),
         element('p', {class: 'note'},
             'One dot per setting. The line joins the best of each value, whatever the other parameters are. A ' +
             'ring marks the method’s own setting.'));
@@ -112,8 +115,10 @@ function settingsChart(grid, method, param, {id, title, unit, value, best, text}
         draw: chart => {
             const area = plotArea(chart, {top: 26, right: 14, bottom: 46, left: 52});
             const {scale: x, ticks} = paramScale(shown.map(setting => setting.values[param]), area.width);
-            const y = makeScale(shown.map(value), [area.height, 0], {includesZero: id === 'ms'});
-            drawAxes(area, x, y, {bottom: {title: param, ticks, format: paramText}, left: {title: unit}});
+            const isLog = id === 'ms' && state.get('settings.log');
+            const y = makeScale(shown.map(value), [area.height, 0], {isLog, includesZero: id === 'ms' && !isLog});
+            drawAxes(area, x, y, {bottom: {title: param, ticks, format: paramText},
+                left: {title: unit + (isLog ? ', logarithmic' : ''), isLog}});
             const at = setting => x(paramKey(setting.values[param], x));
             const joined = [...groupBy(shown, at)].map(([px, ofValue]) => [px, best(ofValue, value)])
                 .sort((a, b) => a[0] - b[0]);

@@ -35,7 +35,7 @@ addSection({
     },
 });
 
-/// The axes that have points: {name, title, unit, isLog, reason, names, curves}, in the run's order.
+/// The axes that have points: {name, title, unit, isLog, sentence, names, curves}, in the run's order.
 function stressAxes(view) {
     const shown = view.run.table('stress_summary.csv').lines.filter(line => view.isMethodShown(line.method));
     const known = new Map(view.run.table('stress_axes.csv').lines.map(line => [line.axis, line]));
@@ -46,7 +46,7 @@ function stressAxes(view) {
         })).filter(curve => curve.points.some(point => isNumber(point.f)) && !['none', 'oracle'].includes(curve.name));
         return {
             name, curves, lines, title: about.title || name, unit: about.unit || lines[0].unit || '',
-            isLog: about.is_log ?? isSpreadOverDecades(lines), reason: about.reason || '',
+            isLog: about.is_log ?? isSpreadOverDecades(lines), sentence: about.sentence || '',
             names: about.value_names ? about.value_names.split(';') : [],
         };
     }).filter(axis => axis.curves.length > 0);
@@ -176,7 +176,7 @@ function stressOneAxis(root, axes) {
     root.append(element('div', {class: 'tools', id: 'stress-one'},
         chooser('One axis large', axes.map(a => [a.name, a.name.replace(/_/g, ' ')]),
         axis.name, name => state.set({'stress.axis': name}))));
-    if (axis.reason) root.append(element('p', {class: 'soft'}, axis.reason));
+    if (axis.sentence) root.append(element('p', {class: 'soft'}, axis.sentence));
     root.append(element('p', {}, stressSentence(axis)));
     stressChart(root, axis, {height: 440, shared: null, intervals: true, labels: true});
     const values = distinct(axis.lines, line => line.value).sort((a, b) => a - b);

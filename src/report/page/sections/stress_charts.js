@@ -36,7 +36,7 @@ function stressChart(parent, axis, {height, shared, intervals = false, labels = 
     const lines = stressLines(axis);
     const isLog = state.get('stress.log');
     const most = Math.min(1, state.get('stress.own') || !shared ? stressMost(axis.curves) : shared);
-    const foot = axis.names.length ? 96 : 46;
+    const foot = axis.names.length ? 106 : 46;
     const unit = axis.unit ? `, ${axis.unit === 'deg' ? 'degrees' : axis.unit}` : '';
     makeChart(parent, {
         id: `stress-${axis.name}${labels ? '-large' : ''}`, title: axis.name.replace(/_/g, ' '), least: 300,
@@ -78,7 +78,7 @@ function stressXAxis({plot, width, height}, axis, x, title) {
             .attr('y2', height);
         const name = stressValue(axis, value);
         plot.append('text').attr('class', 'tick').attr('text-anchor', 'end')
-            .text(name.length > 17 ? `${name.slice(0, 16)}…` : name)
+            .text(name.length > 20 ? `${name.slice(0, 19)}…` : name)
             .attr('transform', `translate(${x(value) + 4},${height + 14}) rotate(-38)`);
     }
 }
