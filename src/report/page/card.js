@@ -149,6 +149,9 @@ async function drawCardImage() {
     const what = card.isTruthShown ? 'truth' : row.method;
     const isDrawn = await drawThumb(canvas, runOf(row), row.scene, row.view, what, cardWidth_px());
     canvas.hidden = !isDrawn;
+    // The image may have made the card too tall for where it was.
+    const box = card.node.getBoundingClientRect();
+    if (box.bottom > innerHeight) moveCard(box.left, box.top, 0);
     card.words.textContent = !isDrawn
         ? 'The run folder has no image of this view (--images all keeps every view’s).'
         : card.isPinned ? (card.isTruthShown ? 'the truth' : 'the method, errors in colour') : '';

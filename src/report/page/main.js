@@ -51,7 +51,9 @@ function buildSections(main, nav) {
 
 /// A part that few need starts closed; which ones are open stands in the address.
 function foldedPart(section, words) {
-    section.fold = element('details', {class: 'fold', open: state.get('open').includes(section.id)},
+    // A run of one study alone has no part before it: it is what the reader came for.
+    const isAlone = !runs.some(run => run.rows.length);
+    section.fold = element('details', {class: 'fold', open: isAlone || state.get('open').includes(section.id)},
         element('summary', {}, element('h2', {}, section.title)), words, section.body);
     section.fold.addEventListener('toggle', () => {
         const others = state.get('open').filter(id => id !== section.id);
