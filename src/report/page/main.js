@@ -57,7 +57,7 @@ function foldedPart(section, words) {
         element('summary', {}, element('h2', {}, section.title)), words, section.body);
     section.fold.addEventListener('toggle', () => {
         const others = state.get('open').filter(id => id !== section.id);
-        state.set({open: section.fold.open ? [...others, section.id] : others});
+        if (!isAlone) state.set({open: section.fold.open ? [...others, section.id] : others});
         if (section.fold.open && section.isStale) drawSection(section);
     });
     return section.fold;
