@@ -59,6 +59,21 @@ void add_side_tables(std::int64_t cell,
     result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
 }
 
+/// What the methods that drew the view have inside.
+std::vector<harness::MethodLayers> layers_of(ViewBench& bench,
+                                             const BlockPlace& at,
+                                             const harness::MeasureOptions& measure,
+                                             const std::vector<harness::Evaluation>& evaluations) {
+    std::vector<harness::MethodLayers> layers;
+    const auto& methods = bench.methods(at.scene);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        if (!evaluations[i].row.is_ok()) continue;
+        layers.push_back(
+            harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
+    }
+    return layers;
+}
+
 /// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
 BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
@@ -96,8 +111,10 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
         add_side_tables(cell, evaluation, result);
         ++cell;
     }
-    if (at.keeps_images && traced.has_truth())
-        result.files = harness::image_files(traced.truth, scene, evaluations);
+    if (at.keeps_images && traced.has_truth()) {
+        result.files = harness::image_files(
+            traced.truth, scene, evaluations, layers_of(bench, at, options.measure, evaluations));
+    }
     return result;
 }
 

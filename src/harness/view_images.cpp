@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/error.h"
@@ -23,6 +25,10 @@ using Gray = core::Image<std::uint8_t>;
 using Rgb = core::Image<glm::u8vec3>;
 
 constexpr const char* kTruth = "truth.png";
+
+/// Layers of methods that are kept: what a filter reads or leaves. Others (ids, edges) show what
+/// the truth's own layers show, or nothing that belongs to one view's pixels.
+constexpr std::array<std::string_view, 4> kKeptLayers = {"packed", "filtered", "depth", "normal"};
 
 template <class Image>
 std::string png(const Image& image) {
@@ -141,9 +147,20 @@ fs::path image_folder(const std::string& scene, const std::string& view) {
     return fs::path("images") / file_name(scene) / file_name(view);
 }
 
+MethodLayers buffer_layers(PreparedMethod& method, const method::Frame& frame) {
+    MethodLayers kept{method.config().info->name, {}};
+    if (!method.failure().empty()) return kept;
+    for (method::Layer& layer : method.method().layers(frame)) {
+        if (std::find(kKeptLayers.begin(), kKeptLayers.end(), layer.name) != kKeptLayers.end())
+            kept.layers.push_back(std::move(layer));
+    }
+    return kept;
+}
+
 std::map<std::string, std::string> image_files(const ViewTruth& truth,
                                                const scene::Scene& scene,
-                                               const std::vector<Evaluation>& evaluations) {
+                                               const std::vector<Evaluation>& evaluations,
+                                               const std::vector<MethodLayers>& method_layers) {
     if (evaluations.empty()) return {};
     const fs::path folder =
         image_folder(evaluations.front().row.scene, evaluations.front().row.view);
@@ -160,6 +177,13 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
         jobs.emplace_back(name + ".png", [&evaluation] { return png(evaluation.image); });
         jobs.emplace_back(name + ".errors.png",
                           [&evaluation] { return png(errors_of(evaluation)); });
+    }
+    for (const MethodLayers& of_method : method_layers) {
+        for (const method::Layer& layer : of_method.layers) {
+            jobs.emplace_back(
+                fmt::format("{}.layer_{}.png", file_name(of_method.method), layer.name),
+                [&layer] { return png(layer.rgb); });
+        }
     }
     std::vector<std::string> bytes(jobs.size());
     core::parallel_for(

@@ -10,18 +10,35 @@
 #include "harness/row.h"
 #include "harness/shown_view.h"
 #include "harness/tracing.h"
+#include "method/method.h"
 
 namespace ink::harness {
+
+/// What a method has inside for one view.
+struct MethodLayers {
+    std::string method;
+    std::vector<method::Layer> layers;
+};
+
+/// The layers that image_files keeps of a method: `packed` and `filtered`, or `depth` and `normal`.
+/// Empty for a method that shows none of them, or that failed.
+[[nodiscard]] MethodLayers buffer_layers(PreparedMethod& method, const method::Frame& frame);
 
 /// The images of one view as PNG files: path inside the run folder, and bytes.
 ///
 /// In `images/<scene>/<view>/`: `truth.png` holds the label of each pixel (0 none, 1 contour, ...,
 /// 7 ignore), `<method>.png` the edge response of a method (0..255) and `<method>.errors.png` why
 /// each wrong pixel is wrong (0: it is not wrong; else 1 + score::Cause), both for `sampled` too;
+/// `<method>.layer_<name>.png` each of `layers`: `packed` (the codes as grey or colour) and
+/// `filtered` (the edge response, middle grey at the threshold) of methods with a packed buffer,
+/// `depth` (near is bright) and `normal` (view space, -1..1 as 0..255) of those with full buffers;
 /// `layer_object.png`, `layer_patch.png` and `layer_facing.png` what the truth sees at pixel
 /// centres: a colour for each object and smooth patch, |n.v| as grey. Cells that failed have none.
 [[nodiscard]] std::map<std::string, std::string> image_files(
-    const ViewTruth& truth, const scene::Scene& scene, const std::vector<Evaluation>& evaluations);
+    const ViewTruth& truth,
+    const scene::Scene& scene,
+    const std::vector<Evaluation>& evaluations,
+    const std::vector<MethodLayers>& layers = {});
 
 /// `text` as part of a file's name: letters, digits, `.`, `-`, `_` and `+` stay, the rest becomes
 /// `_`; never empty, hidden, or longer than 201 characters.
