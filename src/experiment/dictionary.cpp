@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiment/summary/cost_model.h"
+#include "experiment/summary/paired_differences.h"
 #include "experiment/summary/stress_summary.h"
 #include "experiment/summary/summary_csv.h"
 #include "experiment/summary/unscored.h"
@@ -90,6 +91,7 @@ std::vector<harness::TableInfo> dictionary() {
             methods(),
             harness::rows_table(),
             summary_table(),
+            differences_table(),
             unscored_table(),
             harness::curves_table(),
             harness::tolerances_table(),

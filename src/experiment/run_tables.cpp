@@ -5,6 +5,7 @@
 
 #include "experiment/run_data.h"
 #include "experiment/summary/cost_model.h"
+#include "experiment/summary/paired_differences.h"
 #include "experiment/summary/stress_summary.h"
 #include "experiment/summary/summary_csv.h"
 #include "experiment/summary/unscored.h"
@@ -37,8 +38,10 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     for (const RecordedTable& table : record.tables)
         tables.push_back({table.name, std::move(texts.at(table.name))});
     // Over several sizes or numbers of threads no one time of a method means anything.
-    if (record.one_place && record.kind == "compare")
+    if (record.one_place && record.kind == "compare") {
         tables.push_back({"summary.csv", summary_csv(data.rows, data.curves)});
+        tables.push_back({"differences.csv", differences_csv(all_paired_differences(data.rows))});
+    }
     if (record.kind == "compare")
         tables.push_back({"unscored.csv", unscored_csv(unscored_cells(data.rows))});
     if (fit.cells > 0) tables.push_back({"cost_fit.csv", cost_fit_csv(fit)});

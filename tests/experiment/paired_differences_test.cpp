@@ -89,5 +89,14 @@ TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
     EXPECT_NEAR(differences[0].range->low, -differences[2].range->high, 1e-12);
 }
 
+TEST(DifferencesCsv, HasALineAPairAndEmptyFieldsWithoutAnInterval) {
+    EXPECT_EQ(differences_csv({}), "method,other,difference,lo,hi\n");
+    EXPECT_EQ(differences_csv({{"a", "b", 0.25, statistics::Interval{0.125, 0.5}},
+                               {"b", "a", -0.25, std::nullopt}}),
+              "method,other,difference,lo,hi\n"
+              "a,b,0.25,0.125,0.5\n"
+              "b,a,-0.25,,\n");
+}
+
 }  // namespace
 }  // namespace ink::experiment

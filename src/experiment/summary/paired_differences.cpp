@@ -8,6 +8,7 @@
 
 #include "core/text_table.h"
 #include "experiment/summary/summary.h"
+#include "harness/tables/csv.h"
 #include "statistics/bootstrap.h"
 
 namespace ink::experiment {
@@ -100,6 +101,35 @@ std::vector<PairedDifference> all_paired_differences(const std::vector<harness::
         }
     }
     return differences;
+}
+
+const harness::TableInfo& differences_table() {
+    static const harness::TableInfo kTable = {
+        "differences.csv",
+        "A line per ordered pair of methods with a view in common, the best method first: by how "
+        "much the pooled F of one exceeds that of the other.",
+        {{"method", "", "as in rows.csv"},
+         {"other", "", "the method it is compared with"},
+         {"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
+         {"lo",
+          "-1..1",
+          "lower end of its 95 % interval, scenes resampled for both together; empty with one "
+          "scene"},
+         {"hi", "-1..1", "upper end"}}};
+    return kTable;
+}
+
+std::string differences_csv(const std::vector<PairedDifference>& differences) {
+    std::string text = harness::heading(differences_table());
+    for (const PairedDifference& each : differences) {
+        text += fmt::format("{},{},{},{},{}\n",
+                            harness::csv_field(each.a),
+                            harness::csv_field(each.b),
+                            each.difference,
+                            each.range ? fmt::format("{}", each.range->low) : "",
+                            each.range ? fmt::format("{}", each.range->high) : "");
+    }
+    return text;
 }
 
 std::string format_paired_difference(const PairedDifference& paired) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/row.h"
+#include "harness/tables/table.h"
 #include "statistics/spread.h"
 
 namespace ink::experiment {
@@ -34,6 +35,10 @@ struct PairedDifference {
 /// made).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
     const std::vector<harness::Row>& rows);
+
+/// differences.csv: the same as a table of the run folder. No differences give the heading alone.
+[[nodiscard]] const harness::TableInfo& differences_table();
+[[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
 
 /// "+.012 [+.002, +.021]"; the difference alone where there is no interval.
 [[nodiscard]] std::string format_paired_difference(const PairedDifference& paired);
