@@ -5,7 +5,7 @@
 #
 # MODELS holds knight.mdl, faerie.md2 and kyonshi/lower.md3 (default: ../shared/models); without
 # them TechnicalQuake's pictures are left out, with a word. Needs build/release/inkbench (or INKBENCH)
-# and OpenImageIO's oiiotool. ERRORS=1 also draws polygon_offset's errors, which takes some minutes.
+# and OpenImageIO's oiiotool. The errors of polygon_offset are a run: experiments/offset_errors.toml.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 models=${1:-$here/../../shared/models}
@@ -61,9 +61,6 @@ inked() {
 }
 inked offset_tree tree --view trunk
 inked offset_figure figure --view close
-if [ "${ERRORS:-0}" = 1 ]; then
-    python3 "$out/offset_errors.py" "$inkbench" "$work" "$out"
-fi
 
 # CoRgi. Widths are in samples, 4 x 4 a pixel; the fills give way by half a width.
 size=480x270

@@ -1,251 +1,283 @@
-"""How figures look: vector, a journal's two widths, colours of Okabe and Ito, labels at the lines.
+#!/usr/bin/env python3
+"""Figures for papers from run folders: strips, error against time, classes, stress and more.
 
-A family of methods has a colour, a method of it a marker, both as the run's methods.csv says; a
-tuned row is its method's, hollow.
-`save` writes the SVG and returns it for the notebook: the same bytes for the same rows.
+As a program it writes every figure that the runs have data for, and figures.md with a caption for
+each. Notebooks call `show`. The figures themselves are in the package `paper` beside this file.
 """
 
-import io
-import math
+import argparse
+import difflib
 import os
+import re
+import sys
 from pathlib import Path
 
-import matplotlib
+if sys.version_info < (3, 11):
+    sys.exit("figures: they need Python 3.11 or newer, and this is "
+             + ".".join(map(str, sys.version_info[:2])))
+try:
+    import matplotlib
+    import pandas  # noqa: F401  (asked here, so that one sentence names all that is missing)
+except ImportError as error:
+    print(f"figures: they need {error.name}, which {sys.executable} does not have; on Debian: "
+          "apt-get install python3-pandas python3-matplotlib", file=sys.stderr)
+    sys.exit(2)
 
-matplotlib.use("svg")
+matplotlib.use("agg")
 import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the back end)
-from IPython.display import SVG  # noqa: E402
-from matplotlib.colors import to_hex, to_rgb  # noqa: E402
-from matplotlib.patheffects import withStroke  # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator  # noqa: E402
-from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
-import runs  # noqa: E402
+from paper import catalogue  # noqa: E402
+from paper.chart import Nothing, Table  # noqa: E402
+from paper.output import FORMATS, encode, write_whole  # noqa: E402
+from paper.runs import BadInput, RunFolder, Runs  # noqa: E402
+from paper.style import Style, length_in  # noqa: E402
 
-FOLDER = Path(os.environ.get("INKBENCH_FIGURES", "figures"))
-NARROW, WIDE = 3.4, 7.0  # inches: one column of a paper, both
+ROOT = Path(os.environ.get("INKBENCH_RUNS", "../inkbench-out"))
 
-# As src/draw/palette.h has them (Okabe and Ito, Color Universal Design, 2008).
-INK, FAINT, MIST = "#20242a", "#5b6470", "#cdd1d6"
-BLUE, VERMILION, GREEN = "#0072b2", "#d55e00", "#009e73"
-PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
-CLASS_COLOURS = {"contour": INK, "boundary": PURPLE, "crease": GREEN, "intersection": ORANGE,
-                 "seam": SKY}
-CAUSE_COLOURS = {
-    "false_positives_one_triangle": BLUE, "false_positives_one_patch": "#74b9f2",
-    "false_positives_crack": "#2ccf96", "false_positives_frame": "#2a1fb0",
-    "false_positives_other": "#a060f0", "false_negatives_cancelled": VERMILION,
-    "false_negatives_below_threshold": "#f2b400", "false_negatives_sub_pixel": "#6b4410",
-    "false_negatives_thinned": "#ee3377", "false_negatives_unexplained": "#8a1560",
-    "false_negatives_undeclared": "#d98a3a",
-}
-
-# A family in methods.csv: its word in legends, and its colour as the report has it.
-OTHERS = "other"
-FAMILIES = {"packed": ("packed", BLUE), "full_buffers": ("full buffers", VERMILION),
-            "ids": ("ids", GREEN), "edges_and_hulls": ("edges, hulls", PURPLE),
-            "other": (OTHERS, INK)}
-# A marker there, and what Matplotlib calls it; within a family methods stand in this order.
-SHAPES = {"circle": "o", "square": "s", "diamond": "D", "up": "^", "down": "v", "plus": "P",
-          "cross": "X", "left": "<", "right": ">"}
-MARKERS = list(SHAPES.values())
-BASELINES = ["none", "sampled", "oracle"]
-
-STYLE = {
-    "font.family": "DejaVu Sans", "font.size": 7.5, "axes.titlesize": 8, "axes.labelsize": 7.5,
-    "xtick.labelsize": 7, "ytick.labelsize": 7, "legend.fontsize": 7, "legend.frameon": False,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": FAINT,
-    "axes.linewidth": 0.6, "axes.labelcolor": INK, "axes.titlelocation": "left",
-    "text.color": INK, "xtick.color": FAINT, "ytick.color": FAINT, "xtick.labelcolor": INK,
-    "ytick.labelcolor": INK, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
-    "axes.grid": True, "grid.color": "#e8eaed", "grid.linewidth": 0.6, "axes.axisbelow": True,
-    "lines.linewidth": 1.2, "lines.markersize": 4, "figure.constrained_layout.use": True,
-    "figure.dpi": 72, "svg.fonttype": "path", "svg.hashsalt": "inkbench",
-}
-plt.rcParams.update(STYLE)
+# What makes the folders that notebooks read. `notebooks/execute` runs what is missing.
+COMMANDS = {name: f"build/release/inkbench run experiments/{name}.toml"
+            for name in ("quality", "speed", "packing_ranges", "stress", "animation",
+                         "offset_errors")}
+COMMANDS["bound"] = "build/release/inkbench bound --method mote4 --out inkbench-out/bound"
+COMMANDS["scaling"] = ("build/release/inkbench compare --scenes sphere --no-sweep --scaling "
+                       "--out inkbench-out/scaling")
+COMMANDS["tune"] = ("build/release/inkbench tune mote4 --objective scenes --evaluations 1000 "
+                    "--seed 7 --size 640x360 --out inkbench-out/tune/mote4")
 
 
-def _fact(method, column):
-    """A field of methods.csv; "" for a method that no run and no program lists."""
-    known = runs.methods()
-    return known.at[method, column] if method in known.index else ""
+# For notebooks.
+
+def folders(*names):
+    """The folders under INKBENCH_RUNS of these names or globs that are there."""
+    return [path for name in names for path in sorted(ROOT.glob(name))
+            if (path / "rows.csv").is_file()]
 
 
-def base(method):
-    """The method whose settings a preset changes; else the method itself."""
-    return _fact(method, "preset_of") or method.removesuffix("_tuned")
+def show(name, figure, *names, width="178mm", **options):
+    """Draws a figure of paper.catalogue from the runs of these names, and prints its facts.
 
-
-def _family(method):
-    return _fact(method, "family") or _fact(base(method), "family") or "other"
-
-
-def _place(method):
-    """Where the method stands in its family, by its marker."""
-    return list(SHAPES).index(_fact(method, "marker") or _fact(base(method), "marker") or "circle")
-
-
-def family(method):
-    """The word for the method's family in legends."""
-    return FAMILIES[_family(method)][0]
-
-
-def colour(method):
-    """The colour of the method's family."""
-    return FAINT if method in BASELINES else FAMILIES[_family(method)][1]
-
-
-def shade(method):
-    """The method's own, darker or lighter, so that neighbours in a family differ in grey too."""
-    towards, share = [(INK, 0), (INK, 0.55), ("#ffffff", 0.35), (INK, 0.3), ("#ffffff", 0.55)][
-        _place(method) % 5]
-    mixed = [a + share * (b - a) for a, b in zip(to_rgb(colour(method)), to_rgb(towards))]
-    return to_hex(mixed)
-
-
-def look(method, is_shaded=False):
-    """Keywords of `plot` that tell a method from the others; shaded where a family has a panel."""
-    tone = shade(method) if is_shaded else colour(method)
-    hollow = base(method) != method
-    return {"color": tone, "marker": MARKERS[_place(method)],
-            "markerfacecolor": "white" if hollow else tone, "markeredgewidth": 0.9,
-            "linestyle": "--" if hollow else "-"}
-
-
-def by_family(methods):
-    """The methods (baselines left out) in the order of families, presets behind their own."""
-    methods = [m for m in dict.fromkeys(methods) if m not in BASELINES]
-    order = list(FAMILIES)
-    return sorted(methods, key=lambda m: (order.index(_family(m)), _place(m), base(m), base(m) != m))
-
-
-def families_of(methods):
-    """Family -> its methods, in order, families without one left out."""
-    groups = {}
-    for method in by_family(methods):
-        groups.setdefault(family(method), []).append(method)
-    return groups
-
-
-def method_axis(ax, methods):
-    """Methods from top to bottom as ticks in their colour, a rule between families."""
-    ax.set_yticks(range(len(methods)), methods)
-    ax.set_ylim(len(methods) - 0.4, -0.6)
-    ax.grid(axis="y", visible=False)
-    ax.tick_params(axis="y", length=0)
-    for label, method in zip(ax.get_yticklabels(), methods):
-        label.set_color(INK if family(method) == OTHERS else colour(method))
-    for i in range(1, len(methods)):
-        if family(methods[i]) != family(methods[i - 1]):
-            ax.axhline(i - 0.5, color=MIST, linewidth=0.6)
-
-
-def label_ends(ax, ends, x_px=4, gap=1.15):
-    """Texts to the right of lines: (x, y, text, colour) each, moved apart where they would touch.
-
-    Call it when limits stand; the axes must leave room at their right.
+    name: of the file under INKBENCH_FIGURES, if that is set. Prints a sentence where there is
+    nothing to draw, with the command that makes what is missing. In a notebook the figure is shown
+    as SVG and as PNG, of which each exporter takes what it can.
     """
-    ax.figure.draw_without_rendering()
-    to_px, size = ax.transData.transform, plt.rcParams["font.size"] - 1
-    height = size * ax.figure.dpi / 72 * gap
-    placed = sorted(((to_px((x, y)), text, tone) for x, y, text, tone in ends),
-                    key=lambda end: end[0][1])
-    ys = []
-    for (_, y), _, _ in placed:
-        ys.append(max(y, ys[-1] + height) if ys else y)
-    top = ax.get_window_extent().y1
-    if ys and ys[-1] > top:
-        ys[-1] = top
-        for i in range(len(ys) - 2, -1, -1):
-            ys[i] = min(ys[i], ys[i + 1] - height)
-    scale = 72 / ax.figure.dpi
-    for ((x, y), text, tone), y_text in zip(placed, ys):
-        ax.annotate(text, xy=ax.transData.inverted().transform((x, y)), xycoords="data",
-                    xytext=(x_px, (y_text - y) * scale), textcoords="offset points",
-                    color=tone, fontsize=size, va="center", annotation_clip=False)
+    from IPython.display import display
+    found = folders(*names)
+    if not found:
+        commands = " or ".join(f"`{COMMANDS[n.split('/')[0]]}`" for n in names)
+        print(f"Nothing to draw: the run is missing; make it with {commands}.")
+        return
+    runs = Runs([RunFolder(path) for path in found])
+    style = Style(width_in=length_in(width), registry=runs.registry(), **options)
+    try:
+        made = catalogue.draw(figure, runs, style)
+    except Nothing as reason:
+        print(f"Nothing to draw: {reason}.")
+        return
+    for chart in made:
+        print("\n".join(chart.facts))
+        stem = name + (f"_{chart.part}" if chart.part else "")
+        if isinstance(chart, Table):
+            print(chart.latex)
+            continue
+        svg = encode(chart.figure, "svg")
+        display(_bundle(svg, encode(chart.figure, "png", 150)), raw=True)
+        plt.close(chart.figure)
+        if os.environ.get("INKBENCH_FIGURES"):
+            folder = Path(os.environ["INKBENCH_FIGURES"])
+            folder.mkdir(parents=True, exist_ok=True)
+            write_whole(folder / f"{stem}.svg", svg)
 
 
-def label_points(ax, points):
-    """Texts beside points: (x, y, text, colour) each, at the first of twelve places that is free.
+def _bundle(svg, png):
+    """A figure as nbconvert and Jupyter read it.
 
-    Call it when limits stand. A text that stands away from its point gets a thin line to it.
+    The SVG goes as the source of an image: exporters that clean SVGs leave an empty one, and those
+    without HTML take the PNG.
     """
-    figure = ax.figure
-    figure.draw_without_rendering()
-    size, scale = 6.5, 72 / figure.dpi
-    inside = ax.get_window_extent()
-    dots = [ax.transData.transform((x, y)) for x, y, _, _ in points]
-    taken = [(x - 3, y - 3, x + 3, y + 3) for x, y in dots]
-
-    def touches(a, b):
-        return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
-
-    for (x, y), (_, _, text, tone) in zip(dots, points):
-        probe = ax.text(0, 0, text, fontsize=size)
-        extent = probe.get_window_extent()
-        probe.remove()
-        w, h = extent.width, extent.height
-        best = None
-        for far in (5, 12, 20, 30, 42, 56):
-            for dx, dy in ((far, -h / 2), (-far - w, -h / 2), (-w / 2, far), (-w / 2, -far - h),
-                           (far, far / 2), (far, -far / 2 - h), (-far - w, far / 2),
-                           (-far - w, -far / 2 - h)):
-                box = (x + dx, y + dy, x + dx + w, y + dy + h)
-                free = not any(touches(box, other) for other in taken)
-                if free and box[0] > inside.x0 and box[2] < inside.x1 + 40 and (
-                        inside.y0 < box[1] and box[3] < inside.y1):
-                    best = (dx, dy, box, far)
-                    break
-            if best:
-                break
-        dx, dy, box, far = best or (5, -h / 2, (x + 5, y - h / 2, x + 5 + w, y + h / 2), 5)
-        taken.append(box)
-        line = {"arrowstyle": "-", "color": MIST, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 2}
-        ax.annotate(text, xy=ax.transData.inverted().transform((x, y)),
-                    xytext=(dx * scale, dy * scale), textcoords="offset points", color=tone,
-                    fontsize=size, va="bottom", arrowprops=line if far > 5 else None,
-                    path_effects=[withStroke(linewidth=2, foreground="white")])
+    import base64
+    source = "data:image/svg+xml;base64," + base64.b64encode(svg).decode()
+    return {"text/html": f'<img style="max-width: 100%" alt="figure" src="{source}">',
+            "image/png": base64.b64encode(png).decode()}
 
 
-def key(figure, entries, columns=None):
-    """A legend above all axes: (label, keywords of a line) each."""
-    handles = [plt.Line2D([], [], label=label, **keywords) for label, keywords in entries]
-    figure.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0),
-                  ncol=columns or len(entries), handlelength=1.6, columnspacing=1.4,
-                  borderaxespad=0.2)
+# The program.
+
+def window_of(text):
+    """"x,y,w,h" as four whole numbers of pixels; BadInput for anything else."""
+    match = re.fullmatch(r"(\d+),(\d+),(\d+),(\d+)", text.replace(" ", ""))
+    window = tuple(map(int, match.groups())) if match else (0, 0, 0, 0)
+    if window[2] < 4 or window[3] < 4:
+        raise BadInput("--window", f"'{text}' is no window",
+                       "x,y,width,height in pixels from the top left, as 300,120,48,30, at least "
+                       "4x4")
+    return window
 
 
-def key_in(ax, members, below_pt=26):
-    """The methods of one panel with their markers, below its ticks and the label of its axis."""
-    handles = [plt.Line2D([], [], label=m, markersize=3.5, **look(m, True)) for m in members]
-    down = ScaledTranslation(-4 / 72, -below_pt / 72, ax.figure.dpi_scale_trans)
-    ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(0, 0), fontsize=6.5,
-              bbox_transform=ax.transAxes + down, handlelength=1.8, labelspacing=0.25,
-              borderaxespad=0, borderpad=0)
+def names_of(text, option, known=None):
+    """A comma list of names; BadInput for an empty one, or one that is not among `known`."""
+    names = list(dict.fromkeys(part.strip() for part in text.split(",") if part.strip()))
+    if not names:
+        raise BadInput(option, f"'{text}' names nothing", "names, as a,b")
+    for name in names:
+        if known is not None and name not in known:
+            near = difflib.get_close_matches(name, known, 1)
+            hint = f" (did you mean {near[0]}?)" if near else ""
+            raise BadInput(option, f"there is no '{name}'{hint}", ", ".join(known))
+    return names
 
 
-def middle(axes):
-    """The axes in the middle of a row: the label of all stands under it."""
-    return axes[len(axes) // 2]
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        print(f"figures: {message} (see --help)", file=sys.stderr)
+        sys.exit(2)
 
 
-def plain_ticks(ax, x_only=False, y_only=False):
-    """Ticks of a logarithmic axis at 1, 2, 5 times powers of ten, as plain numbers."""
-    axes = [ax.xaxis] if x_only else [ax.yaxis] if y_only else [ax.xaxis, ax.yaxis]
-    for axis in axes:
-        low, high = sorted(axis.get_view_interval())
-        decades = math.log10(high / low) if low > 0 else 9
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 2.2 else (1,), numticks=20))
-        axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+def parser():
+    """The options of the program; `inkbench figures` passes them on."""
+    out = _Parser(prog="figures.py", allow_abbrev=False,
+                  formatter_class=argparse.RawDescriptionHelpFormatter,
+                  description="Make figures for papers from run folders.",
+                  epilog="figures: " + ", ".join(catalogue.FIGURES) + "\n\n"
+                  "Example: python3 notebooks/figures.py inkbench-out --format pdf --width 84mm\n"
+                  "Exit codes: 0 done, 2 bad input.")
+    out.add_argument("runs", metavar="RUN", nargs="*",
+                     help="folder of a finished run; a figure is drawn from the first that has its "
+                     "tables")
+    out.add_argument("--out", metavar="DIR", default="inkbench-figures",
+                     help="folder for figures and figures.md (inkbench-figures)")
+    out.add_argument("--format", default="svg,png", help="of pdf, svg, png, as a,b (svg,png)")
+    out.add_argument("--width", default="178mm",
+                     help="of a figure, in mm, cm, in or pt (178mm: two columns of a journal)")
+    out.add_argument("--font-size", default="8", metavar="PT", help="of text, in points (8)")
+    out.add_argument("--window", action="append", default=[], metavar="X,Y,W,H",
+                     help="zoomed part of strips in pixels; may be given again (the window in "
+                     "which methods' errors differ most)")
+    out.add_argument("--causes", action="store_true",
+                     help="wrong pixels in the colour of their cause, not in two colours")
+    out.add_argument("--methods", metavar="A,B", help="these alone, in this order in strips")
+    out.add_argument("--scenes", metavar="A,B", help="these alone, in this order in strips")
+    out.add_argument("--views", choices=["first", "all"], default="first",
+                     help="of each scene, shown in strips where the run kept images (first)")
+    out.add_argument("--only", metavar="A,B", help="these figures alone")
+    out.add_argument("--check", action="store_true",
+                     help="say whether the options are good, and do nothing")
+    return out
 
 
-def save(figure, name):
-    """Writes figures/<name>.svg and returns the same for the notebook. No date goes in."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="svg", bbox_inches="tight", pad_inches=0.04,
-                   metadata={"Date": None, "Creator": None})
-    plt.close(figure)
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    (FOLDER / f"{name}.svg").write_bytes(buffer.getvalue())
-    return SVG(buffer.getvalue())
+def font_size_of(text):
+    try:
+        size = float(text)
+    except ValueError:
+        size = 0
+    if not 4 <= size <= 36:
+        raise BadInput("--font-size", f"'{text}' is no size of text", "4 to 36, in points")
+    return size
+
+
+def options_of(words):
+    """The parsed options, every text read; BadInput for one that means nothing."""
+    args = parser().parse_args(words)
+    args.format = names_of(args.format, "--format", FORMATS)
+    args.width_in = length_in(args.width)
+    args.font_pt = font_size_of(args.font_size)
+    args.windows = [window_of(text) for text in args.window]
+    args.only = names_of(args.only, "--only", list(catalogue.FIGURES)) if args.only is not None \
+        else list(catalogue.FIGURES)
+    args.methods = names_of(args.methods, "--methods") if args.methods is not None else None
+    args.scenes = names_of(args.scenes, "--scenes") if args.scenes is not None else None
+    if not args.runs and not args.check:
+        raise BadInput("figures.py", "it needs a run", "the folder of a finished run, or several")
+    return args
+
+
+def make(args):
+    """Writes all figures that the runs have data for; returns the names of the files."""
+    runs = Runs([RunFolder(path) for path in args.runs], args.methods, args.scenes,
+                args.views == "all")
+    style = Style(width_in=args.width_in, font_pt=args.font_pt, registry=runs.registry(),
+                  windows=args.windows, causes=args.causes)
+    out = Path(args.out)
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BadInput(f"--out {out}", f"it cannot be made ({error.strerror})",
+                       "a folder") from error
+    older = _files_in(out / "figures.md")
+    sections, missing, written = [], [], []
+    for name in args.only:
+        try:
+            made = catalogue.draw(name, runs, style)
+        except Nothing as reason:
+            missing.append(f"- `{name}`: {reason}.")
+            continue
+        except KeyError as column:
+            missing.append(f"- `{name}`: a table has no column {column}; another version of the "
+                           "program wrote it.")
+            continue
+        for chart in made:
+            files = _write(chart, name, args.format, out)
+            written += files
+            sections.append(_section(name, chart, files))
+            for file in files:
+                print(out / file, flush=True)
+    for file in set(older) - set(written):
+        (out / file).unlink(missing_ok=True)
+    write_whole(out / "figures.md", _list(args.runs, sections, missing))
+    print(out / "figures.md")
+    for line in missing:
+        print("no " + line.removeprefix("- ").replace("`", ""))
+    return written
+
+
+def _write(chart, name, formats, out):
+    stem = name + (f"_{chart.part}" if chart.part else "")
+    if isinstance(chart, Table):
+        write_whole(out / f"{stem}.tex", chart.latex)
+        return [f"{stem}.tex"]
+    for kind in formats:
+        write_whole(out / f"{stem}.{kind}", encode(chart.figure, kind))
+    plt.close(chart.figure)
+    return [f"{stem}.{kind}" for kind in formats]
+
+
+def _section(name, chart, files):
+    title = name.replace("_", " ") + (f": {chart.part}" if chart.part else "")
+    facts = "".join(f"\n- {fact}" for fact in chart.facts)
+    links = ", ".join(f"[{file}]({file})" for file in files)
+    return f"## {title}\n\n{chart.caption}\n\nFiles: {links}\n" + (facts + "\n" if facts else "")
+
+
+def _files_in(page):
+    """The files that an older page of figures lists."""
+    if not page.is_file():
+        return []
+    text = page.read_text(encoding="utf-8", errors="replace")
+    lines = re.findall(r"^Files: (.*)$", text, re.M)
+    return [file for line in lines for file in re.findall(r"\[([\w.+-]+)\]", line)]
+
+
+def _list(run_folders, sections, missing):
+    text = "# Figures\n\nMade from " + ", ".join(f"`{run}`" for run in run_folders) + ".\n\n"
+    text += "\n".join(sections)
+    if missing:
+        text += "\n## Not made\n\n" + "\n".join(missing) + "\n"
+    return text
+
+
+def main(words):
+    """Runs the program; returns its exit code."""
+    try:
+        args = options_of(words)
+        if not args.check:
+            make(args)
+    except BadInput as error:
+        print(f"figures: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("figures: interrupted; the files that are there are whole", file=sys.stderr)
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,73 @@
+"""The verdict as a LaTeX table (package booktabs)."""
+
+import pandas as pd
+
+from paper.chart import Nothing, Table
+from paper.runs import BASELINES, CLASSES, counted
+from paper.style import MM_PER_IN
+
+_WIDE_MM = 120
+
+
+def _escaped(text):
+    for char in "\\&%$#_{}":
+        text = text.replace(char, "\\" + char if char != "\\" else r"\textbackslash{}")
+    return text
+
+
+def _numbers(values, digits):
+    """The values as text, the best (largest) bold unless another shows the same digits."""
+    texts = ["--" if pd.isna(v) else f"{v:.{digits}f}" for v in values]
+    shown = [text for text in texts if text != "--"]
+    if not shown:
+        return texts
+    best = max(shown, key=float)
+    if shown.count(best) == 1 and len(shown) > 1:
+        texts[texts.index(best)] = rf"\textbf{{{best}}}"
+    return texts
+
+
+def verdict(runs, style):
+    """F with its interval, time, bytes and, on a wide page, recall by class, a line a method."""
+    summary = runs.summary()
+    methods = style.by_family(summary.index)
+    if not methods:
+        raise Nothing("the run has no method beside the baselines")
+    order = methods + [b for b in BASELINES if b in summary.index]
+    lines = summary.loc[order]
+    is_wide = style.width_in * MM_PER_IN >= _WIDE_MM
+    columns = {"method": [_escaped(m) for m in order],
+               "$F$": _numbers(lines["f_2px"].where(~lines.index.isin(BASELINES)), 3),
+               r"95\,\%": ["--" if pd.isna(a) else f"{a:.3f}--{b:.3f}"
+                           for a, b in zip(lines["f_lo"], lines["f_hi"])]}
+    for i, name in enumerate(order):
+        if name in BASELINES and not pd.isna(lines.loc[name, "f_2px"]):
+            columns["$F$"][i] = f"{lines.loc[name, 'f_2px']:.3f}"
+    if lines["draw_ms"].notna().any():
+        columns["ms"] = ["--" if pd.isna(v) else f"{v:.2f}" for v in lines["draw_ms"]]
+    columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
+    there = [c for c in CLASSES if lines[f"recall_{c}"].notna().any()] if is_wide else []
+    for name in there:
+        columns[name] = _numbers(lines[f"recall_{name}"].where(~lines.index.isin(BASELINES)), 3)
+    out = ["% Made by inkbench figures; needs \\usepackage{booktabs}.",
+           r"\begin{tabular}{l" + "r" * (len(columns) - 1) + "}", r"\toprule"]
+    if there:
+        out.append(rf"& \multicolumn{{{len(columns) - 1 - len(there)}}}{{c}}{{}} & "
+                   rf"\multicolumn{{{len(there)}}}{{c}}{{recall by class of line}} \\")
+        out.append(rf"\cmidrule(l){{{len(columns) - len(there) + 1}-{len(columns)}}}")
+    out += [" & ".join(columns) + r" \\", r"\midrule"]
+    cells = list(zip(*columns.values()))
+    for i, line in enumerate(cells):
+        is_first_of_family = 0 < i < len(methods) and \
+            style.family(order[i]) != style.family(order[i - 1])
+        if i == len(methods):
+            out.append(r"\midrule")
+        elif is_first_of_family:
+            out.append(r"\addlinespace")
+        out.append(" & ".join(line) + r" \\")
+    out += [r"\bottomrule", r"\end{tabular}", ""]
+    return Table("\n".join(out), f"F at 2 px of {counted(len(methods), 'method')} with its 95 % "
+                 "interval, the time of a frame and the bytes of its buffers"
+                 + (", and recall by class of line" if there else "")
+                 + "; bold is best where no other shows the same digits; below the baselines. "
+                 + runs.source("summary.csv"))

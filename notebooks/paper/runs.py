@@ -1,0 +1,284 @@
+"""Run folders as pandas frames and images. Nothing here scores or fits: columns, and sums of them.
+
+`rows.csv` is complete in itself, and every other table names a cell of it, so that by hand it takes
+three lines:
+
+    rows = pandas.read_csv("inkbench-out/rows.csv")
+    curves = pandas.read_csv("inkbench-out/curves.csv")
+    curves = curves.merge(rows[["cell", "method", "scene", "view"]], on="cell")
+"""
+
+import fnmatch
+import re
+import tomllib
+from pathlib import Path
+
+import pandas as pd
+
+from paper.chart import Nothing
+
+CLASSES = ["contour", "boundary", "crease", "intersection", "seam"]
+BASELINES = ["none", "sampled", "oracle"]
+
+# Columns that no figure reads as numbers, so that a version 1.10 stays one.
+_TEXTS = ["method", "scene", "view", "params", "status", "version", "commit", "study"]
+
+
+class BadInput(Exception):
+    """What the user gave cannot be used: where, what is wrong, what would have been accepted."""
+
+    def __init__(self, where, what, accepted):
+        super().__init__(f"{where}: {what} (accepted: {accepted})")
+
+
+class RunFolder:
+    """One run folder. Raises BadInput if `path` is none, or if its run is not finished."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_dir():
+            raise BadInput(self.path, "there is no such folder", "the folder of a finished run")
+        if not (self.path / "rows.csv").is_file():
+            raise BadInput(self.path, "it holds no rows.csv", "the folder of a finished run")
+        self.record = self._read_record()
+        if self.record.get("progress", {}).get("state", "finished") == "unfinished":
+            raise BadInput(self.path, "its run is not finished",
+                           "a finished run (the command that began it goes on)")
+        self._frames = {}
+
+    def _read_record(self):
+        path = self.path / "run.toml"
+        if not path.is_file():
+            return {}
+        try:
+            return tomllib.loads(path.read_text(encoding="utf-8"))
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise BadInput(path, f"it cannot be read ({error})", "as inkbench wrote it") from error
+
+    @property
+    def name(self):
+        return self.path.resolve().name
+
+    @property
+    def command(self):
+        """As it was typed, or "" if the folder does not say."""
+        return self.record.get("command", "")
+
+    def table(self, name):
+        """The file `name` as a frame, or None if it is missing or has no line of data.
+
+        A table that names cells has the columns of their rows too, and its own where both have one.
+        Of rows.csv the cells of a comparison are here alone: those of other studies stand with
+        their own tables.
+        """
+        if name not in self._frames:
+            self._frames[name] = self._read(name)
+        frame = self._frames[name]
+        return None if frame is None else frame.copy()
+
+    def _read(self, name):
+        path = self.path / name
+        if not path.is_file():
+            return None
+        frame = _read_csv(path)
+        if name == "rows.csv":
+            frame = frame[frame["study"] == "compare"]
+        elif "cell" in frame:
+            frame = self._with_rows(name, frame)
+        return frame.reset_index(drop=True) if len(frame) else None
+
+    def names(self, column):
+        """All that rows.csv has in a column, baselines left out."""
+        rows = _read_csv(self.path / "rows.csv")
+        return [name for name in rows[column].unique() if name not in BASELINES]
+
+    def _with_rows(self, name, frame):
+        rows = _read_csv(self.path / "rows.csv")
+        joined = frame.merge(rows[["cell"] + [c for c in rows if c not in frame]], on="cell",
+                             how="left")
+        if name == "sweep.csv":
+            joined["params"] = _settings(joined, _swept(frame))
+        return joined
+
+
+def _read_csv(path):
+    try:
+        head = pd.read_csv(path, nrows=0)
+        texts = {c: str for c in _TEXTS if c in head}
+        if path.name == "sweep.csv":
+            texts.update({c: str for c in _swept(head)})
+        return pd.read_csv(path, low_memory=False, dtype=texts)
+    except (ValueError, UnicodeDecodeError, pd.errors.ParserError) as error:
+        raise BadInput(path, f"it is not the table it should be ({error})",
+                       "as inkbench wrote it") from error
+
+
+def _swept(sweep):
+    """The parameters that have a column of sweep.csv: those between `status` and the scores."""
+    columns = list(sweep.columns)
+    return columns[columns.index("status") + 1 : columns.index("f_2px")]
+
+
+def _settings(sweep, swept):
+    """The whole parameters of each setting: those of its cell with what the setting changes."""
+    def whole(line):
+        own = dict(pair.split("=", 1) for pair in line["params"].split(";"))
+        own.update({name: line[name] for name in swept
+                    if name in own and isinstance(line[name], str)})
+        return ";".join(f"{name}={value}" for name, value in own.items())
+
+    return sweep.apply(whole, axis=1)
+
+
+class Runs:
+    """Some run folders: a table is that of the first folder that has it.
+
+    methods, scenes: names or globs to which every table is narrowed; None for all. is_every_view:
+    images of all views are shown, not of the first of each scene alone. Raises BadInput for a name
+    that no row has.
+    """
+
+    def __init__(self, folders, methods=None, scenes=None, is_every_view=False):
+        self.folders = folders
+        self.methods = self._known("method", methods)
+        self.scenes = self._known("scene", scenes)
+        self.is_every_view = is_every_view
+        self._is_every_scene = scenes is None or set(self.scenes) == set(self._all("scene"))
+
+    def _all(self, column):
+        return list(dict.fromkeys(name for f in self.folders for name in f.names(column)))
+
+    def _known(self, column, names):
+        if names is None:
+            return None
+        known, found = self._all(column), []
+        for name in names:
+            fitting = [k for k in known if k == name] or fnmatch.filter(known, name)
+            if not fitting:
+                raise BadInput(f"--{column}s", f"no row is of '{name}'", ", ".join(known))
+            found += fitting
+        return list(dict.fromkeys(found))
+
+    def folder_with(self, *names):
+        """The first folder that has all these tables, or None."""
+        for folder in self.folders:
+            if all(folder.table(name) is not None for name in names):
+                return folder
+        return None
+
+    def table(self, name, advice=""):
+        """The table `name`, cells without a score and what was not asked for left out.
+
+        Raises Nothing, with `advice`, if no folder has it or nothing of it is left.
+        """
+        folder = self.folder_with(name)
+        if folder is None and name == "rows.csv":
+            raise Nothing("no cell of a comparison in it; `inkbench compare` makes one")
+        if folder is None:
+            where = "it" if len(self.folders) == 1 else "them"
+            raise Nothing(f"no {name} in {where}" + (f"; {advice}" if advice else ""))
+        frame = folder.table(name)
+        if "status" in frame:
+            frame = frame[frame["status"] == "ok"]
+        if self.methods is not None and "method" in frame:
+            frame = frame[frame["method"].isin(list(self.methods) + BASELINES)]
+        if self.scenes is not None and "scene" in frame:
+            frame = frame[frame["scene"].isin(self.scenes)]
+        if not len(frame):
+            raise Nothing(f"{name} has no line with a score of what was asked for")
+        return frame.reset_index(drop=True)
+
+    def table_if_any(self, name):
+        """The same, or None."""
+        try:
+            return self.table(name)
+        except Nothing:
+            return None
+
+    def summary(self):
+        """summary.csv by method.
+
+        Its numbers are over all scenes of the run, so that Nothing is raised where only some of
+        them were asked for.
+        """
+        if not self._is_every_scene:
+            raise Nothing("summary.csv is over all scenes of a run, and --scenes asks for some; "
+                          "without --scenes, or with a run of these scenes, it is there")
+        return self.table("summary.csv", "only a comparison of one size and number of threads has "
+                          "it").set_index("method")
+
+    def source(self, *names):
+        """Where tables are from, as the end of a caption."""
+        folder = self.folder_with(*names) or self.folders[0]
+        command = f" (`{folder.command}`)" if folder.command else ""
+        files = " and ".join(f"`{name}`" for name in names)
+        return f"Numbers: {files} of the run {folder.name}{command}."
+
+    def differences(self):
+        """differences.csv; raises Nothing as `summary` does, and if fewer than two methods stay."""
+        if not self._is_every_scene:
+            raise Nothing("differences.csv is over all scenes of a run, and --scenes asks for some")
+        frame = self.table("differences.csv", "only a comparison of two methods or more, of one "
+                           "size, has it")
+        if self.methods is not None:
+            frame = frame[frame["other"].isin(self.methods)]
+        if not len(frame):
+            raise Nothing("it takes two methods")
+        return frame
+
+    def evaluations(self):
+        """What `inkbench tune` tried, by the name of its folder; raises Nothing if nothing."""
+        found = {}
+        for folder in self.folders:
+            frame = folder.table("evaluations.csv")
+            if frame is not None:
+                found[folder.name] = frame
+        if not found:
+            raise Nothing("no evaluations.csv in it; `inkbench tune` writes one")
+        return found
+
+    def registry(self):
+        """methods.csv of all folders (the first line of a name counts), by method, as text."""
+        frames = [pd.read_csv(folder.path / "methods.csv", dtype=str, keep_default_na=False)
+                  for folder in self.folders if (folder.path / "methods.csv").is_file()]
+        if not frames:
+            return pd.DataFrame(columns=["family", "marker", "preset_of"])
+        return pd.concat(frames).drop_duplicates("method").set_index("method")
+
+
+def file_name(text):
+    """The name of a scene, a view or a method in the paths of images, as the program writes it."""
+    return re.sub(r"[^A-Za-z0-9.\-_+]", "_", text)
+
+
+def with_settings(frame):
+    """The frame with a column for every parameter in `params` ("key=value;key=value"), as text."""
+    settings = frame["params"].map(
+        lambda text: dict(pair.split("=", 1) for pair in text.split(";")))
+    columns = pd.DataFrame(list(settings), index=frame.index)
+    return frame.join(columns[[c for c in columns if c not in frame]])
+
+
+def pooled(frame, by, k="k_2px", n_pred="n_pred"):
+    """F of summed counts per group, 2 k / (n_pred + n_truth) as summary.csv has it, and 1 - F."""
+    sums = frame.groupby(by, sort=False)[[k, n_pred, "n_truth"]].sum()
+    sums["f"] = 2 * sums[k] / (sums[n_pred] + sums["n_truth"])
+    sums["error"] = 1 - sums["f"]
+    return sums.reset_index()
+
+
+def counted(number, noun):
+    """"1 scene", "2 scenes"."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def extent(rows):
+    """How much was measured, as part of a caption: "4 scenes, 12 views, 640x360 px"."""
+    sizes = ", ".join(f"{w}x{h}" for w, h in rows[["width", "height"]].drop_duplicates().values)
+    views = len(rows[["scene", "view"]].drop_duplicates())
+    return f"{counted(rows['scene'].nunique(), 'scene')}, {counted(views, 'view')}, {sizes} px"
+
+
+def views_of(rows):
+    """One row per scene and view, for columns that tell of the truth and not of a method."""
+    return rows.drop_duplicates(["scene", "view", "width", "height"])

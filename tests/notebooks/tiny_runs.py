@@ -1,0 +1,27 @@
+"""Small runs by the built program, for tests of what is drawn from them."""
+
+import os
+import subprocess
+
+PROGRAM = os.environ["INKBENCH"]
+METHODS = "mote4,mote4_tuned,mote16,decaudin,ids,jump_flood,edge_hash,edge_list"
+_SMALL = ["--size", "160x90", "--quiet"]
+COMMANDS = {
+    "compare": ["compare", "--scenes", "cube,tiles", "--methods", METHODS, "--repetitions", "2",
+                "--views", "2"],
+    "stress": ["stress", "--methods", "mote4,ids", "--axes", "grazing,threads", "--points", "3"],
+    "motion": ["run", "experiments/animation.toml", "--methods", "mote4,ids", "--scenes", "torus"],
+    "grid": ["run", "experiments/offset_errors.toml", "--scenes", "cube"],
+    "tune": ["tune", "mote4", "--scenes", "cube", "--evaluations", "12"],
+}
+
+
+def make(name, folder):
+    """Makes the run `name` in `folder`/`name` unless it is there; returns that folder."""
+    out = os.path.join(folder, name)
+    if not os.path.exists(os.path.join(out, "rows.csv")):
+        done = subprocess.run([PROGRAM, *COMMANDS[name], *_SMALL, "--out", out], text=True,
+                              capture_output=True, cwd=os.environ["INKBENCH_SOURCE"])
+        if done.returncode not in (0, 3):
+            raise RuntimeError(f"inkbench {COMMANDS[name]}: {done.stderr}")
+    return out
