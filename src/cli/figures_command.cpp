@@ -1,162 +1,219 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <set>
 
 #include "cli/commands.h"
+#include "cli/figures_script.h"
 #include "cli/method_options.h"
-#include "cli/name_list.h"
 #include "cli/options.h"
+#include "cli/run_options.h"
 #include "cli/scene_options.h"
 #include "core/error.h"
-#include "core/parallel.h"
-#include "experiment/summary/summary.h"
-#include "harness/suite.h"
-#include "report/figure_run.h"
-#include "report/figure_set.h"
+#include "harness/cell.h"
 
 namespace ink::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 // Between them every class of line, and depth and normals that cancel.
 constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
+constexpr int kUnscored = 3;
 
 struct FiguresArgs {
-    SceneOptions scenes;
+    SceneOptions scenes;  ///< run folders too, where they stand by themselves
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    std::string pair;
-    std::string from;
-    bool has_size = false;
     ViewOptions views;
     std::string out = "inkbench-figures";
+    bool is_forced = false;
+    bool has_sweep = false;
     CacheOptions cache;
     TruthSettings truth;
     int threads = 1;
     int repetitions = 5;
     std::string seed = "0";
+
+    // Of the script, which reads and checks them.
+    std::string formats;
+    std::string width;
+    std::string font_size;
+    std::vector<std::string> windows;
+    std::string only;
+    bool has_causes = false;
 };
 
-constexpr std::size_t kScenesOfRun = 4;
-
-/// What is drawn; `run` are the rows that --from names, if it does.
-std::vector<std::string> names_of(const FiguresArgs& args, const std::vector<harness::Row>& run) {
-    std::vector<std::string> names = scene_names(args.scenes);
-    if (!names.empty()) return names;
-    if (run.empty()) return harness::split_list(kUsualScenes);
-    names = report::drawable_scenes(run, kScenesOfRun);
-    if (!names.empty()) return names;
-    throw core::Error("--from " + args.from,
-                      "none of the run's scenes is built in, so that none can be drawn anew",
-                      "their model files as well, or --scenes");
+/// Takes the run folders out of what stands by itself; the rest are scenes.
+std::vector<std::string> take_runs(SceneOptions& scenes) {
+    std::vector<std::string> runs;
+    std::erase_if(scenes.named, [&runs](const std::string& word) {
+        const bool is_folder = fs::is_directory(word);
+        if (is_folder) runs.push_back(word);
+        return is_folder;
+    });
+    return runs;
 }
 
-std::optional<std::pair<std::string, std::string>> pair_of(const std::string& text) {
-    if (text.empty()) return std::nullopt;
-    const std::vector<std::string> names = harness::split_list(text);
-    if (names.size() != 2) {
-        throw core::Error(
-            "--pair", fmt::format("'{}' is not two methods", text), "two names, as mote4,decaudin");
-    }
-    return std::pair(names[0], names[1]);
+std::vector<std::string> script_options(const FiguresArgs& args) {
+    std::vector<std::string> words;
+    const auto add = [&words](const char* option, const std::string& value) {
+        if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
+    };
+    add("--out", args.out);
+    add("--format", args.formats);
+    add("--width", args.width);
+    add("--font-size", args.font_size);
+    add("--only", args.only);
+    for (const std::string& window : args.windows)
+        add("--window", window);
+    if (args.has_causes) words.emplace_back("--causes");
+    return words;
 }
 
-/// One view of each scene, unless a number of views, a camera or the file's cameras were asked for.
-std::vector<harness::SceneViews> scenes_of(const FiguresArgs& args,
-                                           const std::vector<harness::Row>& run) {
-    harness::ViewRequest request = view_request(args.views);
-    if (!run.empty() && !args.has_size) {
-        request.width_px = run.front().width;
-        request.height_px = run.front().height;
-    }
-    std::vector<harness::SceneViews> scenes = harness::load_scenes(names_of(args, run), request);
-    for (harness::SceneViews& scene_views : scenes) {
-        if (args.views.views.empty() && args.views.eyes.empty()) scene_views.views.resize(1);
-    }
-    return scenes;
+/// Ends the command unless the script did its work; it has said what is wrong.
+void run_script(std::vector<std::string> words) {
+    std::fflush(stdout);
+    const int code = run_figures_script(words);
+    if (code != 0) throw CLI::RuntimeError(code);
 }
 
-/// The methods of the run with its settings, those alone that --methods names, if it does.
-std::vector<harness::MethodConfig> configs_of_run(const FiguresArgs& args,
-                                                  const std::vector<harness::Row>& run) {
-    if (!args.settings.empty()) {
-        throw core::Error("--set", "methods have the settings of the run", "no --from beside it");
+/// Options that say how a run is made mean nothing for one that is there.
+void refuse_run_options(const CLI::App& command) {
+    for (const char* option : {"--set",
+                               "--size",
+                               "--eye",
+                               "--target",
+                               "--up",
+                               "--fov",
+                               "--time",
+                               "--frame",
+                               "--crease",
+                               "--weld-epsilon",
+                               "--threads",
+                               "--repetitions",
+                               "--seed",
+                               "--sweep",
+                               "--force"}) {
+        if (command.count(option) > 0)
+            throw core::Error(option, "the run is made already", "no RUN beside it");
     }
-    const std::vector<harness::MethodConfig> all = report::configs_of(run);
-    if (args.methods.empty()) return all;
-    std::vector<std::string> names;
-    for (const harness::MethodConfig& config : all)
-        names.push_back(config.info->name);
-    std::vector<harness::MethodConfig> chosen;
-    for (const std::string& name :
-         listed_names(args.methods, {"--methods", "method in the run", names})) {
-        const auto at = std::find(names.begin(), names.end(), name);
-        chosen.push_back(all[static_cast<std::size_t>(at - names.begin())]);
-    }
-    return chosen;
 }
 
-/// The run's rows of those methods and of the baselines.
-report::ChartSource chart_source(const FiguresArgs& args,
-                                 const std::vector<harness::Row>& run,
-                                 const std::vector<harness::MethodConfig>& configs) {
-    report::ChartSource source;
-    std::set<std::string> scenes;
-    std::set<std::string> names;
-    for (const harness::MethodConfig& config : configs)
-        names.insert(config.info->name);
-    for (const harness::Row& row : run) {
-        if (!harness::is_baseline(row.method) && names.count(row.method) == 0) continue;
-        scenes.insert(row.scene);
-        source.rows.push_back(row);
+void show_runs(const FiguresArgs& args,
+               const std::vector<std::string>& runs,
+               const CLI::App& command) {
+    refuse_run_options(command);
+    if (!args.scenes.named.empty()) {
+        throw core::Error("inkbench figures",
+                          fmt::format("'{}' is no folder", args.scenes.named.front()),
+                          "run folders, or scenes and models, but not both");
     }
-    source.words = fmt::format("Of the run in {}: {} scene{} of {} x {} px.",
-                               args.from,
-                               scenes.size(),
-                               scenes.size() == 1 ? "" : "s",
-                               run.front().width,
-                               run.front().height);
-    return source;
+    std::vector<std::string> words = script_options(args);
+    if (!args.methods.empty())
+        words.push_back(fmt::format("--methods={}", fmt::join(args.methods, ",")));
+    if (!args.scenes.listed.empty())
+        words.push_back(fmt::format("--scenes={}", fmt::join(args.scenes.listed, ",")));
+    if (!args.views.views.empty()) words.push_back("--views=" + args.views.views);
+    words.emplace_back("--");
+    words.insert(words.end(), runs.begin(), runs.end());
+    run_script(std::move(words));
 }
 
-report::FigureOptions figure_options(const FiguresArgs& args,
-                                     const std::vector<harness::Row>& run) {
-    report::FigureOptions options;
-    if (run.empty()) {
-        options.drawing.configs = harness::make_configs(method_list(args.methods), args.settings);
-    } else {
-        options.drawing.configs = configs_of_run(args, run);
-        options.charts = chart_source(args, run, options.drawing.configs);
-    }
-    harness::MeasureOptions& measure = options.drawing.measure;
-    measure.threads = checked_threads(args.threads);
+experiment::Experiment experiment_of(const FiguresArgs& args) {
+    experiment::Experiment experiment;
+    experiment.where = "inkbench figures";
+    experiment.name = "figures";
+    experiment.kind = experiment::ExperimentKind::compare;
+    experiment.seed = parse_seed(args.seed);
+    const std::string methods = method_list(args.methods);
+    for (const harness::MethodConfig& config : harness::make_configs(methods, args.settings))
+        if (!methods.empty()) experiment.methods.push_back(config.info->name);
+    experiment.settings = args.settings;
+    experiment.view_request = view_request(args.views);
+    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
+    experiment.threads = {checked_threads(args.threads)};
+    experiment.scenes = scene_names(args.scenes);
+    if (experiment.scenes.empty()) experiment.scenes = harness::split_list(kUsualScenes);
+    if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     if (args.repetitions < 1 || args.repetitions > 10000) {
         throw core::Error(
             "--repetitions", fmt::format("{} is not possible", args.repetitions), "1..10000");
     }
-    measure.max_repetitions = args.repetitions;
-    measure.min_repetitions = std::min(measure.min_repetitions, args.repetitions);
-    apply(args.truth, options.drawing.trace.truth);
-    options.drawing.trace.truth.threads = core::hardware_threads();
-    options.drawing.trace.cache = cache_folder(args.cache);
-    options.drawing.seed = parse_seed(args.seed);
-    options.out = args.out;
-    options.pair = pair_of(args.pair);
-    return options;
+    experiment.repetitions = args.repetitions;
+    experiment.budget_s = harness::MeasureOptions{}.budget_s;
+    experiment.own_sweep_views = args.has_sweep ? 1 : 0;
+    truth::TruthOptions checked_truth;
+    apply(args.truth, checked_truth);
+    experiment.crease_deg = args.truth.crease_deg;
+    experiment.weld_epsilon = args.truth.weld_epsilon;
+    experiment.crosscheck = false;
+    experiment.images = experiment::KeptImages::all;
+    return experiment;
 }
 
-void run_figures(const FiguresArgs& args, const std::string& command_line) {
-    const std::vector<harness::Row> run =
-        args.from.empty() ? std::vector<harness::Row>() : report::rows_to_draw(args.from);
-    report::FigureOptions options = figure_options(args, run);
-    options.command = command_line;
-    const report::FigureFiles files = report::make_figures(scenes_of(args, run), options);
-    for (const std::string& name : files.names)
-        fmt::print("{}\n", (std::filesystem::path(args.out) / name).string());
-    if (files.is_interrupted) {
-        end_interrupted("the figures show the scenes that were drawn");
+/// Makes the run first. What can be wrong with the figures' options is found before that.
+void make_and_show(const FiguresArgs& args, const CLI::App& command) {
+    experiment::Experiment experiment = experiment_of(args);
+    experiment.command = recorded_command(command,
+                                          {"--out",
+                                           "--force",
+                                           "--format",
+                                           "--width",
+                                           "--font-size",
+                                           "--window",
+                                           "--only",
+                                           "--causes"});
+    std::vector<std::string> words = script_options(args);
+    words.emplace_back("--scenes=*");
+    words.emplace_back("--views=all");
+    std::vector<std::string> check = words;
+    check.emplace_back("--check");
+    run_script(std::move(check));
+    const fs::path run = fs::path(args.out) / "run";
+    int code = 0;
+    try {
+        run_to_end(experiment, {.out = run.string(), .is_forced = args.is_forced}, args.cache);
+    } catch (const CLI::RuntimeError& end) {
+        code = end.get_exit_code();
+        if (code != kUnscored) throw;  // views without a score are left out of figures
     }
+    words.emplace_back("--");
+    words.push_back(run.string());
+    run_script(std::move(words));
+    if (code != 0) throw CLI::RuntimeError(code);
+}
+
+void add_script_options(CLI::App& command, FiguresArgs& args) {
+    command.add_option("--format", args.formats, "Of pdf, svg, png, as a,b (default: svg,png)")
+        ->type_name("A,B");
+    command
+        .add_option(
+            "--width",
+            args.width,
+            "Of each figure, in mm, cm, in or pt (default: 178mm, two columns of a journal)")
+        ->type_name("LENGTH");
+    command.add_option("--font-size", args.font_size, "Of text, in points (default: 8)")
+        ->type_name("PT");
+    command
+        .add_option(
+            "--window",
+            args.windows,
+            "Zoomed part of strips in pixels; may be given again (default: the one in which "
+            "the methods' errors differ most)")
+        ->type_name("X,Y,W,H")
+        ->allow_extra_args(false);
+    command.add_flag(
+        "--causes", args.has_causes, "Wrong pixels in the colour of their cause, not in two");
+    command
+        .add_option(
+            "--only",
+            args.only,
+            "These figures alone, as strips,error_time; figures.md names all (default: all)")
+        ->type_name("A,B");
 }
 
 }  // namespace
@@ -166,44 +223,45 @@ void add_figures_command(CLI::App& app) {
     args->views.size = "640x360";
     auto* command = app.add_subcommand(
         "figures",
-        "Make the comparison figures of a paper: strips, error against time, classes, buffers, "
-        "enlarged differences");
+        "Make figures for papers from run folders, or from scenes and methods: strips, error "
+        "against time, classes, stress, tables");
     add_scene_options(*command,
                       args->scenes,
-                      fmt::format("Built-in scenes or model files (default: {})", kUsualScenes));
+                      fmt::format("Run folders; or built-in scenes or model files, of which a run "
+                                  "is made first (default: {})",
+                                  kUsualScenes));
     add_method_options(*command, args->methods);
+    add_script_options(*command, *args);
     add_set_option(*command, args->settings);
-    command
-        ->add_option("--pair",
-                     args->pair,
-                     "Two methods a,b to enlarge where they differ most (default: mote4 and "
-                     "decaudin, or the first two)")
-        ->type_name("METHODS");
-    command
-        ->add_option("--from",
-                     args->from,
-                     "The folder of a finished compare or run: charts come from its rows.csv, "
-                     "pictures are drawn with its methods, settings, size and (up to four) "
-                     "scenes")
-        ->type_name("DIR");
     add_view_options(*command, args->views);
-    add_out_folder_option(
-        *command, args->out, "Folder for the figures and figures.md, which lists them");
+    add_out_folder_option(*command,
+                          args->out,
+                          "Folder for the figures, figures.md, which lists them, and run/, if one "
+                          "is made");
     add_truth_settings(*command, args->truth);
     add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
         ->capture_default_str();
+    command->add_flag("--sweep", args->has_sweep, "Sweep the methods' settings in the run too");
     add_seed_option(*command, args->seed, "Of intervals and random images");
+    command->add_flag(
+        "--force", args->is_forced, "Throw away the run that is in the folder's run/");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(
-        "One view of each scene is drawn, its first; --views N draws N round it.\n"
-        "Example: inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
-        "         inkbench figures --from inkbench-out --out figs\n"
-        "Exit codes: 0 done, 2 bad input, 130 interrupted.");
+        "Without a run, one view of each scene is drawn, its first; --views N draws N round it.\n"
+        "Figures need Python 3 with pandas and matplotlib (Debian: python3-pandas "
+        "python3-matplotlib).\n"
+        "Example: inkbench figures inkbench-out --format pdf --width 84mm --out figs\n"
+        "         inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
+        "Exit codes: 0 done, 2 bad input, 3 views without a score, 130 interrupted.");
     command->callback([args, command] {
-        args->has_size = command->count("--size") > 0;
-        run_figures(*args, recorded_command(*command));
+        const std::vector<std::string> runs = take_runs(args->scenes);
+        if (runs.empty()) {
+            make_and_show(*args, *command);
+        } else {
+            show_runs(*args, runs, *command);
+        }
     });
 }
 

@@ -59,7 +59,13 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
     for (const auto& entry : fs::recursive_directory_iterator(desk_.work() / "usr"))
         if (entry.is_regular_file())
             files.insert(entry.path().lexically_relative(desk_.work() / "usr").string());
-    EXPECT_THAT(files, ElementsAre("bin/inkbench", "bin/inkbench_import", kScript))
+    std::erase_if(files, [](const std::string& file) {
+        return file.starts_with("share/inkbench/notebooks/paper/") && file.ends_with(".py");
+    });
+    EXPECT_THAT(
+        files,
+        ElementsAre(
+            "bin/inkbench", "bin/inkbench_import", kScript, "share/inkbench/notebooks/figures.py"))
         << "nothing else is installed";
     desk_.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     // By a link, as package managers make them: the child is beside the program itself.
@@ -68,6 +74,16 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
                                             {"draw", "one.obj", "-o", "a.png", "--size", "64x36"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(desk_.read("a.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Install, FiguresAreDrawnByTheInstalledScript) {
+    const std::string script = installed("share/inkbench/notebooks/figures.py");
+    desk_.write("marked.py", "import sys\nprint('the installed one')\nsys.exit(0)\n");
+    fs::copy_file(desk_.work() / "marked.py", script, fs::copy_options::overwrite_existing);
+    fs::create_directory(desk_.work() / "run");
+    const Outcome outcome = desk_.run_other(installed("bin/inkbench"), {"figures", "run"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "the installed one\n");
 }
 
 TEST_F(Install, BashCompletesCommandsOptionsAndNames) {
