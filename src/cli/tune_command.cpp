@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
+#include "report/run_page.h"
 #include "tune/tune.h"
 #include "tune/tune_bound.h"
 #include "tune/tune_report.h"
@@ -134,6 +135,9 @@ void run_tune(const TuneArgs& args, const std::string& command) {
                         (options.out / "evaluations.csv.part").string()));
     }
     fmt::print("{}", tune::tune_summary(result, options));
+    const std::filesystem::path page = options.out / "report.html";
+    report::write_run_page({options.out}, page);
+    fmt::print("report: {}\n", page.string());
     std::fflush(stdout);
     if (!args.no_bound) {
         fmt::print("{}", tune::tune_bound_lines(scenes, result, options));

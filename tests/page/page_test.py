@@ -122,6 +122,9 @@ class PageTest(unittest.TestCase):
         empty = self.script(
             "return sections.filter(s => !s.node.hidden && !s.body.textContent.trim()).map(s => s.id)")
         self.assertEqual(empty, [])
+        words = self.script("return document.body.innerText")
+        for nonsense in ("NaN", "undefined", "[object", "null"):
+            self.assertNotIn(nonsense, words)
         self.assertGreater(len(self.script("return sections.filter(s => !s.node.hidden)")), 8)
 
     def test_numbers_are_those_of_summary_csv(self):

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "tests/program/page_data.h"
 #include "tests/program/run_program.h"
 
 // Experiments as a user runs them: killed, resumed, shared out, interrupted.
@@ -140,7 +141,9 @@ TEST(Run, InterruptedKeepsWhatIsFinishedAndGoesOn) {
     });
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("parts are missing"), HasSubstr("goes on")));
-    EXPECT_THAT(desk.read("a/report.html"), HasSubstr("This run is not finished."));
+    const auto record = page_data(desk.read("a/report.html"))["runs"][0]["record"];
+    EXPECT_EQ(record["state"], "unfinished");
+    EXPECT_FALSE(record["missing_blocks"].empty());
     EXPECT_THAT(desk.read("a/run.toml"), HasSubstr("unfinished"));
     const Outcome next = desk.run({"run", "tiny.toml", "--out", "a"});
     EXPECT_EQ(next.exit_code, 0);

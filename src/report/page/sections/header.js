@@ -3,14 +3,15 @@
 
 function drawHeader(root, view) {
     const {run, best} = view;
-    root.replaceChildren(
+    root.replaceChildren(...[
         element('div', {class: 'brand'}, element('strong', {}, 'Inkbench'),
             element('span', {}, 'Which outline method makes the fewest errors at a time budget?')),
         element('h1', {}, headline(view)),
         ...[invalidWarning, missingWarning, unscoredWarning].map(make => make(view)).filter(Boolean),
         run.rows.length ? element('p', {class: 'lead'}, ...verdictSentences(view)) : element('p', {class: 'lead'}, runWords(run)),
         best ? element('dl', {class: 'facts'}, headerFacts(view).map(([name, value, unit]) => element('div', {},
-            element('dt', {}, name), element('dd', {}, value, unit ? element('small', {}, ` ${unit}`) : null)))) : null);
+            element('dt', {}, name), element('dd', {}, value, unit ? element('small', {}, ` ${unit}`) : null)))) : null,
+    ].filter(Boolean));
 }
 
 function runWords(run) {
@@ -23,7 +24,8 @@ function headline(view) {
     const {best, run, measure} = view;
     const budget = state.get('budget');
     if (runs.length > 1) return `${runs.length} runs beside each other: ${runs.map(r => r.label).join(', ')}`;
-    if (!best) return run.rows.length ? 'No method has a score here' : `${run.record.kind}: ${run.record.name}`;
+    if (!best) return run.rows.length ? 'No method has a score here' : run.record.name === run.record.kind
+        ? run.record.kind : `${run.record.kind}: ${run.record.name}`;
     const within = budget ? `Within ${formatMs(budget)} ms ` : '';
     const fewest = measure === 'f_2px' ? 'makes the fewest errors' : `is best in ${MEASURES[measure].title}`;
     return `${within}${best.method} ${fewest}`;
