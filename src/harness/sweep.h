@@ -4,8 +4,6 @@
 
 #include "harness/cell.h"
 #include "harness/method_configs.h"
-#include "harness/row.h"
-#include "harness/tracing.h"
 
 namespace ink::harness {
 
@@ -20,17 +18,5 @@ struct SweepOptions {
 /// line of MethodInfo::sweep on top. Settings that come out equal appear once. A method without a
 /// sweep is the configuration alone, so that fronts have it.
 [[nodiscard]] std::vector<MethodConfig> sweep_configs(const MethodConfig& config);
-
-/// Draws `view` with every setting of the sweep of `config` in turns, and scores each at 2 px and
-/// its own threshold: a row per setting that still lacks its place (scene, view ...).
-///
-/// Settings take turns with each other and not with other methods: all settings of all methods
-/// prepared at once would not fit into memory on large models. The default setting is drawn again
-/// here, so that times of one sweep compare. Curve, tolerance sweep and 1 px are left out.
-[[nodiscard]] std::vector<Row> sweep_rows(const MethodConfig& config,
-                                          const scene::Scene& scene,
-                                          const scene::View& view,
-                                          const ViewTruth& truth,
-                                          const MeasureOptions& measure);
 
 }  // namespace ink::harness

@@ -63,29 +63,5 @@ TEST(SweepConfigs, OfAMethodWithoutASweepIsTheMethodAsItTakesPart) {
     EXPECT_EQ(configs[0].settings, (core::ParamValues{{"tip", "flat"}}));
 }
 
-TEST(SweepRows, ScoresEachSettingAtTwoPixelsAndItsOwnThreshold) {
-    const auto info = stroke_info();
-    const scene::Scene scene = scene::scene_of(scene::unit_cube());
-    const scene::View view{
-        scene::orbit_cameras(scene::bounding_sphere(scene), 1, 1).front(), 40, 40};
-    ViewTruth truth;
-    core::Image<std::uint8_t> labels(40, 40);
-    for (int x = 0; x < 40; ++x)
-        labels.at(x, 21) = 1;
-    truth.scoring = score::prepare_truth(labels, score_options(1), true);
-
-    const auto rows = sweep_rows({&info, {}}, scene, view, truth, {1, 2, 2, 1000});
-    ASSERT_EQ(rows.size(), 4U);
-    EXPECT_EQ(rows[0].f_2px, 1.0);
-    EXPECT_EQ(rows[0].n_truth, 28) << "40 less the band of 6 at both ends";
-    EXPECT_EQ(rows[0].draw_n, 2);
-    EXPECT_FALSE(rows[0].f_1px) << "left out";
-    EXPECT_FALSE(rows[0].ap);
-    EXPECT_TRUE(rows[0].tolerance_sweep.empty());
-    EXPECT_EQ(rows[1].f_2px, 0.0) << "50 is below the threshold";
-    EXPECT_THAT(rows[2].status, testing::HasSubstr("out of ink"));
-    EXPECT_THAT(rows[3].params, testing::HasSubstr("tip=flat"));
-}
-
 }  // namespace
 }  // namespace ink::harness
