@@ -3,7 +3,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "edge/binomial_blur_kernel.h"
+#include <cassert>
+
+#include "edge/binomial_blur.h"
+#include "edge/row_bands.h"
 #include "edge/vector_loops.inl"
 #include "edge/wide_lanes.inl"
 
@@ -47,34 +50,36 @@ HWY_INLINE hn::Vec<D> blurred(D d, const Stencil<T>& at, int code_bits) {
 }
 
 template <bool kWraps, class T>
-void blur_row(const BlurRows<T>& given, int y) {
-    const std::ptrdiff_t by = y * given.stride;
-    const Stencil<T> row{given.up + by, given.mid + by, given.down + by};
-    T* out = given.out + y * given.out_stride;
-    const int code_bits = given.code_bits;
+void blur_rows(const core::ImageView<const T>& codes,
+               int code_bits,
+               const core::ImageView<T>& out) {
     constexpr int kLanes = HWY_LANES(Wide<T>);
-    cover<Wide<T>, kLanes>(given.width, kLanes, [=](auto d, int x) HWY_ATTR {
-        const Stencil<T> at{row.up + x, row.mid + x, row.down + x};
-        store_wide(d, blurred<kWraps>(d, at, code_bits), out + x);
-    });
-}
-
-template <class T>
-void blur(const BlurRows<T>& rows) {
-    for (int y = 0; y < rows.height; ++y) {
-        if (rows.code_bits == 0) {
-            blur_row<false>(rows, y);
-        } else {
-            blur_row<true>(rows, y);
-        }
+    for (int y = 0; y < out.height_px; ++y) {
+        const T* mid = codes.row(y);
+        const Stencil<T> row{mid - codes.stride, mid, mid + codes.stride};
+        T* to = out.row(y);
+        cover<Wide<T>, kLanes>(out.width_px, kLanes, [=](auto d, int x) HWY_ATTR {
+            const Stencil<T> at{row.up + x, row.mid + x, row.down + x};
+            store_wide(d, blurred<kWraps>(d, at, code_bits), to + x);
+        });
     }
 }
 
-void blur_u8(const BlurRows<std::uint8_t>& rows) {
-    blur(rows);
+template <class T>
+void blur(const core::ImageView<const T>& codes, int code_bits, const core::ImageView<T>& out) {
+    if (code_bits == 0) return blur_rows<false>(codes, code_bits, out);
+    blur_rows<true>(codes, code_bits, out);
 }
-void blur_u16(const BlurRows<std::uint16_t>& rows) {
-    blur(rows);
+
+void blur_u8(const core::ImageView<const std::uint8_t>& codes,
+             int code_bits,
+             const core::ImageView<std::uint8_t>& out) {
+    blur(codes, code_bits, out);
+}
+void blur_u16(const core::ImageView<const std::uint16_t>& codes,
+              int code_bits,
+              const core::ImageView<std::uint16_t>& out) {
+    blur(codes, code_bits, out);
 }
 
 }  // namespace ink::edge::HWY_NAMESPACE
@@ -82,16 +87,33 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ink::edge {
+namespace {
 
 HWY_EXPORT(blur_u8);
 HWY_EXPORT(blur_u16);
 
-void blur_rows(const BlurRows<std::uint8_t>& rows) {
-    HWY_DYNAMIC_DISPATCH(blur_u8)(rows);
+}  // namespace
+
+void binomial_blur(const core::ImageView<const std::uint8_t>& codes,
+                   const core::ImageView<std::uint8_t>& out,
+                   int code_bits,
+                   int threads) {
+    assert(code_bits >= 0 && code_bits <= 8);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(blur_u8);
+    filter_row_bands(codes, out, threads, [&](const auto& from, const auto& to) {
+        kernel(from, code_bits, to);
+    });
 }
 
-void blur_rows(const BlurRows<std::uint16_t>& rows) {
-    HWY_DYNAMIC_DISPATCH(blur_u16)(rows);
+void binomial_blur(const core::ImageView<const std::uint16_t>& codes,
+                   const core::ImageView<std::uint16_t>& out,
+                   int code_bits,
+                   int threads) {
+    assert(code_bits >= 0 && code_bits <= 16);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(blur_u16);
+    filter_row_bands(codes, out, threads, [&](const auto& from, const auto& to) {
+        kernel(from, code_bits, to);
+    });
 }
 
 }  // namespace ink::edge

@@ -14,21 +14,15 @@ enum class KPlace {
     outside,  ///< (gmax - gmin)^2 / k
 };
 
-/// One row of Decaudin's first operator (Cartoon-looking rendering of 3D-scenes, INRIA RR-2919,
-/// 1996): g = (|A-x| + 2|B-x| + |C-x| + 2|D-x| + 2|E-x| + |F-x| + 2|G-x| + |H-x|) / 8, A..H the
-/// eight neighbours of x row by row.
-///
-/// [-1] and [width] of every row must be readable; `g` overlaps no input.
-void decaudin_g_row(const float* up, const float* mid, const float* down, float* g, int width);
-
 /// The sensitivity of one kind of channel.
 struct DecaudinK {
     float k = 1;  ///< > 0
     KPlace place = KPlace::inside;
 };
 
-/// One row of his second operator, p = min(((gmax - gmin) / k)^2, 1), the extremes taken over the
-/// 3 x 3 pixels round each. [-1] and [width] of every row must be readable; `p` overlaps no input.
+/// One row of Decaudin's second operator, p = min(((gmax - gmin) / k)^2, 1), the extremes taken
+/// over the 3 x 3 pixels round each. [-1] and [width] of every row must be readable; `p` overlaps
+/// no input.
 void decaudin_p_row(const float* g_up,
                     const float* g_mid,
                     const float* g_down,
@@ -52,10 +46,12 @@ struct DecaudinChannel {
 
 inline constexpr std::size_t kMaxDecaudinChannels = 4;
 
-/// The whole filter over an image or a tile of one: the p of 1 to 4 channels, joined, as
-/// edge responses: min(p, 1) times 255, rounded to nearest.
+/// The whole filter over an image or a tile of one (Cartoon-looking rendering of 3D-scenes, INRIA
+/// RR-2919, 1996): the p of 1 to 4 channels, joined, as edge responses: min(p, 1) times 255,
+/// rounded to nearest. The p are of g = (|A-x| + 2|B-x| + |C-x| + 2|D-x| + 2|E-x| + |F-x| + 2|G-x|
+/// + |H-x|) / 8, A..H the eight neighbours of x row by row.
 ///
-/// The same bits as the rows above, on every SIMD target and number of threads, for finite values.
+/// The same bits as the row above, on every SIMD target and number of threads, for finite values.
 /// What lies round the image counts as neighbours; `out` overlaps no input. Rows are shared among
 /// `threads`; an empty image writes nothing.
 void decaudin(std::span<const DecaudinChannel> channels,

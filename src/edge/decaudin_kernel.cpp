@@ -4,9 +4,11 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <cassert>
 
-#include "edge/decaudin_kernel.h"
+#include "edge/decaudin_filter.h"
 #include "edge/decaudin_operators.inl"
+#include "edge/row_bands.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ink::edge::HWY_NAMESPACE {
@@ -100,16 +102,8 @@ void strips(std::span<const DecaudinChannel> given,
     }
 }
 
-void all_g(const DecaudinG& row) {
-    cover<float, kFloats>(row.width, kFloats, [=](auto d, int x) HWY_ATTR {
-        const auto up = load_three(d, row.up + x);
-        const auto mid = load_three(d, row.mid + x);
-        hn::StoreU(g_of(d, up, mid, load_three(d, row.down + x)), d, row.g + x);
-    });
-}
-
-void all_p(const DecaudinP& row) {
-    p_rows<1>({row.g_up, row.g_mid, row.g_down}, row.k, {row.p, 0}, row.width, Replace());
+void row_p(const std::array<const float*, 3>& g, float* p, int width, const DecaudinK& k) {
+    p_rows<1>(g, k, {p, 0}, width, Replace());
 }
 
 void all_channels(std::span<const DecaudinChannel> channels,
@@ -130,23 +124,36 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ink::edge {
+namespace {
 
-HWY_EXPORT(all_g);
-HWY_EXPORT(all_p);
+HWY_EXPORT(row_p);
 HWY_EXPORT(all_channels);
 
-void decaudin_g(const DecaudinG& row) {
-    HWY_DYNAMIC_DISPATCH(all_g)(row);
+}  // namespace
+
+void decaudin_p_row(const float* g_up,
+                    const float* g_mid,
+                    const float* g_down,
+                    float* p,
+                    int width,
+                    const DecaudinK& k) {
+    assert(k.k > 0);
+    HWY_DYNAMIC_DISPATCH(row_p)({g_up, g_mid, g_down}, p, width, k);
 }
 
-void decaudin_p(const DecaudinP& row) {
-    HWY_DYNAMIC_DISPATCH(all_p)(row);
-}
-
-void decaudin_image(std::span<const DecaudinChannel> channels,
-                    DecaudinJoin join,
-                    const core::ImageView<std::uint8_t>& out) {
-    HWY_DYNAMIC_DISPATCH(all_channels)(channels, join, out);
+void decaudin(std::span<const DecaudinChannel> channels,
+              DecaudinJoin join,
+              const core::ImageView<std::uint8_t>& out,
+              int threads) {
+    assert(!channels.empty() && channels.size() <= kMaxDecaudinChannels);
+    for_row_bands(out.height_px, threads, [&](int y0, int y1) {
+        std::array<DecaudinChannel, kMaxDecaudinChannels> band;
+        std::copy(channels.begin(), channels.end(), band.begin());
+        for (DecaudinChannel& channel : band)
+            channel.origin += y0 * channel.stride;
+        HWY_DYNAMIC_DISPATCH(all_channels)
+        ({band.data(), channels.size()}, join, {out.row(y0), out.width_px, y1 - y0, out.stride});
+    });
 }
 
 }  // namespace ink::edge

@@ -45,19 +45,4 @@ void laplacian(const core::ImageView<const std::uint16_t>& codes,
                const LaplacianResponse& response,
                int threads = 1);
 
-/// One row of the same, from rows that may lie anywhere: out[x] for x in [0, width). mid[-1] and
-/// mid[width] must be readable. Width 0 writes nothing.
-void laplacian_row(const std::uint8_t* up,
-                   const std::uint8_t* mid,
-                   const std::uint8_t* down,
-                   std::uint8_t* out,
-                   int width,
-                   const LaplacianResponse& response);
-void laplacian_row(const std::uint16_t* up,
-                   const std::uint16_t* mid,
-                   const std::uint16_t* down,
-                   std::uint8_t* out,
-                   int width,
-                   const LaplacianResponse& response);
-
 }  // namespace ink::edge

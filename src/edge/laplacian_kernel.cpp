@@ -12,8 +12,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "edge/laplacian_kernel.h"
 #include "edge/laplacian_plan.h"
+#include "edge/row_bands.h"
 #include "edge/vector_loops.inl"
 
 HWY_BEFORE_NAMESPACE();
@@ -158,29 +158,32 @@ HWY_INLINE void store(D d, hn::Vec<D> edge_responses, std::uint8_t* out) {
 /// All rows at once, from the top down in each column of vectors, so that a row is loaded once for
 /// the three that need it.
 template <Reading kReading, bool kIsQuadruple, class T>
-void filter_block(const LaplacianRows<T>& given, const LaplacianPlan& given_plan) {
+void filter_block(const core::ImageView<const T>& given_codes,
+                  const core::ImageView<std::uint8_t>& given_out,
+                  const LaplacianPlan& given_plan) {
     // Copies, which bytes stored through a pointer cannot change.
-    const LaplacianRows<T> rows = given;
+    const core::ImageView<const T> codes = given_codes;
+    const core::ImageView<std::uint8_t> out = given_out;
     const LaplacianPlan plan = given_plan;
-    const int first_step = aligning_step<T>(rows.out, rows.width, rows.out_stride);
+    const int first_step = aligning_step<T>(out.data, out.width_px, out.stride);
     constexpr int kLanes = HWY_LANES(T);
-    cover<T, kLanes>(rows.width, first_step, [=](auto d, int x) HWY_ATTR {
-        auto up = hn::LoadU(d, rows.up + x);
-        auto mid = hn::LoadU(d, rows.mid + x);
-        const T* at_mid = rows.mid + x;
-        const T* at_down = rows.down + x;
-        std::uint8_t* out = rows.out + x;
-        for (int y = 0; y < rows.height; ++y) {
+    cover<T, kLanes>(out.width_px, first_step, [=](auto d, int x) HWY_ATTR {
+        const T* at_mid = codes.data + x;
+        const T* at_down = at_mid + codes.stride;
+        std::uint8_t* to = out.data + x;
+        auto up = hn::LoadU(d, at_mid - codes.stride);
+        auto mid = hn::LoadU(d, at_mid);
+        for (int y = 0; y < out.height_px; ++y) {
             const auto down = hn::LoadU(d, at_down);
             const auto left = as_is(hn::LoadU(d, at_mid - 1));
             const auto right = as_is(hn::LoadU(d, at_mid + 1));
             const Cross<decltype(up)> cross{up, mid, down, left, right};
-            store(d, edge_responses<kReading, kIsQuadruple>(d, cross, plan), out);
+            store(d, edge_responses<kReading, kIsQuadruple>(d, cross, plan), to);
             up = mid;
             mid = down;
-            at_mid += rows.stride;
-            at_down += rows.stride;
-            out += rows.out_stride;
+            at_mid += codes.stride;
+            at_down += codes.stride;
+            to += out.stride;
         }
     });
 }
@@ -188,44 +191,49 @@ void filter_block(const LaplacianRows<T>& given, const LaplacianPlan& given_plan
 /// Wide images by four rows, so that memory is walked through along its lines; tiles, which are
 /// in the cache, as a whole.
 template <Reading kReading, bool kIsQuadruple, class T>
-void filter_as(const LaplacianRows<T>& rows, const LaplacianPlan& plan) {
+void filter_as(const core::ImageView<const T>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianPlan& plan) {
     constexpr int kTile_px = 128;
-    const int block = rows.width <= kTile_px ? rows.height : 4;
-    for (int y = 0; y < rows.height; y += block) {
-        const std::ptrdiff_t by = y * rows.stride;
-        LaplacianRows<T> part = rows;
-        part.up += by;
-        part.mid += by;
-        part.down += by;
-        part.out += y * rows.out_stride;
-        part.height = std::min(block, rows.height - y);
-        filter_block<kReading, kIsQuadruple>(part, plan);
+    const int block = out.width_px <= kTile_px ? out.height_px : 4;
+    for (int y = 0; y < out.height_px; y += block) {
+        const int height_px = std::min(block, out.height_px - y);
+        filter_block<kReading, kIsQuadruple, T>(
+            {codes.row(y), out.width_px, height_px, codes.stride},
+            {out.row(y), out.width_px, height_px, out.stride},
+            plan);
     }
 }
 
 template <class T>
-void filter(const LaplacianRows<T>& rows, const LaplacianPlan& plan) {
+void filter(const core::ImageView<const T>& codes,
+            const core::ImageView<std::uint8_t>& out,
+            const LaplacianPlan& plan) {
     switch (plan.reading) {
         case Reading::absolute:
-            return plan.is_quadruple() ? filter_as<Reading::absolute, true>(rows, plan)
-                                       : filter_as<Reading::absolute, false>(rows, plan);
+            return plan.is_quadruple() ? filter_as<Reading::absolute, true>(codes, out, plan)
+                                       : filter_as<Reading::absolute, false>(codes, out, plan);
         case Reading::positive:
-            return plan.is_quadruple() ? filter_as<Reading::positive, true>(rows, plan)
-                                       : filter_as<Reading::positive, false>(rows, plan);
+            return plan.is_quadruple() ? filter_as<Reading::positive, true>(codes, out, plan)
+                                       : filter_as<Reading::positive, false>(codes, out, plan);
         case Reading::wrapped_absolute:
-            return filter_as<Reading::wrapped_absolute, false>(rows, plan);
+            return filter_as<Reading::wrapped_absolute, false>(codes, out, plan);
         case Reading::wrapped_positive:
-            return filter_as<Reading::wrapped_positive, false>(rows, plan);
+            return filter_as<Reading::wrapped_positive, false>(codes, out, plan);
         case Reading::literal:
-            return filter_as<Reading::literal, false>(rows, plan);
+            return filter_as<Reading::literal, false>(codes, out, plan);
     }
 }
 
-void filter_u8(const LaplacianRows<std::uint8_t>& rows, const LaplacianPlan& plan) {
-    filter(rows, plan);
+void filter_u8(const core::ImageView<const std::uint8_t>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianPlan& plan) {
+    filter(codes, out, plan);
 }
-void filter_u16(const LaplacianRows<std::uint16_t>& rows, const LaplacianPlan& plan) {
-    filter(rows, plan);
+void filter_u16(const core::ImageView<const std::uint16_t>& codes,
+                const core::ImageView<std::uint8_t>& out,
+                const LaplacianPlan& plan) {
+    filter(codes, out, plan);
 }
 
 }  // namespace ink::edge::HWY_NAMESPACE
@@ -233,15 +241,31 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace ink::edge {
+namespace {
+
 HWY_EXPORT(filter_u8);
 HWY_EXPORT(filter_u16);
 
-void laplacian_rows(const LaplacianRows<std::uint8_t>& rows, const LaplacianResponse& response) {
-    HWY_DYNAMIC_DISPATCH(filter_u8)(rows, LaplacianPlan(response, 8));
+}  // namespace
+
+void laplacian(const core::ImageView<const std::uint8_t>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianResponse& response,
+               int threads) {
+    const LaplacianPlan plan(response, 8);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(filter_u8);
+    filter_row_bands(
+        codes, out, threads, [&](const auto& from, const auto& to) { kernel(from, to, plan); });
 }
 
-void laplacian_rows(const LaplacianRows<std::uint16_t>& rows, const LaplacianResponse& response) {
-    HWY_DYNAMIC_DISPATCH(filter_u16)(rows, LaplacianPlan(response, 16));
+void laplacian(const core::ImageView<const std::uint16_t>& codes,
+               const core::ImageView<std::uint8_t>& out,
+               const LaplacianResponse& response,
+               int threads) {
+    const LaplacianPlan plan(response, 16);
+    const auto kernel = HWY_DYNAMIC_DISPATCH(filter_u16);
+    filter_row_bands(
+        codes, out, threads, [&](const auto& from, const auto& to) { kernel(from, to, plan); });
 }
 
 }  // namespace ink::edge

@@ -1,6 +1,7 @@
 #include "edge/laplacian_plan.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace ink::edge {
 namespace {
@@ -28,6 +29,9 @@ LaplacianPlan::LaplacianPlan(const LaplacianResponse& response, int store_bits)
       double_first(0),
       right(std::max(-response.scale_bits, 0)),
       left(std::min(std::max(response.scale_bits, 0), 8)) {
+    assert(response.clip_bits >= 0 && response.clip_bits <= 15);
+    assert(response.scale_bits >= -15 && response.scale_bits <= 15);
+    assert(response.code_bits >= 1 && response.code_bits <= store_bits);
     if (reading == Reading::absolute || reading == Reading::positive) {
         low = right < 2 ? keep & 3 : 0;
         low_right = std::min(right, 1);

@@ -29,15 +29,15 @@ void for_row_bands(int height_px, int threads, Body body) {
 
 /// Calls `kernel(from, to)` for bands of the rows of two images of one size: the face of a filter
 /// from pixels to pixels.
-template <class T, class Kernel>
+template <class T, class Out, class Kernel>
 void filter_row_bands(const core::ImageView<const T>& values,
-                      const core::ImageView<T>& out,
+                      const core::ImageView<Out>& out,
                       int threads,
                       Kernel kernel) {
     assert(values.width_px == out.width_px && values.height_px == out.height_px);
     for_row_bands(out.height_px, threads, [&](int y0, int y1) {
         kernel(core::ImageView<const T>{values.row(y0), out.width_px, y1 - y0, values.stride},
-               core::ImageView<T>{out.row(y0), out.width_px, y1 - y0, out.stride});
+               core::ImageView<Out>{out.row(y0), out.width_px, y1 - y0, out.stride});
     });
 }
 

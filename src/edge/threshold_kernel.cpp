@@ -41,12 +41,9 @@ void threshold(const core::ImageView<const std::uint8_t>& edge_responses,
                const core::ImageView<std::uint8_t>& mask,
                int threads) {
     assert(at_least >= 1 && at_least <= 255);
-    assert(edge_responses.width_px == mask.width_px && edge_responses.height_px == mask.height_px);
-    for_row_bands(mask.height_px, threads, [&](int y0, int y1) {
-        HWY_DYNAMIC_DISPATCH(threshold_rows)
-        ({edge_responses.row(y0), mask.width_px, y1 - y0, edge_responses.stride},
-         at_least,
-         {mask.row(y0), mask.width_px, y1 - y0, mask.stride});
+    const auto kernel = HWY_DYNAMIC_DISPATCH(threshold_rows);
+    filter_row_bands(edge_responses, mask, threads, [&](const auto& from, const auto& to) {
+        kernel(from, at_least, to);
     });
 }
 

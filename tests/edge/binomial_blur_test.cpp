@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
 #include "random_image.h"
 
@@ -26,12 +25,11 @@ TYPED_TEST(BinomialBlur, EqualsOpenCvsFilterInTheInterior) {
     cv::Mat theirs;
     cv::filter2D(codes, theirs, CV_64F, kernel);
 
-    std::vector<TypeParam> ours(48);
+    core::Image<TypeParam> ours(48, 28);
+    binomial_blur({image.row(1) + 1, 48, 28, 50}, ours.view(), 0);
     for (int y = 1; y < 29; ++y) {
-        binomial_blur_row(
-            image.row(y - 1) + 1, image.row(y) + 1, image.row(y + 1) + 1, ours.data(), 48, 0);
         for (int x = 1; x < 49; ++x) {
-            ASSERT_EQ(ours[x - 1], std::floor(theirs.template at<double>(y, x) + 0.5));
+            ASSERT_EQ(ours.at(x - 1, y - 1), std::floor(theirs.template at<double>(y, x) + 0.5));
         }
     }
 }
@@ -46,13 +44,12 @@ TYPED_TEST(BinomialBlur, WrappedCodesBlurLikeTheRampTheyStandFor) {
             wrapped.at(x, y) = static_cast<TypeParam>(ramp.at(x, y) + (1 << kBits) - 220);
         }
     }
-    std::vector<std::uint16_t> plain(38);
-    std::vector<TypeParam> ours(38);
-    binomial_blur_row(ramp.row(0) + 1, ramp.row(1) + 1, ramp.row(2) + 1, plain.data(), 38, 0);
-    binomial_blur_row(
-        wrapped.row(0) + 1, wrapped.row(1) + 1, wrapped.row(2) + 1, ours.data(), 38, kBits);
+    core::Image<std::uint16_t> plain(38, 1);
+    core::Image<TypeParam> ours(38, 1);
+    binomial_blur({ramp.row(1) + 1, 38, 1, 40}, plain.view(), 0);
+    binomial_blur({wrapped.row(1) + 1, 38, 1, 40}, ours.view(), kBits);
     for (int x = 0; x < 38; ++x) {
-        ASSERT_EQ(ours[x], static_cast<TypeParam>(plain[x] + (1 << kBits) - 220));
+        ASSERT_EQ(ours.at(x, 0), static_cast<TypeParam>(plain.at(x, 0) + (1 << kBits) - 220));
     }
 }
 

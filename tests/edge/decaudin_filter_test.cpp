@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "plain_filters.h"
 #include "random_image.h"
 
 namespace ink::edge {
@@ -23,14 +24,12 @@ double plain_g(const core::Image<float>& image, int x, int y) {
     return sum / 8;
 }
 
+/// By the plain filter, which decaudin() equals on every target (float_filters_simd_test.cpp).
 core::Image<float> g_of(const core::Image<float>& image) {
     core::Image<float> g(image.width_px(), image.height_px());
     for (int y = 1; y + 1 < image.height_px(); ++y) {
-        decaudin_g_row(image.row(y - 1) + 1,
-                       image.row(y) + 1,
-                       image.row(y + 1) + 1,
-                       g.row(y) + 1,
-                       image.width_px() - 2);
+        for (int x = 1; x + 1 < image.width_px(); ++x)
+            g.at(x, y) = plain::decaudin_g_at(image.row(y) + x, image.width_px());
     }
     return g;
 }

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "edge/edge_image.h"
 #include "random_image.h"
 
 namespace ink::edge {
@@ -46,17 +47,17 @@ std::vector<LaplacianResponse> responses(int bits) {
 }
 
 template <class T>
-class LaplacianRow : public testing::Test {};
+class LaplacianOf : public testing::Test {};
 using Codes = testing::Types<std::uint8_t, std::uint16_t>;
-TYPED_TEST_SUITE(LaplacianRow, Codes);
+TYPED_TEST_SUITE(LaplacianOf, Codes);
 
-TYPED_TEST(LaplacianRow, IsTheDefinitionOnRandomImages) {
+TYPED_TEST(LaplacianOf, IsTheDefinitionOnRandomImages) {
     constexpr int kBits = 8 * sizeof(TypeParam);
     constexpr int kWidth = 77;
     const auto image = random_image<TypeParam>(kWidth + 2, 3, {0, (1 << kBits) - 1}, 1);
     for (const LaplacianResponse& r : responses(kBits)) {
         std::vector<std::uint8_t> out(kWidth);
-        laplacian_row(image.row(0) + 1, image.row(1) + 1, image.row(2) + 1, out.data(), kWidth, r);
+        laplacian({image.row(1) + 1, kWidth, 1, kWidth + 2}, {out.data(), kWidth, 1, kWidth}, r);
         for (int x = 0; x < kWidth; ++x) {
             const long laplacian = 4L * image.at(x + 1, 1) - image.at(x + 1, 0) -
                                    image.at(x + 1, 2) - image.at(x, 1) - image.at(x + 2, 1);
@@ -67,7 +68,7 @@ TYPED_TEST(LaplacianRow, IsTheDefinitionOnRandomImages) {
     }
 }
 
-TYPED_TEST(LaplacianRow, EqualsOpenCvInTheInterior) {
+TYPED_TEST(LaplacianOf, EqualsOpenCvInTheInterior) {
     constexpr int kDepth = sizeof(TypeParam) == 1 ? CV_8U : CV_16U;
     constexpr int kMax = (1 << (8 * sizeof(TypeParam))) - 1;
     auto image = random_image<TypeParam>(61, 40, {0, kMax}, 2);
@@ -77,13 +78,12 @@ TYPED_TEST(LaplacianRow, EqualsOpenCvInTheInterior) {
 
     // OpenCV's kernel has the other sign: 0 1 0 / 1 -4 1 / 0 1 0.
     const LaplacianResponse r{Response::positive, 0, sizeof(TypeParam) == 1 ? -2 : -10, 8, false};
-    std::vector<std::uint8_t> ours(59);
+    EdgeImage ours(59, 38);
+    laplacian({image.row(1) + 1, 59, 38, 61}, ours.view(), r);
     for (int y = 1; y < 39; ++y) {
-        laplacian_row(
-            image.row(y - 1) + 1, image.row(y) + 1, image.row(y + 1) + 1, ours.data(), 59, r);
         for (int x = 1; x < 60; ++x) {
             const int l = static_cast<int>(-theirs.at<double>(y, x));
-            ASSERT_EQ(ours[x - 1], std::min(std::max(l, 0) >> -r.scale_bits, 255));
+            ASSERT_EQ(ours.at(x - 1, y - 1), std::min(std::max(l, 0) >> -r.scale_bits, 255));
         }
     }
 }
@@ -92,7 +92,8 @@ TEST(Laplacian, AOnePixelStepIsTwoWideInAbsoluteAndOneInPositive) {
     const std::vector<std::uint8_t> row = {40, 40, 40, 40, 90, 90, 90, 90};
     std::vector<std::uint8_t> out(6);
     const auto filtered = [&](Response response) {
-        laplacian_row(row.data() + 1, row.data() + 1, row.data() + 1, out.data(), 6, {response});
+        // No way from row to row: all are this one.
+        laplacian({row.data() + 1, 6, 1, 0}, {out.data(), 6, 1, 6}, {response});
         return out;
     };
     EXPECT_EQ(filtered(Response::absolute), (std::vector<std::uint8_t>{0, 0, 48, 48, 0, 0}));
@@ -125,7 +126,7 @@ TEST(Laplacian, AWrappedCodeIsReadTheShortWayRound) {
 TEST(Laplacian, NoWidthWritesNothing) {
     const std::uint8_t in[3] = {1, 2, 3};
     std::uint8_t out = 7;
-    laplacian_row(in, in + 1, in, &out, 0, {});
+    laplacian({in + 1, 0, 1, 0}, {&out, 0, 1, 0}, {});
     EXPECT_EQ(out, 7);
 }
 
