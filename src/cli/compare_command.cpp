@@ -67,7 +67,7 @@ void apply_quick(CompareArgs& args, const CLI::App& command) {
     if (command.count("--size") == 0) args.views.size = kQuickSize;
     if (command.count("--repetitions") == 0) args.repetitions = kQuickRepetitions;
     args.no_sweep = true;
-    args.no_crosscheck = true;
+    args.no_crosscheck = args.no_crosscheck || !args.demo;
 }
 
 void apply_demo(CompareArgs& args, const CLI::App& command) {
@@ -149,10 +149,11 @@ void add_compare_command(CLI::App& app) {
                       args->quick,
                       "A first look: 640x360, one view a scene, few repetitions, no sweep, no "
                       "check of the truth");
-    command->add_flag("--demo",
-                      args->demo,
-                      "As --quick, of a dozen scenes and the main methods unless others are named, "
-                      "in inkbench-out/demo: a minute");
+    command->add_flag(
+        "--demo",
+        args->demo,
+        "A dozen scenes and the main methods unless others are named, as small as with "
+        "--quick, in inkbench-out/demo: half a minute");
     add_truth_settings(*command, args->truth);
     add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
     command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
