@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "import/byte_stream.h"
+#include "core/byte_stream.h"
 #include "scene/animation.h"
 #include "scene/scene.h"
 
@@ -48,7 +48,7 @@ struct ImportReply {
 
 /// Writes `reply` as one binary stream: magic, version, counts, arrays, end mark; native byte
 /// order, for it never leaves the machine.
-void write_reply(const ImportReply& reply, const ByteSink& sink);
+void write_reply(const ImportReply& reply, const core::ByteSink& sink);
 
 /// The reply in `stream`, or nothing if that is not exactly one whole reply.
 ///

@@ -1,67 +1,16 @@
 #include "truth/truth_file.h"
 
-#include <cstring>
+#include <algorithm>
+#include <array>
 #include <limits>
-#include <type_traits>
 
+#include "core/byte_stream.h"
 #include "core/hash.h"
 
 namespace ink::truth {
 namespace {
 
-constexpr char kMagic[8] = {'i', 'n', 'k', 't', 'r', 'u', 't', '1'};
-
-class Writer {
-  public:
-    template <class T>
-    void value(const T& v) {
-        items(&v, 1);
-    }
-    template <class T>
-    void items(const T* data, std::size_t count) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        const auto* begin = reinterpret_cast<const std::uint8_t*>(data);
-        bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
-    }
-    std::vector<std::uint8_t> bytes;
-};
-
-/// Reads what is there; past the end everything is zero and `is_good` false.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
-
-    template <class T>
-    T value() {
-        T v{};
-        items(&v, 1);
-        return v;
-    }
-    template <class T>
-    void items(T* data, std::size_t count) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        if (count > left_.size() / sizeof(T)) {
-            is_good = false;
-            return;
-        }
-        if (count > 0) std::memcpy(data, left_.data(), count * sizeof(T));
-        left_ = left_.subspan(count * sizeof(T));
-    }
-    /// A count of things of which each takes at least `least_bytes`; 0 if they cannot all be there.
-    std::size_t count(std::size_t least_bytes) {
-        const auto n = value<std::uint64_t>();
-        if (n <= left_.size() / least_bytes) return n;
-        is_good = false;
-        return 0;
-    }
-    [[nodiscard]] bool is_at_end() const { return left_.empty(); }
-    [[nodiscard]] std::span<const std::uint8_t> left() const { return left_; }
-
-    bool is_good = true;
-
-  private:
-    std::span<const std::uint8_t> left_;
-};
+constexpr std::array<char, 8> kMagic = {'i', 'n', 'k', 't', 'r', 'u', 't', '1'};
 
 struct Size {
     std::int32_t width_px = 0, height_px = 0;
@@ -69,33 +18,32 @@ struct Size {
 
 /// Pixels as runs of equal ones: ids and labels are mostly that.
 template <class T>
-void write_runs(Writer& out, const core::Image<T>& image) {
-    out.value(Size{image.width_px(), image.height_px()});
+void write_runs(core::ByteWriter& out, const core::Image<T>& image) {
+    out.parts(Size{image.width_px(), image.height_px()});
     for (std::size_t i = 0; i < image.size();) {
         std::uint32_t run = 1;
         while (i + run < image.size() && image.data()[i + run] == image.data()[i])
             ++run;
-        out.value(run);
-        out.value(image.data()[i]);
+        out.parts(run, image.data()[i]);
         i += run;
     }
 }
 
 template <class T>
-core::Image<T> read_runs(Reader& in) {
+core::Image<T> read_runs(core::ByteReader& in) {
     const auto size = in.value<Size>();
     constexpr int kMost = 1 << 20;
     if (size.width_px < 0 || size.height_px < 0 || size.width_px > kMost ||
         size.height_px > kMost) {
-        in.is_good = false;
+        in.fail();
     }
-    if (!in.is_good) return {};
+    if (!in.is_good()) return {};
     core::Image<T> image(size.width_px, size.height_px);
-    for (std::size_t i = 0; i < image.size() && in.is_good;) {
+    for (std::size_t i = 0; i < image.size() && in.is_good();) {
         const auto run = in.value<std::uint32_t>();
         const T pixel = in.value<T>();
         if (run == 0 || run > image.size() - i) {
-            in.is_good = false;
+            in.fail();
             break;
         }
         std::fill_n(image.data() + i, run, pixel);
@@ -105,114 +53,108 @@ core::Image<T> read_runs(Reader& in) {
 }
 
 /// Floats of the pixels that show a triangle; the sky has no need of any.
-void write_seen(Writer& out, const core::Image<float>& image, const Layers& layers) {
+void write_seen(core::ByteWriter& out, const core::Image<float>& image, const Layers& layers) {
+    std::vector<float> seen;
     for (std::size_t i = 0; i < image.size(); ++i) {
-        if (layers.triangle.data()[i] != kNoTriangle) out.value(image.data()[i]);
+        if (layers.triangle.data()[i] != kNoTriangle) seen.push_back(image.data()[i]);
     }
+    out.parts(seen);
 }
 
-core::Image<float> read_seen(Reader& in, const Layers& layers, float sky) {
+core::Image<float> read_seen(core::ByteReader& in, const Layers& layers, float sky) {
     core::Image<float> image(layers.triangle.width_px(), layers.triangle.height_px(), sky);
-    for (std::size_t i = 0; i < image.size() && in.is_good; ++i) {
-        if (layers.triangle.data()[i] != kNoTriangle) image.data()[i] = in.value<float>();
+    std::vector<float> seen;
+    in.parts(seen);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < image.size() && in.is_good(); ++i) {
+        if (layers.triangle.data()[i] == kNoTriangle) continue;
+        if (next == seen.size()) in.fail();
+        if (next < seen.size()) image.data()[i] = seen[next++];
     }
     return image;
 }
 
-void write_curve(Writer& out, const Curve& curve) {
-    out.value(curve.line_class);
-    out.value(curve.kind);
-    out.value(curve.empty_side);
-    out.value(curve.edge);
-    out.value(curve.face0);
-    out.value(curve.face1);
-    out.value(curve.deviation_rad);
-    out.value(curve.gap);
-    out.value(curve.view_angle_rad);
-    out.value(curve.begin);
-    out.value(curve.end);
+template <class Stream, class Lines>
+void pass_curves(Stream& of, Lines& curves) {
+    constexpr std::size_t kCurveBytes = 3 + 6 * sizeof(std::uint32_t) + 2 * sizeof(CurvePoint);
+    of.list(curves, kCurveBytes, [](Stream& stream, auto& curve) {
+        stream.parts(curve.line_class,
+                     curve.kind,
+                     curve.empty_side,
+                     curve.edge,
+                     curve.face0,
+                     curve.face1,
+                     curve.deviation_rad,
+                     curve.gap,
+                     curve.view_angle_rad,
+                     curve.begin,
+                     curve.end);
+    });
 }
 
-Curve read_curve(Reader& in) {
-    Curve curve;
-    curve.line_class = in.value<LineClass>();
-    curve.kind = in.value<ContourKind>();
-    curve.empty_side = in.value<std::int8_t>();
-    curve.edge = in.value<std::uint32_t>();
-    curve.face0 = in.value<std::uint32_t>();
-    curve.face1 = in.value<std::uint32_t>();
-    curve.deviation_rad = in.value<float>();
-    curve.gap = in.value<float>();
-    curve.view_angle_rad = in.value<float>();
-    curve.begin = in.value<CurvePoint>();
-    curve.end = in.value<CurvePoint>();
-    return curve;
-}
-
-constexpr std::size_t kCurveBytes = 3 + 6 * sizeof(std::uint32_t) + 2 * sizeof(CurvePoint);
-
-std::vector<std::uint8_t> encode_payload(const Truth& truth) {
-    Writer out;
+void write_payload(core::ByteWriter& out, const Truth& truth) {
     write_runs(out, truth.labels);
-    out.value(static_cast<std::uint64_t>(truth.curves.size()));
-    for (const Curve& curve : truth.curves)
-        write_curve(out, curve);
+    pass_curves(out, truth.curves);
     write_runs(out, truth.sampled);
     write_runs(out, truth.layers.triangle);
     write_runs(out, truth.layers.patch);
     write_seen(out, truth.layers.n_dot_v, truth.layers);
     write_seen(out, truth.layers.w, truth.layers);
-    out.value(truth.counts);
-    out.value(truth.trace_s);
-    return std::move(out.bytes);
+    out.parts(truth.counts, truth.trace_s);
 }
 
-std::optional<Truth> decode_payload(std::span<const std::uint8_t> bytes) {
-    Reader in(bytes);
+std::optional<Truth> read_payload(core::ByteReader& in) {
     Truth truth;
     truth.labels = read_runs<std::uint8_t>(in);
-    truth.curves.resize(in.count(kCurveBytes));
-    for (Curve& curve : truth.curves)
-        curve = read_curve(in);
+    pass_curves(in, truth.curves);
     truth.sampled = read_runs<std::uint8_t>(in);
     truth.layers.triangle = read_runs<std::uint32_t>(in);
     truth.layers.patch = read_runs<std::uint32_t>(in);
     truth.layers.n_dot_v = read_seen(in, truth.layers, 0);
     truth.layers.w = read_seen(in, truth.layers, std::numeric_limits<float>::infinity());
-    truth.counts = in.value<TruthCounts>();
-    truth.trace_s = in.value<double>();
-    if (!in.is_good || !in.is_at_end()) return std::nullopt;
+    in.parts(truth.counts, truth.trace_s);
+    if (!in.is_at_end()) return std::nullopt;
     return truth;
+}
+
+std::uint64_t hash_of(std::span<const std::byte> bytes) {
+    return core::Hasher().bytes(bytes.data(), bytes.size()).result();
+}
+
+/// Adds what is written to `bytes`.
+core::ByteSink sink_into(std::vector<std::uint8_t>& bytes) {
+    return [&bytes](const void* data, std::size_t size) {
+        const auto* begin = static_cast<const std::uint8_t*>(data);
+        bytes.insert(bytes.end(), begin, begin + size);
+    };
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> encode_truth(const Truth& truth, const std::string& key) {
-    const std::vector<std::uint8_t> payload = encode_payload(truth);
-    Writer out;
-    out.items(kMagic, sizeof kMagic);
-    out.value(static_cast<std::uint64_t>(key.size()));
-    out.items(key.data(), key.size());
-    out.value(static_cast<std::uint64_t>(payload.size()));
-    out.value(core::Hasher().bytes(payload.data(), payload.size()).result());
-    out.items(payload.data(), payload.size());
-    return std::move(out.bytes);
+    std::vector<std::uint8_t> payload;
+    const core::ByteSink into_payload = sink_into(payload);
+    core::ByteWriter payload_writer(into_payload);
+    write_payload(payload_writer, truth);
+    std::vector<std::uint8_t> bytes;
+    const core::ByteSink into_bytes = sink_into(bytes);
+    core::ByteWriter(into_bytes)
+        .parts(kMagic, key, hash_of(std::as_bytes(std::span(payload))), payload);
+    return bytes;
 }
 
 std::optional<Truth> decode_truth(std::span<const std::uint8_t> bytes, const std::string& key) {
-    Reader in(bytes);
-    char magic[sizeof kMagic] = {};
-    in.items(magic, sizeof magic);
-    std::string stored_key(in.count(1), '\0');
-    in.items(stored_key.data(), stored_key.size());
-    const auto size = in.value<std::uint64_t>();
-    const auto hash = in.value<std::uint64_t>();
-    if (!in.is_good || std::memcmp(magic, kMagic, sizeof magic) != 0 || stored_key != key ||
-        size != in.left().size() ||
-        hash != core::Hasher().bytes(in.left().data(), in.left().size()).result()) {
+    core::ByteReader in(std::as_bytes(bytes));
+    std::array<char, 8> magic{};
+    std::string stored_key;
+    std::uint64_t hash = 0;
+    std::uint64_t size = 0;
+    in.parts(magic, stored_key, hash, size);
+    if (!in.is_good() || magic != kMagic || stored_key != key || size != in.left().size() ||
+        hash != hash_of(in.left())) {
         return std::nullopt;
     }
-    return decode_payload(in.left());
+    return read_payload(in);
 }
 
 }  // namespace ink::truth
