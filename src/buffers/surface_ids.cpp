@@ -5,32 +5,12 @@
 #include <map>
 #include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
 namespace {
-
-/// Sets of triangles, each named by its lowest.
-class TriangleSets {
-  public:
-    explicit TriangleSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t i, std::uint32_t j) {
-        i = find(i);
-        j = find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
 
 using Place = std::array<double, 3>;
 using Places = std::array<Place, 3>;
@@ -47,7 +27,7 @@ Places places_of(const std::array<glm::dvec3, 3>& corners) {
 /// seen.
 void join_duplicates(const scene::Scene& scene,
                      const scene::Topology& topology,
-                     TriangleSets& sets) {
+                     core::DisjointSets& sets) {
     std::map<Places, std::uint32_t> face_at;
     std::vector<bool> is_face(scene::triangle_count(scene));
     for (const scene::Face& face : topology.faces) {
@@ -68,7 +48,7 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
                                      bool over_objects,
                                      const PatchOptions& options) {
     const scene::Topology topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
-    TriangleSets sets(scene::triangle_count(scene));
+    core::DisjointSets sets(scene::triangle_count(scene));
     for (const scene::Edge& edge : topology.edges) {
         if (edge.face_count != 2) continue;
         const auto faces = topology.faces_of(edge);
@@ -82,7 +62,7 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
     if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);
     std::vector<std::uint32_t> ids(scene::triangle_count(scene));
     for (std::uint32_t t = 0; t < ids.size(); ++t)
-        ids[t] = sets.find(t);
+        ids[t] = sets.root(t);
     return ids;
 }
 

@@ -4,28 +4,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "scene/predicates.h"
 
 namespace ink::scene {
 namespace {
-
-class Groups {
-  public:
-    explicit Groups(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t root(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[root(b)] = root(a); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// What a component is judged by.
 struct Tally {
@@ -58,7 +42,7 @@ bool is_concave(const Topology& topology, const Edge& edge) {
 
 /// The component of each face, numbered in the order of first faces.
 std::vector<std::uint32_t> number_faces(const Topology& topology) {
-    Groups groups(topology.faces.size());
+    core::DisjointSets groups(topology.faces.size());
     for (const Edge& edge : topology.edges) {
         const auto faces = topology.faces_of(edge);
         for (const std::uint32_t face : faces)

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <tuple>
 
 namespace ink::scene {
@@ -55,22 +54,7 @@ bool is_before(const glm::dvec3& a, const glm::dvec3& b) {
 }  // namespace
 
 NearPoints::NearPoints(std::span<const glm::dvec3> points)
-    : points_(points), parent_(points.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::uint32_t NearPoints::root_of(std::uint32_t i) {
-    while (parent_[i] != i) {
-        parent_[i] = parent_[parent_[i]];
-        i = parent_[i];
-    }
-    return i;
-}
-
-void NearPoints::link(std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax({root_of(a), root_of(b)});
-    parent_[high] = low;
-}
+    : points_(points), sets_(points.size()) {}
 
 void NearPoints::add(std::span<const std::uint32_t> part, double distance) {
     if (part.empty() || !(distance > 0)) return;
@@ -87,7 +71,8 @@ void NearPoints::add(std::span<const std::uint32_t> part, double distance) {
             for (std::size_t j = first; j < cells.size() && !(high < cells[j].cell); ++j) {
                 const std::uint32_t other = cells[j].point;
                 if (other == point) continue;
-                if (glm::length(points_[point] - points_[other]) <= distance) link(point, other);
+                if (glm::length(points_[point] - points_[other]) <= distance)
+                    sets_.join(point, other);
             }
         }
     }
@@ -96,11 +81,11 @@ void NearPoints::add(std::span<const std::uint32_t> part, double distance) {
 std::vector<glm::dvec3> NearPoints::representatives() {
     std::vector<glm::dvec3> first(points_.begin(), points_.end());
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-        glm::dvec3& best = first[root_of(i)];
+        glm::dvec3& best = first[sets_.root(i)];
         if (is_before(points_[i], best)) best = points_[i];
     }
     for (std::uint32_t i = 0; i < points_.size(); ++i)
-        first[i] = first[root_of(i)];
+        first[i] = first[sets_.root(i)];
     return first;
 }
 

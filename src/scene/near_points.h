@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/disjoint_sets.h"
+
 namespace ink::scene {
 
 /// Joins points that lie close to each other.
@@ -25,11 +27,8 @@ class NearPoints {
     [[nodiscard]] std::vector<glm::dvec3> representatives();
 
   private:
-    std::uint32_t root_of(std::uint32_t i);
-    void link(std::uint32_t a, std::uint32_t b);
-
     std::span<const glm::dvec3> points_;
-    std::vector<std::uint32_t> parent_;
+    core::DisjointSets sets_;
 };
 
 }  // namespace ink::scene

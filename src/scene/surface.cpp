@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "scene/predicates.h"
 
 namespace ink::scene {
@@ -29,28 +29,6 @@ void for_each_triangle(const Scene& scene, Visit visit) {
     }
 }
 
-/// Sets of corners that share a normal: plain union-find with path halving.
-class CornerSets {
-  public:
-    explicit CornerSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    /// The lower root wins, so that the numbering does not depend on the order of joins.
-    void join(std::uint32_t i, std::uint32_t j) {
-        i = find(i);
-        j = find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 std::uint32_t corner_at(const Face& face, std::uint32_t vertex) {
     for (std::uint32_t i = 0; i < 3; ++i) {
         if (face.vertices[i] == vertex) return i;
@@ -63,9 +41,10 @@ bool runs_forward(const Face& face, const Edge& edge) {
     return face.vertices[(corner_at(face, edge.a) + 1) % 3] == edge.b;
 }
 
-/// Corner 3f+i of every face, joined across the edges that are smooth.
-CornerSets join_smooth_corners(const Topology& topology, double crease_rad) {
-    CornerSets sets(topology.faces.size() * 3);
+/// Corner 3f+i of every face, joined across the edges that are smooth: corners of a set share a
+/// normal.
+core::DisjointSets join_smooth_corners(const Topology& topology, double crease_rad) {
+    core::DisjointSets sets(topology.faces.size() * 3);
     for (const Edge& edge : topology.edges) {
         if (edge.face_count != 2) continue;
         const auto faces = topology.faces_of(edge);
@@ -100,7 +79,7 @@ glm::vec3 unit_or_z(const glm::dvec3& v) {
 
 Surface patch_surface(const Scene& scene, double crease_rad) {
     const Topology topology = weld(scene);
-    CornerSets sets = join_smooth_corners(topology, crease_rad);
+    core::DisjointSets sets = join_smooth_corners(topology, crease_rad);
 
     std::vector<glm::dvec3> sums(topology.faces.size() * 3, glm::dvec3(0));
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
@@ -108,7 +87,7 @@ Surface patch_surface(const Scene& scene, double crease_rad) {
         const glm::dvec3 normal = glm::dvec3(area_vector(topology, face));
         const glm::dvec3 unit = normal / std::max(glm::length(normal), 1e-300);
         for (std::uint32_t i = 0; i < 3; ++i) {
-            sums[sets.find(3 * f + i)] += unit * corner_angle_rad(topology, face, i);
+            sums[sets.root(3 * f + i)] += unit * corner_angle_rad(topology, face, i);
         }
     }
 
@@ -139,7 +118,7 @@ Surface patch_surface(const Scene& scene, double crease_rad) {
                                   drawn[i] = add_vertex(p[i], facet);
                                   continue;
                               }
-                              const std::uint32_t set = sets.find(3 * f + i);
+                              const std::uint32_t set = sets.root(3 * f + i);
                               if (vertex_of_set[set] == 0xffffffffU) {
                                   vertex_of_set[set] = add_vertex(p[i], unit_or_z(sums[set]));
                               }

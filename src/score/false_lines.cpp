@@ -1,33 +1,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "score/motion.h"
 
 namespace ink::score {
 namespace {
-
-/// Which of many things belong together (Tarjan's union-find); the least of each group is its root.
-class Groups {
-  public:
-    explicit Groups(std::size_t size) : parent_(size) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    [[nodiscard]] std::size_t root(std::size_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    void join(std::size_t a, std::size_t b) {
-        a = root(a);
-        b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
-};
 
 /// The false pixels of a frame, numbered on from those of the frames before.
 struct FalsePixels {
@@ -49,10 +27,14 @@ std::vector<FalsePixels> false_pixels(std::span<const MotionFrame> frames, const
 }
 
 /// Joins each pixel of `a` with those of `b` within `disk`.
-void join_reached(const FalsePixels& a, const FalsePixels& b, const Disk& disk, Groups& groups) {
+void join_reached(const FalsePixels& a,
+                  const FalsePixels& b,
+                  const Disk& disk,
+                  core::DisjointSets& groups) {
     visit_reach(a.pixels, b.pixels, disk, [&](std::size_t i, std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k)
-            groups.join(a.first + i, b.first + k);
+            groups.join(static_cast<std::uint32_t>(a.first + i),
+                        static_cast<std::uint32_t>(b.first + k));
     });
 }
 
@@ -64,7 +46,7 @@ std::vector<FalseLine> false_lines(std::span<const MotionFrame> frames, double t
     const Disk touching(1.5);  // the 8 neighbours
     const std::vector<FalsePixels> all = false_pixels(frames, disk);
     const std::size_t count = all.back().first + all.back().pixels.size();
-    Groups groups(count);
+    core::DisjointSets groups(count);
     for (std::size_t t = 0; t < all.size(); ++t) {
         join_reached(all[t], all[t], touching, groups);
         if (t > 0) join_reached(all[t - 1], all[t], disk, groups);
@@ -77,7 +59,7 @@ std::vector<FalseLine> false_lines(std::span<const MotionFrame> frames, double t
         const FalsePixels& now = all[static_cast<std::size_t>(t)];
         for (std::size_t i = now.first; i < now.first + now.pixels.size(); ++i) {
             // A root is the first pixel of its line, so lines come in order.
-            const std::size_t root = groups.root(i);
+            const std::size_t root = groups.root(static_cast<std::uint32_t>(i));
             if (root == i) {
                 line_of[i] = lines.size();
                 lines.push_back({.first_frame = t});

@@ -1,29 +1,12 @@
 #include "shade/flat_patches.h"
 
 #include <glm/geometric.hpp>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "scene/topology.h"
 
 namespace ink::shade {
 namespace {
-
-/// Disjoint sets of faces.
-class Groups {
-  public:
-    explicit Groups(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), 0U);
-    }
-    std::uint32_t root(std::uint32_t i) {
-        while (parents_[i] != i)
-            i = parents_[i] = parents_[parents_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parents_[root(b)] = root(a); }
-
-  private:
-    std::vector<std::uint32_t> parents_;
-};
 
 /// Whether the face runs from `from` to `to` at one of its edges.
 bool runs(const scene::Face& face, std::uint32_t from, std::uint32_t to) {
@@ -79,7 +62,7 @@ UniformSpots face_spots(const scene::Surface& surface) {
 
 UniformSpots patch_spots(const scene::Scene& scene, double crease_rad) {
     const scene::Topology topology = scene::weld(scene);
-    Groups groups(topology.faces.size());
+    core::DisjointSets groups(topology.faces.size());
     std::vector<std::uint32_t> smooth;  // a face at each edge beyond which the surface bends on
     for (const scene::Edge& edge : topology.edges) {
         if (!goes_on(topology, edge)) continue;
