@@ -64,7 +64,7 @@ class Run {
         for (const row of this.table('rows.csv').lines) this.cells.set(row.cell, row);
         this.rows = this.mainRows();
         this.methods = this.readMethods();
-        this.settings = this.readSettings();
+        this.joinedTables = {};
     }
 
     /// A table of the run; one without lines if the run has none of that name.
@@ -113,17 +113,13 @@ class Run {
         return methods;
     }
 
-    /// Settings that sweep.csv tried: its lines, each with the fields of its cell's row.
-    readSettings() {
-        return this.joined('sweep.csv');
-    }
-
     /// The lines of a side table, each with the fields of its cell's row beneath its own.
     joined(name) {
-        return this.table(name).lines.map(line => {
+        this.joinedTables[name] ||= this.table(name).lines.map(line => {
             const row = this.cells.get(line.cell) || {};
             return Object.assign(Object.create(row), line);
         });
+        return this.joinedTables[name];
     }
 }
 

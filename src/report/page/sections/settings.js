@@ -27,7 +27,7 @@ function sweptParams(run) {
 
 /// Swept methods: {name, info, params: those that vary, settings: [{values, f, ms, views, rows}], own}.
 function sweptMethods(view) {
-    const lines = view.run.settings.filter(line => view.isMethodShown(line.method) && isSceneShown(line) &&
+    const lines = view.run.joined('sweep.csv').filter(line => view.isMethodShown(line.method) && isSceneShown(line) &&
         line.status === 'ok');
     const names = sweptParams(view.run);
     return byMethod(view.run, lines).filter(method => !method.isBaseline).map(method => {

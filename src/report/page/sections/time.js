@@ -49,7 +49,7 @@ function timeLines(summaries) {
 function settingsOf(view) {
     // Sweeps are scored within 2 px alone, all classes together.
     if (!['f_2px', 'precision', 'recall'].includes(view.measure)) return [];
-    const lines = view.run.readSettings().filter(
+    const lines = view.run.joined('sweep.csv').filter(
         line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
     const own = new Set(['cell', 'setting', 'status']);
     const swept = view.run.table('sweep.csv').names.filter(name => !own.has(name) && !(name in SWEEP_NUMBERS) &&
