@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "tests/house/house_rules.h"
 
@@ -9,12 +8,6 @@ namespace {
 
 constexpr int kMostFiles = 60;
 constexpr int kMostLines = 4300;
-
-/// Larger for now: the page is made in C++ still.
-const std::set<std::string>& excepted() {
-    static const std::set<std::string> folders = {"src/report"};
-    return folders;
-}
 
 struct FolderSize {
     int files = 0;
@@ -41,7 +34,6 @@ Findings check_sizes(const SourceTree& tree) {
     }
     Findings findings;
     for (const auto& [folder, size] : sizes) {
-        if (excepted().count(folder) != 0) continue;
         if (size.files > kMostFiles) {
             findings.push_back(folder + ": " + std::to_string(size.files) + " files");
         }
