@@ -8,6 +8,7 @@
 #include "experiment/summary/summary_csv.h"
 #include "experiment/summary/unscored.h"
 #include "harness/tables/cost_tables.h"
+#include "harness/tables/methods_table.h"
 #include "harness/tables/row_table.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
@@ -45,20 +46,6 @@ harness::TableInfo run_record() {
          {"asked", "", "every option and, under methods, every parameter of every method"}}};
 }
 
-harness::TableInfo methods() {
-    return {"methods.csv",
-            "A line per method of the run, baselines first: what the registry says of it.",
-            {{"method", "", "as in rows.csv"},
-             {"role", "", "method, floor, ceiling or exact"},
-             {"family", "", "methods of one family share a colour"},
-             {"marker", "", "of its points in charts"},
-             {"tunables", "", "name:low..high;... between which it is tuned, name:a|b of choices"},
-             {"bytes_per_px", "B/px", "of its buffers, depth included; empty if scenes decide"},
-             {"preset_of", "", "the method whose settings a preset changes"},
-             {"source", "", "where the method comes from"},
-             {"params", "", "every parameter, key=value;key=value"}}};
-}
-
 /// Its parameters differ from run to run: one stands here for all that are searched.
 harness::TableInfo evaluations() {
     return {
@@ -88,7 +75,7 @@ harness::TableInfo sweep() {
 
 std::vector<harness::TableInfo> dictionary() {
     return {run_record(),
-            methods(),
+            harness::methods_table(),
             harness::rows_table(),
             summary_table(),
             differences_table(),

@@ -1,33 +1,30 @@
 #include "linear_code/cancellation_table.h"
 
-#include "harness/tables/table_of.h"
+#include "harness/tables/side_table.h"
 
 namespace ink::linear_code {
 namespace {
 
-struct Record {
-    std::int64_t cell = 0;
-    CancellationRow row;
-};
-using CancellationTable = harness::TableOf<Record>;
+using CancellationTable = harness::SideTable<CancellationRow>;
 
 void add_kind(CancellationTable& table) {
+    const auto kind = table.part(&CancellationRow::kind);
     table.add(
         {"class", "", "of line: contour, boundary, crease, intersection, seam"},
-        [](const Record& r) { return std::string(truth::name(r.row.kind.line_class)); },
-        [](const harness::CsvField& field, Record& r) {
+        [](const CancellationRow& r) { return std::string(truth::name(r.kind.line_class)); },
+        [](const harness::CsvField& field, CancellationRow& r) {
             for (const truth::LineClass c : truth::kLineClasses) {
                 if (truth::name(c) != field.text()) continue;
-                r.row.kind.line_class = c;
+                r.kind.line_class = c;
                 return;
             }
             field.refuse("contour, boundary, crease, intersection, seam");
         });
-    table.add(
+    kind.add(
         {"dihedral_low_deg", "deg", "dihedral deviation of the two faces at which the bin begins"},
-        [](auto& r) -> auto& { return r.row.kind.dihedral_low_deg; });
-    table.add_derived({"dihedral_high_deg", "deg", "at which the bin ends"}, [](const Record& r) {
-        const auto low = r.row.kind.dihedral_low_deg;
+        &LineKind::dihedral_low_deg);
+    kind.add_derived({"dihedral_high_deg", "deg", "at which the bin ends"}, [](const LineKind& of) {
+        const auto low = of.dihedral_low_deg;
         return low ? std::optional(*low + kDihedralBin_deg) : std::nullopt;
     });
 }
@@ -39,30 +36,21 @@ const CancellationTable& table() {
                                 "and dihedral: how much "
                                 "is lost because changes of channels cancel, as predicted and as "
                                 "measured, within 2 px.");
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"silent_deg", "deg", "the dihedral up to which the code is silent"},
-            [](auto& r) -> auto& { return r.row.silent_deg; });
+        table.add({"silent_deg", "deg", "the dihedral up to which the code is silent"},
+                  &CancellationRow::silent_deg);
         add_kind(table);
-        table.add(
-            {"n_truth", "px", "true pixels of the kind"},
-            [](auto& r) -> auto& { return r.row.count.n_truth; });
-        table.add(
-            {"predicted_missed", "px", "of them without a match, as predicted"},
-            [](auto& r) -> auto& { return r.row.count.predicted_missed; });
-        table.add(
-            {"measured_missed", "px", "of them without a match"},
-            [](auto& r) -> auto& { return r.row.count.measured_missed; });
-        table.add(
+        using C = CancellationCount;
+        const auto count = table.part(&CancellationRow::count);
+        count.add({"n_truth", "px", "true pixels of the kind"}, &C::n_truth);
+        count.add({"predicted_missed", "px", "of them without a match, as predicted"},
+                  &C::predicted_missed);
+        count.add({"measured_missed", "px", "of them without a match"}, &C::measured_missed);
+        count.add(
             {"predicted_false_negatives", "px", "of them with nothing in reach, as predicted"},
-            [](auto& r) -> auto& { return r.row.count.predicted_false_negatives; });
-        table.add(
-            {"measured_false_negatives", "px", "of them with nothing drawn in reach"},
-            [](auto& r) -> auto& { return r.row.count.measured_false_negatives; });
-        table.add(
-            {"both_false_negatives", "px", "of them both"},
-            [](auto& r) -> auto& { return r.row.count.both_false_negatives; });
+            &C::predicted_false_negatives);
+        count.add({"measured_false_negatives", "px", "of them with nothing drawn in reach"},
+                  &C::measured_false_negatives);
+        count.add({"both_false_negatives", "px", "of them both"}, &C::both_false_negatives);
         return table;
     }();
     return kTable;
@@ -75,23 +63,19 @@ const harness::TableInfo& cancellation_table() {
 }
 
 std::string cancellation_line(std::int64_t cell, const CancellationRow& row) {
-    return table().line({cell, row});
+    return table().line(cell, row);
 }
 
 std::vector<CancellationRow> read_cancellation(const harness::CsvTable& csv,
                                                const harness::RowIndex& rows) {
-    std::vector<CancellationRow> read;
-    for (Record& record : table().read(csv)) {
-        const harness::Row& row = rows.find(harness::CsvField(csv, read.size(), 0)).row;
-        record.row.method = row.method;
-        record.row.scene = row.scene;
-        record.row.view = row.view;
-        record.row.split = row.split;
-        record.row.width_px = row.width;
-        record.row.height_px = row.height;
-        read.push_back(std::move(record.row));
-    }
-    return read;
+    return table().read_with_rows(csv, rows, [](CancellationRow& of, const harness::Row& row) {
+        of.method = row.method;
+        of.scene = row.scene;
+        of.view = row.view;
+        of.split = row.split;
+        of.width_px = row.width;
+        of.height_px = row.height;
+    });
 }
 
 }  // namespace ink::linear_code

@@ -2,57 +2,32 @@
 
 #include <fmt/format.h>
 
-#include "harness/tables/table_of.h"
+#include "harness/tables/side_table.h"
 
 namespace ink::studies {
 namespace {
-
-struct Record {
-    std::int64_t cell = 0;
-    ScalingPoint point;
-};
 
 std::string axis_name(ScalingAxis axis) {
     return std::string(scaling_axes()[static_cast<std::size_t>(axis)].name);
 }
 
-const harness::TableOf<Record>& table() {
-    static const harness::TableOf<Record> kTable = [] {
-        harness::TableOf<Record> table(
+const harness::SideTable<ScalingPoint>& table() {
+    static const auto kTable = [] {
+        using P = ScalingPoint;
+        harness::SideTable<P> table(
             "scaling.csv",
             "A line per cell of study `scaling`: where it lies on the axis along "
             "which work grows; draw_ns_min of the row is its time.");
         std::vector<std::string> names;
         for (const ScalingAxisInfo& info : scaling_axes())
             names.emplace_back(info.name);
-        const std::string all = fmt::format("{}", fmt::join(names, ", "));
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"axis", "", "what grows: " + all},
-            [](const Record& r) { return axis_name(r.point.axis); },
-            [all](const harness::CsvField& field, Record& r) {
-                for (const ScalingAxisInfo& info : scaling_axes()) {
-                    if (info.name != field.text()) continue;
-                    r.point.axis = info.axis;
-                    return;
-                }
-                field.refuse(all);
-            });
-        table.add(
-            {"x", "of axis", "triangles, pixels, or the share of the image covered"},
-            [](auto& r) -> auto& { return r.point.x; });
-        table.add(
-            {"covered_share", "0..1", "of the image, by the sphere"},
-            [](auto& r) -> auto& { return r.point.covered_share; });
-        table.add(
-            {"noise", "0..1", "how far off draw_ns_min may be, as a share of it", true},
-            [](const Record& r) {
-                return r.point.draw_n > 0 ? harness::csv_text(r.point.noise) : "";
-            },
-            [](const harness::CsvField& field, Record& r) {
-                if (!field.is_empty()) field.read(r.point.noise);
-            });
+        table.add_named(
+            {"axis", "", fmt::format("what grows: {}", fmt::join(names, ", "))}, &P::axis, names);
+        table.add({"x", "of axis", "triangles, pixels, or the share of the image covered"}, &P::x);
+        table.add({"covered_share", "0..1", "of the image, by the sphere"}, &P::covered_share);
+        table.part_if([](const P& point) { return point.draw_n > 0; })
+            .add({"noise", "0..1", "how far off draw_ns_min may be, as a share of it", true},
+                 &P::noise);
         return table;
     }();
     return kTable;
@@ -87,15 +62,12 @@ const harness::TableInfo& scaling_table() {
 }
 
 std::string scaling_line(std::int64_t cell, const ScalingPoint& point) {
-    return table().line({cell, point});
+    return table().line(cell, point);
 }
 
 std::vector<ScalingPoint> read_scaling(const harness::CsvTable& csv,
                                        const harness::RowIndex& rows) {
-    std::vector<ScalingPoint> points;
-    for (const Record& record : table().read(csv)) {
-        const harness::Row& row = rows.find(harness::CsvField(csv, points.size(), 0)).row;
-        ScalingPoint point = record.point;
+    return table().read_with_rows(csv, rows, [](ScalingPoint& point, const harness::Row& row) {
         point.method = row.method;
         point.params = row.params;
         point.width_px = row.width;
@@ -105,9 +77,7 @@ std::vector<ScalingPoint> read_scaling(const harness::CsvTable& csv,
         point.draw_ns_min = row.draw_ns_min.value_or(0);
         point.draw_n = row.draw_n;
         point.status = row.status;
-        points.push_back(std::move(point));
-    }
-    return points;
+    });
 }
 
 }  // namespace ink::studies

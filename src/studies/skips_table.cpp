@@ -2,72 +2,35 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <sstream>
+#include <functional>
 
 #include "harness/skip_switches.h"
-#include "harness/tables/table_of.h"
+#include "harness/tables/side_table.h"
 
 namespace ink::studies {
 namespace {
 
-constexpr std::array<std::string_view, 3> kArms = {"on", "one_off", "all_off"};
-
-struct Record {
-    std::int64_t cell = 0;
-    SkipTime time;
-};
-
-/// The skip of that name; nothing for another.
-std::optional<raster::Skip> find_skip(const std::string& word) {
-    for (const raster::SkipInfo& info : raster::skip_infos()) {
-        if (info.name == word) return info.skip;
-    }
-    return std::nullopt;
-}
-
-std::string all_skips() {
-    std::string names;
+std::vector<std::string> skip_names() {
+    std::vector<std::string> names;
     for (const raster::SkipInfo& info : raster::skip_infos())
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", info.name);
+        names.emplace_back(info.name);
     return names;
 }
 
-void add_skip(harness::TableOf<Record>& table) {
-    table.add(
-        {"skip", "", "the skip that the scene was made for; empty for the three views"},
-        [](const Record& r) {
-            if (!r.time.skip) return std::string();
-            return std::string(raster::skip_infos()[static_cast<std::size_t>(*r.time.skip)].name);
-        },
-        [](const harness::CsvField& field, Record& r) {
-            if (field.is_empty()) return;
-            r.time.skip = find_skip(field.text());
-            if (!r.time.skip) field.refuse(all_skips());
-        });
-}
-
-const harness::TableOf<Record>& table() {
-    static const harness::TableOf<Record> kTable = [] {
-        harness::TableOf<Record> table(
+const harness::SideTable<SkipTime>& table() {
+    static const auto kTable = [] {
+        harness::SideTable<SkipTime> table(
             "skips.csv",
             "A line per cell of study `skips`: which skip its scene was made for, "
             "and what was allowed; times and counts are in the row.");
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        add_skip(table);
-        const std::string all = fmt::format("{}", fmt::join(kArms, ", "));
-        table.add(
-            {"arm", "", "on: every skip; one_off: all but the scene's; all_off: none"},
-            [](const Record& r) {
-                return std::string(kArms[static_cast<std::size_t>(r.time.arm)]);
-            },
-            [all](const harness::CsvField& field, Record& r) {
-                const auto at = std::find(kArms.begin(), kArms.end(), field.text());
-                if (at == kArms.end()) field.refuse(all);
-                r.time.arm = static_cast<SkipArm>(at - kArms.begin());
-            });
+        table.part(&SkipTime::skip)
+            .add_named(
+                {"skip", "", "the skip that the scene was made for; empty for the three views"},
+                std::identity(),
+                skip_names());
+        table.add_named({"arm", "", "on: every skip; one_off: all but the scene's; all_off: none"},
+                        &SkipTime::arm,
+                        {"on", "one_off", "all_off"});
         return table;
     }();
     return kTable;
@@ -76,10 +39,9 @@ const harness::TableOf<Record>& table() {
 /// What "a;b" leaves of all skips; names that are no skip's are passed over.
 raster::SkipSet all_but(const std::string& skips_off) {
     raster::SkipSet allowed;
-    std::istringstream stream(skips_off);
-    for (std::string word; std::getline(stream, word, ';');) {
-        if (const auto skip = find_skip(word)) allowed.set(*skip, false);
-    }
+    const std::string off = ";" + skips_off + ";";
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        allowed.set(info.skip, off.find(fmt::format(";{};", info.name)) == std::string::npos);
     return allowed;
 }
 
@@ -110,14 +72,11 @@ const harness::TableInfo& skips_table() {
 }
 
 std::string skip_line(std::int64_t cell, const SkipTime& time) {
-    return table().line({cell, time});
+    return table().line(cell, time);
 }
 
 std::vector<SkipTime> read_skips(const harness::CsvTable& csv, const harness::RowIndex& rows) {
-    std::vector<SkipTime> times;
-    for (const Record& record : table().read(csv)) {
-        const harness::Row& row = rows.find(harness::CsvField(csv, times.size(), 0)).row;
-        SkipTime time = record.time;
+    return table().read_with_rows(csv, rows, [](SkipTime& time, const harness::Row& row) {
         time.scene = row.scene;
         time.method = row.method;
         time.params = row.params;
@@ -129,9 +88,7 @@ std::vector<SkipTime> read_skips(const harness::CsvTable& csv, const harness::Ro
         time.counts = row.skips.value_or(raster::SkipCounts{});
         time.image_hash = row.image_hash;
         time.status = row.status;
-        times.push_back(std::move(time));
-    }
-    return times;
+    });
 }
 
 }  // namespace ink::studies

@@ -1,44 +1,29 @@
 #include "studies/stress_table.h"
 
-#include "harness/tables/table_of.h"
+#include "harness/tables/side_table.h"
 
 namespace ink::studies {
 namespace {
 
-struct Record {
-    std::int64_t cell = 0;
-    StressRow row;
-};
-
-const harness::TableOf<Record>& table() {
-    static const harness::TableOf<Record> kTable = [] {
-        harness::TableOf<Record> table(
+const harness::SideTable<StressRow>& table() {
+    static const auto kTable = [] {
+        harness::SideTable<StressRow> table(
             "stress.csv",
             "A line per cell of study `stress`: its place on an axis of "
             "difficulty, and what went wrong; its scores are in the row.");
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"axis", "", "what grows: `inkbench list axes` explains each"},
-            [](auto& r) -> auto& { return r.row.axis; });
-        table.add(
-            {"value", "of unit", "where on the axis; of named values the number"},
-            [](auto& r) -> auto& { return r.row.value; });
-        table.add(
-            {"unit", "", "of value; empty for a pure number"},
-            [](auto& r) -> auto& { return r.row.unit; });
-        table.add(
+        table.add({"axis", "", "what grows: `inkbench list axes` explains each"}, &StressRow::axis);
+        table.add({"value", "of unit", "where on the axis; of named values the number"},
+                  &StressRow::value);
+        table.add({"unit", "", "of value; empty for a pure number"}, &StressRow::unit);
+        using C = StressCounts;
+        const auto counts = table.part(&StressRow::counts);
+        counts.add(
             {"non_finite", "", "numbers that are NaN or infinite, of view, truth and scores"},
-            [](auto& r) -> auto& { return r.row.counts.non_finite; });
-        table.add(
-            {"overflow", "", "codes that overflowed"},
-            [](auto& r) -> auto& { return r.row.counts.overflow; });
-        table.add(
-            {"lost_cell", "", "1 if the cell has no result"},
-            [](auto& r) -> auto& { return r.row.counts.lost; });
-        table.add(
-            {"differing", "", "1 if the image differs where the axis allows none to"},
-            [](auto& r) -> auto& { return r.row.counts.differing; });
+            &C::non_finite);
+        counts.add({"overflow", "", "codes that overflowed"}, &C::overflow);
+        counts.add({"lost_cell", "", "1 if the cell has no result"}, &C::lost);
+        counts.add({"differing", "", "1 if the image differs where the axis allows none to"},
+                   &C::differing);
         return table;
     }();
     return kTable;
@@ -51,16 +36,12 @@ const harness::TableInfo& stress_table() {
 }
 
 std::string stress_line(std::int64_t cell, const StressRow& row) {
-    return table().line({cell, row});
+    return table().line(cell, row);
 }
 
 std::vector<StressRow> read_stress(const harness::CsvTable& csv, const harness::RowIndex& rows) {
-    std::vector<StressRow> stressed;
-    for (Record& record : table().read(csv)) {
-        record.row.row = rows.find(harness::CsvField(csv, stressed.size(), 0)).row;
-        stressed.push_back(std::move(record.row));
-    }
-    return stressed;
+    return table().read_with_rows(
+        csv, rows, [](StressRow& stressed, const harness::Row& row) { stressed.row = row; });
 }
 
 }  // namespace ink::studies

@@ -215,10 +215,10 @@ const harness::TableInfo& timedemo_frames_table() {
 void write_timedemo(const harness::SceneViews& scene_views,
                     const std::vector<DemoFrame>& frames,
                     const std::filesystem::path& path) {
-    std::string text = harness::heading(timedemo_frames_table());
+    std::vector<FrameLine> lines;
     for (const DemoFrame& frame : frames)
-        text += frames_table().line({scene_views, frame});
-    core::write_whole_file(path, text);
+        lines.push_back({scene_views, frame});
+    core::write_whole_file(path, frames_table().file(lines));
 }
 
 }  // namespace ink::studies

@@ -19,12 +19,6 @@ TEST(SplitParams, GivesPairsInOrder) {
     EXPECT_TRUE(split_params("").empty());
 }
 
-TEST(ChangedParameters, AreThoseThatAnySettingChanges) {
-    EXPECT_THAT(changed_parameters("a=1;b=2;c=3", {"a=1;b=2;c=3", "a=1;b=5;c=3", "a=0;b=2;c=3"}),
-                ElementsAre("a", "b"));
-    EXPECT_TRUE(changed_parameters("a=1", {}).empty());
-}
-
 /// A row of a setting of `own` that says what sweep.csv can hold.
 Row random_setting(RandomValues& any, const Row& own, const std::string& params) {
     Row row;

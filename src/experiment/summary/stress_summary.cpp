@@ -55,29 +55,27 @@ harness::TableOf<P> make_points_table() {
     harness::TableOf<P> table(
         "stress_summary.csv",
         "A line per axis, value and method, over its cases: a point of a curve.");
-    const auto add = [&table](harness::Column column, auto value_of) {
-        table.add_derived(std::move(column), value_of);
-    };
-    add({"axis", "", "what grows"}, [](const P& p) { return p.axis; });
-    add({"value", "of unit", "where on the axis"}, [](const P& p) { return p.value; });
-    add({"unit", "", "of value; empty for a pure number"}, [](const P& p) { return p.unit; });
-    add({"method", "", "as in rows.csv"}, [](const P& p) { return p.method; });
-    add({"cases", "", "that have a score"}, [](const P& p) { return p.cases; });
-    add({"f", "0..1", "F within 2 px of the counts of all cases"}, [](const P& p) { return p.f; });
-    add({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
-        [](const P& p) { return p.f_range ? std::optional(p.f_range->low) : std::nullopt; });
-    add({"f_hi", "0..1", "upper end"},
-        [](const P& p) { return p.f_range ? std::optional(p.f_range->high) : std::nullopt; });
-    add({"error", "0..1", "1 - f"}, [](const P& p) { return p.error(); });
-    add({"precision", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.precision; });
-    add({"recall", "0..1", "pooled, within 2 px"}, [](const P& p) { return p.recall; });
-    add({"truth_px", "px", "true pixels of all cases"}, [](const P& p) { return p.truth_px; });
-    add({"non_finite", "", "numbers that are NaN or infinite"},
-        [](const P& p) { return p.counts.non_finite; });
-    add({"overflow", "", "codes that overflowed"}, [](const P& p) { return p.counts.overflow; });
-    add({"lost_cells", "", "cases without a result"}, [](const P& p) { return p.counts.lost; });
-    add({"differing", "", "images that differ where the axis allows none to"},
-        [](const P& p) { return p.counts.differing; });
+    table.add_derived({"axis", "", "what grows"}, &P::axis);
+    table.add_derived({"value", "of unit", "where on the axis"}, &P::value);
+    table.add_derived({"unit", "", "of value; empty for a pure number"}, &P::unit);
+    table.add_derived({"method", "", "as in rows.csv"}, &P::method);
+    table.add_derived({"cases", "", "that have a score"}, &P::cases);
+    table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
+    const auto range = table.part(&P::f_range);
+    range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+                      &statistics::Interval::low);
+    range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
+    table.add_derived({"error", "0..1", "1 - f"}, &P::error);
+    table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
+    table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
+    table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
+    using C = studies::StressCounts;
+    const auto counts = table.part(&P::counts);
+    counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
+    counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
+    counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
+    counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
+                       &C::differing);
     return table;
 }
 
@@ -121,10 +119,7 @@ const harness::TableInfo& stress_summary_table() {
 }
 
 std::string stress_summary_csv(const std::vector<StressPointSummary>& points) {
-    std::string text = harness::heading(stress_summary_table());
-    for (const StressPointSummary& point : points)
-        text += points_table().line(point);
-    return text;
+    return points_table().file(points);
 }
 
 const StressPointSummary* StressCurve::best() const {

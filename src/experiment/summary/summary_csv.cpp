@@ -1,14 +1,11 @@
 #include "experiment/summary/summary_csv.h"
 
-#include <fmt/format.h>
-
-#include <functional>
 #include <map>
 #include <optional>
 
 #include "experiment/summary/class_recalls.h"
 #include "experiment/summary/summary.h"
-#include "harness/tables/csv.h"
+#include "harness/tables/table_of.h"
 #include "truth/line_class.h"
 
 namespace ink::experiment {
@@ -19,16 +16,7 @@ struct Line {
     const MethodSummary& summary;
     std::map<std::string, statistics::Interval> recall_ranges;
 };
-
-struct SummaryColumn {
-    harness::Column column;
-    std::function<std::string(const Line&)> field;
-};
-
-template <class T>
-std::string text_of(const std::optional<T>& value) {
-    return value ? fmt::format("{}", *value) : "";
-}
+using SummaryTable = harness::TableOf<Line>;
 
 std::optional<double> low_of(const std::optional<statistics::Interval>& range) {
     return range ? std::optional(range->low) : std::nullopt;
@@ -44,131 +32,82 @@ std::optional<T> find_in(const std::map<std::string, T>& values, const std::stri
     return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-void add_recalls(std::vector<SummaryColumn>& columns) {
+void add_recalls(SummaryTable& table) {
     for (const truth::LineClass c : truth::kLineClasses) {
         const std::string name(truth::name(c));
         const std::string key = "recall_" + name;
-        columns.push_back(
-            {{key, "0..1", "recall of this class, pooled over views"}, [name](const Line& line) {
-                 return text_of(find_in(line.summary.recall_by_class, name));
-             }});
-        columns.push_back(
-            {{key + "_lo", "0..1", "lower end of its 95 % interval"}, [name](const Line& line) {
-                 return text_of(low_of(find_in(line.recall_ranges, name)));
-             }});
-        columns.push_back({{key + "_hi", "0..1", "upper end"}, [name](const Line& line) {
-                               return text_of(high_of(find_in(line.recall_ranges, name)));
-                           }});
+        table.add_derived(
+            {key, "0..1", "recall of this class, pooled over views"},
+            [name](const Line& line) { return find_in(line.summary.recall_by_class, name); });
+        table.add_derived(
+            {key + "_lo", "0..1", "lower end of its 95 % interval"},
+            [name](const Line& line) { return low_of(find_in(line.recall_ranges, name)); });
+        table.add_derived({key + "_hi", "0..1", "upper end"}, [name](const Line& line) {
+            return high_of(find_in(line.recall_ranges, name));
+        });
     }
 }
 
-void add_f(std::vector<SummaryColumn>& columns) {
+template <class Summary>
+void add_f(const Summary& summary) {
     using S = MethodSummary;
-    const auto add = [&columns](std::string name, auto value_of, std::string doc) {
-        columns.push_back({{std::move(name), "0..1", std::move(doc)}, [value_of](const Line& line) {
-                               return text_of(value_of(line.summary));
-                           }});
-    };
-    add(
-        "f_2px", [](const S& s) { return s.f_2px; }, "F within 2 px of the counts of all views");
-    add(
-        "f_lo",
-        [](const S& s) { return low_of(s.f_2px_range); },
-        "lower end of its 95 % interval, scenes resampled");
-    add(
-        "f_hi", [](const S& s) { return high_of(s.f_2px_range); }, "upper end");
-    add(
-        "f_train", [](const S& s) { return s.f_train; }, "the same over training scenes");
-    add(
-        "f_heldout", [](const S& s) { return s.f_heldout; }, "the same over held-out scenes");
-    add(
-        "f_macro", [](const S& s) { return s.f_macro; }, "mean of the scenes' own F");
-    add(
-        "f_1px", [](const S& s) { return s.f_1px; }, "F within 1 px of the counts of all views");
-    add(
-        "precision", [](const S& s) { return s.precision; }, "pooled, within 2 px");
-    add(
-        "recall", [](const S& s) { return s.recall; }, "pooled, within 2 px");
-    add(
-        "ap",
-        [](const S& s) { return s.curve ? std::optional(s.curve->ap) : std::nullopt; },
-        "area under the precision envelope of the pooled curves");
+    summary.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all views"}, &S::f_2px);
+    summary.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},
+                        [](const S& s) { return low_of(s.f_2px_range); });
+    summary.add_derived({"f_hi", "0..1", "upper end"},
+                        [](const S& s) { return high_of(s.f_2px_range); });
+    summary.add_derived({"f_train", "0..1", "the same over training scenes"}, &S::f_train);
+    summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
+    summary.add_derived({"f_macro", "0..1", "mean of the scenes' own F"}, &S::f_macro);
+    summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
+    summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);
+    summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
+    summary.add_derived(
+        {"ap", "0..1", "area under the precision envelope of the pooled curves"},
+        [](const S& s) { return s.curve ? std::optional(s.curve->ap) : std::nullopt; });
 }
 
-void add_times(std::vector<SummaryColumn>& columns) {
+SummaryTable make_table() {
     using S = MethodSummary;
-    const auto add = [&columns](std::string name, auto value_of, std::string doc) {
-        columns.push_back(
-            {{std::move(name), "ms", std::move(doc), true},
-             [value_of](const Line& line) { return text_of(value_of(line.summary)); }});
-    };
-    add(
-        "draw_ms", [](const S& s) { return s.draw_ms; }, "median over views of draw_ns");
-    add(
-        "draw_ms_lo", [](const S& s) { return low_of(s.draw_ms_quartiles); }, "lower quartile");
-    add(
-        "draw_ms_hi", [](const S& s) { return high_of(s.draw_ms_quartiles); }, "upper quartile");
+    SummaryTable table("summary.csv", "A line per method, over all cells of study `compare`.");
+    const auto summary = table.part([](auto& line) -> auto& { return line.summary; });
+    summary.add_derived({"method", "", "as in rows.csv"}, &S::method);
+    summary.add_derived({"kind", "", "method or baseline"},
+                        [](const S& s) { return s.is_baseline ? "baseline" : "method"; });
+    summary.add_derived({"views", "", "on which it was scored"}, &S::views);
+    summary.add_derived({"scenes", "", "of these views"}, &S::scenes);
+    summary.add_derived({"failed", "", "cells without a score"}, &S::failed);
+    add_f(summary);
+    summary.add_derived({"draw_ms", "ms", "median over views of draw_ns", true}, &S::draw_ms);
+    summary.add_derived({"draw_ms_lo", "ms", "lower quartile", true},
+                        [](const S& s) { return low_of(s.draw_ms_quartiles); });
+    summary.add_derived({"draw_ms_hi", "ms", "upper quartile", true},
+                        [](const S& s) { return high_of(s.draw_ms_quartiles); });
+    summary.add_derived({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
+                        &S::bytes_per_px);
+    add_recalls(table);
+    return table;
 }
 
-std::vector<SummaryColumn> make_columns() {
-    using S = MethodSummary;
-    std::vector<SummaryColumn> columns;
-    const auto add = [&columns](std::string name, auto value_of, std::string doc) {
-        columns.push_back({{std::move(name), "", std::move(doc)}, [value_of](const Line& line) {
-                               return text_of(std::optional(value_of(line.summary)));
-                           }});
-    };
-    add(
-        "method", [](const S& s) { return harness::csv_field(s.method); }, "as in rows.csv");
-    add(
-        "kind",
-        [](const S& s) { return std::string(s.is_baseline ? "baseline" : "method"); },
-        "method or baseline");
-    add(
-        "views", [](const S& s) { return s.views; }, "on which it was scored");
-    add(
-        "scenes", [](const S& s) { return s.scenes; }, "of these views");
-    add(
-        "failed", [](const S& s) { return s.failed; }, "cells without a score");
-    add_f(columns);
-    add_times(columns);
-    columns.push_back({{"bytes_per_px", "B/px", "of the method's buffers, depth included"},
-                       [](const Line& line) { return text_of(line.summary.bytes_per_px); }});
-    add_recalls(columns);
-    return columns;
-}
-
-const std::vector<SummaryColumn>& columns() {
-    static const std::vector<SummaryColumn> kColumns = make_columns();
-    return kColumns;
+const SummaryTable& table() {
+    static const SummaryTable kTable = make_table();
+    return kTable;
 }
 
 }  // namespace
 
 const harness::TableInfo& summary_table() {
-    static const harness::TableInfo kTable = [] {
-        harness::TableInfo table{
-            "summary.csv", "A line per method, over all cells of study `compare`.", {}};
-        for (const SummaryColumn& each : columns())
-            table.columns.push_back(each.column);
-        return table;
-    }();
-    return kTable;
+    return table().info();
 }
 
 std::string summary_csv(const std::vector<harness::Row>& rows,
                         const std::vector<statistics::CellCurve>& curves) {
     std::vector<MethodSummary> summaries = summarise(rows);
     add_curves(curves, summaries);
-    std::string text = harness::heading(summary_table());
-    for (const MethodSummary& summary : summaries) {
-        const Line line{summary, class_recall_intervals(rows_of_method(rows, summary.method))};
-        std::vector<std::string> fields;
-        for (const SummaryColumn& column : columns())
-            fields.push_back(column.field(line));
-        text += fmt::format("{}\n", fmt::join(fields, ","));
-    }
-    return text;
+    std::vector<Line> lines;
+    for (const MethodSummary& summary : summaries)
+        lines.push_back({summary, class_recall_intervals(rows_of_method(rows, summary.method))});
+    return table().file(lines);
 }
 
 }  // namespace ink::experiment

@@ -6,21 +6,17 @@
 #include <map>
 
 #include "experiment/summary/summary.h"
-#include "harness/tables/csv.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::experiment {
 namespace {
 
-bool begins_with(const std::string& text, std::string_view head) {
-    return text.compare(0, head.size(), head) == 0;
-}
-
 std::string remedy_of(const harness::Row& row) {
-    if (begins_with(row.status, "too_large")) {
+    if (row.status.starts_with("too_large")) {
         return "a smaller --size, fewer triangles, or a larger --crease, so that fewer edges are "
                "lines";
     }
-    if (begins_with(row.status, "reference_disagreement")) {
+    if (row.status.starts_with("reference_disagreement")) {
         return fmt::format(
             "inkbench truth {} --view {} --crosscheck --disagreement where.png shows "
             "the places; --no-crosscheck scores the view anyway",
@@ -31,6 +27,21 @@ std::string remedy_of(const harness::Row& row) {
                        row.scene,
                        row.view,
                        row.method);
+}
+
+const harness::TableOf<Unscored>& table() {
+    static const auto kTable = [] {
+        harness::TableOf<Unscored> table(
+            "unscored.csv", "A view without any score, or a method without one on a view.");
+        table.add({"scene", "", "the scene"}, &Unscored::scene);
+        table.add({"view", "", "the view"}, &Unscored::view);
+        table.add({"method", "", "the method; empty where the whole view has no score"},
+                  &Unscored::method);
+        table.add({"reason", "", "status of its rows"}, &Unscored::reason);
+        table.add({"remedy", "", "what may help"}, &Unscored::remedy);
+        return table;
+    }();
+    return kTable;
 }
 
 }  // namespace
@@ -57,28 +68,11 @@ std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {
 }
 
 const harness::TableInfo& unscored_table() {
-    static const harness::TableInfo table{
-        "unscored.csv",
-        "A view without any score, or a method without one on a view.",
-        {{"scene", "", "the scene"},
-         {"view", "", "the view"},
-         {"method", "", "the method; empty where the whole view has no score"},
-         {"reason", "", "status of its rows"},
-         {"remedy", "", "what may help"}}};
-    return table;
+    return table().info();
 }
 
 std::string unscored_csv(const std::vector<Unscored>& cells) {
-    std::string text = harness::heading(unscored_table());
-    for (const Unscored& cell : cells) {
-        text += fmt::format("{},{},{},{},{}\n",
-                            harness::csv_field(cell.scene),
-                            harness::csv_field(cell.view),
-                            harness::csv_field(cell.method),
-                            harness::csv_field(cell.reason),
-                            harness::csv_field(cell.remedy));
-    }
-    return text;
+    return table().file(cells);
 }
 
 std::string unscored_text(const std::vector<Unscored>& cells) {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 
 #include "core/error.h"
 
@@ -83,14 +81,6 @@ CsvTable split_csv(std::string_view text, const std::string& where) {
     return table;
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw core::Error(path.string(), "it cannot be read", "a table of a run folder");
-    return split_csv(text.view(), path.string());
-}
-
 void check_columns(const CsvTable& table, const TableInfo& info) {
     const std::size_t count = std::max(table.columns.size(), info.columns.size());
     for (std::size_t i = 0; i < count; ++i) {
@@ -104,13 +94,6 @@ void check_columns(const CsvTable& table, const TableInfo& info) {
                               ? fmt::format("the {} columns of {}", info.columns.size(), info.file)
                               : fmt::format("'{}', as in {} of this version", wanted, info.file));
     }
-}
-
-std::string join_csv(const CsvTable& table) {
-    std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
-    for (const std::vector<std::string>& record : table.records)
-        text += fmt::format("{}\n", fmt::join(record, ","));
-    return text;
 }
 
 std::string unquoted(const std::string& field) {

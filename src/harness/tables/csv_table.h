@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,16 +27,9 @@ struct CsvTable {
 /// fields than the heading, or if the last line is not ended: it was cut off.
 [[nodiscard]] CsvTable split_csv(std::string_view text, const std::string& where);
 
-/// The table of a file. Throws core::Error (where = the path) if it cannot be read, and as
-/// split_csv does.
-[[nodiscard]] CsvTable read_csv(const std::filesystem::path& path);
-
 /// Throws core::Error that names the first wrong column unless the table has just the columns of
 /// `info`, in their order.
 void check_columns(const CsvTable& table, const TableInfo& info);
-
-/// The table as text again, heading first, every line ended.
-[[nodiscard]] std::string join_csv(const CsvTable& table);
 
 /// A field without its quotes.
 [[nodiscard]] std::string unquoted(const std::string& field);

@@ -4,18 +4,51 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <optional>
 #include <utility>
 
 #include "harness/cell.h"
-#include "harness/tables/csv.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::harness {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kBaselines = {
-    {{"none", "floor"}, {"sampled", "ceiling"}, {"oracle", "exact"}}};
+/// What the program says of a method, or of a baseline; empty is what nobody knows.
+struct MethodLine {
+    std::string name;
+    std::string role;
+    std::string family = {};
+    std::string marker = {};
+    std::string tunables = {};
+    std::optional<int> bytes_per_px = {};
+    std::string preset_of = {};
+    std::string source = {};
+    std::string params = {};
+};
+
+const TableOf<MethodLine>& table() {
+    static const auto kTable = [] {
+        TableOf<MethodLine> table(
+            "methods.csv",
+            "A line per method of the run, baselines first: what the registry says of it.");
+        using M = MethodLine;
+        table.add({"method", "", "as in rows.csv"}, &M::name);
+        table.add({"role", "", "method, floor, ceiling or exact"}, &M::role);
+        table.add({"family", "", "methods of one family share a colour"}, &M::family);
+        table.add({"marker", "", "of its points in charts"}, &M::marker);
+        table.add(
+            {"tunables", "", "name:low..high;... between which it is tuned, name:a|b of choices"},
+            &M::tunables);
+        table.add(
+            {"bytes_per_px", "B/px", "of its buffers, depth included; empty if scenes decide"},
+            &M::bytes_per_px);
+        table.add({"preset_of", "", "the method whose settings a preset changes"}, &M::preset_of);
+        table.add({"source", "", "where the method comes from"}, &M::source);
+        table.add({"params", "", "every parameter, key=value;key=value"}, &M::params);
+        return table;
+    }();
+    return kTable;
+}
 
 /// The ends of what is searched, or the choices.
 std::string range_of(const core::Param& param, const method::Tunable& tunable) {
@@ -46,57 +79,31 @@ std::string tunables_of(const method::MethodInfo& method) {
     return fmt::format("{}", fmt::join(texts, ";"));
 }
 
-std::string line_of(const std::vector<std::string>& fields) {
-    std::vector<std::string> quoted;
-    for (const std::string& field : fields)
-        quoted.push_back(csv_field(field));
-    return fmt::format("{}", fmt::join(quoted, ","));
-}
-
-std::string line_of(const MethodConfig& config) {
+MethodLine line_of(const MethodConfig& config) {
     const method::MethodInfo& info = *config.info;
-    const auto bytes = info.bytes_per_px(config.settings);
-    return line_of({info.name,
-                    "method",
-                    std::string(name_of(info.family)),
-                    std::string(name_of(info.marker)),
-                    tunables_of(info),
-                    bytes ? fmt::format("{}", *bytes) : "",
-                    info.preset_of,
-                    info.source,
-                    join_params(info.complete(config.settings))});
+    return {.name = info.name,
+            .role = "method",
+            .family = std::string(name_of(info.family)),
+            .marker = std::string(name_of(info.marker)),
+            .tunables = tunables_of(info),
+            .bytes_per_px = info.bytes_per_px(config.settings),
+            .preset_of = info.preset_of,
+            .source = info.source,
+            .params = join_params(info.complete(config.settings))};
 }
 
 }  // namespace
 
-const std::vector<std::string>& method_columns() {
-    static const std::vector<std::string> columns = {"method",
-                                                     "role",
-                                                     "family",
-                                                     "marker",
-                                                     "tunables",
-                                                     "bytes_per_px",
-                                                     "preset_of",
-                                                     "source",
-                                                     "params"};
-    return columns;
-}
-
-std::string method_lines(const std::vector<MethodConfig>& configs) {
-    std::vector<std::string> lines;
-    for (const auto& [name, role] : kBaselines) {
-        std::vector<std::string> fields(method_columns().size());
-        fields[0] = name;
-        fields[1] = role;
-        lines.push_back(line_of(fields));
-    }
-    for (const MethodConfig& config : configs)
-        lines.push_back(line_of(config));
-    return fmt::format("{}", fmt::join(lines, "\n"));
+const TableInfo& methods_table() {
+    return table().info();
 }
 
 std::string methods_csv(const std::vector<MethodConfig>& configs) {
-    return fmt::format("{}\n{}\n", fmt::join(method_columns(), ","), method_lines(configs));
+    std::vector<MethodLine> lines = {
+        {"none", "floor"}, {"sampled", "ceiling"}, {"oracle", "exact"}};
+    for (const MethodConfig& config : configs)
+        lines.push_back(line_of(config));
+    return table().file(lines);
 }
 
 }  // namespace ink::harness

@@ -4,23 +4,21 @@
 #include <vector>
 
 #include "harness/method_configs.h"
+#include "harness/tables/table.h"
 
 namespace ink::harness {
 
-/// The columns of methods.csv, in order: method, role (method, floor, ceiling or exact), family,
-/// marker, tunables, bytes_per_px, preset_of, source, params.
-[[nodiscard]] const std::vector<std::string>& method_columns();
+/// The columns of methods.csv: method, role (method, floor, ceiling or exact), family, marker,
+/// tunables, bytes_per_px, preset_of, source, params.
+[[nodiscard]] const TableInfo& methods_table();
 
-/// A line per baseline (none, sampled, oracle), then one per configuration, in their order; no
-/// final line break.
+/// methods.csv: a line per baseline (none, sampled, oracle), then one per configuration, in their
+/// order.
 ///
 /// `tunables` is "name:low..high;..." with the ends within which `inkbench tune` searches, or
 /// "name:a|b|c" for a choice or a flag; `params` is every parameter as rows.csv has it. Empty is
-/// what nobody knows: the bytes of a method that plans by the scene, all but the role of a baseline
-/// .
-[[nodiscard]] std::string method_lines(const std::vector<MethodConfig>& configs);
-
-/// methods.csv, heading and line breaks included.
+/// what nobody knows: the bytes of a method that plans by the scene, all but the role of a
+/// baseline.
 [[nodiscard]] std::string methods_csv(const std::vector<MethodConfig>& configs);
 
 }  // namespace ink::harness

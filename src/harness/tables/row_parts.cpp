@@ -7,167 +7,86 @@ namespace {
 
 using score::Cause;
 
-/// Adds columns of the line scores: empty fields where a row has none.
-class LineColumns {
-  public:
-    explicit LineColumns(RowTable& table) : table_(table) {}
-
-    /// A count or a sum, at the place in the line scores that `place` gives.
-    template <class Place>
-    void add(Column column, Place place) {
-        table_.add(
-            std::move(column),
-            [place](const RowRecord& r) {
-                return r.row.lines ? csv_text(place(*r.row.lines)) : "";
-            },
-            [place](const CsvField& field, RowRecord& r) {
-                if (!field.is_empty()) field.read(place(lines_of(r)));
-            });
-    }
-    /// What follows from them.
-    template <class Value>
-    void add_derived(Column column, Value value_of) {
-        table_.add(
-            std::move(column),
-            [value_of](const RowRecord& r) {
-                return r.row.lines ? csv_text(value_of(*r.row.lines)) : "";
-            },
-            [](const CsvField&, RowRecord&) {});
-    }
-
-    static LineScores& lines_of(RowRecord& r) {
-        if (!r.row.lines) r.row.lines.emplace();
-        return *r.row.lines;
-    }
-
-  private:
-    RowTable& table_;
-};
-
-void add_shift(RowTable& table, Column column, double score::Shift::*part) {
-    table.add(
-        std::move(column),
-        [part](const RowRecord& r) {
-            const bool has_shift = r.row.lines && r.row.lines->offsets.shift;
-            return has_shift ? csv_text((*r.row.lines->offsets.shift).*part) : "";
-        },
-        [part](const CsvField& field, RowRecord& r) {
-            if (field.is_empty()) return;
-            auto& shift = LineColumns::lines_of(r).offsets.shift;
-            if (!shift) shift.emplace();
-            field.read((*shift).*part);
-        });
+template <class Lines>
+void add_cracks(const Lines& lines) {
+    const auto cracks = lines.part(&LineScores::cracks);
+    using C = score::CrackScore;
+    cracks.add_derived({"crack_precision",
+                        "0..1",
+                        "share of the drawn pixels (unthinned) that have a true crack on one of "
+                        "their four sides"},
+                       &C::precision);
+    cracks.add_derived({"crack_recall",
+                        "0..1",
+                        "share of the true cracks with at least one of their two pixels drawn"},
+                       &C::recall);
+    cracks.add_derived({"crack_f", "0..1", "harmonic mean of the two"}, &C::f);
+    cracks.add({"crack_drawn", "px", "drawn pixels (unthinned) that count for cracks"},
+               &C::n_drawn);
+    cracks.add({"crack_beside", "px", "of them, beside a crack"}, &C::n_beside);
+    const auto all = cracks.part(&C::all);
+    all.add({"crack_found", "", "true cracks found"}, &score::CrackCount::n_found);
+    all.add({"crack_truth", "", "true cracks"}, &score::CrackCount::n_truth);
 }
 
-void add_cracks(LineColumns& lines) {
-    using L = LineScores;
-    lines.add_derived({"crack_precision",
-                       "0..1",
-                       "share of the drawn pixels (unthinned) that have a true crack on one of "
-                       "their four sides"},
-                      [](const L& l) { return l.cracks.precision(); });
-    lines.add_derived({"crack_recall",
-                       "0..1",
-                       "share of the true cracks with at least one of their two pixels drawn"},
-                      [](const L& l) { return l.cracks.recall(); });
-    lines.add_derived({"crack_f", "0..1", "harmonic mean of the two"},
-                      [](const L& l) { return l.cracks.f(); });
-    lines.add(
-        {"crack_drawn", "px", "drawn pixels (unthinned) that count for cracks"},
-        [](auto& l) -> auto& { return l.cracks.n_drawn; });
-    lines.add(
-        {"crack_beside", "px", "of them, beside a crack"},
-        [](auto& l) -> auto& { return l.cracks.n_beside; });
-    lines.add(
-        {"crack_found", "", "true cracks found"},
-        [](auto& l) -> auto& { return l.cracks.all.n_found; });
-    lines.add(
-        {"crack_truth", "", "true cracks"}, [](auto& l) -> auto& { return l.cracks.all.n_truth; });
-}
-
-void add_offsets(RowTable& table, LineColumns& lines) {
-    using L = LineScores;
-    lines.add_derived({"offset_px",
-                       "px",
-                       "mean signed distance of thinned pixels from the nearest curve within 2 px; "
-                       "positive to the empty side, else right or down"},
-                      [](const L& l) { return l.offsets.all.mean(); });
-    lines.add_derived({"offset_spread_px", "px", "standard deviation of that distance"},
-                      [](const L& l) { return l.offsets.all.spread(); });
-    lines.add_derived({"offset_rms_px", "px", "root mean square of that distance"},
-                      [](const L& l) { return l.offsets.all.rms(); });
-    lines.add(
-        {"offset_n", "px", "thinned pixels near a curve"},
-        [](auto& l) -> auto& { return l.offsets.all.n; });
-    lines.add(
-        {"offset_sum_px", "px", "sum of their signed distances"},
-        [](auto& l) -> auto& { return l.offsets.all.sum; });
-    lines.add(
-        {"offset_sum_sq_px2", "px^2", "sum of their squares"},
-        [](auto& l) -> auto& { return l.offsets.all.sum_of_squares; });
-    add_shift(table,
-              {"shift_x_px",
+template <class Lines>
+void add_offsets(const Lines& lines) {
+    const auto all = lines.part(&LineScores::offsets).part(&score::Offsets::all);
+    using M = score::Moments;
+    all.add_derived({"offset_px",
+                     "px",
+                     "mean signed distance of thinned pixels from the nearest curve within 2 px; "
+                     "positive to the empty side, else right or down"},
+                    &M::mean);
+    all.add_derived({"offset_spread_px", "px", "standard deviation of that distance"}, &M::spread);
+    all.add_derived({"offset_rms_px", "px", "root mean square of that distance"}, &M::rms);
+    all.add({"offset_n", "px", "thinned pixels near a curve"}, &M::n);
+    all.add({"offset_sum_px", "px", "sum of their signed distances"}, &M::sum);
+    all.add({"offset_sum_sq_px2", "px^2", "sum of their squares"}, &M::sum_of_squares);
+    const auto shift = lines.part(&LineScores::offsets).part(&score::Offsets::shift);
+    shift.add({"shift_x_px",
                "px",
                "translation to the right that explains the offsets best; thinned pixels, so that "
                "what thinning itself moves is part of it (of lines two pixels wide half a pixel)"},
               &score::Shift::x_px);
-    add_shift(table, {"shift_y_px", "px", "the same, down"}, &score::Shift::y_px);
+    shift.add({"shift_y_px", "px", "the same, down"}, &score::Shift::y_px);
 }
 
-void add_widths(LineColumns& lines) {
-    using L = LineScores;
-    lines.add_derived({"width_along_px",
-                       "px",
-                       "mean width of what is drawn (unthinned), across the true curves, a probe "
-                       "each px"},
-                      [](const L& l) { return l.widths.all.mean(); });
-    lines.add_derived({"width_spread_px", "px", "standard deviation of that width"},
-                      [](const L& l) { return l.widths.all.spread(); });
-    lines.add(
-        {"width_n", "", "probes that met a line"}, [](auto& l) -> auto& { return l.widths.all.n; });
-    lines.add(
-        {"width_sum_px", "px", "sum of the widths that they met"},
-        [](auto& l) -> auto& { return l.widths.all.sum; });
-    lines.add(
-        {"width_sum_sq_px2", "px^2", "sum of their squares"},
-        [](auto& l) -> auto& { return l.widths.all.sum_of_squares; });
-}
-
-std::string text_of(const core::Provenance& from, std::size_t library) {
-    return csv_field(from.libraries.at(library).second);
+template <class Lines>
+void add_widths(const Lines& lines) {
+    const auto all = lines.part(&LineScores::widths).part(&score::Widths::all);
+    using M = score::Moments;
+    all.add_derived({"width_along_px",
+                     "px",
+                     "mean width of what is drawn (unthinned), across the true curves, a probe "
+                     "each px"},
+                    &M::mean);
+    all.add_derived({"width_spread_px", "px", "standard deviation of that width"}, &M::spread);
+    all.add({"width_n", "", "probes that met a line"}, &M::n);
+    all.add({"width_sum_px", "px", "sum of the widths that they met"}, &M::sum);
+    all.add({"width_sum_sq_px2", "px^2", "sum of their squares"}, &M::sum_of_squares);
 }
 
 }  // namespace
 
 void add_line_columns(RowTable& table) {
-    LineColumns lines(table);
-    lines.add(
-        {"positive_px", "px", "drawn pixels (unthinned) that count"},
-        [](auto& l) -> auto& { return l.positives.n_drawn; });
-    lines.add(
-        {"far_positive_px", "px", "of them, further than 2 px from every true one"},
-        [](auto& l) -> auto& { return l.positives.n_false; });
+    const auto lines = table.part(&RowRecord::row).part(&Row::lines);
+    const auto positives = lines.part(&LineScores::positives);
+    positives.add({"positive_px", "px", "drawn pixels (unthinned) that count"},
+                  &score::PositiveCount::n_drawn);
+    positives.add({"far_positive_px", "px", "of them, further than 2 px from every true one"},
+                  &score::PositiveCount::n_false);
     add_cracks(lines);
-    add_offsets(table, lines);
+    add_offsets(lines);
     add_widths(lines);
 }
 
 void add_cause_columns(RowTable& table) {
-    const auto add = [&table](Cause cause, std::string doc) {
-        table.add(
-            {fmt::format("{}_{}",
-                         score::is_miss(cause) ? "false_negatives" : "false_positives",
-                         name(cause)),
-             "px",
-             std::move(doc)},
-            [cause](const RowRecord& r) {
-                return r.row.causes ? csv_text((*r.row.causes)[cause]) : "";
-            },
-            [cause](const CsvField& field, RowRecord& r) {
-                if (field.is_empty()) return;
-                if (!r.row.causes) r.row.causes.emplace();
-                field.read((*r.row.causes)[cause]);
-            });
+    const auto causes = table.part(&RowRecord::row).part(&Row::causes);
+    const auto add = [&causes](Cause cause, std::string doc) {
+        const char* of = score::is_miss(cause) ? "false_negatives" : "false_positives";
+        causes.add({fmt::format("{}_{}", of, name(cause)), "px", std::move(doc)},
+                   [cause](auto& counts) -> decltype(auto) { return counts[cause]; });
     };
     add(Cause::one_triangle, "of false_positives: one triangle fills the stencil");
     add(Cause::one_patch, "of false_positives: triangles of one smooth patch");
@@ -183,32 +102,24 @@ void add_cause_columns(RowTable& table) {
 }
 
 void add_skip_columns(RowTable& table) {
+    const auto row = table.part(&RowRecord::row);
     // Not among `params`: like `threads` it says how the image was made and not which one, so
     // that two rows that differ in it alone must have one image_hash.
-    table.add(
-        {"skips_off",
-         "",
-         "skips that were not allowed, a;b; temporal_reuse never is where one view is drawn "
-         "again and again"},
-        [](auto& r) -> auto& { return r.row.skips_off; });
+    row.add({"skips_off",
+             "",
+             "skips that were not allowed, a;b; temporal_reuse never is where one view is drawn "
+             "again and again"},
+            &Row::skips_off);
     for (const raster::SkipInfo& info : raster::skip_infos()) {
-        const auto skip = static_cast<std::size_t>(info.skip);
-        const auto add = [&](std::string_view ending, auto count, std::string doc) {
-            table.add(
-                {fmt::format("skip_{}{}", info.name, ending),
-                 std::string(info.unit),
-                 std::move(doc)},
-                [=](const RowRecord& r) {
-                    return r.row.skips ? csv_text((*r.row.skips)[skip].*count) : "";
-                },
-                [=](const CsvField& field, RowRecord& r) {
-                    if (field.is_empty()) return;
-                    if (!r.row.skips) r.row.skips.emplace();
-                    field.read((*r.row.skips)[skip].*count);
-                });
-        };
-        add("", &raster::SkipCount::skipped, fmt::format("left out in a frame: {}", info.summary));
-        add("_of", &raster::SkipCount::of, "how many there were; 0 where this does not apply");
+        const auto count = row.part(&Row::skips).part([skip = info.skip](auto& of) -> auto& {
+            return of[static_cast<std::size_t>(skip)];
+        });
+        const std::string name = fmt::format("skip_{}", info.name);
+        const std::string unit(info.unit);
+        count.add({name, unit, fmt::format("left out in a frame: {}", info.summary)},
+                  &raster::SkipCount::skipped);
+        count.add({name + "_of", unit, "how many there were; 0 where this does not apply"},
+                  &raster::SkipCount::of);
     }
 }
 
@@ -251,10 +162,9 @@ void add_provenance_columns(RowTable& table) {
     }
     const auto& libraries = core::provenance().libraries;
     for (std::size_t i = 0; i < libraries.size(); ++i) {
-        table.add(
+        table.add_derived(
             {libraries[i].first, "", "version of the library"},
-            [i](const RowRecord& r) { return text_of(provenance_of(r), i); },
-            [](const CsvField&, RowRecord&) {});
+            [i](const RowRecord& r) { return provenance_of(r).libraries.at(i).second; });
     }
 }
 
@@ -280,6 +190,20 @@ std::shared_ptr<const core::Provenance> read_provenance(
     is_ours = is_ours && read.libraries == core::provenance().libraries;
     if (!is_ours) found->second = std::make_shared<const core::Provenance>(std::move(read));
     return found->second;
+}
+
+RowsByCell by_cell(std::vector<RowRecord>& rows) {
+    RowsByCell found;
+    for (RowRecord& row : rows)
+        found.emplace(row.cell, &row);
+    return found;
+}
+
+RowRecord& row_of(const CsvTable& csv, std::size_t i, const RowsByCell& rows) {
+    const CsvField field(csv, i, 0);
+    const auto found = rows.find(field.as<std::int64_t>());
+    if (found == rows.end()) field.refuse("the number of a cell of rows.csv");
+    return *found->second;
 }
 
 }  // namespace ink::harness

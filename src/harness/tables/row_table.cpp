@@ -8,35 +8,6 @@
 namespace ink::harness {
 namespace {
 
-/// A column that is a member of the row.
-template <class T>
-void add(RowTable& table, Column column, T Row::*field) {
-    table.add(
-        std::move(column), [field](auto& r) -> auto& { return r.row.*field; });
-}
-
-/// A number that means something only where the cell was scored.
-template <class T>
-void add_counted(RowTable& table, Column column, T Row::*field) {
-    table.add(
-        std::move(column),
-        [field](const RowRecord& r) { return r.row.is_scored() ? csv_text(r.row.*field) : ""; },
-        [field](const CsvField& text, RowRecord& r) {
-            if (!text.is_empty()) text.read(r.row.*field);
-        });
-}
-
-/// A number that is empty where it is 0.
-template <class T>
-void add_above_zero(RowTable& table, Column column, T Row::*field) {
-    table.add(
-        std::move(column),
-        [field](const RowRecord& r) { return r.row.*field != 0 ? csv_text(r.row.*field) : ""; },
-        [field](const CsvField& text, RowRecord& r) {
-            if (!text.is_empty()) text.read(r.row.*field);
-        });
-}
-
 /// A column per class of line, empty where the view has none of it.
 template <class T>
 void add_by_class(RowTable& table,
@@ -59,92 +30,70 @@ void add_by_class(RowTable& table,
 }
 
 void add_place(RowTable& table) {
-    table.add(
-        {"cell", "", "number of the cell; side tables name it by this"},
-        [](auto& r) -> auto& { return r.cell; });
-    table.add(
+    table.add({"cell", "", "number of the cell; side tables name it by this"}, &RowRecord::cell);
+    table.add_named(
         {"study", "", fmt::format("what it was measured for: {}", fmt::join(kStudyNames, ", "))},
-        [](const RowRecord& r) { return std::string(name(r.study)); },
-        [](const CsvField& field, RowRecord& r) {
-            const auto found = find_study(field.text());
-            if (!found) field.refuse(fmt::format("{}", fmt::join(kStudyNames, ", ")));
-            r.study = *found;
-        });
-    add(table, {"method", "", "method, or baseline: none, sampled, oracle"}, &Row::method);
-    add(table, {"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
-    add(table, {"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
-    add(table, {"split", "", "train or heldout"}, &Row::split);
-    add(table, {"width", "px", "of the image"}, &Row::width);
-    add(table, {"height", "px", "of the image"}, &Row::height);
-    add(table, {"threads", "", "the method might use"}, &Row::threads);
-    add(table, {"seed", "", "as given: of random images and of resampling scenes"}, &Row::seed);
-    add(table, {"params", "", "every parameter, key=value;key=value"}, &Row::params);
-    add(table,
-        {"threshold", "", "edge response (1..255) from which a pixel counts as drawn"},
-        &Row::threshold);
-    add(table, {"status", "", "ok, or why there are no metrics"}, &Row::status);
+        &RowRecord::study,
+        {kStudyNames.begin(), kStudyNames.end()});
+    const auto row = table.part(&RowRecord::row);
+    row.add({"method", "", "method, or baseline: none, sampled, oracle"}, &Row::method);
+    row.add({"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
+    row.add({"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
+    row.add({"split", "", "train or heldout"}, &Row::split);
+    row.add({"width", "px", "of the image"}, &Row::width);
+    row.add({"height", "px", "of the image"}, &Row::height);
+    row.add({"threads", "", "the method might use"}, &Row::threads);
+    row.add({"seed", "", "as given: of random images and of resampling scenes"}, &Row::seed);
+    row.add({"params", "", "every parameter, key=value;key=value"}, &Row::params);
+    row.add({"threshold", "", "edge response (1..255) from which a pixel counts as drawn"},
+            &Row::threshold);
+    row.add({"status", "", "ok, or why there are no metrics"}, &Row::status);
 }
 
 void add_scores(RowTable& table) {
-    add(table, {"f_2px", "0..1", "F of one-to-one matches within 2 px"}, &Row::f_2px);
-    add(table, {"f_1px", "0..1", "the same within 1 px"}, &Row::f_1px);
-    add(table, {"precision_2px", "0..1", "matched share of the drawn pixels"}, &Row::precision_2px);
-    add(table, {"recall_2px", "0..1", "matched share of the true pixels"}, &Row::recall_2px);
+    const auto row = table.part(&RowRecord::row);
+    row.add({"f_2px", "0..1", "F of one-to-one matches within 2 px"}, &Row::f_2px);
+    row.add({"f_1px", "0..1", "the same within 1 px"}, &Row::f_1px);
+    row.add({"precision_2px", "0..1", "matched share of the drawn pixels"}, &Row::precision_2px);
+    row.add({"recall_2px", "0..1", "matched share of the true pixels"}, &Row::recall_2px);
     add_by_class(table,
                  "recall_",
                  "0..1",
                  "recall of this class, by a matching of its own",
                  &Row::recall_by_class);
-    add(table, {"mean_width_px", "px", "drawn pixels per thinned pixel"}, &Row::mean_width_px);
-    add(table, {"ap", "0..1", "area under the precision envelope over 99 thresholds"}, &Row::ap);
-    add(table, {"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
-    add(table, {"draw_ns", "ns", "median time of a frame", true}, &Row::draw_ns);
-    add(table,
-        {"bytes_per_px", "B/px", "of the method's buffers, depth included"},
-        &Row::bytes_per_px);
-    add(table,
-        {"image_hash", "", "of the edge responses; of a sequence, of all its images"},
-        &Row::image_hash);
+    row.add({"mean_width_px", "px", "drawn pixels per thinned pixel"}, &Row::mean_width_px);
+    row.add({"ap", "0..1", "area under the precision envelope over 99 thresholds"}, &Row::ap);
+    row.add({"prepare_ns", "ns", "once per topology", true}, &Row::prepare_ns);
+    row.add({"draw_ns", "ns", "median time of a frame", true}, &Row::draw_ns);
+    row.add({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
+            &Row::bytes_per_px);
+    row.add({"image_hash", "", "of the edge responses; of a sequence, of all its images"},
+            &Row::image_hash);
 }
 
 void add_counts(RowTable& table) {
-    add_counted(table, {"truth_px", "px", "true pixels that count"}, &Row::truth_px);
-    add_counted(table, {"k_2px", "px", "matches within 2 px"}, &Row::k_2px);
-    add_counted(table, {"n_pred", "px", "drawn pixels after thinning"}, &Row::n_pred);
-    add_counted(table, {"n_truth", "px", "true pixels"}, &Row::n_truth);
-    add_counted(table,
-                {"unmatched_duplicates", "px", "drawn pixels left over beside a matched line"},
-                &Row::unmatched_duplicates);
-    add_counted(table,
-                {"false_positives", "px", "drawn pixels with no true one in reach"},
-                &Row::false_positives);
-    add_counted(table,
-                {"unmatched_truth", "px", "true pixels left over beside a drawn line"},
-                &Row::unmatched_truth);
-    add_counted(table,
-                {"false_negatives", "px", "true pixels with no drawn one in reach"},
-                &Row::false_negatives);
-    add(table, {"k_1px", "px", "matches within 1 px"}, &Row::k_1px);
-    add(table, {"n_pred_1px", "px", "drawn pixels after thinning, at 1 px"}, &Row::n_pred_1px);
-    table.add_derived(
-        {"f_random_2px", "0..1", "F of a random image of as many pixels, within 2 px"},
-        [](const RowRecord& r) {
-            return r.row.random_baseline ? std::optional(r.row.random_baseline->f()) : std::nullopt;
-        });
-    const auto add_chance = [&table](Column column, std::int64_t score::CurveCount::*count) {
-        table.add(
-            std::move(column),
-            [count](const RowRecord& r) {
-                return r.row.random_baseline ? csv_text((*r.row.random_baseline).*count) : "";
-            },
-            [count](const CsvField& field, RowRecord& r) {
-                if (field.is_empty()) return;
-                if (!r.row.random_baseline) r.row.random_baseline = {0, 0, r.row.n_truth};
-                field.read((*r.row.random_baseline).*count);
-            });
-    };
-    add_chance({"k_random_2px", "px", "its matches"}, &score::CurveCount::k);
-    add_chance({"n_pred_random", "px", "its drawn pixels that count"}, &score::CurveCount::n_pred);
+    const auto row = table.part(&RowRecord::row);
+    const auto scored = row.part_if(&Row::is_scored);
+    scored.add({"truth_px", "px", "true pixels that count"}, &Row::truth_px);
+    scored.add({"k_2px", "px", "matches within 2 px"}, &Row::k_2px);
+    scored.add({"n_pred", "px", "drawn pixels after thinning"}, &Row::n_pred);
+    scored.add({"n_truth", "px", "true pixels"}, &Row::n_truth);
+    scored.add({"unmatched_duplicates", "px", "drawn pixels left over beside a matched line"},
+               &Row::unmatched_duplicates);
+    scored.add({"false_positives", "px", "drawn pixels with no true one in reach"},
+               &Row::false_positives);
+    scored.add({"unmatched_truth", "px", "true pixels left over beside a drawn line"},
+               &Row::unmatched_truth);
+    scored.add({"false_negatives", "px", "true pixels with no drawn one in reach"},
+               &Row::false_negatives);
+    row.add({"k_1px", "px", "matches within 1 px"}, &Row::k_1px);
+    row.add({"n_pred_1px", "px", "drawn pixels after thinning, at 1 px"}, &Row::n_pred_1px);
+    const auto random = row.part(&Row::random_baseline);
+    using C = score::CurveCount;
+    random.add_derived(
+        {"f_random_2px", "0..1", "F of a random image of as many pixels, within 2 px"}, &C::f);
+    random.add({"k_random_2px", "px", "its matches"}, &C::k);
+    random.add({"n_pred_random", "px", "its drawn pixels that count"}, &C::n_pred);
     add_by_class(table,
                  "k_",
                  "px",
@@ -154,51 +103,40 @@ void add_counts(RowTable& table) {
 }
 
 void add_times(RowTable& table) {
-    add(table,
-        {"pose_ns", "ns", "once after prepare, or when something moved", true},
-        &Row::pose_ns);
-    add(table, {"draw_ns_q25", "ns", "lower quartile of a frame's time", true}, &Row::draw_ns_q25);
-    add(table, {"draw_ns_q75", "ns", "upper quartile", true}, &Row::draw_ns_q75);
-    add(table, {"draw_ns_min", "ns", "least", true}, &Row::draw_ns_min);
-    add_above_zero(table, {"draw_n", "", "timed frames", true}, &Row::draw_n);
+    const auto row = table.part(&RowRecord::row);
+    row.add({"pose_ns", "ns", "once after prepare, or when something moved", true}, &Row::pose_ns);
+    row.add({"draw_ns_q25", "ns", "lower quartile of a frame's time", true}, &Row::draw_ns_q25);
+    row.add({"draw_ns_q75", "ns", "upper quartile", true}, &Row::draw_ns_q75);
+    row.add({"draw_ns_min", "ns", "least", true}, &Row::draw_ns_min);
+    row.part_if([](const Row& r) { return r.draw_n != 0; })
+        .add({"draw_n", "", "timed frames", true}, &Row::draw_n);
 }
 
 void add_truth(RowTable& table) {
-    add_counted(table,
-                {"truth_merged_px", "px", "true pixels that thinning took away"},
-                &Row::truth_merged_px);
-    add_counted(table,
-                {"crowded_share", "0..1", "share of true pixels too dense to score"},
-                &Row::crowded_share);
-    add(table,
-        {"reference_disagreement",
-         "0..1",
-         "share of the lines that only truth or only cross-check has, 0.25 px, per class"},
-        &Row::reference_disagreement);
-    table.add(
-        {"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
-        [](const RowRecord& r) {
-            return r.row.reference_disagreement ? csv_text(r.row.crosscheck_px) : "";
-        },
-        [](const CsvField& field, RowRecord& r) {
-            if (!field.is_empty()) field.read(r.row.crosscheck_px);
-        });
+    const auto row = table.part(&RowRecord::row);
+    const auto scored = row.part_if(&Row::is_scored);
+    scored.add({"truth_merged_px", "px", "true pixels that thinning took away"},
+               &Row::truth_merged_px);
+    scored.add({"crowded_share", "0..1", "share of true pixels too dense to score"},
+               &Row::crowded_share);
+    row.add({"reference_disagreement",
+             "0..1",
+             "share of the lines that only truth or only cross-check has, 0.25 px, per class"},
+            &Row::reference_disagreement);
+    row.part_if([](const Row& r) { return r.reference_disagreement.has_value(); })
+        .add({"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
+             &Row::crosscheck_px);
     add_cause_columns(table);
-    add_above_zero(table, {"triangles", "", "of the scene, instances counted"}, &Row::triangles);
-    add(table,
-        {"weld_epsilon",
-         "0..1",
-         "the truth joins vertices this near, as a share of each part's diagonal"},
-        &Row::weld_epsilon);
-    add(table,
-        {"contour_sky_px", "px", "length of true contours before the sky"},
-        &Row::contour_sky_px);
-    add(table,
-        {"contour_other_px", "px", "the same before another object"},
-        &Row::contour_other_px);
-    add(table,
-        {"contour_self_px", "px", "the same before their own object"},
-        &Row::contour_self_px);
+    row.part_if([](const Row& r) { return r.triangles != 0; })
+        .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
+    row.add({"weld_epsilon",
+             "0..1",
+             "the truth joins vertices this near, as a share of each part's diagonal"},
+            &Row::weld_epsilon);
+    row.add({"contour_sky_px", "px", "length of true contours before the sky"},
+            &Row::contour_sky_px);
+    row.add({"contour_other_px", "px", "the same before another object"}, &Row::contour_other_px);
+    row.add({"contour_self_px", "px", "the same before their own object"}, &Row::contour_self_px);
 }
 
 RowTable make_table() {
@@ -237,7 +175,9 @@ std::vector<RowRecord> read_rows(const CsvTable& csv) {
     std::map<std::string, std::shared_ptr<const core::Provenance>> known;
     std::map<std::int64_t, std::size_t> cells;
     for (std::size_t i = 0; i < records.size(); ++i) {
-        records[i].row.provenance = read_provenance(csv, i, known);
+        Row& row = records[i].row;
+        if (row.random_baseline) row.random_baseline->n_truth = row.n_truth;
+        row.provenance = read_provenance(csv, i, known);
         if (!cells.emplace(records[i].cell, i).second)
             CsvField(csv, i, csv.find("cell")).refuse("every cell once");
     }
@@ -258,14 +198,6 @@ const RowRecord& RowIndex::find(const CsvField& cell) const {
     const RowRecord* found = find(cell.as<std::int64_t>());
     if (found == nullptr) cell.refuse("the number of a cell of rows.csv");
     return *found;
-}
-
-std::vector<Row> rows_of(const std::vector<RowRecord>& records) {
-    std::vector<Row> rows;
-    rows.reserve(records.size());
-    for (const RowRecord& record : records)
-        rows.push_back(record.row);
-    return rows;
 }
 
 }  // namespace ink::harness

@@ -47,7 +47,4 @@ class RowIndex {
     std::map<std::int64_t, const RowRecord*> by_cell_;
 };
 
-/// The rows alone, without their cells.
-[[nodiscard]] std::vector<Row> rows_of(const std::vector<RowRecord>& records);
-
 }  // namespace ink::harness

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "harness/cell.h"
-#include "harness/tables/table_of.h"
+#include "harness/tables/row_parts.h"
+#include "harness/tables/side_table.h"
 
 namespace ink::harness {
 namespace {
@@ -13,31 +12,23 @@ namespace {
 /// Counts of a cell at one of many thresholds or tolerances.
 template <class At>
 struct CountsAt {
-    std::int64_t cell = 0;
     At at = 0;
     score::CurveCount counts;
 };
-using AtThreshold = CountsAt<int>;
-using AtTolerance = CountsAt<double>;
 
 template <class At>
-TableOf<CountsAt<At>> counts_table(const std::string& file, const std::string& doc, Column at) {
-    TableOf<CountsAt<At>> table(file, doc);
-    table.add(
-        {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-    table.add(
-        std::move(at), [](auto& r) -> auto& { return r.at; });
-    table.add(
-        {"k", "px", "one-to-one matches"}, [](auto& r) -> auto& { return r.counts.k; });
-    table.add(
-        {"n_pred", "px", "drawn pixels after thinning that count"},
-        [](auto& r) -> auto& { return r.counts.n_pred; });
-    table.add(
-        {"n_truth", "px", "true pixels"}, [](auto& r) -> auto& { return r.counts.n_truth; });
+SideTable<CountsAt<At>> counts_table(const std::string& file, const std::string& doc, Column at) {
+    using C = score::CurveCount;
+    SideTable<CountsAt<At>> table(file, doc);
+    table.add(std::move(at), &CountsAt<At>::at);
+    const auto counts = table.part(&CountsAt<At>::counts);
+    counts.add({"k", "px", "one-to-one matches"}, &C::k);
+    counts.add({"n_pred", "px", "drawn pixels after thinning that count"}, &C::n_pred);
+    counts.add({"n_truth", "px", "true pixels"}, &C::n_truth);
     return table;
 }
 
-const TableOf<AtThreshold>& curves() {
+const SideTable<CountsAt<int>>& curves() {
     static const auto kTable = counts_table<int>(
         "curves.csv",
         "99 lines per scored cell: its counts within 2 px at every threshold.",
@@ -47,7 +38,7 @@ const TableOf<AtThreshold>& curves() {
     return kTable;
 }
 
-const TableOf<AtTolerance>& tolerances() {
+const SideTable<CountsAt<double>>& tolerances() {
     static const auto kTable = counts_table<double>(
         "tolerances.csv",
         "A line per scored cell and tolerance: its counts at its own threshold.",
@@ -55,15 +46,9 @@ const TableOf<AtTolerance>& tolerances() {
     return kTable;
 }
 
-/// A bin of a cell.
-struct CellBin {
-    std::int64_t cell = 0;
-    BinCount bin;
-};
-
-const TableOf<CellBin>& bins() {
+const SideTable<BinCount>& bins() {
     static const auto kTable = [] {
-        TableOf<CellBin> table(
+        SideTable<BinCount> table(
             "bins.csv",
             "A line per cell and bin of a property of true lines: how much of it was found within "
             "2 px, by a matching of its own. Bins without a true pixel are left out.");
@@ -72,44 +57,18 @@ const TableOf<CellBin>& bins() {
             names.push_back(a.name);
             docs.push_back(fmt::format("{}: {}", a.name, a.doc));
         }
-        table.add(
-            {"cell", "", "of rows.csv"}, [](auto& r) -> auto& { return r.cell; });
-        table.add(
-            {"attribute", "", fmt::format("{}", fmt::join(docs, "; "))},
-            [](const CellBin& r) { return line_attributes()[r.bin.attribute].name; },
-            [names](const CsvField& field, CellBin& r) {
-                const auto at = std::find(names.begin(), names.end(), field.text());
-                if (at == names.end()) field.refuse(fmt::format("{}", fmt::join(names, ", ")));
-                r.bin.attribute = static_cast<std::size_t>(at - names.begin());
-            });
-        table.add(
-            {"low", "of attribute", "the bin begins here; inf: the sky behind"},
-            [](auto& r) -> auto& { return r.bin.low; });
-        table.add(
-            {"high", "of attribute", "and ends before here; the last holds its end"},
-            [](auto& r) -> auto& { return r.bin.high; });
-        table.add(
-            {"k", "px", "one-to-one matches"}, [](auto& r) -> auto& { return r.bin.k; });
-        table.add(
-            {"n_truth", "px", "true pixels"}, [](auto& r) -> auto& { return r.bin.n_truth; });
+        table.add_named({"attribute", "", fmt::format("{}", fmt::join(docs, "; "))},
+                        &BinCount::attribute,
+                        names);
+        table.add({"low", "of attribute", "the bin begins here; inf: the sky behind"},
+                  &BinCount::low);
+        table.add({"high", "of attribute", "and ends before here; the last holds its end"},
+                  &BinCount::high);
+        table.add({"k", "px", "one-to-one matches"}, &BinCount::k);
+        table.add({"n_truth", "px", "true pixels"}, &BinCount::n_truth);
         return table;
     }();
     return kTable;
-}
-
-/// The row of rows.csv that record `i` of a side table names.
-Row& row_of(const CsvTable& csv, std::size_t i, std::map<std::int64_t, Row*>& rows) {
-    const CsvField field(csv, i, 0);
-    const auto found = rows.find(field.as<std::int64_t>());
-    if (found == rows.end()) field.refuse("the number of a cell of rows.csv");
-    return *found->second;
-}
-
-std::map<std::int64_t, Row*> by_cell(std::vector<RowRecord>& rows) {
-    std::map<std::int64_t, Row*> found;
-    for (RowRecord& row : rows)
-        found.emplace(row.cell, &row.row);
-    return found;
 }
 
 }  // namespace
@@ -121,12 +80,12 @@ const TableInfo& curves_table() {
 std::string curve_lines(std::int64_t cell, const std::array<score::CurveCount, 99>& counts) {
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        lines += curves().line({cell, static_cast<int>(i + 1), counts[i]});
+        lines += curves().line(cell, {static_cast<int>(i + 1), counts[i]});
     return lines;
 }
 
 std::vector<CurveRecord> read_curves(const CsvTable& csv, const RowIndex& rows) {
-    const std::vector<AtThreshold> read = curves().read(csv);
+    const auto read = curves().read(csv);
     std::vector<CurveRecord> records;
     for (std::size_t i = 0; i < read.size(); ++i) {
         const std::size_t at = i % 99;
@@ -151,15 +110,15 @@ const TableInfo& tolerances_table() {
 std::string tolerance_lines(std::int64_t cell, const std::vector<score::CurveCount>& counts) {
     std::string lines;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        lines += tolerances().line({cell, kTolerances_px.at(i), counts[i]});
+        lines += tolerances().line(cell, {kTolerances_px.at(i), counts[i]});
     return lines;
 }
 
 void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows) {
-    auto cells = by_cell(rows);
-    const std::vector<AtTolerance> read = tolerances().read(csv);
+    const RowsByCell cells = by_cell(rows);
+    const auto read = tolerances().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
-        Row& row = row_of(csv, i, cells);
+        Row& row = row_of(csv, i, cells).row;
         if (row.tolerance_sweep.size() == kTolerances_px.size())
             CsvField(csv, i, 0).refuse("every tolerance once");
         const double wanted_px = kTolerances_px[row.tolerance_sweep.size()];
@@ -177,17 +136,17 @@ const TableInfo& bins_table() {
 std::string bin_lines(std::int64_t cell, const std::vector<BinCount>& counts) {
     std::string lines;
     for (const BinCount& bin : counts)
-        lines += bins().line({cell, bin});
+        lines += bins().line(cell, bin);
     return lines;
 }
 
 void join_bins(const CsvTable& csv, std::vector<RowRecord>& rows) {
-    auto cells = by_cell(rows);
-    const std::vector<CellBin> read = bins().read(csv);
+    const RowsByCell cells = by_cell(rows);
+    const auto read = bins().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
-        Row& row = row_of(csv, i, cells);
+        Row& row = row_of(csv, i, cells).row;
         if (!row.lines) CsvField(csv, i, 0).refuse("a cell whose row has line scores");
-        row.lines->bins.push_back(read[i].bin);
+        row.lines->bins.push_back(read[i]);
     }
 }
 

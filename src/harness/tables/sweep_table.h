@@ -40,9 +40,4 @@ struct SweepRecord {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> split_params(
     const std::string& params);
 
-/// The parameters whose value in any of `settings` differs from that in `own`, all given as
-/// "key=value;key=value", sorted by name.
-[[nodiscard]] std::vector<std::string> changed_parameters(const std::string& own,
-                                                          const std::vector<std::string>& settings);
-
 }  // namespace ink::harness
