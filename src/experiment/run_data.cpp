@@ -16,11 +16,6 @@
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
-#include "linear_code/cancellation_table.h"
-#include "studies/motion_table.h"
-#include "studies/roll_table.h"
-#include "studies/scaling_table.h"
-#include "studies/skips_table.h"
 #include "studies/stress_table.h"
 
 namespace ink::experiment {
@@ -43,26 +38,6 @@ class Tables {
     const Texts& texts_;
     std::string where_;
 };
-
-void read_studies(const Tables& tables, const harness::RowIndex& index, RunTables& run) {
-    if (tables.has("cancellation.csv"))
-        run.cancellation = linear_code::read_cancellation(tables.split("cancellation.csv"), index);
-    if (tables.has("motion.csv")) {
-        run.motion =
-            studies::read_motion(tables.split("motion.csv"), tables.split("lives.csv"), index);
-    }
-    if (tables.has("roll.csv"))
-        run.rolls =
-            studies::read_rolls(tables.split("roll.csv"), tables.split("vanishing.csv"), index);
-    if (tables.has("scaling.csv"))
-        run.scaling = studies::read_scaling(tables.split("scaling.csv"), index);
-    if (tables.has("skips.csv"))
-        run.skip_study = studies::read_skips(tables.split("skips.csv"), index);
-    if (tables.has("stress.csv"))
-        run.stress = studies::read_stress(tables.split("stress.csv"), index);
-    if (tables.has("bound.csv"))
-        run.bounds = linear_code::read_bounds(tables.split("bound.csv"), index);
-}
 
 std::string read_file(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
@@ -93,7 +68,10 @@ RunTables parse_tables(const Texts& texts, const std::string& where) {
             run.sweep_places.push_back({record.cell, record.setting});
         }
     }
-    read_studies(tables, index, run);
+    if (tables.has("stress.csv"))
+        run.stress = studies::read_stress(tables.split("stress.csv"), index);
+    if (tables.has("bound.csv"))
+        run.bounds = linear_code::read_bounds(tables.split("bound.csv"), index);
     for (harness::RowRecord& record : records) {
         if (record.study != harness::Study::compare) continue;
         run.rows.push_back(std::move(record.row));

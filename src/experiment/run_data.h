@@ -7,13 +7,8 @@
 
 #include "experiment/run_record.h"
 #include "harness/row.h"
-#include "linear_code/cancellation.h"
 #include "linear_code/linear_bound_study.h"
 #include "statistics/ods.h"
-#include "studies/motion_rows.h"
-#include "studies/roll_study.h"
-#include "studies/scaling.h"
-#include "studies/skip_study.h"
 #include "studies/stress/stress_rows.h"
 
 namespace ink::experiment {
@@ -31,11 +26,6 @@ struct RunTables {
     std::vector<std::int64_t> cells;            ///< the number of each of `rows`
     std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
     std::vector<SettingPlace> sweep_places;     ///< of each of `sweep`
-    std::vector<studies::ScalingPoint> scaling;
-    std::vector<studies::SkipTime> skip_study;
-    std::vector<studies::MotionRow> motion;
-    std::vector<studies::RollCurve> rolls;
-    std::vector<linear_code::CancellationRow> cancellation;
     std::vector<studies::StressRow> stress;
     std::vector<linear_code::BoundRow> bounds;
 };

@@ -9,17 +9,8 @@ using CancellationTable = harness::SideTable<CancellationRow>;
 
 void add_kind(CancellationTable& table) {
     const auto kind = table.part(&CancellationRow::kind);
-    table.add(
-        {"class", "", "of line: contour, boundary, crease, intersection, seam"},
-        [](const CancellationRow& r) { return std::string(truth::name(r.kind.line_class)); },
-        [](const harness::CsvField& field, CancellationRow& r) {
-            for (const truth::LineClass c : truth::kLineClasses) {
-                if (truth::name(c) != field.text()) continue;
-                r.kind.line_class = c;
-                return;
-            }
-            field.refuse("contour, boundary, crease, intersection, seam");
-        });
+    kind.add_derived({"class", "", "of line: contour, boundary, crease, intersection, seam"},
+                     [](const LineKind& of) { return truth::name(of.line_class); });
     kind.add(
         {"dihedral_low_deg", "deg", "dihedral deviation of the two faces at which the bin begins"},
         &LineKind::dihedral_low_deg);
@@ -64,18 +55,6 @@ const harness::TableInfo& cancellation_table() {
 
 std::string cancellation_line(std::int64_t cell, const CancellationRow& row) {
     return table().line(cell, row);
-}
-
-std::vector<CancellationRow> read_cancellation(const harness::CsvTable& csv,
-                                               const harness::RowIndex& rows) {
-    return table().read_with_rows(csv, rows, [](CancellationRow& of, const harness::Row& row) {
-        of.method = row.method;
-        of.scene = row.scene;
-        of.view = row.view;
-        of.split = row.split;
-        of.width_px = row.width;
-        of.height_px = row.height;
-    });
 }
 
 }  // namespace ink::linear_code

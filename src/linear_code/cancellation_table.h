@@ -16,9 +16,4 @@ namespace ink::linear_code {
 /// The line of one kind of line of a cell, ended; a boundary's bin is two empty fields.
 [[nodiscard]] std::string cancellation_line(std::int64_t cell, const CancellationRow& row);
 
-/// The lines of cancellation.csv with what rows.csv says of their cells. Throws core::Error (file,
-/// line, column, value) for another heading, a wrong field or an unknown cell.
-[[nodiscard]] std::vector<CancellationRow> read_cancellation(const harness::CsvTable& csv,
-                                                             const harness::RowIndex& rows);
-
 }  // namespace ink::linear_code

@@ -81,21 +81,6 @@ const harness::SideTable<Life>& lives() {
     return kTable;
 }
 
-/// What rows.csv says of it.
-void take_row(const harness::Row& row, MotionRow& of) {
-    of.scene = row.scene;
-    of.path = row.view;
-    of.method = row.method;
-    of.params = row.params;
-    of.status = row.status;
-    of.width_px = row.width;
-    of.height_px = row.height;
-    of.threads = row.threads;
-    of.images_hash = row.image_hash;
-    of.split = row.split;
-    of.triangles = row.triangles;
-}
-
 }  // namespace
 
 harness::Row motion_row(const MotionRow& of) {
@@ -132,29 +117,6 @@ std::string life_lines(std::int64_t cell, const MotionRow& of) {
         if (of.lives[i] != 0) lines += lives().line(cell, {static_cast<int>(i + 1), of.lives[i]});
     }
     return lines;
-}
-
-std::vector<MotionRow> read_motion(const harness::CsvTable& motion_csv,
-                                   const harness::CsvTable& lives_csv,
-                                   const harness::RowIndex& rows) {
-    auto records = motion().read(motion_csv);
-    std::map<std::int64_t, MotionRow*> cells;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        const harness::CsvField cell(motion_csv, i, 0);
-        take_row(rows.find(cell).row, records[i]);
-        if (!cells.emplace(records[i].cell, &records[i]).second) cell.refuse("every cell once");
-    }
-    const auto read = lives().read(lives_csv);
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        const auto found = cells.find(read[i].cell);
-        if (found == cells.end()) harness::CsvField(lives_csv, i, 0).refuse("a cell of motion.csv");
-        std::vector<std::int64_t>& of = found->second->lives;
-        if (read[i].frames <= static_cast<int>(of.size()))
-            harness::CsvField(lives_csv, i, 1).refuse("lengths that grow within a cell, from 1");
-        of.resize(static_cast<std::size_t>(read[i].frames));
-        of.back() = read[i].count;
-    }
-    return {records.begin(), records.end()};
 }
 
 }  // namespace ink::studies

@@ -25,10 +25,4 @@ namespace ink::studies {
 /// A line per length of life that a false line of the cell had, each ended; "" without any.
 [[nodiscard]] std::string life_lines(std::int64_t cell, const MotionRow& of);
 
-/// The rows of motion.csv and lives.csv with what rows.csv says of their cells. Throws core::Error
-/// (file, line, column, value) for another heading, a wrong field or an unknown cell.
-[[nodiscard]] std::vector<MotionRow> read_motion(const harness::CsvTable& motion,
-                                                 const harness::CsvTable& lives,
-                                                 const harness::RowIndex& rows);
-
 }  // namespace ink::studies

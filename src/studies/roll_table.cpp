@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "harness/tables/side_table.h"
@@ -11,14 +10,10 @@
 namespace ink::studies {
 namespace {
 
-/// Angles are written with ten digits: a degree that is read and turned into radians and back
-/// is then the same text.
+/// Angles are written with ten digits: a whole degree that was turned into radians and back is
+/// then whole again.
 std::string degrees_text(double angle_rad) {
     return fmt::format("{:.10g}", angle_rad * 180 / std::numbers::pi);
-}
-
-void read_degrees(const harness::CsvField& field, double& angle_rad) {
-    angle_rad = field.as<double>() * std::numbers::pi / 180;
 }
 
 /// A line of a crease, with the crease's number.
@@ -43,24 +38,17 @@ const CreaseTable<RollSample>& samples() {
             "cube while the camera rolls once round.");
         using S = OfCrease<RollSample>;
         add_crease(table);
-        table.add(
-            {"roll_deg", "deg", "by which the camera is rolled"},
-            [](const S& s) { return degrees_text(s.roll_rad); },
-            [](const harness::CsvField& field, S& s) { read_degrees(field, s.roll_rad); });
+        table.add_derived({"roll_deg", "deg", "by which the camera is rolled"},
+                          [](const S& s) { return degrees_text(s.roll_rad); });
         table.add({"length_px", "px", "of the crease that is visible"}, &S::length_px);
         table.add({"covered_px", "px", "of that, with a drawn pixel within 2 px"}, &S::covered_px);
-        table.add(
-            {"predicted_step",
-             "codes",
-             "of the code across the crease; empty for a method that declares none"},
-            [](const S& s) { return s.is_predicted ? harness::csv_text(s.step) : ""; },
-            [](const harness::CsvField& field, S& s) {
-                s.is_predicted = !field.is_empty();
-                if (s.is_predicted) field.read(s.step);
-            });
-        table.part_if(&S::is_predicted)
-            .add({"predicted_blind", "", "true: the code cannot show it, as predicted"},
-                 &S::is_blind);
+        const auto predicted = table.part_if(&S::is_predicted);
+        predicted.add({"predicted_step",
+                       "codes",
+                       "of the code across the crease; empty for a method that declares none"},
+                      &S::step);
+        predicted.add({"predicted_blind", "", "true: the code cannot show it, as predicted"},
+                      &S::is_blind);
         return table;
     }();
     return kTable;
@@ -82,18 +70,13 @@ const CreaseTable<Vanishing>& vanishings() {
             "it: where the crease was lost.");
         using V = Vanishing;
         add_crease(table);
-        table.add(
-            {"predicted_deg", "deg", "the angle without a step"},
-            [](const V& at) { return degrees_text(at.predicted_rad); },
-            [](const harness::CsvField& field, V& at) { read_degrees(field, at.predicted_rad); });
-        table.add(
-            {"measured_deg",
-             "deg",
-             "middle of the angles near it at which less than half was drawn"},
-            [](const V& at) { return at.measured_rad ? degrees_text(*at.measured_rad) : ""; },
-            [](const harness::CsvField& field, V& at) {
-                if (!field.is_empty()) read_degrees(field, at.measured_rad.emplace());
-            });
+        table.add_derived({"predicted_deg", "deg", "the angle without a step"},
+                          [](const V& at) { return degrees_text(at.predicted_rad); });
+        table.part(&V::measured_rad)
+            .add_derived({"measured_deg",
+                          "deg",
+                          "middle of the angles near it at which less than half was drawn"},
+                         degrees_text);
         table.add_derived({"error_deg", "deg", "measured less predicted, the short way round"},
                           error_text);
         table.add({"recall_there", "0..1", "share of the crease drawn at exactly this angle"},
@@ -139,37 +122,6 @@ std::string vanishing_lines(std::int64_t cell, const RollCurve& curve) {
     for (const Vanishing& at : curve.vanishing)
         lines += vanishings().line(cell, {at, curve.crease});
     return lines;
-}
-
-std::vector<RollCurve> read_rolls(const harness::CsvTable& roll,
-                                  const harness::CsvTable& vanishing,
-                                  const harness::RowIndex& rows) {
-    std::vector<RollCurve> curves;
-    std::map<std::pair<std::int64_t, int>, std::size_t> index;
-    const auto read = samples().read(roll);
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        const auto [at, is_new] = index.try_emplace({read[i].cell, read[i].crease}, curves.size());
-        if (is_new) {
-            const harness::Row& row = rows.find(harness::CsvField(roll, i, 0)).row;
-            curves.push_back({.method = row.method,
-                              .params = row.params,
-                              .status = row.status,
-                              .crease = read[i].crease,
-                              .is_predicted = read[i].is_predicted});
-        }
-        RollCurve& curve = curves[at->second];
-        if (curve.is_predicted != read[i].is_predicted)
-            harness::CsvField(roll, i, 5).refuse("a prediction at every angle or at none");
-        curve.samples.push_back(read[i]);
-    }
-    const auto lost = vanishings().read(vanishing);
-    for (std::size_t i = 0; i < lost.size(); ++i) {
-        const auto found = index.find({lost[i].cell, lost[i].crease});
-        if (found == index.end())
-            harness::CsvField(vanishing, i, 0).refuse("a cell and crease of roll.csv");
-        curves[found->second].vanishing.push_back(lost[i]);
-    }
-    return curves;
 }
 
 }  // namespace ink::studies

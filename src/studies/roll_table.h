@@ -27,11 +27,4 @@ namespace ink::studies {
 /// A line per predicted angle, each ended; "" without any.
 [[nodiscard]] std::string vanishing_lines(std::int64_t cell, const RollCurve& curve);
 
-/// The curves of both files, by cell and crease as roll.csv has them, with what rows.csv says of
-/// their cells. Angles are good to ten digits. Throws core::Error (file, line, column, value) for
-/// another heading, a wrong field, an unknown cell or a curve that roll.csv does not have.
-[[nodiscard]] std::vector<RollCurve> read_rolls(const harness::CsvTable& roll,
-                                                const harness::CsvTable& vanishing,
-                                                const harness::RowIndex& rows);
-
 }  // namespace ink::studies

@@ -65,19 +65,4 @@ std::string scaling_line(std::int64_t cell, const ScalingPoint& point) {
     return table().line(cell, point);
 }
 
-std::vector<ScalingPoint> read_scaling(const harness::CsvTable& csv,
-                                       const harness::RowIndex& rows) {
-    return table().read_with_rows(csv, rows, [](ScalingPoint& point, const harness::Row& row) {
-        point.method = row.method;
-        point.params = row.params;
-        point.width_px = row.width;
-        point.height_px = row.height;
-        point.triangles = row.triangles;
-        point.threads = row.threads;
-        point.draw_ns_min = row.draw_ns_min.value_or(0);
-        point.draw_n = row.draw_n;
-        point.status = row.status;
-    });
-}
-
 }  // namespace ink::studies

@@ -22,9 +22,4 @@ void clear_times(ScalingPoint& point);
 /// The line of a cell, ended; its noise is empty if nothing was timed.
 [[nodiscard]] std::string scaling_line(std::int64_t cell, const ScalingPoint& point);
 
-/// The points of scaling.csv with what rows.csv says of their cells. Throws core::Error (file,
-/// line, column, value) for another heading, a wrong field or an unknown cell.
-[[nodiscard]] std::vector<ScalingPoint> read_scaling(const harness::CsvTable& csv,
-                                                     const harness::RowIndex& rows);
-
 }  // namespace ink::studies

@@ -36,15 +36,6 @@ const harness::SideTable<SkipTime>& table() {
     return kTable;
 }
 
-/// What "a;b" leaves of all skips; names that are no skip's are passed over.
-raster::SkipSet all_but(const std::string& skips_off) {
-    raster::SkipSet allowed;
-    const std::string off = ";" + skips_off + ";";
-    for (const raster::SkipInfo& info : raster::skip_infos())
-        allowed.set(info.skip, off.find(fmt::format(";{};", info.name)) == std::string::npos);
-    return allowed;
-}
-
 }  // namespace
 
 harness::Row skip_row(const SkipTime& time, const SkipStudyOptions& options) {
@@ -73,22 +64,6 @@ const harness::TableInfo& skips_table() {
 
 std::string skip_line(std::int64_t cell, const SkipTime& time) {
     return table().line(cell, time);
-}
-
-std::vector<SkipTime> read_skips(const harness::CsvTable& csv, const harness::RowIndex& rows) {
-    return table().read_with_rows(csv, rows, [](SkipTime& time, const harness::Row& row) {
-        time.scene = row.scene;
-        time.method = row.method;
-        time.params = row.params;
-        time.allowed = all_but(row.skips_off);
-        time.triangles = row.triangles;
-        time.draw_ns = row.draw_ns;
-        time.draw_ns_min = row.draw_ns_min;
-        time.draw_n = row.draw_n;
-        time.counts = row.skips.value_or(raster::SkipCounts{});
-        time.image_hash = row.image_hash;
-        time.status = row.status;
-    });
 }
 
 }  // namespace ink::studies

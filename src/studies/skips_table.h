@@ -19,9 +19,4 @@ namespace ink::studies {
 /// The line of a cell, ended.
 [[nodiscard]] std::string skip_line(std::int64_t cell, const SkipTime& time);
 
-/// The lines of skips.csv with what rows.csv says of their cells. Throws core::Error (file, line,
-/// column, value) for another heading, a wrong field or an unknown cell.
-[[nodiscard]] std::vector<SkipTime> read_skips(const harness::CsvTable& csv,
-                                               const harness::RowIndex& rows);
-
 }  // namespace ink::studies

@@ -1,4 +1,5 @@
-// Tables of numbers beside rows.csv: what is written is read back, with the row of its cell.
+// Tables of numbers beside rows.csv: what is written; of those that are read back, with the row of
+// their cell.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +7,6 @@
 #include "core/error.h"
 #include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_table.h"
-#include "studies/scaling_table.h"
 #include "studies/skips_table.h"
 #include "studies/stress_table.h"
 #include "tests/harness/random_rows.h"
@@ -14,43 +14,12 @@
 namespace ink::experiment {
 namespace {
 
-TEST(SkipsTable, ReadsAndWritesTheSameBytes) {
-    harness::RandomValues any(4);
-    std::vector<harness::RowRecord> rows;
-    std::string lines;
-    const studies::SkipStudyOptions options;
-    for (std::int64_t cell = 1; cell <= 40; ++cell) {
-        studies::SkipTime time;
-        time.scene = any.text();
-        if (any.coin()) time.skip = static_cast<raster::Skip>(any.below(raster::kSkipCount));
-        time.method = any.text();
-        time.params = any.text();
-        time.arm = static_cast<studies::SkipArm>(any.below(3));
-        for (const raster::SkipInfo& info : raster::skip_infos())
-            time.allowed.set(info.skip, any.coin());
-        time.triangles = any.small();
-        time.draw_ns = any.maybe([&] { return any.count(); });
-        time.draw_ns_min = any.maybe([&] { return any.count(); });
-        time.draw_n = any.small();
-        for (raster::SkipCount& count : time.counts)
-            count = {static_cast<std::uint64_t>(any.small()), 1000};
-        time.image_hash = any.text();
-        if (any.coin()) time.status = "differs: " + any.text();
-        rows.push_back({cell, harness::Study::skips, studies::skip_row(time, options)});
-        lines += studies::skip_line(cell, time);
-    }
-    const std::vector<harness::RowRecord> of_file = harness::read_again(rows);
-    const auto read = studies::read_skips(harness::file_of(studies::skips_table(), lines),
-                                          harness::RowIndex(of_file));
-    std::string again;
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        const auto cell = static_cast<std::int64_t>(i + 1);
-        again += studies::skip_line(cell, read[i]);
-        EXPECT_EQ(
-            harness::row_line(cell, harness::Study::skips, studies::skip_row(read[i], options)),
-            harness::row_line(cell, harness::Study::skips, rows[i].row));
-    }
-    EXPECT_EQ(again, lines);
+TEST(SkipsTable, ALineNamesTheSkipAndTheArm) {
+    studies::SkipTime time;
+    EXPECT_EQ(studies::skip_line(5, time), "5,,on\n");
+    time.skip = raster::Skip::flat_tiles;
+    time.arm = studies::SkipArm::one_off;
+    EXPECT_EQ(studies::skip_line(5, time), "5,flat_tiles,one_off\n");
 }
 
 TEST(StressTable, ReadsAndWritesTheSameBytes) {
@@ -73,32 +42,14 @@ TEST(StressTable, ReadsAndWritesTheSameBytes) {
     EXPECT_EQ(again, lines);
 }
 
-TEST(CancellationTable, ReadsAndWritesTheSameBytes) {
-    harness::RandomValues any(6);
-    const std::vector<harness::RowRecord> rows = harness::random_rows(any, 10);
-    std::string lines;
-    std::vector<std::int64_t> cells;
-    for (const harness::RowRecord& row : rows) {
-        for (const truth::LineClass c : truth::kLineClasses) {
-            linear_code::CancellationRow kind;
-            kind.silent_deg = any.real();
-            kind.kind.line_class = c;
-            kind.kind.dihedral_low_deg = any.maybe([&] { return any.small(); });
-            kind.count = {
-                any.count(), any.count(), any.count(), any.count(), any.count(), any.count()};
-            lines += linear_code::cancellation_line(row.cell, kind);
-            cells.push_back(row.cell);
-        }
-    }
-    const auto read = linear_code::read_cancellation(
-        harness::file_of(linear_code::cancellation_table(), lines), harness::RowIndex(rows));
-    ASSERT_EQ(read.size(), cells.size());
-    std::string again;
-    for (std::size_t i = 0; i < read.size(); ++i)
-        again += linear_code::cancellation_line(cells[i], read[i]);
-    EXPECT_EQ(again, lines);
-    EXPECT_EQ(read.back().method, rows.back().row.method);
-    EXPECT_EQ(read.back().view, rows.back().row.view);
+TEST(CancellationTable, ALineHasTheKindAndItsCounts) {
+    linear_code::CancellationRow row;
+    row.silent_deg = 9.5;
+    row.kind = {truth::LineClass::crease, 40};
+    row.count = {60, 5, 4, 3, 2, 1};
+    EXPECT_EQ(linear_code::cancellation_line(2, row), "2,9.5,crease,40,50,60,5,4,3,2,1\n");
+    row.kind = {truth::LineClass::boundary, std::nullopt};
+    EXPECT_EQ(linear_code::cancellation_line(2, row), "2,9.5,boundary,,,60,5,4,3,2,1\n");
 }
 
 TEST(BoundTable, ReadsAndWritesTheSameBytes) {
@@ -142,24 +93,8 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
             harness::file_of(studies::stress_table(), studies::stress_line(9, {})), index);
     })));
     EXPECT_TRUE(is_refused(harness::message_of([&] {
-        (void)studies::read_skips(
-            harness::file_of(studies::skips_table(), studies::skip_line(9, {})), index);
-    })));
-    EXPECT_TRUE(is_refused(harness::message_of([&] {
-        (void)studies::read_scaling(
-            harness::file_of(studies::scaling_table(), studies::scaling_line(9, {})), index);
-    })));
-    EXPECT_TRUE(is_refused(harness::message_of([&] {
         (void)linear_code::read_bounds(
             harness::file_of(linear_code::bound_table(), linear_code::bound_line(9, {})), index);
-    })));
-    linear_code::CancellationRow crease;
-    crease.kind = {truth::LineClass::crease, 40};
-    EXPECT_TRUE(is_refused(harness::message_of([&] {
-        (void)linear_code::read_cancellation(
-            harness::file_of(linear_code::cancellation_table(),
-                             linear_code::cancellation_line(9, crease)),
-            index);
     })));
 }
 
