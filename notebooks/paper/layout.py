@@ -77,7 +77,7 @@ def plain_ticks(ax, x=True, y=True):
     for axis in [ax.xaxis] * x + [ax.yaxis] * y:
         low, high = sorted(axis.get_view_interval())
         decades = math.log10(high / low) if low > 0 else 9
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 2.2 else (1,), numticks=20))
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 2.9 else (1,), numticks=20))
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 

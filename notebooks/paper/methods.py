@@ -78,8 +78,10 @@ def heat_map(style, table, label, methods=None, digits=3, is_loss=False):
     count = table.shape[1]
     cell_in = (style.width_in - 18 * style.font_pt / 72) / max(1, count)
     has_numbers = cell_in > (digits + 2) * 0.55 * style.small_pt / 72
+    is_turned = cell_in < 1.1 / GRID_DPI * max(
+        (text_width_px(str(name), style.small_pt) for name in table.columns), default=0)
     figure, axes = layout.new_figure(
-        style, _height_in(style, len(table), 4 if count <= 6 else 8, label))
+        style, _height_in(style, len(table), 8 if is_turned else 4, label))
     ax = axes[0, 0]
     low, high = table.min().min(), table.max().max()
     shown = ax.imshow(table, cmap="cividis_r" if is_loss else "cividis", vmin=low, vmax=high,
@@ -94,11 +96,11 @@ def heat_map(style, table, label, methods=None, digits=3, is_loss=False):
         for line in list(ax.lines):
             line.remove()
     ax.set_ylim(len(table) - 0.5, -0.5)
-    if count <= 6:
-        ax.set_xticks(range(count), table.columns)
-    else:
+    if is_turned:
         ax.set_xticks(range(count), table.columns, rotation=50, ha="right",
                       rotation_mode="anchor")
+    else:
+        ax.set_xticks(range(count), table.columns)
     ax.tick_params(length=0)
     ax.grid(visible=False)
     bar = figure.colorbar(shown, ax=ax, label=label, fraction=0.04, pad=0.015)

@@ -143,7 +143,7 @@ def _line_chart(runs, style, method, lines, own):
             ax.axvline(list(points.index).index(float(own[name])), color=ORANGE, zorder=0.5,
                        linewidth=2 * style.scale)
     layout.hide_rest(axes, len(lines))
-    figure.suptitle(method, x=0.01, ha="left", color=style.text_colour(method))
+    axes[0, 0].set_title(method, color=style.text_colour(method))
     layout.key(figure, style, list(looks.items()) + [
         ("its own setting", {"color": ORANGE, "linewidth": 2 * style.scale})])
     facts = [f"{method}, {name}: best F {points['F'].max():.3f} at {points['F'].idxmax():g}, "
