@@ -43,16 +43,6 @@ fs::path script() {
                                   (fs::path(INK_SOURCE_NOTEBOOKS) / kScript).string()));
 }
 
-/// The environment, in which Python leaves no compiled files beside the script.
-std::vector<std::string> child_environment() {
-    std::vector<std::string> variables;
-    for (char** each = environ; *each != nullptr; ++each)
-        if (!std::string_view(*each).starts_with("PYTHONDONTWRITEBYTECODE="))
-            variables.emplace_back(*each);
-    variables.emplace_back("PYTHONDONTWRITEBYTECODE=1");
-    return variables;
-}
-
 /// As exec takes them; valid as long as `words` is.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
     std::vector<char*> pointers;
@@ -66,16 +56,12 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
 
 int run_figures_script(const std::vector<std::string>& arguments) {
     const std::string program = python();
-    std::vector<std::string> words = {program, script().string()};
+    // -B: no compiled files beside the script.
+    std::vector<std::string> words = {program, "-B", script().string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> environment = child_environment();
     pid_t child = -1;
-    const int failure = posix_spawnp(&child,
-                                     program.c_str(),
-                                     nullptr,
-                                     nullptr,
-                                     pointers_to(words).data(),
-                                     pointers_to(environment).data());
+    const int failure =
+        posix_spawnp(&child, program.c_str(), nullptr, nullptr, pointers_to(words).data(), environ);
     if (failure != 0) {
         throw core::Error(
             program, fmt::format("it cannot be started ({})", std::strerror(failure)), kPackages);
