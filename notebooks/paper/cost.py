@@ -71,6 +71,10 @@ def _error_time(style, summary, lines, height_in):
     has_floor = "sampled" in summary.index and summary.loc["sampled", "f_2px"] < 1
     floor = 1 - summary.loc["sampled", "f_2px"] if has_floor else 1
     low_e, high_e = min(error_lo.min(), floor), error_hi.max()
+    if high_t < 1.5 * low_t:  # one method, or all alike: an axis needs some length
+        low_t, high_t = low_t / 1.5, high_t * 1.5
+    if high_e < 1.5 * low_e:
+        low_e, high_e = low_e / 1.5, high_e * 1.5
     ax.set_xlim(low_t / (high_t / low_t) ** 0.12, high_t * (high_t / low_t) ** 0.16)
     ax.set_ylim(low_e / (high_e / low_e) ** 0.07, high_e * (high_e / low_e) ** 0.07)
     layout.plain_ticks(ax)

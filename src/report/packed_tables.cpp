@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -20,15 +21,16 @@ constexpr std::size_t kExactDigits = 15;
 std::optional<std::string> json_value(const std::string& field) {
     if (field.empty() || field == "nan") return "null";
     if (field == "true" || field == "false") return field;
-    if (field == "inf") return "1e999";
-    if (field == "-inf") return "-1e999";
+    if (field == "inf" || field == "-inf") return json_text(field);
     double value = 0;
     const char* end = field.data() + field.size();
     const auto [at, error] = std::from_chars(field.data(), end, value);
     const bool is_number = error == std::errc() && at == end && std::isfinite(value);
     const bool is_plain = field.find_first_not_of("0123456789") == std::string::npos;
-    // JSON has no numbers that begin with 0: such digits are a code.
-    const bool is_code = is_plain && field.size() > 1 && field.front() == '0';
+    // JSON has no numbers that begin with 0 and a digit: these are a code.
+    const std::size_t first = field.front() == '-' ? 1 : 0;
+    const bool is_code = field.size() > first + 1 && field[first] == '0' &&
+                         std::isdigit(static_cast<unsigned char>(field[first + 1])) != 0;
     if (!is_number || is_code || (is_plain && field.size() > kExactDigits)) return std::nullopt;
     return field;
 }

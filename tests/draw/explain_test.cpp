@@ -89,7 +89,7 @@ TEST(Explain, TextHasAHeadingForEachPart) {
     for (const char* part : {"torus: its scene statistics",
                              "torus, seen from ",
                              "auto: what it may leave out",
-                             "auto: channels that tell nothing",
+                             "auto: channels that show no line here",
                              "auto: what it chose, and why"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part;
     }

@@ -164,7 +164,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         }
         EXPECT_LT(work_s, 1800) << entry.path();
     }
-    EXPECT_EQ(files, 6);
+    EXPECT_EQ(files, 7);
 }
 
 }  // namespace

@@ -221,7 +221,7 @@ TEST(Compare, TheReportNeedsNothingBesideIt) {
     const std::string page = desk.read("out/report.html");
     ASSERT_THAT(page, HasSubstr("</html>"));
     const std::regex outside(
-        R"re((src|href)\s*=\s*["']?(?!data:|#|["'])|@import|url\((?!["']?(data:|#)))re");
+        R"re((src|href)\s*=\s*["'](?!data:|#|["'])|@import|url\((?!["']?(data:|#)))re");
     std::smatch match;
     EXPECT_FALSE(std::regex_search(page.begin(), page.end(), match, outside))
         << std::string(match[0].first, std::min(match[0].first + 80, page.end()));

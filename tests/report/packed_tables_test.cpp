@@ -20,7 +20,7 @@ TEST(JsonText, IsSafeInsideAScript) {
 TEST(PackedColumn, KeepsTheDigitsOfNumbers) {
     EXPECT_EQ(packed_column({"0.1", "", "1e-7", "-3"}), "[0.1,null,1e-7,-3]");
     EXPECT_EQ(packed_column({"true", "false"}), "[true,false]");
-    EXPECT_EQ(packed_column({"inf", "-inf", "nan", "1"}), "[1e999,-1e999,null,1]");
+    EXPECT_EQ(packed_column({"inf", "-inf", "nan", "1"}), R"(["inf","-inf",null,1])");
 }
 
 TEST(PackedColumn, NamesRepeatedTextsOnce) {

@@ -37,6 +37,8 @@ class RunPage : public testing::Test {
         record.name = "<made up>";
         record.kind = "compare";
         record.command = "inkbench compare </script>";
+        record.identity = "0123456789abcdef";
+        record.asked = "methods = 'mote4'\n";
         record.state = experiment::RunState::finished;
         experiment::write_record(record, folder_);
         run_.folder = folder_;

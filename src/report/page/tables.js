@@ -1,7 +1,7 @@
 // Tables of a run folder, as the program packed them into the page.
 //
 // A packed column is an array; {constant: value}, the same value on every line; or
-// {words: [...], at: [...]}, texts that repeat. An empty field is null.
+// {words: [...], at: [...]}, texts that repeat. An empty field is null, infinity the text 'inf'.
 
 /// The values of a packed column, one a line.
 function unpackColumn(packed, lineCount) {
