@@ -129,8 +129,8 @@ Outcome Desk::run_with_signal(const std::string& program,
     std::vector<std::string> settings = {"PATH=/usr/bin:/bin",
                                          "HOME=" + root_.string(),
                                          "XDG_CACHE_HOME=" + (root_ / "cache").string()};
-    // Sanitizers take their options from here.
-    for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
+    // Sanitizers take their options from here; and the program, which Python draws figures.
+    for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "INKBENCH_PYTHON"}) {
         if (const char* value = std::getenv(name); value != nullptr) {
             settings.push_back(std::string(name) + "=" + value);
         }
