@@ -14,7 +14,7 @@ TEST(JsonText, IsSafeInsideAScript) {
     EXPECT_EQ(json_text("a\"b\n"), R"("a\"b\n")");
     EXPECT_EQ(json_text("</script><b>"), R"("\u003c/script>\u003cb>")");
     EXPECT_EQ(nlohmann::json::parse(json_text("</script>")), "</script>");
-    EXPECT_NO_THROW((void)nlohmann::json::parse(json_text("\xff\xfe broken")));
+    EXPECT_TRUE(nlohmann::json::accept(json_text("\xff\xfe broken")));
 }
 
 TEST(PackedColumn, KeepsTheDigitsOfNumbers) {
