@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/method_options.h"
-#include "cli/options.h"
-#include "cli/run_options.h"
-#include "cli/scene_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/run_options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 
 namespace ink::cli {

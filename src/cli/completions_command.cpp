@@ -6,8 +6,8 @@
 
 #include "cli/commands.h"
 #include "cli/completions.h"
-#include "cli/method_options.h"
-#include "cli/scene_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "studies/stress/stress_axes.h"
 

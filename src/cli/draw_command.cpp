@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/draw_options.h"
-#include "cli/method_options.h"
-#include "cli/options.h"
-#include "cli/scene_options.h"
+#include "cli/options/draw_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "draw/drawing.h"
 #include "draw/exr_layers.h"

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/method_options.h"
-#include "cli/options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "cli/place.h"
-#include "cli/scene_options.h"
 #include "core/error.h"
 #include "draw/explain.h"
 

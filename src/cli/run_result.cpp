@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "experiment/summary/stress_summary.h"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/method_options.h"
 #include "cli/name_list.h"
-#include "cli/options.h"
-#include "cli/run_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/run_options.h"
 #include "core/error.h"
 #include "studies/stress/stress_axes.h"
 

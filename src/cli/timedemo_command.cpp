@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/method_options.h"
-#include "cli/options.h"
-#include "cli/scene_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "harness/interrupt.h"
 #include "harness/out_folder.h"

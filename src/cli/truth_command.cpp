@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/options.h"
-#include "cli/scene_options.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"

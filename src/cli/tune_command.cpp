@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/method_options.h"
 #include "cli/name_list.h"
-#include "cli/options.h"
-#include "cli/scene_options.h"
+#include "cli/options/method_options.h"
+#include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"

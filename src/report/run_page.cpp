@@ -94,7 +94,7 @@ std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
         const auto is_shared = [&] {
             int count = 0;
             for (const fs::path& other : whole) {
-                const std::string end = "/" + label.string();
+                const std::string end = (fs::path("/") / label).string();
                 count += other.string().ends_with(end) ? 1 : 0;
             }
             return count > 1;

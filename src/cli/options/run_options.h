@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "experiment/experiment.h"
 
 namespace ink::cli {

@@ -1,4 +1,4 @@
-#include "cli/draw_options.h"
+#include "cli/options/draw_options.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cli/name_list.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "core/error.h"
 #include "harness/method_configs.h"
 

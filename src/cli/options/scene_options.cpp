@@ -1,4 +1,4 @@
-#include "cli/scene_options.h"
+#include "cli/options/scene_options.h"
 
 #include <fmt/format.h>
 #include <glob.h>

@@ -1,4 +1,4 @@
-#include "cli/method_options.h"
+#include "cli/options/method_options.h"
 
 #include <fmt/format.h>
 
