@@ -64,8 +64,9 @@ def _error_time(style, summary, lines, height_in):
     ax.set_xscale("log")
     ax.set_yscale("log")
     times, errors = lines["draw_ms"], 1 - lines["f_2px"]
-    low_t = np.minimum(lines["draw_ms_lo"], times).min()
-    high_t = np.maximum(lines["draw_ms_hi"], times).max()
+    # One view has no quartiles.
+    low_t = np.minimum(lines["draw_ms_lo"].fillna(times), times).min()
+    high_t = np.maximum(lines["draw_ms_hi"].fillna(times), times).max()
     error_lo = (1 - lines["f_hi"].fillna(lines["f_2px"])).clip(lower=1e-4)
     error_hi = (1 - lines["f_lo"].fillna(lines["f_2px"])).clip(lower=1e-4)
     has_floor = "sampled" in summary.index and summary.loc["sampled", "f_2px"] < 1
