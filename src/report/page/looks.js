@@ -45,38 +45,39 @@ const CLASS_COLOURS = {
     seam: 'var(--class-seam)',
 };
 
-/// Why a pixel is wrong, in the order of the pixel codes of images. False pixels are cool, missing
-/// ones warm. `rgb` is for images, which always stand on white.
+/// Why a pixel is wrong, in the order of the pixel codes of images. `rgb` is for images, which always
+/// stand on white: the colours of figures for papers (notebooks/paper/style.py), chosen there so that
+/// all of them keep apart for every kind of colour vision.
 const CAUSES = [
-    {name: 'one_triangle', kind: 'false_positives', rgb: [0, 114, 178],
+    {name: 'one_triangle', kind: 'false_positives', rgb: [128, 0, 255],
      text: 'false: all samples lie in one triangle'},
-    {name: 'one_patch', kind: 'false_positives', rgb: [64, 140, 215],
+    {name: 'one_patch', kind: 'false_positives', rgb: [149, 120, 239],
      text: 'false: all samples lie on one smooth patch'},
-    {name: 'crack', kind: 'false_positives', rgb: [20, 150, 110],
+    {name: 'crack', kind: 'false_positives', rgb: [57, 74, 191],
      text: 'false: a true line is near, but out of reach'},
-    {name: 'frame', kind: 'false_positives', rgb: [42, 31, 176],
+    {name: 'frame', kind: 'false_positives', rgb: [18, 0, 143],
      text: 'false: the true line lies outside the frame'},
-    {name: 'other', kind: 'false_positives', rgb: [140, 80, 225],
+    {name: 'other', kind: 'false_positives', rgb: [166, 77, 255],
      text: 'false: several surfaces, no true line between them'},
-    {name: 'cancelled', kind: 'false_negatives', rgb: [213, 94, 0],
+    {name: 'cancelled', kind: 'false_negatives', rgb: [207, 62, 171],
      text: 'missing: channels changed, but their changes cancel in the sum'},
-    {name: 'below_threshold', kind: 'false_negatives', rgb: [190, 130, 0],
+    {name: 'below_threshold', kind: 'false_negatives', rgb: [64, 30, 10],
      text: 'missing: no channel changed enough'},
-    {name: 'sub_pixel', kind: 'false_negatives', rgb: [107, 68, 16],
+    {name: 'sub_pixel', kind: 'false_negatives', rgb: [128, 0, 80],
      text: 'missing: thinner than the distance of samples'},
-    {name: 'thinned', kind: 'false_negatives', rgb: [238, 51, 119],
+    {name: 'thinned', kind: 'false_negatives', rgb: [207, 31, 97],
      text: 'missing: drawn, but thinning moved it out of reach'},
-    {name: 'unexplained', kind: 'false_negatives', rgb: [138, 21, 96],
+    {name: 'unexplained', kind: 'false_negatives', rgb: [159, 139, 80],
      text: 'missing: the code should have shown it'},
-    {name: 'undeclared', kind: 'false_negatives', rgb: [150, 108, 84],
+    {name: 'undeclared', kind: 'false_negatives', rgb: [143, 72, 134],
      text: 'missing, cause unknown: only packed codes can be analysed'},
 ];
 
 /// The two colours of errors where causes are not asked for.
-const FALSE_RGB = [0, 114, 178];
-const MISSING_RGB = [213, 94, 0];
-const LABEL_RGB = [[255, 255, 255], [32, 36, 42], [160, 70, 130], [0, 140, 100], [200, 130, 0],
-                   [40, 140, 200], [205, 209, 214], [205, 209, 214]];
+const FALSE_RGB = [32, 0, 255];
+const MISSING_RGB = [255, 38, 92];
+const LABEL_RGB = [[255, 255, 255], [32, 36, 42], [92, 33, 112], [14, 96, 35], [191, 120, 0], [0, 155, 207],
+                   [205, 209, 214], [205, 209, 214]];
 
 function rgbText(rgb) {
     return `rgb(${rgb.join(', ')})`;

@@ -5,7 +5,7 @@ state.define('causes.share', true);
 addSection({
     id: 'causes',
     title: 'Where the error goes',
-    intro: 'Each wrong pixel has one cause. Warm bars to the left are missing pixels, cool bars to the right false ones. ' +
+    intro: 'Each wrong pixel has one cause. Bars to the left are missing pixels, bars to the right false ones. ' +
         'Unmatched duplicates and unmatched truth are pixels of a correctly found line that one-to-one matching could not ' +
         'pair, because the drawn line is thick, ragged or short.',
     isThere: view => view.rows.some(row => row.false_negatives !== null && isScored(row)),
