@@ -33,3 +33,7 @@ function(ink_use_precompiled target name)
 endfunction()
 
 ink_precompile(room LINKS fmt::fmt HEADERS ${INK_PRECOMPILED_HEADERS})
+
+# COLD rooms plan, read and write, and measure nothing: the first level of optimisation is enough for them
+# and compiles faster.
+ink_precompile(cold LINKS fmt::fmt HEADERS ${INK_PRECOMPILED_HEADERS} OPTIONS $<$<CONFIG:Release>:-O1>)

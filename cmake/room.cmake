@@ -1,12 +1,16 @@
-# ink_room(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
+# ink_room(NAME [COLD] SOURCES ... LINKS ... PRIVATE_LINKS ...): a room is a folder, a static library and an alias ink::NAME.
 # Includes are by path from src/ ("raster/pass/pass.h") or from the root ("method/method.h").
 function(ink_room name)
-    cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    cmake_parse_arguments(ROOM "COLD" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(ink_${name} STATIC ${ROOM_SOURCES})
     add_library(ink::${name} ALIAS ink_${name})
     target_include_directories(ink_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
     target_link_libraries(ink_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS})
-    ink_use_precompiled(ink_${name} room)
+    if(ROOM_COLD)
+        ink_use_precompiled(ink_${name} cold)
+    else()
+        ink_use_precompiled(ink_${name} room)
+    endif()
 endfunction()
 
 # ink_test(ROOM SOURCES ... LINKS ...): the tests of one room, one program; each TEST is a ctest case.

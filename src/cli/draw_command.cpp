@@ -32,11 +32,11 @@ struct DrawArgs {
     std::vector<std::string> no_skip;
 };
 
-constexpr const char* kMethod = "mote4";  // unless one is named
+constexpr const char* kDrawnMethod = "mote4";  // unless one is named
 
 harness::MethodConfig config_of(const DrawArgs& args) {
     if (args.presets.empty()) {
-        return harness::make_configs(one_method(args.methods, kMethod), args.settings).front();
+        return harness::make_configs(one_method(args.methods, kDrawnMethod), args.settings).front();
     }
     if (args.presets.size() > 1 || !args.methods.empty()) {
         throw core::Error("--preset", "an image is of one method", "one file, no --method");
@@ -111,7 +111,7 @@ void add_draw_command(CLI::App& app) {
     command->add_option("-o,--output", args->file, "PNG or EXR file to write")
         ->type_name("FILE")
         ->required();
-    add_one_method_option(*command, args->methods, kMethod);
+    add_one_method_option(*command, args->methods, kDrawnMethod);
     add_set_option(*command, args->settings, "A parameter of the method: key=value");
     add_preset_option(*command, args->presets, "instead of --method");
     command->add_option("--view", args->view, "Name of the view (default: the first)")

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kWidth = 80;
+constexpr std::size_t kListWidth = 80;
 
 Json params_json(const std::vector<core::Param>& params) {
     Json list = Json::array();
@@ -162,7 +162,7 @@ std::string list_overview() {
                             topic.title,
                             names.size(),
                             topic.name,
-                            wrapped(fmt::format("{}", fmt::join(names, ", ")), kWidth, 2));
+                            wrapped(fmt::format("{}", fmt::join(names, ", ")), kListWidth, 2));
     }
     return text + "inkbench list all: everything with units, ranges and defaults\n";
 }

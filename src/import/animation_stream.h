@@ -12,14 +12,15 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
                   sizeof(scene::BoneWeight) == 8 && sizeof(std::size_t) == 8,
               "arrays travel as they lie in memory, without gaps");
 
+// The least that each kind takes in the stream, so that a claimed count can be judged.
+inline constexpr std::size_t kLeastNodeBytes = 156;
+inline constexpr std::size_t kLeastFramesBytes = 24;
+inline constexpr std::size_t kLeastSkinBytes = 44;
+inline constexpr std::size_t kBoneBytes = 132;
+
 /// Writes an animation, or reads it.
 template <class Stream, class Animation>
 void pass_animation(Stream& of, Animation& animation) {
-    // The least that each kind takes in the stream, so that a claimed count can be judged.
-    constexpr std::size_t kLeastNodeBytes = 156;
-    constexpr std::size_t kLeastFramesBytes = 24;
-    constexpr std::size_t kLeastSkinBytes = 44;
-    constexpr std::size_t kBoneBytes = 132;
     of.parts(animation.duration_s, animation.frames_per_s);
     of.list(animation.nodes, kLeastNodeBytes, [](Stream& stream, auto& node) {
         stream.parts(
