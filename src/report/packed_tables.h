@@ -13,8 +13,9 @@ namespace ink::report {
 /// all lines hold the same; {"words": [...], "at": [...]} for texts that repeat (at: index of the
 /// word, -1 for an empty field).
 ///
-/// Numbers keep their digits; inf and -inf stand among them as texts, nan and empty fields as null. A column is of texts if one field is neither number nor flag, or is a whole number
-/// of more than 15 digits, which JavaScript would round.
+/// Numbers keep their digits; inf and -inf stand among them as texts, nan and empty fields as null.
+/// A column is of texts if one field is neither number nor flag, or is a whole number of more than
+/// 15 digits, which JavaScript would round.
 [[nodiscard]] std::string packed_column(const std::vector<std::string>& fields);
 
 /// A CSV table (RFC 4180, heading first) as JSON: {"lines": count, "columns": {name: packed}}.
