@@ -8,8 +8,8 @@
 
 #include "draw/crosscheck_report.h"
 #include "experiment/summary/paired_differences.h"
-#include "report/text/verdict_terms.h"
 #include "report/text/text_table.h"
+#include "report/text/verdict_terms.h"
 #include "truth/line_class.h"
 
 namespace ink::report {
