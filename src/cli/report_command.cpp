@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/options/options.h"
 #include "core/error.h"
+#include "experiment/run_data.h"
 #include "report/run_page.h"
 
 namespace ink::cli {
@@ -50,7 +51,10 @@ void add_report_command(CLI::App& app) {
         "Exit codes: 0 done, 2 bad input.");
     command->callback([args] {
         const fs::path file = page_path(*args);
-        report::write_run_page({args->folders.begin(), args->folders.end()}, file);
+        std::vector<experiment::RunData> runs;
+        for (const std::string& folder : args->folders)
+            runs.push_back(experiment::read_run(folder));
+        report::write_run_page(runs, file);
         fmt::print("report: {}\n", file.string());
     });
 }

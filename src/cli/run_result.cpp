@@ -112,10 +112,10 @@ void print_warnings(const experiment::RunRecord& record,
 
 void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, bool is_json) {
     experiment::RunData run = experiment::read_run(folder);
+    const fs::path page = folder / "report.html";
+    report::write_run_page({run}, page);
     experiment::keep_one_place(run.tables);
     const std::vector<harness::Row>& rows = run.tables.rows;
-    const fs::path page = folder / "report.html";
-    report::write_run_page({folder}, page);
     if (!rows.empty()) {
         core::write_whole_file(folder / "verdict.md",
                                report::verdict_markdown(rows, run.tables.curves) + "\n");

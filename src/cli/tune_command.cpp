@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
+#include "experiment/run_data.h"
 #include "report/run_page.h"
 #include "tune/tune.h"
 #include "tune/tune_bound.h"
@@ -136,7 +137,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     }
     fmt::print("{}", tune::tune_summary(result, options));
     const std::filesystem::path page = options.out / "report.html";
-    report::write_run_page({options.out}, page);
+    report::write_run_page({experiment::read_run(options.out)}, page);
     fmt::print("report: {}\n", page.string());
     std::fflush(stdout);
     if (!args.no_bound) {

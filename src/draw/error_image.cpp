@@ -129,23 +129,6 @@ core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_
     return small;
 }
 
-/// Pixels for which `spreads` holds are copied to the right, down and both where `gives_way` does.
-template <class T, class Spreads, class GivesWay>
-core::Image<T> thicken_by(const core::Image<T>& image, Spreads spreads, GivesWay gives_way) {
-    core::Image<T> thick = image;
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            if (!spreads(image.at(x, y))) continue;
-            for (const auto& [u, v] : {std::pair(x + 1, y), {x, y + 1}, {x + 1, y + 1}}) {
-                if (image.contains(u, v) && gives_way(thick.at(u, v))) {
-                    thick.at(u, v) = image.at(x, y);
-                }
-            }
-        }
-    }
-    return thick;
-}
-
 }  // namespace
 
 RgbImage error_image(const Marks& marks) {
@@ -161,18 +144,6 @@ RgbImage truth_image(const core::Image<std::uint8_t>& labels) {
             return colour_of(static_cast<LineClass>(label)).rgb;
         });
     return image;
-}
-
-Marks thicken(const Marks& marks) {
-    return thicken_by(
-        marks,
-        [](Mark m) { return is_wrong(m) && score::is_miss(cause_of(m)); },
-        [](Mark m) { return m <= Mark::ignored; });
-}
-
-core::Image<std::uint8_t> thicken(const core::Image<std::uint8_t>& labels) {
-    const auto is_line = [](std::uint8_t l) { return l != 0 && l != kIgnoreLabel; };
-    return thicken_by(labels, is_line, [&](std::uint8_t l) { return !is_line(l); });
 }
 
 Marks shrink(const Marks& image, int factor) {

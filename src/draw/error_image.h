@@ -63,12 +63,6 @@ struct MarkOptions {
 /// A truth image in colour, each class in its own (palette.h).
 [[nodiscard]] RgbImage truth_image(const core::Image<std::uint8_t>& labels);
 
-/// The same with one-pixel lines made two pixels wide, so that they are seen when the image is
-/// shown smaller than it is: of labels all lines, of marks missing ones alone (drawn lines keep
-/// the width they were drawn with). Nothing but paper and ignored pixels is covered.
-[[nodiscard]] Marks thicken(const Marks& marks);
-[[nodiscard]] core::Image<std::uint8_t> thicken(const core::Image<std::uint8_t>& labels);
-
 /// `image` at 1/factor of its size (rounded up): each pixel is the one of its block that matters
 /// most, so that thin lines and rare errors survive, unlike in a mean. Marks: the later one in the
 /// enum. Labels: the lower class, `ignore` last.

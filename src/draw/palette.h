@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 #include <string_view>
 
@@ -26,9 +25,6 @@ inline constexpr Colour kGreen{{0, 158, 115}, "#009e73"};
 inline constexpr Colour kBlue{{0, 114, 178}, "#0072b2"};
 inline constexpr Colour kVermilion{{213, 94, 0}, "#d55e00"};
 inline constexpr Colour kPurple{{204, 121, 167}, "#cc79a7"};
-
-/// Of methods on charts, in the order of their rows; more methods than these get other markers.
-inline constexpr std::array kMethodColours = {kBlue, kVermilion, kGreen, kPurple, kOrange, kSky};
 
 // What a pixel of an error picture is.
 inline constexpr Colour kHitColour = kInk;

@@ -81,10 +81,10 @@ std::string column_docs(const std::vector<experiment::RunData>& runs) {
 }
 
 /// What each run is called: the end of its folder's path that tells it from the others.
-std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
+std::vector<std::string> labels_of(const std::vector<experiment::RunData>& runs) {
     std::vector<fs::path> whole;
-    for (const fs::path& folder : folders) {
-        const fs::path path = fs::absolute(folder).lexically_normal();
+    for (const experiment::RunData& run : runs) {
+        const fs::path path = fs::absolute(run.folder).lexically_normal();
         whole.push_back(path.has_filename() ? path : path.parent_path());
     }
     std::vector<std::string> labels;
@@ -127,11 +127,8 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 
 }  // namespace
 
-std::string run_page(const std::vector<fs::path>& folders) {
-    std::vector<experiment::RunData> runs;
-    for (const fs::path& folder : folders)
-        runs.push_back(experiment::read_run(folder));
-    const std::vector<std::string> labels = labels_of(folders);
+std::string run_page(const std::vector<experiment::RunData>& runs) {
+    const std::vector<std::string> labels = labels_of(runs);
     std::vector<std::string> packed;
     for (std::size_t i = 0; i < runs.size(); ++i)
         packed.push_back(run_json(runs[i], labels[i]));
@@ -148,8 +145,8 @@ std::string run_page(const std::vector<fs::path>& folders) {
                    {"images", packed_images(runs, kImageBudget_bytes)}});
 }
 
-void write_run_page(const std::vector<fs::path>& folders, const fs::path& file) {
-    core::write_whole_file(file, run_page(folders));
+void write_run_page(const std::vector<experiment::RunData>& runs, const fs::path& file) {
+    core::write_whole_file(file, run_page(runs));
 }
 
 }  // namespace ink::report

@@ -4,19 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "experiment/run_data.h"
+
 namespace ink::report {
 
-/// The page of the runs in `folders`, one at least: a single HTML file that needs no other and no
+/// The page of `runs`, one at least: a single HTML file that needs no other and no
 /// network. Several runs stand beside each other.
 ///
 /// What it shows is drawn by its own scripts (page/) from the runs' tables and images, which it
 /// holds as JSON. Images are shrunk, then left out for the last views, where the page would be
-/// larger than 20 MB. Throws core::Error (where = the folder or the file) for a folder without a
-/// run, and for tables and images that cannot be read.
-[[nodiscard]] std::string run_page(const std::vector<std::filesystem::path>& folders);
+/// larger than 20 MB. Throws core::Error (where = the file) for images that cannot be read.
+[[nodiscard]] std::string run_page(const std::vector<experiment::RunData>& runs);
 
 /// Writes run_page() to `file`, whole or not at all. Throws core::Error if it cannot be written.
-void write_run_page(const std::vector<std::filesystem::path>& folders,
+void write_run_page(const std::vector<experiment::RunData>& runs,
                     const std::filesystem::path& file);
 
 }  // namespace ink::report

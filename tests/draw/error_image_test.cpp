@@ -159,13 +159,5 @@ TEST(Shrink, KeepsWhatMattersMost) {
     EXPECT_EQ(shrink(digits({"7300"}), 1), digits({"7300"}));
 }
 
-TEST(Thicken, WidensLinesAndCoversNoOther) {
-    EXPECT_EQ(thicken(digits({"1.3", "...", "7.."})), digits({"113", "113", "7.."}));
-    Marks marks(3, 2);
-    marks.at(0, 0) = mark_of(score::Cause::cancelled);
-    marks.at(1, 0) = Mark::hit;
-    EXPECT_EQ(letters(thicken(marks)), (Letters{"mh.", "mm."}));
-}
-
 }  // namespace
 }  // namespace ink::draw

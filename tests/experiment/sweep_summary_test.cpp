@@ -1,12 +1,9 @@
 #include "experiment/summary/sweep_summary.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace ink::experiment {
 namespace {
-
-using testing::ElementsAre;
 
 /// `k` of 100 true pixels found with 100 drawn, in `ms`.
 harness::Row row_of(const std::string& method,
@@ -46,58 +43,33 @@ std::vector<harness::Row> small_sweep() {
             row_of("a", "k=6;threshold=9", 95, 25)};
 }
 
-TEST(SummariseFronts, KeepsOfEachSweepWhatNoOtherSettingBeats) {
-    const Fronts fronts = summarise_fronts(small_rows(), small_sweep());
-    EXPECT_TRUE(fronts.is_swept);
-    EXPECT_EQ(fronts.views, 1);
-    ASSERT_EQ(fronts.methods.size(), 1U);
-    const MethodSweep& sweep = fronts.methods[0];
-    ASSERT_EQ(sweep.settings.size(), 5U);
-    EXPECT_THAT(sweep.front, ElementsAre(2U, 0U, 3U));
-    EXPECT_TRUE(sweep.settings[0].is_default());
-    EXPECT_EQ(sweep.settings[1].difference, "threshold=7");
-    EXPECT_EQ(sweep.settings[3].difference, "k=5, threshold=30");
-    EXPECT_DOUBLE_EQ(sweep.settings[3].draw_ms, 20);
-    EXPECT_NEAR(sweep.settings[3].error, 0.05, 1e-12);
+TEST(SummariseSweep, NamesEachSettingByWhatItChanges) {
+    const std::vector<MethodSweep> methods = summarise_sweep(small_rows(), small_sweep());
+    ASSERT_EQ(methods.size(), 1U);
+    const std::vector<SettingSummary>& settings = methods[0].settings;
+    ASSERT_EQ(settings.size(), 5U);
+    EXPECT_TRUE(settings[0].is_default());
+    EXPECT_EQ(settings[1].difference, "threshold=7");
+    EXPECT_EQ(settings[3].difference, "k=5, threshold=30");
+    EXPECT_DOUBLE_EQ(settings[3].draw_ms, 20);
+    EXPECT_NEAR(settings[3].error, 0.05, 1e-12);
 }
 
-TEST(SummariseFronts, PoolsASettingOverItsViews) {
+TEST(SummariseSweep, PoolsASettingOverItsViews) {
     std::vector<harness::Row> sweep = small_sweep();
     sweep.push_back(elsewhere(row_of("a", "k=3;threshold=9", 40, 3), "torus"));
-    const Fronts fronts = summarise_fronts(small_rows(), sweep);
-    EXPECT_EQ(fronts.scenes, 2);
-    const SettingSummary& fast = fronts.methods[0].settings[2];
+    const SettingSummary fast = summarise_sweep(small_rows(), sweep)[0].settings[2];
     EXPECT_NEAR(fast.error, 0.5, 1e-12);  // 2 * (60 + 40) / 400
     EXPECT_DOUBLE_EQ(fast.draw_ms, 2);    // between 1 and 3
-    ASSERT_TRUE(fast.error_range);        // two scenes
-    EXPECT_NEAR(fast.error_range->low, 0.4, 1e-12);
-    EXPECT_NEAR(fast.error_range->high, 0.6, 1e-12);
 }
 
-TEST(SummariseFronts, TakesBaselinesFromTheSweptViewsAlone) {
-    const Fronts fronts = summarise_fronts(small_rows(), small_sweep());
-    ASSERT_EQ(fronts.baselines.size(), 2U);
-    EXPECT_EQ(fronts.baselines[1].method, "oracle");
-    EXPECT_EQ(fronts.baselines[1].views, 1) << "not that of the torus";
-}
-
-TEST(SummariseFronts, WithoutASweepHasEachMethodAsItComes) {
-    const Fronts fronts = summarise_fronts(small_rows(), {});
-    EXPECT_FALSE(fronts.is_swept);
-    ASSERT_EQ(fronts.methods.size(), 1U);
-    ASSERT_EQ(fronts.methods[0].settings.size(), 1U);
-    EXPECT_TRUE(fronts.methods[0].settings[0].is_default());
-    EXPECT_NEAR(fronts.methods[0].settings[0].error, 0.5, 1e-12);
-}
-
-TEST(SummariseFronts, LeavesOutWhatFailedOrHasNoTime) {
+TEST(SummariseSweep, LeavesOutWhatFailedOrHasNoTime) {
     std::vector<harness::Row> sweep = small_sweep();
     sweep[3].status = "failed: out of ink";
     sweep[4].draw_ns.reset();
-    const Fronts fronts = summarise_fronts(small_rows(), sweep);
-    EXPECT_EQ(fronts.methods[0].settings.size(), 3U);
-    EXPECT_THAT(fronts.methods[0].front, ElementsAre(2U, 0U));
-    EXPECT_TRUE(summarise_fronts({}, {}).methods.empty());
+    EXPECT_EQ(summarise_sweep(small_rows(), sweep)[0].settings.size(), 3U);
+    EXPECT_TRUE(summarise_sweep(small_rows(), {}).empty());
+    EXPECT_TRUE(summarise_sweep({}, {}).empty());
 }
 
 }  // namespace

@@ -305,7 +305,7 @@ class PageTest(unittest.TestCase):
     # ---- Warnings ---------------------------------------------------------------------------
 
     def test_a_failed_view_is_seen_without_scrolling(self):
-        # A sheet seen edge-on from its own plane: a view of no line has no score.
+        # As a run names a view whose truth is disputed.
         cut = self.folder / "cut"
         shutil.copytree(self.folder / "before", cut)
         with open(cut / "unscored.csv", "a") as file:

@@ -41,6 +41,7 @@ class RunPage : public testing::Test {
         record.asked = "methods = 'mote4'\n";
         record.state = experiment::RunState::finished;
         experiment::write_record(record, folder_);
+        run_.record = record;
         run_.folder = folder_;
         for (const char* view : {"front", "side"}) {
             harness::Row row = made_up_row("mote4", 0.8, 2);
@@ -69,7 +70,7 @@ class RunPage : public testing::Test {
 };
 
 TEST_F(RunPage, IsOneFileThatAsksForNothing) {
-    const std::string page = run_page({folder_});
+    const std::string page = run_page({run_});
     EXPECT_THAT(page, testing::StartsWith("<!doctype html>"));
     EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
     EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
@@ -77,17 +78,17 @@ TEST_F(RunPage, IsOneFileThatAsksForNothing) {
 }
 
 TEST_F(RunPage, NamesFromOutsideCloseNoElement) {
-    const std::string page = run_page({folder_});
+    const std::string page = run_page({run_});
     EXPECT_THAT(page, HasSubstr("inkbench compare \\u003c/script>"));
     const fs::path odd = folder_ / "<b>";
     fs::create_directories(odd);
     fs::copy(folder_ / "run.toml", odd / "run.toml");
-    EXPECT_THAT(run_page({odd}), HasSubstr("<title>Inkbench: &lt;b&gt;</title>"));
+    EXPECT_THAT(run_page({experiment::read_run(odd)}),
+                HasSubstr("<title>Inkbench: &lt;b&gt;</title>"));
 }
 
-TEST_F(RunPage, AFolderWithoutARunIsAnError) {
-    EXPECT_THROW((void)run_page({folder_ / "images"}), core::Error);
-    EXPECT_THROW(write_run_page({folder_}, folder_ / "no" / "page.html"), core::Error);
+TEST_F(RunPage, AFileThatCannotBeWrittenIsAnError) {
+    EXPECT_THROW(write_run_page({run_}, folder_ / "no" / "page.html"), core::Error);
 }
 
 TEST_F(RunPage, HoldsTheImagesOfEveryView) {

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <numeric>
 #include <string_view>
-#include <tuple>
 
 #include "statistics/bootstrap.h"
 
@@ -119,7 +117,6 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_macro = macro_f(scenes);
-    summary.f_median = statistics::quantile(f_2px, 0.5);
     summary.f_1px = pooled_where(
         rows, [](const harness::Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);
     summary.f_at_tolerances = f_at_tolerances(rows);
@@ -194,22 +191,6 @@ std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows) {
         return row->is_ok() && row->f_2px;
     });
     return pooled(good, counts_2px);
-}
-
-std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::tie(points[a].time, points[a].error) <
-               std::tie(points[b].time, points[b].error);
-    });
-    std::vector<std::size_t> front;
-    for (const std::size_t index : order) {
-        if (front.empty() || points[index].error < points[front.back()].error) {
-            front.push_back(index);
-        }
-    }
-    return front;
 }
 
 Verdict find_verdict(const std::vector<MethodSummary>& summaries) {

@@ -27,7 +27,6 @@ struct MethodSummary {
     std::optional<double> f_train;    ///< pooled over the views of training scenes
     std::optional<double> f_heldout;  ///< pooled over those of held-out scenes
     std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
-    std::optional<double> f_median;   ///< over views, each counting alike
     std::optional<int> threshold;     ///< at which it is scored, from its parameters
     std::vector<double>
         f_at_tolerances;             ///< pooled, at each of kTolerances_px; empty if not scored
@@ -61,16 +60,6 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
 /// Counts at 2 px summed over the views of each scene, in order of first appearance.
 [[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
     const std::vector<const harness::Row*>& rows);
-
-/// The error of a method, and what it pays for it.
-struct CostPoint {
-    double time = 0;
-    double error = 0;
-};
-
-/// Indices of the points that no other beats in both, from the fastest to the one with the lowest
-/// error. Of equal points the first stays.
-[[nodiscard]] std::vector<std::size_t> pareto_front(const std::vector<CostPoint>& points);
 
 /// Which method wins and which is cheapest, of those that are no baselines; null if none was scored
 /// (or, for `cheapest`, timed). They point into the summaries.

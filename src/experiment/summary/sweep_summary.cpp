@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+
+#include "experiment/summary/summary.h"
 
 namespace ink::experiment {
 namespace {
@@ -42,14 +45,7 @@ std::optional<SettingSummary> summarise_setting(const std::vector<harness::Row>&
                                                 const std::string& usual) {
     const MethodSummary s = summarise(rows).front();
     if (!s.f_2px || !s.draw_ms || *s.draw_ms <= 0) return std::nullopt;
-    SettingSummary setting;
-    setting.params = rows.front().params;
-    setting.difference = difference(setting.params, usual);
-    setting.draw_ms = *s.draw_ms;
-    setting.draw_ms_quartiles = s.draw_ms_quartiles;
-    setting.error = 1 - *s.f_2px;
-    if (s.f_2px_range) setting.error_range = {1 - s.f_2px_range->high, 1 - s.f_2px_range->low};
-    return setting;
+    return SettingSummary{difference(rows.front().params, usual), *s.draw_ms, 1 - *s.f_2px};
 }
 
 /// Rows by method and setting, both in order of first appearance.
@@ -66,53 +62,24 @@ std::vector<std::vector<harness::Row>> by_setting(const std::vector<harness::Row
     return groups;
 }
 
-void find_front(MethodSweep& sweep) {
-    std::vector<CostPoint> points;
-    for (const SettingSummary& setting : sweep.settings)
-        points.push_back({setting.draw_ms, setting.error});
-    sweep.front = pareto_front(points);
-}
-
 }  // namespace
 
-Fronts summarise_fronts(const std::vector<harness::Row>& rows,
-                        const std::vector<harness::Row>& sweep) {
-    Fronts fronts;
-    fronts.is_swept = !sweep.empty();
-    const std::vector<harness::Row>& shown = fronts.is_swept ? sweep : rows;
+std::vector<MethodSweep> summarise_sweep(const std::vector<harness::Row>& rows,
+                                         const std::vector<harness::Row>& sweep) {
+    std::vector<MethodSweep> methods;
     const auto usual = usual_params(rows);
-    for (const std::vector<harness::Row>& of_setting : by_setting(shown)) {
+    for (const std::vector<harness::Row>& of_setting : by_setting(sweep)) {
         const std::string& method = of_setting.front().method;
         const auto found = usual.find(method);
         const auto setting =
             summarise_setting(of_setting, found == usual.end() ? "" : found->second);
         if (!setting) continue;
-        auto known = std::find_if(fronts.methods.begin(), fronts.methods.end(), [&](const auto& m) {
-            return m.method == method;
-        });
-        if (known == fronts.methods.end()) {
-            known = fronts.methods.insert(known, MethodSweep{method, {}, {}});
-        }
+        auto known = std::find_if(
+            methods.begin(), methods.end(), [&](const auto& m) { return m.method == method; });
+        if (known == methods.end()) known = methods.insert(known, MethodSweep{method, {}});
         known->settings.push_back(*setting);
     }
-    for (MethodSweep& method : fronts.methods)
-        find_front(method);
-
-    std::set<harness::Place> places;
-    std::set<std::string> scenes;
-    for (const harness::Row& row : shown) {
-        places.insert(harness::place_of(row));
-        scenes.insert(row.scene);
-    }
-    std::vector<harness::Row> baselines;
-    std::copy_if(
-        rows.begin(), rows.end(), std::back_inserter(baselines), [&](const harness::Row& row) {
-            return harness::is_baseline(row.method) && places.count(harness::place_of(row)) != 0;
-        });
-    fronts.baselines = summarise(baselines);
-    fronts.views = static_cast<int>(places.size());
-    fronts.scenes = static_cast<int>(scenes.size());
-    return fronts;
+    return methods;
 }
 
 }  // namespace ink::experiment

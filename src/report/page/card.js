@@ -17,15 +17,7 @@ function answerPointer(node, rows, facts = []) {
     const target = node.node ? node.node() : node;
     target.classList.add('answers');
     target.setAttribute('tabindex', '0');
-    target.addEventListener('pointerenter', event => {
-        if (!card.isPinned && event.pointerType !== 'touch') showCard(shown, facts, event);
-    });
-    target.addEventListener('pointermove', event => {
-        if (!card.isPinned) moveCard(event.clientX, event.clientY);
-    });
-    target.addEventListener('pointerleave', () => {
-        if (!card.isPinned) hideCard();
-    });
+    answerHover(target, shown, facts);
     const pin = event => {
         event.stopPropagation();
         const box = target.getBoundingClientRect();
@@ -35,6 +27,19 @@ function answerPointer(node, rows, facts = []) {
     target.addEventListener('click', pin);
     target.addEventListener('keydown', event => {
         if (event.key === 'Enter') pin(event);
+    });
+}
+
+/// Shows the card of `rows` while the pointer is on `target`.
+function answerHover(target, rows, facts) {
+    target.addEventListener('pointerenter', event => {
+        if (!card.isPinned && event.pointerType !== 'touch') showCard(rows, facts, event);
+    });
+    target.addEventListener('pointermove', event => {
+        if (!card.isPinned && card.node) moveCard(event.clientX, event.clientY);
+    });
+    target.addEventListener('pointerleave', () => {
+        if (!card.isPinned) hideCard();
     });
 }
 

@@ -95,12 +95,12 @@ function familyButtons(families) {
     return element('span', {class: 'choices', role: 'group', 'aria-label': 'Families of methods'},
         families.map(family => {
             const isOn = chosen.includes(family);
-            const button = toggleButton((FAMILIES[family] || FAMILIES.other).title, isOn, () => {
+            const button = toggleButton(familyOf({family}).title, isOn, () => {
                 const left = isOn ? chosen.filter(f => f !== family) : [...chosen, family];
                 state.set({families: left.length === families.length || left.length === 0 ? null : left});
             });
             button.dataset.family = family;
-            button.style.setProperty('--family', (FAMILIES[family] || FAMILIES.other).colour);
+            button.style.setProperty('--family', familyOf({family}).colour);
             button.classList.add('family');
             return button;
         }));

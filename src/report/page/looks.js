@@ -34,9 +34,6 @@ function markerOf(info) {
     return MARKERS[info.marker] || MARKERS.circle;
 }
 
-/// Colours of runs that stand beside each other, the first one's first.
-const RUN_COLOURS = ['var(--run-1)', 'var(--run-2)', 'var(--run-3)', 'var(--run-4)', 'var(--run-5)'];
-
 const CLASS_COLOURS = {
     contour: 'var(--class-contour)',
     boundary: 'var(--class-boundary)',
@@ -130,11 +127,6 @@ const formatMs = formatNumber;
 
 function formatPercent(share, digits = 1) {
     return isNumber(share) ? `${(100 * share).toFixed(digits)} %` : NOTHING;
-}
-
-/// The room that names at the left of a chart take, in px.
-function nameRoom(names) {
-    return Math.max(60, 18 + 6.7 * (d3.max(names, name => name.length) || 0));
 }
 
 function count(number, noun) {

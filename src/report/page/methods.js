@@ -49,3 +49,27 @@ function infoColumn() {
 function baselineClass(line) {
     return line.isBaseline ? 'baseline' : null;
 }
+
+// ---- Settings ------------------------------------------------------------------------------
+
+/// The columns of sweep.csv that are parameters.
+function sweptParams(run) {
+    const names = run.table('sweep.csv').names;
+    return names.slice(names.indexOf('status') + 1, names.indexOf('f_2px'));
+}
+
+/// Whether two values of a parameter are the same, as texts or as numbers.
+function isSameValue(a, b) {
+    return String(a) === String(b) || (a !== '' && b !== null && Number(a) === Number(b));
+}
+
+/// A parameter's value without the digits that rounding leaves.
+function paramWords(value) {
+    return isNumber(value) ? String(Number(value.toPrecision(6))) : String(value);
+}
+
+/// What a setting changes of its method's own: "clip_bits=3, threshold=20"; "" if nothing.
+function changedParams(info, params, values) {
+    return params.filter(name => values[name] !== null && !isSameValue(info.params[name], values[name]))
+        .map(name => `${name}=${paramWords(values[name])}`).join(', ');
+}

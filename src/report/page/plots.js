@@ -37,7 +37,7 @@ function answerText(node, text) {
     target.addEventListener('blur', hideTip);
 }
 
-/// A method's name as the end of a line in a chart.
+/// The room, in px, that methods' names take beside a plot.
 function plotLabelWidth(lines) {
     return 24 + 6.8 * d3.max([4, ...lines.map(line => line.name.length)]);
 }
@@ -210,6 +210,14 @@ function drawStackedBars(chart, {bars, title, format = formatNumber, most = null
         group.append('text').attr('class', 'tick').attr('x', x(from) + 6).attr('y', middle + 4)
             .text(bar.pieces.length ? format(total(bar)) : NOTHING);
     }
+}
+
+/// Methods' names left of a plot, one a band from top to bottom, in the colours of their families.
+function drawNames(plot, infos, band_px) {
+    infos.forEach((info, i) => {
+        plot.append('text').attr('class', 'tick').attr('x', -10).attr('y', (i + 0.5) * band_px + 4)
+            .attr('text-anchor', 'end').style('fill', colourOf(info)).text(info.name);
+    });
 }
 
 /// How tall a chart of bars is for so many methods.

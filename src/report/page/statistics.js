@@ -36,7 +36,6 @@ for (const name of CLASSES) {
     MEASURES[name] = {
         title: `Recall of ${name} lines`,
         error: `Share of ${name} lines that is missed`,
-        isClass: true,
         counts: row => row[`k_${name}`] === null || !row[`truth_px_${name}`]
             ? null : [row[`k_${name}`], row[`truth_px_${name}`]],
     };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "experiment/summary/sweep_summary.h"
 #include "report/text/text_table.h"
@@ -32,11 +33,10 @@ const experiment::SettingSummary* own_of(const experiment::MethodSweep& sweep) {
 
 std::string best_settings_table(const std::vector<harness::Row>& rows,
                                 const std::vector<harness::Row>& sweep) {
-    if (sweep.empty()) return "";
-    const experiment::Fronts fronts = experiment::summarise_fronts(rows, sweep);
-    if (fronts.methods.empty()) return "";
+    const std::vector<experiment::MethodSweep> methods = experiment::summarise_sweep(rows, sweep);
+    if (methods.empty()) return "";
     core::Cells cells = {{"method", "settings", "F own", "F best", "ms", "best setting"}};
-    for (const experiment::MethodSweep& method : fronts.methods) {
+    for (const experiment::MethodSweep& method : methods) {
         const experiment::SettingSummary& best = best_of(method);
         const experiment::SettingSummary* own = own_of(method);
         cells.push_back({method.method,
@@ -46,9 +46,15 @@ std::string best_settings_table(const std::vector<harness::Row>& rows,
                          format_ms(best.draw_ms),
                          best.is_default() ? "its own" : best.difference});
     }
+    std::set<harness::Place> places;
+    std::set<std::string> scenes;
+    for (const harness::Row& row : sweep) {
+        places.insert(harness::place_of(row));
+        scenes.insert(row.scene);
+    }
     return fmt::format("Best settings over {} views of {} scenes:\n{}",
-                       fronts.views,
-                       fronts.scenes,
+                       places.size(),
+                       scenes.size(),
                        core::aligned(cells));
 }
 

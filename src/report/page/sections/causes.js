@@ -55,15 +55,14 @@ function causeTotals(summary) {
 }
 
 function drawCauseChart(chart, lines, unit, isShare) {
-    const {plot, width, height} = plotArea(chart, {left: nameRoom(lines.map(line => line.method)), right: 16, top: 8, bottom: 46});
+    const {plot, width, height} = plotArea(chart, {left: plotLabelWidth(lines.map(line => line.info)), right: 16, top: 8, bottom: 46});
     const most = kind => d3.max(lines, line => unit(line) * line[kind]) || 0;
     const x = d3.scaleLinear().domain([-most('missing') * 1.02 || -1, most('false') * 1.02 || 1]).range([0, width]);
     drawAxis(plot, x, {side: 'bottom', title: `missing ←   ${isShare ? '% of the true pixels' : 'pixels'}   → false`,
                        length: width, across: height, format: value => formatNumber(Math.abs(value))});
     const band = height / lines.length;
+    drawNames(plot, lines.map(line => line.info), band);
     lines.forEach((line, i) => {
-        plot.append('text').attr('class', 'tick').attr('x', -10).attr('y', (i + 0.5) * band + 4)
-            .attr('text-anchor', 'end').style('fill', colourOf(line.info)).text(line.method);
         const from = {false_negatives: 0, false_positives: 0};
         const bar = plot.append('g').attr('class', 'point');
         for (const cause of CAUSES) {

@@ -28,14 +28,11 @@ addSection({
 
 /// A panel a class, side by side; methods from top to bottom.
 function drawClassChart(chart, methods, classes, points) {
-    const {plot, width, height} = plotArea(chart, {left: nameRoom(methods.map(s => s.method)), right: 12, top: 30, bottom: 34});
+    const {plot, width, height} = plotArea(chart, {left: plotLabelWidth(methods.map(s => s.info)), right: 12, top: 30, bottom: 34});
     const gap = 22;
     const wide = (width - gap * (classes.length - 1)) / classes.length;
     const band = height / methods.length;
-    methods.forEach((s, i) => {
-        plot.append('text').attr('class', 'tick').attr('x', -10).attr('y', (i + 0.5) * band + 4)
-            .attr('text-anchor', 'end').style('fill', colourOf(s.info)).text(s.method);
-    });
+    drawNames(plot, methods.map(s => s.info), band);
     classes.forEach((name, index) => {
         const panel = plot.append('g').attr('transform', `translate(${index * (wide + gap)},0)`);
         const ofClass = points.filter(p => p.name === name);

@@ -31,17 +31,16 @@ addSection({
 
 /// Lines of {method, info, rows, difference} as points with intervals round 0.
 function drawDifferences(chart, lines, title) {
-    const {plot, width, height} = plotArea(chart, {left: nameRoom(lines.map(line => line.method)), right: 90, top: 8, bottom: 46});
+    const {plot, width, height} = plotArea(chart, {left: plotLabelWidth(lines.map(line => line.info)), right: 90, top: 8, bottom: 46});
     const ends = lines.flatMap(({difference: d}) => (d.range ? [d.range.low, d.range.high, d.value] : [d.value]));
     const x = makeScale([0, ...ends], [0, width]);
     drawAxis(plot, x, {side: 'bottom', title, length: width, across: height, format: v => formatSigned(Number(v.toFixed(4)), 3)});
     plot.append('line').attr('class', 'zero').attr('x1', x(0)).attr('x2', x(0)).attr('y1', 0).attr('y2', height);
     const band = height / Math.max(1, lines.length);
+    drawNames(plot, lines.map(line => line.info), band);
     lines.forEach((line, i) => {
         const y = (i + 0.5) * band;
         const {difference} = line;
-        plot.append('text').attr('class', 'tick').attr('x', -10).attr('y', y + 4).attr('text-anchor', 'end')
-            .style('fill', colourOf(line.info)).text(line.method);
         if (difference.range) {
             plot.append('line').attr('class', 'interval').style('stroke', colourOf(line.info))
                 .attr('x1', x(difference.range.low)).attr('x2', x(difference.range.high)).attr('y1', y).attr('y2', y);

@@ -19,12 +19,6 @@ addSection({
     },
 });
 
-/// The columns of sweep.csv that are parameters.
-function sweptParams(run) {
-    const names = run.table('sweep.csv').names;
-    return names.slice(names.indexOf('status') + 1, names.indexOf('f_2px'));
-}
-
 /// Swept methods: {name, info, params: those that vary, settings: [{values, f, ms, views, rows}], own}.
 function sweptMethods(view) {
     const lines = view.run.joined('sweep.csv').filter(line => view.isMethodShown(line.method) && isSceneShown(line) &&
@@ -39,16 +33,6 @@ function sweptMethods(view) {
     }).filter(method => method.settings.length > 1);
 }
 
-/// Whether two values of a parameter are the same, as texts or as numbers.
-function isSameValue(a, b) {
-    return String(a) === String(b) || (a !== '' && b !== null && Number(a) === Number(b));
-}
-
-/// A parameter's value without the digits that rounding leaves.
-function paramWords(value) {
-    return isNumber(value) ? String(Number(value.toPrecision(6))) : String(value);
-}
-
 function sweptSetting(method, params, lines) {
     const values = Object.fromEntries(params.map(name => [name, lines[0][name]]));
     const scored = lines.filter(line => isNumber(line.k_2px));
@@ -57,8 +41,7 @@ function sweptSetting(method, params, lines) {
         f: scored.length ? fOf(sumOf(scored, 'k_2px'), sumOf(scored, 'n_pred'), sumOf(scored, 'n_truth')) : null,
         ms: medianOf(lines.map(line => (isNumber(line.draw_ns) ? line.draw_ns * 1e-6 : null))),
         isOwn: params.every(name => isSameValue(method.info.params[name], values[name])),
-        words: params.filter(name => !isSameValue(method.info.params[name], values[name]))
-            .map(name => `${name}=${paramWords(values[name])}`).join(', ') || 'its own setting',
+        words: changedParams(method.info, params, values) || 'its own setting',
     };
 }
 

@@ -51,24 +51,13 @@ function settingsOf(view) {
     if (!['f_2px', 'precision', 'recall'].includes(view.measure)) return [];
     const lines = view.run.joined('sweep.csv').filter(
         line => view.isMethodShown(line.method) && isSceneShown(line) && line.status === 'ok');
-    const own = new Set(['cell', 'setting', 'status']);
-    const swept = view.run.table('sweep.csv').names.filter(name => !own.has(name) && !(name in SWEEP_NUMBERS) &&
-        !columnDoc('sweep.csv', name));
+    const swept = sweptParams(view.run);
     return [...groupBy(lines, line => `${line.method}\n${swept.map(name => line[name]).join(';')}`).values()].map(rows => {
         const info = view.run.methods.get(rows[0].method);
         const made = summarise(info, rows, view.measure);
-        const changed = swept.filter(name => rows[0][name] !== null && String(rows[0][name]) !== String(info.params[name]));
         return {...made, rows: [], range: null, msRange: null, isSetting: true,
-                setting: changed.map(name => `${name}=${rows[0][name]}`).join(', ')};
+                setting: changedParams(info, swept, rows[0])};
     }).filter(line => line.value !== null && line.ms !== null);
-}
-
-/// Columns of sweep.csv that are results and no parameters, for tables without docs.
-const SWEEP_NUMBERS = {f_2px: 1, precision_2px: 1, recall_2px: 1, k_2px: 1, n_pred: 1, n_truth: 1};
-
-function columnDoc(table, name) {
-    const docs = window.columnDocs && window.columnDocs[table];
-    return docs && docs[name];
 }
 
 function drawTimeChart(chart, view, lines, {isBytes, isError}) {
