@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/disjoint_sets.h"
+#include "scene/rounding.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 
@@ -55,8 +56,7 @@ std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
         const scene::Face& f = topology.faces[faces[0]];
         const scene::Face& g = topology.faces[faces[1]];
         if (!over_objects && f.object != g.object) continue;
-        if (scene::deviation_rad(topology, edge, faces[0], faces[1]) >= options.crease_rad)
-            continue;
+        if (scene::is_crease(topology, edge, faces[0], faces[1], options.crease_rad)) continue;
         sets.join(f.triangle, g.triangle);
     }
     if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);

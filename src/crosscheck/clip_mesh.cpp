@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/parallel.h"
+#include "scene/rounding.h"
 
 namespace ink::crosscheck {
 namespace {
@@ -18,14 +20,30 @@ double cross_xy(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-double diagonal(const std::vector<glm::dvec3>& points) {
-    if (points.empty()) return 0;
-    glm::dvec3 low = points[0], high = points[0];
-    for (const glm::dvec3& p : points) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+/// Per object 1e-6 of the diagonal of the box round it, and no less than what two rounded vertices
+/// may be off.
+std::vector<double> tolerances(const scene::Topology& topology) {
+    struct Part {
+        glm::dvec3 low{std::numeric_limits<double>::infinity()};
+        glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+        double rounding = 0;
+    };
+    std::vector<Part> parts;
+    for (const scene::Face& face : topology.faces) {
+        if (face.object >= parts.size()) parts.resize(face.object + 1);
+        Part& part = parts[face.object];
+        for (const std::uint32_t v : face.vertices) {
+            part.low = glm::min(part.low, topology.p_world[v]);
+            part.high = glm::max(part.high, topology.p_world[v]);
+            part.rounding = std::max(part.rounding, topology.rounding_world[v]);
+        }
     }
-    return glm::length(high - low);
+    std::vector<double> result;
+    for (const Part& part : parts) {
+        const double diagonal = part.low.x > part.high.x ? 0 : glm::length(part.high - part.low);
+        result.push_back(std::max(kRelativeTolerance * diagonal, 2 * part.rounding));
+    }
+    return result;
 }
 
 /// The angle between two vectors, 0..pi.
@@ -43,7 +61,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       projection_(view),
       crease_rad_(options.crease_rad),
       material_seams_(options.material_seams),
-      tolerance_(kRelativeTolerance * diagonal(topology.p_world)),
+      tolerances_(tolerances(topology)),
       p_clip_(topology.p_world.size()),
       kinds_(topology.edges.size()) {
     const auto in_chunks = [&](std::size_t count, auto&& body) {
@@ -139,16 +157,6 @@ int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
     return sign * glm::dot(glm::cross(a, b), c) > 0 ? 1 : -1;  // behind the eye: never seen
 }
 
-double ClipMesh::deviation_at(const scene::Edge& edge,
-                              std::uint32_t face0,
-                              std::uint32_t face1) const {
-    const glm::dvec3 a = topology_.p_world[edge.a];
-    const glm::dvec3 along = topology_.p_world[edge.b] - a;
-    const glm::dvec3 normal0 = glm::cross(along, topology_.p_world[opposite(edge, face0)] - a);
-    const glm::dvec3 normal1 = glm::cross(topology_.p_world[opposite(edge, face1)] - a, along);
-    return angle_between(normal0, normal1);
-}
-
 bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
     const scene::Face &f0 = topology_.faces[face0], &f1 = topology_.faces[face1];
     return f0.object != f1.object || (material_seams_ && f0.material != f1.material);
@@ -157,7 +165,8 @@ bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
 truth::LineClass ClipMesh::class_between(const scene::Edge& edge,
                                          std::uint32_t face0,
                                          std::uint32_t face1) const {
-    if (deviation_at(edge, face0, face1) >= crease_rad_) return truth::LineClass::crease;
+    if (scene::is_crease(topology_, edge, face0, face1, crease_rad_))
+        return truth::LineClass::crease;
     return is_seam(face0, face1) ? truth::LineClass::seam : truth::LineClass::none;
 }
 
@@ -254,16 +263,32 @@ double ClipMesh::deviation_between(std::uint32_t face0, std::uint32_t face1) con
 }
 
 bool ClipMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
-    const auto& v = topology_.faces[face0].vertices;
-    const auto& w = topology_.faces[face1].vertices;
-    const glm::dvec3 a = topology_.p_world[v[0]];
-    const glm::dvec3 u0 = topology_.p_world[v[1]] - a, u1 = topology_.p_world[v[2]] - a;
+    const auto point = [&](std::uint32_t face, std::size_t i) {
+        return scene::rounded_point(topology_, topology_.faces[face].vertices[i]);
+    };
+    const scene::RoundedPoint a = point(face0, 0), b = point(face0, 1), c = point(face0, 2);
+    const glm::dvec3 u0 = b.p - a.p, u1 = c.p - a.p;
     const glm::dvec3 n = glm::cross(u0, u1);
-    return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
-        const glm::dvec3 d = topology_.p_world[i] - a;
-        const double rounding = kEdgeOn * glm::length(u0) * glm::length(u1) * glm::length(d);
-        return std::abs(glm::dot(n, d)) <= rounding;
-    });
+    for (std::size_t i = 0; i < 3; ++i) {
+        const scene::RoundedPoint corner = point(face1, i);
+        const glm::dvec3 d = corner.p - a.p;
+        const double noise = kEdgeOn * glm::length(u0) * glm::length(u1) * glm::length(d);
+        if (std::abs(glm::dot(n, d)) > noise + scene::orient3d_doubt(a, b, c, corner)) return false;
+    }
+    return true;
+}
+
+double ClipMesh::tolerance(std::uint32_t face, double w) const {
+    constexpr double kUnseen_px = 1.0 / 64;
+    const double unseen = kUnseen_px * std::max(w, view_.camera.near) / projection_.focal_px();
+    return std::min(tolerances_[topology_.faces[face].object], unseen);
+}
+
+double ClipMesh::rounding(std::uint32_t face) const {
+    double most = 0;
+    for (const std::uint32_t v : topology_.faces[face].vertices)
+        most = std::max(most, topology_.rounding_world[v]);
+    return most;
 }
 
 bool ClipMesh::goes_on(std::uint32_t from,

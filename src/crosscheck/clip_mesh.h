@@ -90,12 +90,16 @@ class ClipMesh {
                                std::uint32_t face,
                                const glm::dvec3& p_world,
                                const Closeness& close) const;
-    /// Whether two faces lie in one plane, as far as double can tell.
+    /// Whether two faces lie in one plane, as far as the rounding of their vertices can tell.
     [[nodiscard]] bool is_level(std::uint32_t face0, std::uint32_t face1) const;
     [[nodiscard]] bool is_seam(std::uint32_t face0, std::uint32_t face1) const;
     [[nodiscard]] double crease_rad() const { return crease_rad_; }
-    /// 1e-6 of the diagonal of the box round the scene, world units.
-    [[nodiscard]] double tolerance() const { return tolerance_; }
+    /// By how much a surface may gape or overlap and still go on, at this distance along the view
+    /// direction: the weld tolerance of the face's object, 1e-6 of the diagonal of the box round
+    /// it, and no more than 1/64 px on the image; world units.
+    [[nodiscard]] double tolerance(std::uint32_t face, double w) const;
+    /// How far rounding to float may have moved any vertex of a face, world units.
+    [[nodiscard]] double rounding(std::uint32_t face) const;
 
   private:
     /// Edges of two faces are judged once; `mixed` ones (three faces and more) where they are met.
@@ -105,9 +109,6 @@ class ClipMesh {
     /// Which side of the plane through eye and edge a face lies on: 1, -1, 0 in it.
     [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const;
     [[nodiscard]] std::uint32_t opposite(const scene::Edge& edge, std::uint32_t face) const;
-    [[nodiscard]] double deviation_at(const scene::Edge& edge,
-                                      std::uint32_t face0,
-                                      std::uint32_t face1) const;
     [[nodiscard]] truth::LineClass class_between(const scene::Edge& edge,
                                                  std::uint32_t face0,
                                                  std::uint32_t face1) const;
@@ -119,7 +120,7 @@ class ClipMesh {
     scene::Projection projection_;
     double crease_rad_;
     bool material_seams_;
-    double tolerance_ = 0;
+    std::vector<double> tolerances_;  ///< per object
     std::vector<glm::dvec3> p_clip_;
     std::vector<EdgeKind> kinds_;
 };

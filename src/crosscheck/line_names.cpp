@@ -7,12 +7,14 @@
 #include <limits>
 #include <numbers>
 
+#include "scene/predicates.h"
+#include "scene/rounding.h"
+
 namespace ink::crosscheck {
 namespace {
 
 using namespace walking;
 
-constexpr double kTouching = 1e-6;    ///< weld tolerances
 constexpr double kSameDepth = 1e-11;  ///< relative: what double leaves of equal depths
 
 double depth_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec2& p_px) {
@@ -32,8 +34,13 @@ double slant_of_planes(const ClipMesh& mesh, std::uint32_t face0, std::uint32_t 
     return slant_of({difference.x, difference.y});
 }
 
-/// Whether the surface that is seen beyond the end of an edge of two faces touches it there, to
-/// within what double leaves.
+/// By how much two faces may be apart and yet touch, as far as rounding can tell.
+double touching(const ClipMesh& mesh, std::uint32_t face0, std::uint32_t face1) {
+    return mesh.rounding(face0) + mesh.rounding(face1);
+}
+
+/// Whether the surface that is seen beyond the end of an edge of two faces touches it there, as far
+/// as rounding can tell.
 bool is_touched(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) {
     if (beyond.sight.face == kNothing) return false;
     const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_end);
@@ -41,7 +48,7 @@ bool is_touched(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) 
     const std::array<std::uint32_t, 3> faces{
         beyond.sight.face, back.face, has_met ? back.met.face : back.face};
     return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
-        return mesh.goes_on(end.face, face, end.p_world, {kTouching * mesh.tolerance(), 0});
+        return mesh.goes_on(end.face, face, end.p_world, {touching(mesh, end.face, face), 0});
     });
 }
 
@@ -53,14 +60,14 @@ bool goes_on(const SightRays& rays, const MetEdge& end, const Sample& beyond, Sa
     next = beyond;
     if (end.line_class != truth::LineClass::boundary) return is_touched(mesh, end, beyond);
     const double px_per_unit = mesh.projection().focal_px() / end.w;
-    const Closeness close{mesh.tolerance(), 4.0 / 512 / px_per_unit};
+    const double tolerance = mesh.tolerance(end.face, end.w);
+    const Closeness close{tolerance, 4.0 / 512 / px_per_unit};
     const auto continues = [&](const Sample& sample) {
         return sample.sight.face != kNothing &&
                mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
     };
     if (continues(beyond)) return true;
-    next.p_px =
-        mesh.px(end.p_world) + end.outward * (2 * mesh.tolerance() * px_per_unit + 1.0 / 512);
+    next.p_px = mesh.px(end.p_world) + end.outward * (2 * tolerance * px_per_unit + 1.0 / 512);
     next.sight = rays.look(next.p_px);
     return continues(next);
 }
@@ -83,18 +90,30 @@ void add_end(const SightRays& rays, const MetEdge& end, const Sample& beyond, Be
     if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
 }
 
-/// By how much a point lies on the far side of a face's plane as the eye sees it, world units; 0
-/// where double cannot tell it from a point of the plane.
-double depth_under(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+/// On which side of a face's plane a point lies as the eye sees it: 1 the far side, -1 the near
+/// one, 0 where rounding may have moved it off the plane.
+int side_under(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPoint& point) {
     const auto& v = mesh.topology().faces[face].vertices;
     const auto& p = mesh.topology().p_world;
-    const glm::dvec3 n = glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
-    const double height = glm::dot(n, p_world - p[v[0]]);
-    const double towards_eye = glm::dot(n, mesh.projection().eye_world() - p[v[0]]);
-    const double noise =
-        16 * std::numeric_limits<double>::epsilon() * (glm::length(p_world) + glm::length(p[v[0]]));
-    if (!(std::abs(height) > noise)) return 0;
-    return towards_eye > 0 ? -height : height;
+    const glm::dvec3 &a = p[v[0]], &b = p[v[1]], &c = p[v[2]];
+    const double volume = scene::orient3d_value(a, b, c, point.p);
+    const double off = mesh.rounding(face) + point.rounding;
+    if (std::abs(volume) <= off * glm::length(glm::cross(b - a, c - a))) return 0;
+    return (volume > 0 ? -1 : 1) * scene::orient3d(a, b, c, mesh.projection().eye_world());
+}
+
+/// The same of a vertex, 0 also where the rounding of the face turns its plane that far.
+int sure_side_under(const ClipMesh& mesh, std::uint32_t face, std::uint32_t vertex) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto point = [&](std::uint32_t i) { return scene::rounded_point(mesh.topology(), i); };
+    return -scene::sure_orient3d(point(v[0]), point(v[1]), point(v[2]), point(vertex)) *
+           scene::orient3d(
+               point(v[0]).p, point(v[1]).p, point(v[2]).p, mesh.projection().eye_world());
+}
+
+/// A point of an edge that was met on the way.
+scene::RoundedPoint point_of(const ClipMesh& mesh, const MetEdge& met) {
+    return {met.p_world, mesh.rounding(met.face)};
 }
 
 /// Whether the surface that is seen beyond an end already covers the end itself: then the two cross
@@ -108,12 +127,11 @@ bool is_under(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) {
     const double w = ClipMesh::plane_depth(mesh.local_face(cover.face, end_px));
     if (w < mesh.view().camera.near) return false;
     const auto& v = mesh.topology().faces[end.face].vertices;
-    const auto& p = mesh.topology().p_world;
-    const double under_a = depth_under(mesh, cover.face, p[v[end.side]]);
-    const double under_b = depth_under(mesh, cover.face, p[v[(end.side + 1) % 3]]);
+    const auto under = [&](std::size_t i) { return sure_side_under(mesh, cover.face, v[i % 3]); };
+    const int under_a = under(end.side), under_b = under(end.side + 1);
     // An edge that begins in the plane and goes under it is under it at once.
-    if (under_a * under_b >= 0) return under_a + under_b > 0;
-    return depth_under(mesh, cover.face, end.p_world) > 0;
+    if (under_a * under_b >= 0 && under_a + under_b != 0) return under_a + under_b > 0;
+    return side_under(mesh, cover.face, point_of(mesh, end)) > 0;
 }
 
 /// The ends of the surfaces that are seen at the two samples: of the nearer one, of both where they
@@ -127,9 +145,9 @@ void add_ends(const SightRays& rays,
         return samples[i].sight.face != kNothing && !walks[i].has_arrived &&
                walks[i].met.line_class != truth::LineClass::none;
     };
-    const double reach = 4 * mesh.tolerance();
     for (std::size_t i = 0; i < 2; ++i) {
         if (!has_ended(i)) continue;
+        const double reach = 4 * mesh.tolerance(walks[i].met.face, walks[i].met.w);
         const bool is_behind = has_ended(1 - i) && walks[1 - i].met.w + reach < walks[i].met.w;
         if (is_behind) continue;
         if (is_under(mesh, walks[i].met, samples[1 - i])) {
@@ -150,8 +168,8 @@ bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
     if (met.w < mesh.view().camera.near) return false;
     const glm::dvec2 met_px = mesh.px(met.p_world);
     const Walk cover = walk(mesh, other, met_px, Stop::at_end);
-    if (cover.has_arrived) return depth_under(mesh, cover.face, met.p_world) < 0;
-    return glm::length(cover.met.p_world - met.p_world) > kTouching * mesh.tolerance();
+    if (cover.has_arrived) return side_under(mesh, cover.face, point_of(mesh, met)) < 0;
+    return glm::length(cover.met.p_world - met.p_world) > touching(mesh, cover.face, met.face);
 }
 
 /// Tells a feature that the surface seen at sample `i` passes before the other hides it: seen,
@@ -179,9 +197,12 @@ bool add_overlap(const ClipMesh& mesh,
         const std::uint32_t seen = samples[1 - i].sight.face;
         if (!walks[i].has_arrived || !mesh.is_level(walks[i].face, seen)) continue;
         const MetEdge& met = walks[i].met;
-        if (met.line_class != truth::LineClass::none) {
+        const bool is_seam = mesh.is_seam(samples[i].sight.face, seen);
+        // A seam on the way was one to a surface that the seen one covers.
+        const bool is_covered = met.line_class == truth::LineClass::seam && !is_seam;
+        if (met.line_class != truth::LineClass::none && !is_covered) {
             between.lines[between.count++] = {met.line_class, met.slant()};
-        } else if (mesh.is_seam(samples[i].sight.face, seen)) {
+        } else if (is_seam) {
             // The other surface is what bends here.
             between.lines[between.count++] = {truth::LineClass::seam, walks[1 - i].met.slant()};
         }
@@ -191,7 +212,7 @@ bool add_overlap(const ClipMesh& mesh,
 }
 
 /// Whether a border of the face passes the point within two weld tolerances.
-bool has_border_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world) {
+bool has_border_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world, double w) {
     const scene::Face& f = mesh.topology().faces[face];
     const auto& p = mesh.topology().p_world;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -199,7 +220,7 @@ bool has_border_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p
         const glm::dvec3 a = p[f.vertices[i]], along = p[f.vertices[(i + 1) % 3]] - a;
         const double t =
             std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
-        if (glm::length(p_world - (a + t * along)) <= 2 * mesh.tolerance()) return true;
+        if (glm::length(p_world - (a + t * along)) <= 2 * mesh.tolerance(face, w)) return true;
     }
     return false;
 }
@@ -221,8 +242,8 @@ bool is_slit(const ClipMesh& mesh,
     // Either may show its back: where the surface folds before the eye its borders are drawn.
     const double deviation = mesh.deviation_between(faces[0], faces[1]);
     return std::min(deviation, std::numbers::pi - deviation) < mesh.crease_rad() &&
-           !mesh.is_seam(faces[0], faces[1]) && has_border_at(mesh, faces[0], p_world) &&
-           has_border_at(mesh, faces[1], p_world);
+           !mesh.is_seam(faces[0], faces[1]) && has_border_at(mesh, faces[0], p_world, w) &&
+           has_border_at(mesh, faces[1], p_world, w);
 }
 
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane

@@ -115,9 +115,9 @@ bool is_defect(const ClipMesh& mesh, const Walk& there, const Walk& back) {
     const MetEdge &a = there.met, &b = back.met;
     return a.line_class == truth::LineClass::boundary &&
            b.line_class == truth::LineClass::boundary &&
-           glm::length(a.p_world - b.p_world) <= 4 * mesh.tolerance() &&
+           glm::length(a.p_world - b.p_world) <= 4 * mesh.tolerance(a.face, a.w) &&
            !mesh.is_seam(a.face, b.face) &&
-           mesh.goes_on(a.face, b.face, a.p_world, {mesh.tolerance(), 0});
+           mesh.goes_on(a.face, b.face, a.p_world, {mesh.tolerance(a.face, a.w), 0});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/error.h"
@@ -16,7 +17,7 @@ namespace {
 
 /// What Embree's float distances cannot put in order is offered to the filter all the same.
 constexpr float kSlack = 1 + 1e-4F;
-constexpr double kSame = 1e-11;  ///< relative: depths as close as this are equal
+constexpr double kAlmost = 1e-5;  ///< relative: behind that, no face lies in the plane of another
 
 /// One look on its way through the tree.
 struct Look {
@@ -30,7 +31,7 @@ struct Look {
 
     void add(const Sight& sight) {
         nearest = std::min(nearest, sight.w);
-        const auto is_behind = [&](const Sight& s) { return s.w > nearest * (1 + kSame); };
+        const auto is_behind = [&](const Sight& s) { return s.w > nearest * (1 + kAlmost); };
         count = std::remove_if(front.begin(), front.begin() + count, is_behind) - front.begin();
         if (!is_behind(sight) && count < front.size()) front[count++] = sight;
     }
@@ -151,10 +152,16 @@ Sight SightRays::look(const glm::dvec2& p_px) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     truth::embree::intersect(handles_->scene, look.context, &take, query);
 
-    if (look.count == 0) return {};
-    return *std::min_element(look.front.begin(),
-                             look.front.begin() + look.count,
-                             [](const Sight& a, const Sight& b) { return a.face < b.face; });
+    const std::span<const Sight> front(look.front.data(), look.count);
+    if (front.empty()) return {};
+    Sight seen = *std::min_element(front.begin(), front.end(), [](const Sight& a, const Sight& b) {
+        return a.w != b.w ? a.w < b.w : a.face < b.face;
+    });
+    const std::uint32_t nearest = seen.face;
+    for (const Sight& sight : front) {
+        if (sight.face < seen.face && mesh_.is_level(nearest, sight.face)) seen = sight;
+    }
+    return seen;
 }
 
 }  // namespace ink::crosscheck

@@ -26,8 +26,8 @@ class SightRays {
     SightRays& operator=(const SightRays&) = delete;
 
     /// The nearest triangle that holds the point and is not in front of the near plane there; of
-    /// equally near ones the lowest. Where Embree names a neighbour that the point misses by at
-    /// most 1e-3 px, the surface is followed from there.
+    /// those in one plane with it, as far as rounding can tell, the lowest. Where Embree names a
+    /// neighbour that the point misses by at most 1e-3 px, the surface is followed from there.
     [[nodiscard]] Sight look(const glm::dvec2& p_px) const;
 
     [[nodiscard]] const ClipMesh& mesh() const { return mesh_; }

@@ -9,6 +9,7 @@
 
 #include "core/disjoint_sets.h"
 #include "scene/predicates.h"
+#include "scene/rounding.h"
 
 namespace ink::scene {
 namespace {
@@ -51,7 +52,7 @@ core::DisjointSets join_smooth_corners(const Topology& topology, double crease_r
         const Face& f = topology.faces[faces[0]];
         const Face& g = topology.faces[faces[1]];
         if (runs_forward(f, edge) == runs_forward(g, edge)) continue;
-        if (deviation_rad(topology, edge, faces[0], faces[1]) >= crease_rad) continue;
+        if (is_crease(topology, edge, faces[0], faces[1], crease_rad)) continue;
         for (const std::uint32_t v : {edge.a, edge.b}) {
             sets.join(3 * faces[0] + corner_at(f, v), 3 * faces[1] + corner_at(g, v));
         }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "core/hash.h"
@@ -80,6 +81,22 @@ FaceKey sorted(FaceKey key) {
 
 glm::dvec3 place(const Instance& instance, const glm::vec3& p_object) {
     return without_negative_zero(to_world(instance, p_object));
+}
+
+/// Half a unit in the last place of the largest coordinate.
+double half_ulp(const glm::vec3& p_object) {
+    const float largest =
+        std::max({std::abs(p_object.x), std::abs(p_object.y), std::abs(p_object.z)});
+    return (static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
+            static_cast<double>(largest)) /
+           2;
+}
+
+/// How far a move of one unit along each axis of the object moves a point of the world, at most.
+double most_stretched(const Instance& instance) {
+    const glm::dmat4& m = instance.world_from_object;
+    return glm::length(glm::dvec3(m[0])) + glm::length(glm::dvec3(m[1])) +
+           glm::length(glm::dvec3(m[2]));
 }
 
 /// Where epsilon moves each place of the scene.
@@ -160,6 +177,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         const Instance& instance = scene.instances[object];
         const Mesh& mesh = scene.meshes[instance.mesh];
         const bool mirrored = is_mirrored(instance);
+        const double stretch = most_stretched(instance);
         std::vector<std::uint32_t> welded(mesh.positions.size(), kFree);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++triangle_index) {
             Face face;
@@ -170,6 +188,9 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                 const std::uint32_t v = mesh.triangles[t][i];
                 if (welded[v] == kFree) {
                     welded[v] = points.insert(moves(place(instance, mesh.positions[v]))).first;
+                    topology.rounding_world.resize(points.keys().size(), 0);
+                    double& rounding = topology.rounding_world[welded[v]];
+                    rounding = std::max(rounding, stretch * half_ulp(mesh.positions[v]));
                 }
                 face.vertices[i] = welded[v];
             }

@@ -42,6 +42,10 @@ struct TopologyCounts {
 /// The scene as one welded polyhedron in world space: what truth and adjacency methods work on.
 struct Topology {
     std::vector<glm::dvec3> p_world;
+    /// Per vertex: how far it may lie from the place that was meant, because its object's
+    /// coordinates are floats. Half a unit in the last place of the largest of them, carried
+    /// through the object's transform; of joined vertices the most.
+    std::vector<double> rounding_world;
     std::vector<Face> faces;
     std::vector<Edge> edges;
     std::vector<std::uint32_t> edge_faces;  ///< face indices, grouped by edge, ascending in each

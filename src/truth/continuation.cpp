@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "truth/crossings/box_tree.h"
+#include "truth/triangle_distance.h"
 
 namespace ink::truth {
 namespace {
@@ -23,6 +24,7 @@ struct Border {
     glm::dvec3 along;   ///< unit, from a to b
     glm::dvec3 inward;  ///< unit, into the face, orthogonal to the edge
     double length = 0;
+    double tolerance = 0;
 };
 
 glm::dvec3 opposite_vertex(const scene::Topology& topology,
@@ -34,7 +36,8 @@ glm::dvec3 opposite_vertex(const scene::Topology& topology,
     return topology.p_world[edge.a];
 }
 
-std::vector<Border> list_borders(const scene::Topology& topology, double shortest) {
+std::vector<Border> list_borders(const scene::Topology& topology,
+                                 std::span<const double> tolerances) {
     std::vector<Border> borders;
     for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
         const scene::Edge& edge = topology.edges[e];
@@ -45,7 +48,8 @@ std::vector<Border> list_borders(const scene::Topology& topology, double shortes
         border.a = topology.p_world[edge.a];
         border.b = topology.p_world[edge.b];
         border.length = glm::length(border.b - border.a);
-        if (border.length <= shortest) continue;
+        border.tolerance = tolerances[topology.faces[border.face].object];
+        if (border.length <= kShortestStretch * border.tolerance) continue;
         border.along = (border.b - border.a) / border.length;
         const glm::dvec3 to_opposite =
             opposite_vertex(topology, edge, topology.faces[border.face]) - border.a;
@@ -56,12 +60,12 @@ std::vector<Border> list_borders(const scene::Topology& topology, double shortes
     return borders;
 }
 
-BoxTree tree_of(const std::vector<Border>& borders, double tolerance) {
+BoxTree tree_of(const std::vector<Border>& borders) {
     std::vector<Box> boxes(borders.size());
     for (std::size_t i = 0; i < borders.size(); ++i) {
         for (const glm::dvec3& p : {borders[i].a, borders[i].b}) {
-            boxes[i].add(p - tolerance);
-            boxes[i].add(p + tolerance);
+            boxes[i].add(p - borders[i].tolerance);
+            boxes[i].add(p + borders[i].tolerance);
         }
     }
     return BoxTree(std::move(boxes));
@@ -95,10 +99,8 @@ struct Triangle {
 
 /// Where the edge runs within the tolerance of the triangle's plane and its points, moved a little
 /// along `into`, lie inside it.
-Stretch shared_stretch(const Border& border,
-                       const Triangle& triangle,
-                       const glm::dvec3& into,
-                       double tolerance) {
+Stretch shared_stretch(const Border& border, const Triangle& triangle, const glm::dvec3& into) {
+    const double tolerance = border.tolerance;
     Stretch stretch;
     const auto height = [&](const glm::dvec3& p) {
         return glm::dot(triangle.normal, p - triangle.p[0]);
@@ -134,9 +136,17 @@ std::optional<Continuation> continuation(const Border& border,
         const double deviation =
             std::acos(-1.0) - std::atan2(glm::length(glm::cross(border.inward, into)), cosine);
         if (deviation >= options.crease_rad) continue;
-        const Stretch s = shared_stretch(border, triangle, into, options.tolerance);
+        const Stretch s = shared_stretch(border, triangle, into);
         if (s.end <= s.begin) continue;
-        return Continuation{border.edge, s.begin, s.end, 0, into};
+        const auto gap = [&](double t) {
+            return distance_to_triangle(border.a + t * (border.b - border.a), triangle.p);
+        };
+        return Continuation{.edge = border.edge,
+                            .t_begin = s.begin,
+                            .t_end = s.end,
+                            .gap_begin_world = gap(s.begin),
+                            .gap_end_world = gap(s.end),
+                            .into_world = into};
     }
     return std::nullopt;
 }
@@ -160,7 +170,7 @@ void keep_long_runs(std::vector<Continuation>::const_iterator begin,
 /// The same for all edges.
 std::vector<Continuation> without_contacts(const scene::Topology& topology,
                                            const std::vector<Continuation>& sorted,
-                                           double shortest) {
+                                           std::span<const double> tolerances) {
     std::vector<Continuation> kept;
     for (auto begin = sorted.begin(); begin != sorted.end();) {
         auto end = begin;
@@ -168,7 +178,8 @@ std::vector<Continuation> without_contacts(const scene::Topology& topology,
             ++end;
         const scene::Edge& edge = topology.edges[begin->edge];
         const double length = glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
-        keep_long_runs(begin, end, shortest / length, kept);
+        const std::uint32_t object = topology.faces[topology.faces_of(edge)[0]].object;
+        keep_long_runs(begin, end, kShortestStretch * tolerances[object] / length, kept);
         begin = end;
     }
     return kept;
@@ -184,17 +195,32 @@ Triangle triangle_of(const scene::Topology& topology, const scene::Face& face) {
 
 }  // namespace
 
-double weld_tolerance(const scene::Topology& topology) {
-    Box box;
-    for (const glm::dvec3& p : topology.p_world)
-        box.add(p);
-    return topology.p_world.empty() ? 0 : kRelativeTolerance * glm::length(box.high - box.low);
+std::vector<double> weld_tolerances(const scene::Topology& topology) {
+    std::vector<Box> boxes;
+    std::vector<double> tolerances;
+    for (const scene::Face& face : topology.faces) {
+        if (face.object >= boxes.size()) {
+            boxes.resize(face.object + 1);
+            tolerances.resize(face.object + 1, 0);
+        }
+        for (const std::uint32_t v : face.vertices) {
+            boxes[face.object].add(topology.p_world[v]);
+            double& tolerance = tolerances[face.object];
+            tolerance = std::max(tolerance, 2 * topology.rounding_world[v]);
+        }
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].low.x > boxes[i].high.x) continue;  // an object of no face
+        const double diagonal = glm::length(boxes[i].high - boxes[i].low);
+        tolerances[i] = std::max(tolerances[i], kRelativeTolerance * diagonal);
+    }
+    return tolerances;
 }
 
 std::vector<Continuation> find_continuations(const scene::Topology& topology,
                                              const ContinuationOptions& options) {
-    const auto borders = list_borders(topology, kShortestStretch * options.tolerance);
-    const BoxTree tree = tree_of(borders, options.tolerance);
+    const auto borders = list_borders(topology, options.tolerances);
+    const BoxTree tree = tree_of(borders);
     std::vector<std::vector<Continuation>> found((topology.faces.size() + kChunk - 1) / kChunk);
     if (borders.empty()) return {};
 
@@ -221,7 +247,7 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
     std::sort(all.begin(), all.end(), [](const Continuation& x, const Continuation& y) {
         return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
     });
-    return without_contacts(topology, all, kShortestStretch * options.tolerance);
+    return without_contacts(topology, all, options.tolerances);
 }
 
 }  // namespace ink::truth

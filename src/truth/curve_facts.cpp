@@ -42,7 +42,7 @@ double edge_parameter(const scene::Topology& topology,
 std::uint32_t continuing_face(const EyeView& eye, std::uint32_t e, double t) {
     const std::uint32_t own = eye.model.topology.faces_of(eye.model.topology.edges[e])[0];
     for (const Continuation& c : eye.model.continuations_of(e)) {
-        if (t < c.t_begin || t > c.t_end || !eye.goes_on(c)) continue;
+        if (t < c.t_begin || t > c.t_end || !eye.goes_on(c, t)) continue;
         if (eye.model.is_seam(own, c.face)) return c.face;
     }
     return kNoFace;

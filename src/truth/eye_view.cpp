@@ -56,6 +56,24 @@ LineClass class_of(const EyeView& eye, std::uint32_t e) {
     return eye.model.class_across(edge, seen.left, seen.right);
 }
 
+double gap_at(const Continuation& c, double t) {
+    const double along = (t - c.t_begin) / (c.t_end - c.t_begin);
+    return c.gap_begin_world + along * (c.gap_end_world - c.gap_begin_world);
+}
+
+/// Where the gap becomes too small for the image or large enough, on the way along a stretch;
+/// outside 0..1 if it nowhere does.
+double change_of_sight(const EyeView& eye, const Continuation& c) {
+    const scene::Edge& edge = eye.model.topology.edges[c.edge];
+    const auto excess = [&](double t) {
+        const double w = eye.p_clip[edge.a].z + t * (eye.p_clip[edge.b].z - eye.p_clip[edge.a].z);
+        return gap_at(c, t) * eye.projection.focal_px() - kUnseen_px * w;
+    };
+    const double at_begin = excess(c.t_begin), at_end = excess(c.t_end);
+    if ((at_begin < 0) == (at_end < 0)) return -1;
+    return c.t_begin + at_begin / (at_begin - at_end) * (c.t_end - c.t_begin);
+}
+
 /// Boundary, seam or none (defect) for one stretch between neighbouring ends of continuations.
 LineClass class_between(const EyeView& eye,
                         std::uint32_t own_face,
@@ -63,7 +81,7 @@ LineClass class_between(const EyeView& eye,
                         double t) {
     LineClass result = LineClass::boundary;
     for (const Continuation& c : goes_on) {
-        if (t < c.t_begin || t > c.t_end || !eye.goes_on(c)) continue;
+        if (t < c.t_begin || t > c.t_end || !eye.goes_on(c, t)) continue;
         if (!eye.model.is_seam(own_face, c.face)) return LineClass::none;
         result = LineClass::seam;
     }
@@ -126,9 +144,11 @@ SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
     return seen;
 }
 
-bool EyeView::goes_on(const Continuation& continuation) const {
+bool EyeView::goes_on(const Continuation& continuation, double t) const {
     const scene::Topology& topology = model.topology;
     const scene::Edge& edge = topology.edges[continuation.edge];
+    const double w = p_clip[edge.a].z + t * (p_clip[edge.b].z - p_clip[edge.a].z);
+    if (!is_unseen(gap_at(continuation, t), w)) return false;
     const glm::dvec3 a = topology.p_world[edge.a] - eye_world();
     const glm::dvec3 b = topology.p_world[edge.b] - eye_world();
     // orient3d(a, b, eye, v) has the sign of -(a x b).(v - a), where v is beyond the edge.
@@ -152,11 +172,14 @@ std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
     const scene::Topology& topology = eye.model.topology;
     const scene::Edge& edge = topology.edges[e];
     const double length = glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
-    const double slit = kShortestSlit * eye.model.tolerance / length;
+    const std::uint32_t object = topology.faces[topology.faces_of(edge)[0]].object;
+    const double slit = kShortestSlit * eye.model.tolerances[object] / length;
     std::vector<double> ends = {0, 1};
     for (const Continuation& c : continuations) {
         ends.push_back(c.t_begin);
         ends.push_back(c.t_end);
+        const double change = change_of_sight(eye, c);
+        if (change > c.t_begin && change < c.t_end) ends.push_back(change);
     }
     for (const Contact& c : eye.model.crossings.contacts_of(e)) {
         ends.push_back(c.t_begin);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -16,6 +17,9 @@ struct SeenFaces {
     std::uint32_t left = kNoFace;
     std::uint32_t right = kNoFace;
 };
+
+/// What is smaller than this on the image cannot be seen there (section 5 of the design: `defect`).
+inline constexpr double kUnseen_px = 1.0 / 64;
 
 /// What one eye makes of a model: the exact facing of faces and class of edges, and where vertices
 /// are on the image. Borrows the model.
@@ -44,9 +48,16 @@ struct EyeView {
     /// Of several faces on one side only the one nearest the eye is seen; ties go to the lowest.
     [[nodiscard]] SeenFaces seen_faces(const scene::Edge& edge) const;
 
-    /// Whether the face of a boundary edge and what continues it lie on different sides of it: then
-    /// the surface goes on before the eye; else it folds there, and the eye sees its rim.
-    [[nodiscard]] bool goes_on(const Continuation& continuation) const;
+    /// Whether the surface goes on before the eye at the point t of a boundary edge: the edge's
+    /// face and what continues it lie on different sides of it (else the surface folds there, and
+    /// the eye sees its rim), and the gap between them is too small for the image.
+    [[nodiscard]] bool goes_on(const Continuation& continuation, double t) const;
+
+    /// Whether the image is too coarse to show a length at this distance along the view direction:
+    /// it takes less than 1/64 px there.
+    [[nodiscard]] bool is_unseen(double length_world, double w) const {
+        return length_world * projection.focal_px() < kUnseen_px * std::max(w, near);
+    }
 
     /// The class of a point of an edge: edge_class, save that a stretch of boundary across which
     /// the surface goes on is a `seam` if another object goes on and else `none`: a defect, not

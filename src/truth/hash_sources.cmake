@@ -1,5 +1,6 @@
 # cmake -DSOURCE=<src folder> -DFILES=<paths below it, joined by |> -DOUTPUT=<header> -P this: writes
 # one hash over the named files, so that a cached truth never outlives the code that traced it.
+cmake_minimum_required(VERSION 3.25)
 string(REPLACE "|" ";" files "${FILES}")
 set(all "")
 foreach(file ${files})

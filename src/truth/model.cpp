@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
+#include "scene/rounding.h"
 #include "truth/crossings/slit_crossings.h"
 #include "truth/truth.h"
 
@@ -98,7 +99,7 @@ std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const 
 LineClass Model::class_across(const scene::Edge& edge,
                               std::uint32_t face0,
                               std::uint32_t face1) const {
-    if (scene::deviation_rad(topology, edge, face0, face1) >= crease_rad) return LineClass::crease;
+    if (scene::is_crease(topology, edge, face0, face1, crease_rad)) return LineClass::crease;
     return is_seam(face0, face1) ? LineClass::seam : LineClass::none;
 }
 
@@ -112,16 +113,16 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
         return f.object == faces.front().object;
     });
-    model.tolerance = weld_tolerance(model.topology);
+    model.tolerances = weld_tolerances(model.topology);
     classify_edges(model, options.threads);
     join_patches(model);
     model.continuations = find_continuations(model.topology,
-                                             {.tolerance = model.tolerance,
+                                             {.tolerances = model.tolerances,
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
-    drop_slit_crossings(model.topology,
-                        {model.tolerance, model.crease_rad, options.threads},
+    mark_slit_crossings(model.topology,
+                        {model.tolerances, model.crease_rad, options.threads},
                         model.crossings.segments);
     model.is_touched.assign(model.topology.edges.size(), 0);
     for (const Contact& contact : model.crossings.contacts)

@@ -18,8 +18,8 @@ struct Model {
     scene::Topology topology;
     double crease_rad = 0;
     bool material_seams = false;
-    double tolerance = 0;        ///< weld tolerance, world units
-    bool is_one_object = false;  ///< all faces belong to one
+    std::vector<double> tolerances;  ///< weld tolerance of each object, world units
+    bool is_one_object = false;      ///< all faces belong to one
     /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else
     /// -1.
     std::vector<std::int8_t> runs;

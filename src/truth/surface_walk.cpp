@@ -154,7 +154,7 @@ class Walker {
     /// What continues the face of a boundary edge.
     [[nodiscard]] std::uint32_t continued(const Passage& at) const {
         for (const Continuation& c : eye_.model.continuations_of(at.edge)) {
-            if (at.t >= c.t_begin && at.t <= c.t_end && eye_.goes_on(c)) return c.face;
+            if (at.t >= c.t_begin && at.t <= c.t_end && eye_.goes_on(c, at.t)) return c.face;
         }
         return kNoFace;
     }

@@ -163,11 +163,19 @@ std::vector<std::uint32_t> feature_edges(const EyeView& eye) {
     return edges;
 }
 
+/// Whether two pieces of a cracked surface cross there, overlapping by less than can be seen.
+bool is_unseen_slit(const EyeView& eye, const Crossing& crossing) {
+    const double w = std::min(eye.projection.to_clip(crossing.begin_world).z,
+                              eye.projection.to_clip(crossing.end_world).z);
+    return eye.is_unseen(crossing.slit_world, w);
+}
+
 /// A face seen edge-on has no sides, so a crossing with it is none.
 std::vector<const Crossing*> seen_crossings(const EyeView& eye) {
     std::vector<const Crossing*> crossings;
     for (const Crossing& crossing : eye.model.crossings.segments) {
-        if (eye.facing[crossing.face0] != 0 && eye.facing[crossing.face1] != 0) {
+        if (eye.facing[crossing.face0] != 0 && eye.facing[crossing.face1] != 0 &&
+            !is_unseen_slit(eye, crossing)) {
             crossings.push_back(&crossing);
         }
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "scene/predicates.h"
+#include "scene/rounding.h"
 
 namespace ink::truth {
 namespace {
@@ -73,11 +74,13 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
 }
 
 bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
-    const auto& p = eye_.model.topology.p_world;
     const auto& v = eye_.model.topology.faces[face0].vertices;
     const auto& w = eye_.model.topology.faces[face1].vertices;
+    const auto point = [&](std::uint32_t i) {
+        return scene::rounded_point(eye_.model.topology, i);
+    };
     return std::all_of(w.begin(), w.end(), [&](std::uint32_t i) {
-        return scene::orient3d(p[v[0]], p[v[1]], p[v[2]], p[i]) == 0;
+        return scene::sure_orient3d(point(v[0]), point(v[1]), point(v[2]), point(i)) == 0;
     });
 }
 

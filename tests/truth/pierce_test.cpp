@@ -202,6 +202,7 @@ int crosses_by_sides(const std::array<glm::dvec3, 6>& p, Orient orient) {
 scene::Topology two_triangles(const std::array<glm::dvec3, 6>& p) {
     scene::Topology topology;
     topology.p_world.assign(p.begin(), p.end());
+    topology.rounding_world.assign(p.size(), 0);
     for (std::uint32_t f = 0; f < 2; ++f) {
         scene::Face face;
         for (std::uint32_t i = 0; i < 3; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPx = 0.01;
 
-/// What is left of the crossings of two meshes in one object or in two, at this weld tolerance.
+/// How many crossings of two meshes in one object or in two are no slits at this weld tolerance.
 std::size_t kept(const std::vector<scene::Mesh>& meshes, double tolerance, bool one_object = true) {
     scene::Scene scene = scene_of(meshes);
     if (one_object) {
@@ -25,8 +25,12 @@ std::size_t kept(const std::vector<scene::Mesh>& meshes, double tolerance, bool 
     const scene::Topology topology = scene::weld(scene);
     auto crossings = find_crossings(topology, {}).segments;
     EXPECT_GT(crossings.size(), 0U);
-    drop_slit_crossings(topology, {tolerance, 40 * std::numbers::pi / 180, 1}, crossings);
-    return crossings.size();
+    const std::vector<double> tolerances(meshes.size(), tolerance);
+    mark_slit_crossings(topology, {tolerances, 40 * std::numbers::pi / 180, 1}, crossings);
+    return static_cast<std::size_t>(
+        std::count_if(crossings.begin(), crossings.end(), [](const Crossing& crossing) {
+            return std::isinf(crossing.slit_world);
+        }));
 }
 
 scene::Mesh triangle(glm::vec3 a, glm::vec3 b, glm::vec3 c) {

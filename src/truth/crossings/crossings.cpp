@@ -28,8 +28,9 @@ double largest(const glm::dvec3& v) {
 /// A triangle laid out for the quick tests, and its index among the faces.
 struct Flat {
     std::array<glm::dvec3, 3> p;
-    glm::dvec3 normal;  ///< cross product of two sides
-    double size = 0;    ///< largest component of its sides
+    glm::dvec3 normal;    ///< cross product of two sides
+    double size = 0;      ///< largest component of its sides
+    double rounding = 0;  ///< the most of its vertices, world units
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t face = 0;
 };
@@ -40,6 +41,8 @@ Flat flat(const scene::Topology& topology, std::uint32_t f) {
     result.face = f;
     for (std::size_t i = 0; i < 3; ++i)
         result.p[i] = topology.p_world[result.vertices[i]];
+    for (const std::uint32_t v : result.vertices)
+        result.rounding = std::max(result.rounding, topology.rounding_world[v]);
     const glm::dvec3 u = result.p[1] - result.p[0], v = result.p[2] - result.p[0];
     result.normal = glm::cross(u, v);
     result.size = std::max({largest(u), largest(v), largest(v - u)});
@@ -63,15 +66,16 @@ Loose loose_corners(const Flat& f, const Flat& g) {
     return loose;
 }
 
-/// Whether all loose corners of `g` certainly lie on one side of f's plane. Then what they have in
-/// common is what they share.
+/// Whether all loose corners of `g` certainly lie on one side of f's plane, farther from it than
+/// rounding may have moved both. Then what they have in common is what they share.
 bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
     const double scale = kPlaneError * f.size * f.size;
+    const double touching = (f.rounding + g.rounding) * glm::length(f.normal);
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (std::size_t i = 0; i < loose.count; ++i) {
         const glm::dvec3 d = g.p[loose.corners[i]] - f.p[0];
         const double height = glm::dot(f.normal, d);
-        const double error = scale * largest(d);
+        const double error = scale * largest(d) + touching;
         lowest = std::min(lowest, height - error);
         highest = std::max(highest, height + error);
     }
@@ -79,7 +83,8 @@ bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
 }
 
 /// Whether all loose corners of `g` certainly lie outwards of one side of `f`, seen along f's
-/// normal. Then they have nothing in common but shared corners on that side.
+/// normal, by more than rounding may have moved both. Then they have nothing in common but shared
+/// corners on that side.
 bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose& loose) {
     std::array<bool, 3> is_shared = {true, true, true};
     for (std::size_t i = 0; i < of_f.count; ++i)
@@ -88,12 +93,13 @@ bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose
     for (std::size_t i = 0; i < 3; ++i) {
         if (is_shared[(i + 2) % 3]) continue;  // from there g may run through f
         const glm::dvec3 inward = glm::cross(f.normal, f.p[(i + 1) % 3] - f.p[i]);
+        const double touching = (f.rounding + g.rounding) * glm::length(inward);
         const bool is_outside =
             std::all_of(loose.corners.begin(),
                         loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
                         [&](std::size_t corner) {
                             const glm::dvec3 d = g.p[corner] - f.p[i];
-                            return glm::dot(inward, d) < -scale * largest(d);
+                            return glm::dot(inward, d) < -scale * largest(d) - touching;
                         });
         if (is_outside) return true;
     }
@@ -198,8 +204,10 @@ class PairTester {
 PairTree tree_of(const scene::Topology& topology) {
     std::vector<Box> boxes(topology.faces.size());
     for (std::size_t f = 0; f < boxes.size(); ++f) {
-        for (const std::uint32_t v : topology.faces[f].vertices)
-            boxes[f].add(topology.p_world[v]);
+        for (const std::uint32_t v : topology.faces[f].vertices) {
+            boxes[f].add(topology.p_world[v] - topology.rounding_world[v]);
+            boxes[f].add(topology.p_world[v] + topology.rounding_world[v]);
+        }
     }
     return PairTree(boxes);
 }

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "scene/predicates.h"
+#include "scene/rounding.h"
+#include "truth/triangle_distance.h"
 
 namespace ink::truth {
 namespace {
@@ -39,11 +41,28 @@ class Pair {
             face_[i] = &topology.faces[index_[i]];
     }
 
+    /// First with every sign that rounding leaves open taken as 0. Where that puts an edge into the
+    /// other triangle's plane farther from the triangle itself than rounding can have taken it (a
+    /// plane is the more open the farther it is followed), the two are taken as they are.
     Meeting meet() {
+        const Meeting meeting = attempt();
+        if (!is_too_far_) return meeting;
+        is_as_given_ = true;
+        return attempt();
+    }
+
+  private:
+    Meeting attempt() {
         Meeting meeting;
         const std::array<Signs, 2> signs = {signs_of(0), signs_of(1)};
-        if (is_zero(signs[0])) {
+        // A needle's plane is open to rounding; whether the needle lies in the other's is not.
+        const std::size_t thin = height(0) < height(1) ? 0 : 1;
+        if (is_zero(signs[thin])) {
             meet_in_plane(meeting);
+            return meeting;
+        }
+        if (is_zero(signs[1 - thin])) {
+            is_too_far_ = true;
             return meeting;
         }
         if (is_apart(signs[0]) || is_apart(signs[1])) return meeting;
@@ -54,7 +73,6 @@ class Pair {
         return meeting;
     }
 
-  private:
     /// The sides of the other triangle's plane on which the corners of the i-th lie.
     [[nodiscard]] Signs signs_of(std::size_t i) const {
         const auto& w = face_[1 - i]->vertices;
@@ -62,9 +80,19 @@ class Pair {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = face_[i]->vertices[k];
             const bool is_shared = v == w[0] || v == w[1] || v == w[2];
-            if (!is_shared) signs[k] = scene::facing(p_[w[0]], p_[w[1]], p_[w[2]], p_[v]);
+            if (!is_shared) {
+                signs[k] = -scene::sure_orient3d(
+                    point_of(w[0]), point_of(w[1]), point_of(w[2]), point_of(v));
+            }
         }
         return signs;
+    }
+    /// Over the longest side.
+    [[nodiscard]] double height(std::size_t i) const {
+        const auto& v = face_[i]->vertices;
+        const glm::dvec3 a = p_[v[1]] - p_[v[0]], b = p_[v[2]] - p_[v[0]];
+        const double longest = std::max({glm::length(a), glm::length(b), glm::length(b - a)});
+        return glm::length(glm::cross(a, b)) / longest;
     }
     [[nodiscard]] static bool is_zero(const Signs& s) {
         return s[0] == 0 && s[1] == 0 && s[2] == 0;
@@ -92,6 +120,12 @@ class Pair {
         return span;
     }
 
+    [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t vertex) const {
+        scene::RoundedPoint point = scene::rounded_point(topology_, vertex);
+        if (is_as_given_) point.rounding = 0;
+        return point;
+    }
+
     [[nodiscard]] std::array<std::uint32_t, 2> side_vertices(std::size_t i, Side side) const {
         return {face_[i]->vertices[side], face_[i]->vertices[(side + 1) % 3]};
     }
@@ -105,12 +139,12 @@ class Pair {
         const auto [p, q] = side_vertices(0, a);
         const auto [r, s] = side_vertices(1, b);
         if (p == r || p == s || q == r || q == s) return 0;
-        return -scene::orient3d(p_[p], p_[q], p_[r], p_[s]) * slope;
+        return -scene::sure_orient3d(point_of(p), point_of(q), point_of(r), point_of(s)) * slope;
     }
 
     /// Along the cross product of both normals, the first triangle's span runs from its rise to its
     /// fall, the second's from its fall to its rise.
-    void meet_on_line(const std::array<Signs, 2>& signs, Meeting& meeting) const {
+    void meet_on_line(const std::array<Signs, 2>& signs, Meeting& meeting) {
         const Span& f = span_[0];
         const Span& g = span_[1];
         if (left_of(f.rise.side, g.rise.side, 1) <= 0) return;
@@ -151,7 +185,7 @@ class Pair {
         return p_[a] + at_a / (at_a - at_b) * along;
     }
 
-    void add_contact(std::size_t i, Side side, const Crossing& crossing, Meeting& meeting) const {
+    void add_contact(std::size_t i, Side side, const Crossing& crossing, Meeting& meeting) {
         const scene::Edge& edge = topology_.edges[face_[i]->edges[side]];
         const glm::dvec3 along = p_[edge.b] - p_[edge.a];
         const auto parameter = [&](const glm::dvec3& p) {
@@ -161,12 +195,35 @@ class Pair {
         };
         const auto [begin, end] =
             std::minmax({parameter(crossing.begin_world), parameter(crossing.end_world)});
-        if (begin >= end) return;
-        meeting.contacts[meeting.contact_count++] = {
-            face_[i]->edges[side], begin, end, index_[1 - i]};
+        if (begin < end) keep(i, {face_[i]->edges[side], begin, end, index_[1 - i]}, meeting);
     }
 
-    void meet_in_plane(Meeting& meeting) const {
+    /// Keeps a contact of an edge of the i-th triangle if its ends are as near to the other one as
+    /// rounding may have taken them from it.
+    void keep(std::size_t i, const Contact& contact, Meeting& meeting) {
+        if (is_as_given_ || touches(i, contact)) {
+            meeting.contacts[meeting.contact_count++] = contact;
+        } else {
+            is_too_far_ = true;
+        }
+    }
+
+    [[nodiscard]] bool touches(std::size_t i, const Contact& contact) const {
+        const scene::Edge& edge = topology_.edges[contact.edge];
+        const auto& w = face_[1 - i]->vertices;
+        double most = 0;
+        for (const std::uint32_t v : w)
+            most = std::max(most, point_of(v).rounding);
+        most += std::max(point_of(edge.a).rounding, point_of(edge.b).rounding);
+        most += kRelativeError * glm::length(p_[edge.b] - p_[edge.a]);
+        const auto distance = [&](double t) {
+            return distance_to_triangle(p_[edge.a] + t * (p_[edge.b] - p_[edge.a]),
+                                        {p_[w[0]], p_[w[1]], p_[w[2]]});
+        };
+        return distance(contact.t_begin) <= most && distance(contact.t_end) <= most;
+    }
+
+    void meet_in_plane(Meeting& meeting) {
         for (std::size_t i = 0; i < 2; ++i) {
             for (Side side = 0; side < 3; ++side) {
                 if (!is_shared(i, side)) clip_in_plane(i, face_[i]->edges[side], meeting);
@@ -187,31 +244,48 @@ class Pair {
         return result;
     }
 
-    void clip_in_plane(std::size_t i, std::uint32_t e, Meeting& meeting) const {
+    /// The part of an edge of the i-th triangle that lies on the other one. A side of that may be
+    /// followed so far that rounding leaves open on which side of it an end lies; where the part
+    /// then reaches off the triangle, the end is taken as it is.
+    void clip_in_plane(std::size_t i, std::uint32_t e, Meeting& meeting) {
+        for (const bool is_as_given : {is_as_given_, true}) {
+            const Contact contact = clipped(i, e, is_as_given);
+            if (contact.t_end - contact.t_begin < kShortest) return;
+            if (!touches(i, contact)) continue;
+            meeting.contacts[meeting.contact_count++] = contact;
+            return;
+        }
+    }
+
+    [[nodiscard]] Contact clipped(std::size_t i, std::uint32_t e, bool is_as_given) const {
         const scene::Edge& edge = topology_.edges[e];
         const scene::Face& other = *face_[1 - i];
         const glm::dvec3 top = apex(other);
         const int inwards = scene::orient3d(
             p_[other.vertices[0]], p_[other.vertices[1]], top, p_[other.vertices[2]]);
-        double begin = 0, end = 1;
+        Contact contact{e, 0, 1, index_[1 - i]};
         for (Side side = 0; side < 3; ++side) {
             const std::uint32_t r = other.vertices[side], s = other.vertices[(side + 1) % 3];
             const auto height = [&](std::uint32_t v) {
                 if (v == r || v == s) return 0.0;
-                return inwards * scene::orient3d_value(p_[r], p_[s], top, p_[v]);
+                const double value = scene::orient3d_value(p_[r], p_[s], top, p_[v]);
+                const double doubt =
+                    is_as_given
+                        ? 0
+                        : scene::orient3d_doubt(point_of(r), point_of(s), {top, 0}, point_of(v));
+                return std::abs(value) <= doubt ? 0.0 : inwards * value;
             };
             const double at_a = height(edge.a), at_b = height(edge.b);
-            if (at_a <= 0 && at_b <= 0 && (at_a < 0 || at_b < 0)) return;
+            if (at_a <= 0 && at_b <= 0 && (at_a < 0 || at_b < 0)) return {e, 0, 0, index_[1 - i]};
             if (at_a >= 0 && at_b >= 0) continue;
             const double root = at_a / (at_a - at_b);
             if (at_a < 0) {
-                begin = std::max(begin, root);
+                contact.t_begin = std::max(contact.t_begin, root);
             } else {
-                end = std::min(end, root);
+                contact.t_end = std::min(contact.t_end, root);
             }
         }
-        if (end - begin < kShortest) return;
-        meeting.contacts[meeting.contact_count++] = {e, begin, end, index_[1 - i]};
+        return contact;
     }
 
     const std::vector<glm::dvec3>& p_;
@@ -219,6 +293,8 @@ class Pair {
     std::array<std::uint32_t, 2> index_;
     std::array<const scene::Face*, 2> face_{};
     std::array<Span, 2> span_;
+    bool is_as_given_ = false;  ///< rounding is left out
+    bool is_too_far_ = false;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/predicates.h"
+#include "scene/rounding.h"
 
 namespace ink::truth {
 namespace {
@@ -46,9 +47,9 @@ class Bundle {
         return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
     }
 
-    /// Whether two sheets, one on either side, lie in one plane exactly.
+    /// Whether two sheets, one on either side, lie in one plane as far as rounding can tell.
     [[nodiscard]] bool is_level(const Sheet& s0, const Sheet& s1) const {
-        return scene::orient3d(p_[edge_.a], p_[edge_.b], p_[s0.vertex], p_[s1.vertex]) == 0;
+        return orientation(s0.vertex, s1.vertex) == 0;
     }
 
     /// Whether own faces go on to the side of a touching sheet, which is nearer the eye than they.
@@ -59,14 +60,13 @@ class Bundle {
         });
     }
 
-    /// Whether an own face lies exactly under this sheet.
+    /// Whether an own face lies right under this sheet, as far as rounding can tell.
     [[nodiscard]] bool covers_own(const Sheet& sheet) const {
         const auto& faces = eye_.model.topology.faces;
         const auto own = eye_.model.topology.faces_of(edge_);
         return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
             const std::uint32_t v = opposite(faces[f]);
-            return side_of(v) == side_of(sheet.vertex) &&
-                   scene::orient3d(p_[edge_.a], p_[edge_.b], p_[v], p_[sheet.vertex]) == 0;
+            return side_of(v) == side_of(sheet.vertex) && orientation(v, sheet.vertex) == 0;
         });
     }
 
@@ -86,14 +86,27 @@ class Bundle {
             if (v != edge_.a && v != edge_.b) return v;
         return edge_.a;
     }
+    [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t v) const {
+        return scene::rounded_point(eye_.model.topology, v);
+    }
+    /// Which way the sheets of two vertices bend at the edge; 0 if rounding leaves it open.
+    [[nodiscard]] int orientation(std::uint32_t v0, std::uint32_t v1) const {
+        return scene::sure_orient3d(
+            point_of(edge_.a), point_of(edge_.b), point_of(v0), point_of(v1));
+    }
+    /// As side_of, and 0 for a vertex that may lie on the edge as far as rounding can tell.
+    [[nodiscard]] int sure_side_of(std::uint32_t v) const {
+        const scene::RoundedPoint eye{eye_.eye_world(), 0};
+        return -scene::sure_orient3d(point_of(edge_.a), point_of(edge_.b), point_of(v), eye);
+    }
     /// As EyeView::side: 1 or -1, 0 in the plane of edge and eye.
     [[nodiscard]] int side_of(std::uint32_t v) const {
         return scene::facing(p_[edge_.a], p_[edge_.b], p_[v], eye_.eye_world());
     }
     [[nodiscard]] bool hides(const Sheet& s0, const Sheet& s1) const {
-        const glm::dvec3 &a = p_[edge_.a], &b = p_[edge_.b], &v0 = p_[s0.vertex];
-        const int other = scene::orient3d(a, b, v0, p_[s1.vertex]);
+        const int other = orientation(s0.vertex, s1.vertex);
         if (other == 0) return s0.face < s1.face;
+        const glm::dvec3 &a = p_[edge_.a], &b = p_[edge_.b], &v0 = p_[s0.vertex];
         return other != scene::orient3d(a, b, v0, eye_.eye_world());
     }
     /// A face seen edge-on is in the plane of edge and eye, and on neither side.
@@ -103,7 +116,7 @@ class Bundle {
         int sides = 0;
         for (const std::uint32_t v : eye_.model.topology.faces[f].vertices) {
             if (v == edge_.a || v == edge_.b) continue;
-            const int s = side_of(v);
+            const int s = is_own ? side_of(v) : sure_side_of(v);
             if (s == 0) continue;
             (s < 0 ? left : right).vertex = v;
             sides |= s < 0 ? 1 : 2;

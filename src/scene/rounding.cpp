@@ -1,0 +1,69 @@
+#include "scene/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "scene/predicates.h"
+
+namespace ink::scene {
+namespace {
+
+constexpr double kMostDoubt_rad = 1e-3;
+constexpr double kArithmetic_rad = 16 * std::numeric_limits<double>::epsilon();
+
+double area(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c) {
+    return glm::length(glm::cross(b.p - a.p, c.p - a.p));
+}
+
+/// By how much rounding may turn a face about an edge: what it moves the opposite vertex, and the
+/// edge below it, over the height of the face.
+double turning_doubt_rad(const Topology& topology, const Edge& edge, std::uint32_t face) {
+    const auto& vertices = topology.faces[face].vertices;
+    const auto opposite = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
+        return v != edge.a && v != edge.b;
+    });
+    const RoundedPoint a = rounded_point(topology, edge.a);
+    const RoundedPoint b = rounded_point(topology, edge.b);
+    const RoundedPoint c = rounded_point(topology, *opposite);
+    const glm::dvec3 along = b.p - a.p;
+    const double length2 = glm::dot(along, along);
+    const double t = glm::dot(c.p - a.p, along) / length2;
+    const double height = area(a, b, c) / std::sqrt(length2);
+    return (c.rounding + std::abs(1 - t) * a.rounding + std::abs(t) * b.rounding) / height;
+}
+
+}  // namespace
+
+double orient3d_doubt(const RoundedPoint& a,
+                      const RoundedPoint& b,
+                      const RoundedPoint& c,
+                      const RoundedPoint& d) {
+    return a.rounding * area(b, c, d) + b.rounding * area(a, c, d) + c.rounding * area(a, b, d) +
+           d.rounding * area(a, b, c);
+}
+
+int sure_orient3d(const RoundedPoint& a,
+                  const RoundedPoint& b,
+                  const RoundedPoint& c,
+                  const RoundedPoint& d) {
+    const double value = orient3d_value(a.p, b.p, c.p, d.p);
+    if (std::abs(value) <= orient3d_doubt(a, b, c, d)) return 0;
+    return value > 0 ? 1 : -1;
+}
+
+bool is_crease(const Topology& topology,
+               const Edge& edge,
+               std::uint32_t face0,
+               std::uint32_t face1,
+               double crease_rad) {
+    const double deviation = deviation_rad(topology, edge, face0, face1);
+    if (deviation >= crease_rad) return true;
+    if (deviation + kMostDoubt_rad < crease_rad) return false;
+    const double doubt = turning_doubt_rad(topology, edge, face0) +
+                         turning_doubt_rad(topology, edge, face1) + kArithmetic_rad;
+    return doubt <= kMostDoubt_rad && deviation + doubt >= crease_rad;
+}
+
+}  // namespace ink::scene

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+#include "scene/topology.h"
+
+namespace ink::scene {
+
+// Vertices come as floats, so each stands for any place within half a unit in the last place of it
+// (Topology::rounding_world). What follows says what holds wherever in there they are: the same
+// thing, turned and rounded again, then has the same answers.
+
+/// A point and how far from it the meant one may lie, world units.
+struct RoundedPoint {
+    glm::dvec3 p{0};
+    double rounding = 0;
+};
+
+/// The vertex of a welded scene.
+[[nodiscard]] inline RoundedPoint rounded_point(const Topology& topology, std::uint32_t vertex) {
+    return {topology.p_world[vertex], topology.rounding_world[vertex]};
+}
+
+/// By how much the rounding of the four points may change orient3d_value of them: to first order
+/// each moves it by the area of the triangle of the other three.
+[[nodiscard]] double orient3d_doubt(const RoundedPoint& a,
+                                    const RoundedPoint& b,
+                                    const RoundedPoint& c,
+                                    const RoundedPoint& d);
+
+/// The sign of orient3d, or 0 where the rounding of the points leaves it open.
+[[nodiscard]] int sure_orient3d(const RoundedPoint& a,
+                                const RoundedPoint& b,
+                                const RoundedPoint& c,
+                                const RoundedPoint& d);
+
+/// Whether two faces at an edge crease: they deviate from flat by `crease_rad` or more, or may do
+/// so as far as the rounding of their vertices can tell. So faces that were made to bend by just
+/// that angle crease in every pose.
+///
+/// A sliver whose deviation is open by more than a thousandth of a radian is judged by the one it
+/// has.
+[[nodiscard]] bool is_crease(const Topology& topology,
+                             const Edge& edge,
+                             std::uint32_t face0,
+                             std::uint32_t face1,
+                             double crease_rad);
+
+}  // namespace ink::scene
