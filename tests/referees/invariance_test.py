@@ -1,0 +1,46 @@
+"""What is seen does not depend on where a scene stands: labels stay equal to .1 % of the pixels.
+
+Scenes whose parts touch, catalogue scenes and small models, each moved with its camera in all the
+ways of poses.py. rotation_table has more scenes, more rotations and larger images.
+"""
+
+import unittest
+
+import catalogue_scenes
+from camera import camera_round
+from invariance import changes
+from model_files import read_model
+from poses import POSES
+from program import SHARED
+from shapes import SHAPES
+
+CATALOGUE = ("cube", "torus", "tiles")
+MODELS = ("nonmanifold.obj", "teapot.obj", "featuretype.stl")
+SEED = 15
+
+
+class InvarianceTest(unittest.TestCase):
+    def judge(self, name, mesh, camera, poses):
+        for change in changes(name, mesh, camera, poses, SEED):
+            with self.subTest(scene=name, pose=change.pose):
+                self.assertTrue(change.is_same, str(change))
+
+    def test_shapes_that_touch(self):
+        for name, make in SHAPES.items():
+            mesh = make()
+            self.judge(name, mesh, camera_round(mesh), [*POSES, "rotate"])
+
+    def test_catalogue_scenes(self):
+        for name in CATALOGUE:
+            self.judge(name, *catalogue_scenes.load(name), list(POSES))
+
+    def test_models(self):
+        if not (SHARED / "models").is_dir():
+            self.skipTest("the shared models are not beside the checkout")
+        for name in MODELS:
+            mesh = read_model(SHARED / "models" / name)
+            self.judge(name, mesh, camera_round(mesh), ["rotate", "move", "shuffle", "double"])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
