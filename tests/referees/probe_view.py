@@ -205,6 +205,41 @@ class View:
                                            f"{sorted(seen[i + 1])}, no line between"))
         return verdict
 
+    # ---- What another program draws ----------------------------------------------------------
+
+    def are_flat(self, places, along, crease_deg, aside_px=0.3):
+        """Whether the surface goes on across each place: to either side of a line that runs
+        `along`, the rays meet one object, in faces that join there and bend by less than a crease."""
+        across = np.stack([-along[:, 1], along[:, 0]], 1)
+        across = across * aside_px / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None]
+        first, second = (self._front(places + s * across) for s in (-1, 1))
+        flat = np.zeros(len(places), bool)
+        for i, (f, g) in enumerate(zip(first, second)):
+            if f < 0 or g < 0 or self.welded.objects[f] != self.welded.objects[g]:
+                continue
+            difference = self.probe.inverse_w[f] - self.probe.inverse_w[g]
+            steep = np.linalg.norm(self.probe.inverse_w[[f, g], :2], axis=1).max()
+            joins = abs(difference @ (*places[i], 1)) <= 2 * aside_px * steep
+            normals = [self._facing_normal(face) for face in (f, g)]
+            bend_deg = np.degrees(np.arccos(np.clip(normals[0] @ normals[1], -1, 1)))
+            flat[i] = f == g or (joins and bend_deg < crease_deg)
+        return flat
+
+    def _front(self, places):
+        """The nearest face at each place, -1 before the sky."""
+        index, face, inverse_w, _ = self.probe.hits(places, slack_px=1e-6)
+        front = np.full(len(places), -1)
+        order = np.lexsort((inverse_w, index))
+        front[index[order]] = face[order]  # the last one written is the nearest
+        return front
+
+    def _facing_normal(self, face):
+        """Unit, on the side of the eye."""
+        a, b, c = self.welded.points[self.welded.faces[face]]
+        normal = np.cross(b - a, c - a)
+        normal /= np.linalg.norm(normal)
+        return normal if normal @ (self.camera.eye - a) > 0 else -normal
+
 
 def crosses(a, b, outline, slack_px=ON_LINE_PX):
     """Whether a line passes between two places a pixel apart, or within `slack_px` of that."""
