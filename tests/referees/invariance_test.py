@@ -14,8 +14,8 @@ from poses import POSES
 from program import SHARED
 from shapes import SHAPES
 
-CATALOGUE = ("cube", "torus", "tiles")
-MODELS = ("nonmanifold.obj", "teapot.obj", "featuretype.stl")
+CATALOGUE = ("soup", "tiles")
+MODELS = ("nonmanifold.obj", "featuretype.stl")
 SEED = 15
 
 
@@ -28,7 +28,8 @@ class InvarianceTest(unittest.TestCase):
     def test_shapes_that_touch(self):
         for name, make in SHAPES.items():
             mesh = make()
-            self.judge(name, mesh, camera_round(mesh), [*POSES, "rotate"])
+            self.judge(name, mesh, camera_round(mesh),
+                       ["rotate", "rotate", "assemble", "permute", "shuffle", "flip", "double", "mirror"])
 
     def test_catalogue_scenes(self):
         for name in CATALOGUE:
@@ -39,7 +40,7 @@ class InvarianceTest(unittest.TestCase):
             self.skipTest("the shared models are not beside the checkout")
         for name in MODELS:
             mesh = read_model(SHARED / "models" / name)
-            self.judge(name, mesh, camera_round(mesh), ["rotate", "move", "shuffle", "double"])
+            self.judge(name, mesh, camera_round(mesh), ["rotate", "shuffle", "double"])
 
 
 if __name__ == "__main__":

@@ -34,6 +34,7 @@ class LatticeTest(unittest.TestCase):
             for question, verdict in (
                     ("drawn", view.judge_drawn(truth.outline, 300, random)),
                     ("missing", view.judge_missing(truth.outline, 300, random)),
+                    ("crossings", view.judge_crossings(truth.outline)),
                     ("passed", view.judge_passed(truth.outline, step=6))):
                 totals.setdefault(question, Verdict()).add(verdict)
                 for x, y, why in verdict.failed[:5]:
@@ -44,7 +45,7 @@ class LatticeTest(unittest.TestCase):
                 moved.append(str(change))
                 print(change, flush=True)
         for question, verdict in totals.items():
-            print(f"{question:<8} {verdict}")
+            print(f"{question:<9} {verdict}")
             with self.subTest(question=question):
                 self.assertGreaterEqual(verdict.agreement, 0.999, str(verdict))
         with self.subTest(question="permuted axes"):

@@ -39,6 +39,13 @@ def move(mesh, camera, random):
     return _moved(mesh, camera, lambda p: p + shift)
 
 
+def assemble(mesh, camera, random):
+    """Turned, scaled and moved, and rounded each time, as a part that went through three programs."""
+    for pose in (rotate, scale, move):
+        mesh, camera = pose(mesh, camera, random)
+    return mesh, camera
+
+
 def permute(mesh, camera, _):
     """x to y to z to x: a rotation that no number is rounded by."""
     return _moved(mesh, camera, lambda p: p[..., [2, 0, 1]], lambda v: v[[2, 0, 1]])
@@ -77,5 +84,5 @@ def mirror(mesh, camera, _):
     return _moved(mesh, camera, lambda p: p * [-1, 1, 1], lambda v: v * [-1, 1, 1])
 
 
-POSES = {pose.__name__: pose
-         for pose in (rotate, scale, scale_by_two, move, permute, shuffle, flip, double, mirror)}
+POSES = {pose.__name__: pose for pose in (rotate, scale, scale_by_two, move, assemble, permute,
+                                          shuffle, flip, double, mirror)}

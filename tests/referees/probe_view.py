@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from crossings import find_crossings
 from feature_edges import INTERSECTION, classify
 from mesh import weld
 from outline import CLASSES, distances_px, make_outline
@@ -57,25 +58,14 @@ class View:
 
     # ---- What rays meet at places of edges ---------------------------------------------------
 
-    def _edge_places(self, edges, shares):
+    def edge_places(self, edges, shares):
         """Of each place of an edge: is it hidden, is it nearly hidden, does another surface touch
         it. `shares` is how far along the edge on the image, 0..1."""
         a, b = self.ends_px[edges, 0], self.ends_px[edges, 1]
         places = a + shares[:, None] * (b - a)
         inverse_w = (self.ends_inverse_w[edges, 0] * (1 - shares)
                      + self.ends_inverse_w[edges, 1] * shares)
-        index, face, hit, inside = self.probe.hits(places, slack_px=0.05)
-        is_own = np.array([f in self.neighbours[edges[i]] for i, f in zip(index, face)], bool)
-        before = ~is_own & (hit > inverse_w[index] * (1 + TIE))
-        touching = ~is_own & (np.abs(hit / inverse_w[index] - 1) <= TIE)
-        count = len(places)
-        hidden = np.zeros(count, bool)
-        hidden[index[before & (inside > CLEAR_PX)]] = True
-        nearly = np.zeros(count, bool)
-        nearly[index[before]] = True
-        touched = np.zeros(count, bool)
-        touched[index[touching]] = True
-        return hidden, nearly, touched
+        return self._hidden(places, inverse_w, lambda i, face: face in self.neighbours[edges[i]])
 
     def _edges_near(self, place, edges):
         """Of `edges` those within ON_LINE_PX of a place, and how far along them, 0..1."""
@@ -85,6 +75,26 @@ class View:
         t = np.clip(t, 0, 1)
         near = np.hypot(*(a + t[:, None] * along - place).T) <= ON_LINE_PX
         return edges[near], t[near]
+
+    def _inside(self, places):
+        """Which places lie in the frame, half a pixel from its borders."""
+        size = np.array([self.camera.width_px, self.camera.height_px])
+        return ((places > 0.5) & (places < size - 0.5)).all(1)
+
+    def _hidden(self, places, inverse_w, is_own):
+        """Of each place at this 1/w: does anything but its own faces hide it by CLEAR_PX or more,
+        does anything come within .05 px of hiding it, does another surface touch it.
+
+        `is_own(i, face)` says whether a face is the i-th place's own.
+        """
+        index, face, hit, inside = self.probe.hits(places, slack_px=0.05)
+        foreign = ~np.array([is_own(i, f) for i, f in zip(index, face)], bool)
+        before = foreign & (hit > inverse_w[index] * (1 + TIE))
+        touching = foreign & (np.abs(hit / inverse_w[index] - 1) <= TIE)
+        answers = np.zeros((3, len(places)), bool)
+        for answer, found in zip(answers, (before & (inside > CLEAR_PX), before, touching)):
+            answer[index[found]] = True
+        return answers
 
     # ---- What is drawn is there --------------------------------------------------------------
 
@@ -108,7 +118,7 @@ class View:
         if rows:
             which = np.array([r[0] for r in rows])
             edges = np.array([r[1] for r in rows])
-            hidden, _, touched = self._edge_places(edges, np.array([r[2] for r in rows]))
+            hidden, _, touched = self.edge_places(edges, np.array([r[2] for r in rows]))
             for i, edge, is_hidden, is_touched in zip(which, edges, hidden, touched):
                 wanted = outline.classes[pieces[i]]
                 why = ("" if self.edges.classes[edge] == wanted else
@@ -154,8 +164,7 @@ class View:
         lines = np.flatnonzero((self.edges.classes > 0) & self.is_ahead)
         ends = make_outline([(1, self.ends_px[e]) for e in lines])
         places, piece, _ = ends.samples(step_px)
-        size = np.array([self.camera.width_px, self.camera.height_px])
-        kept = ((places > 0.5) & (places < size - 0.5)).all(1)
+        kept = self._inside(places)
         places, edges = places[kept], lines[piece[kept]]
         a, b = self.ends_px[edges, 0], self.ends_px[edges, 1]
         length = np.linalg.norm(b - a, axis=1)
@@ -169,7 +178,7 @@ class View:
         places, edges, shares = places[chosen], edges[chosen], shares[chosen]
         if len(places) == 0:
             return verdict
-        _, nearly, touched = self._edge_places(edges, shares)
+        _, nearly, touched = self.edge_places(edges, shares)
         distance, _ = distances_px(places, outline, 0.05)
         for place, edge, hidden, tie, far in zip(places, edges, nearly, touched, distance):
             if hidden:
@@ -182,6 +191,36 @@ class View:
             else:
                 name = CLASSES[self.edges.classes[edge]]
                 verdict.failed.append((*place, f"{name}: not drawn"))
+        return verdict
+
+    def judge_crossings(self, outline, step_px=2.0):
+        """Looks at every place, `step_px` apart, in plain view where two triangles pierce each
+        other. By brute force: for small meshes."""
+        verdict = Verdict()
+        segments, faces = find_crossings(self.welded)
+        clip = self.camera.to_clip(segments)
+        # A face that is seen edge-on covers nothing, so its crossings are no lines.
+        kept = (clip[..., 2] > 0).all(1) & self.probe.is_seen[faces].all(1)
+        clip, faces = clip[kept], faces[kept]
+        ends = clip[..., :2] / clip[..., 2:]
+        places, piece, _ = make_outline((INTERSECTION, e) for e in ends).samples(step_px)
+        kept = self._inside(places)
+        places, piece = places[kept], piece[kept]
+        inverse_w = np.einsum("ij,ij->i", np.concatenate([places, np.ones((len(places), 1))], 1),
+                              self.probe.inverse_w[faces[piece, 0]])
+        _, nearly, touched = self._hidden(places, inverse_w,
+                                          lambda i, face: face in faces[piece[i]])
+        near, _ = distances_px(places, outline, 0.05)
+        for place, hidden, tie, distance in zip(places, nearly, touched, near):
+            if hidden:
+                continue
+            verdict.asked += 1
+            if np.isfinite(distance):
+                continue
+            if tie:
+                verdict.undecided += 1
+            else:
+                verdict.failed.append((*place, "intersection: not drawn"))
         return verdict
 
     def judge_passed(self, outline, step=1):
