@@ -1,4 +1,4 @@
-"""A pinhole camera: right-handed, y up, x to the right and y down on the image, pixel (0,0) first."""
+"""A pinhole camera: right-handed, y up; on the image x runs right, y down, from the top left."""
 
 from dataclasses import dataclass
 

@@ -94,18 +94,20 @@ class CasesTest(unittest.TestCase):
         seen_from = camera((0.0, 0.0, 0.2), (0.0, 0.0, 0.0), 40)
         truth = trace(mesh, seen_from)
         for side in (-1, 1):
-            ends = seen_from.to_clip(np.array([[side * 0.00075, -0.03, 0], [side * 0.00075, 0.03, 0]]))
+            x = side * 0.00075
+            ends = seen_from.to_clip(np.array([[x, -0.03, 0], [x, 0.03, 0]]))
             ends = ends[:, :2] / ends[:, 2:]
             length = np.linalg.norm(ends[1] - ends[0])
             near = np.abs(truth.outline.pieces[:, :, 0] - ends[0, 0]).max(1) < 0.05
             is_border = near & (truth.outline.classes == BOUNDARY)
             drawn = truth.outline.lengths_px()[is_border].sum()
-            self.assertAlmostEqual(drawn, length, delta=0.5, msg=f"the border at {ends[0, 0]:.1f} px")
+            self.assertAlmostEqual(drawn, length, delta=0.5, msg=f"at {ends[0, 0]:.1f} px")
         self.assert_agrees(mesh, seen_from, truth=truth)
 
     def test_a_gap_of_five_pixels_beside_a_far_triangle(self):
-        left = quad("", (-0.05, -0.03, 0), (-0.00075, -0.03, 0), (-0.00075, 0.03, 0), (-0.05, 0.03, 0))
-        right = quad("", (0.00075, -0.03, 0), (0.05, -0.03, 0), (0.05, 0.03, 0), (0.00075, 0.03, 0))
+        inner, outer, top = 0.00075, 0.05, 0.03
+        left = quad("", (-outer, -top, 0), (-inner, -top, 0), (-inner, top, 0), (-outer, top, 0))
+        right = quad("", (inner, -top, 0), (outer, -top, 0), (outer, top, 0), (inner, top, 0))
         far = part("", [(-1000, -5, -1000), (1000, -5, -1000), (0, 900, -1000)], [(0, 1, 2)])
         for name, parts in (("one object", [one_object("all", [left, right, far])]),
                             ("three", [left, right, far])):

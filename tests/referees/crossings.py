@@ -53,7 +53,7 @@ def find_crossings(welded, clear=1e-6):
         cuts = np.concatenate([_cut(corners[i], to_j), _cut(corners[j], to_i)], 1)
         along = np.cross(normal[i], normal[j])
         at = (cuts * along[:, None]).sum(2)
-        # The two intervals on the common line; the middle two of the four ends bound what is common.
+        # Two intervals on the common line: the middle two of their four ends bound what is common.
         begin = np.maximum(at[:, :2].min(1), at[:, 2:].min(1))
         end = np.minimum(at[:, :2].max(1), at[:, 2:].max(1))
         order = np.argsort(at, axis=1)

@@ -34,10 +34,12 @@ class Change:
         return self.changed_px <= max(FREE_PX, MOST_SHARE * self.truth_px)
 
     def __str__(self):
-        lengths = ", ".join(f"{name} {a:.0f} -> {b:.0f} px" for name, (a, b) in self.lengths_px.items())
-        return (f"{self.scene:<18} {self.pose:<13} {self.changed_px:>6} of {self.truth_px:>6} truth px "
-                f"{100 * self.share:>7.3f} %  of the image {100 * self.changed_px / self.image_px:.4f} %"
-                + (f"  ({lengths})" if lengths else ""))
+        lengths = ", ".join(f"{name} {a:.0f} -> {b:.0f} px"
+                            for name, (a, b) in self.lengths_px.items())
+        return (f"{self.scene:<18} {self.pose:<13} {self.changed_px:>6} of {self.truth_px:>6} "
+                f"truth px {100 * self.share:>7.3f} %, of the image "
+                f"{100 * self.changed_px / self.image_px:.4f} %"
+                + (f" ({lengths})" if lengths else ""))
 
 
 def _lengths(before, after):

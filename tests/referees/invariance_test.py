@@ -16,6 +16,8 @@ from shapes import SHAPES
 
 CATALOGUE = ("soup", "tiles")
 MODELS = ("nonmanifold.obj", "featuretype.stl")
+# Poses that round nothing.
+EXACT = ("permute", "shuffle", "flip", "double", "mirror")
 SEED = 15
 
 
@@ -28,8 +30,7 @@ class InvarianceTest(unittest.TestCase):
     def test_shapes_that_touch(self):
         for name, make in SHAPES.items():
             mesh = make()
-            self.judge(name, mesh, camera_round(mesh),
-                       ["rotate", "rotate", "assemble", "permute", "shuffle", "flip", "double", "mirror"])
+            self.judge(name, mesh, camera_round(mesh), ["rotate", "rotate", "assemble", *EXACT])
 
     def test_catalogue_scenes(self):
         for name in CATALOGUE:

@@ -29,7 +29,7 @@ class Mesh:
         return np.repeat(np.arange(len(self.parts)), [len(p.faces) for p in self.parts])
 
     def moved(self, place):
-        """The same with points placed by `place` ((n, 3) doubles to doubles), rounded to float32."""
+        """With points placed by `place` ((n, 3) doubles to doubles), rounded to float32."""
         return Mesh([Part(p.name, rounded(place(p.points.astype(np.float64))), p.faces)
                      for p in self.parts])
 

@@ -40,7 +40,7 @@ def move(mesh, camera, random):
 
 
 def assemble(mesh, camera, random):
-    """Turned, scaled and moved, and rounded each time, as a part that went through three programs."""
+    """Turned, scaled and moved, rounded each time: a part that went through three programs."""
     for pose in (rotate, scale, move):
         mesh, camera = pose(mesh, camera, random)
     return mesh, camera
@@ -68,7 +68,8 @@ def flip(mesh, camera, random):
     parts = []
     for p in mesh.parts:
         is_flipped = random.random(len(p.faces)) < 0.5
-        parts.append(Part(p.name, p.points, np.where(is_flipped[:, None], p.faces[:, ::-1], p.faces)))
+        faces = np.where(is_flipped[:, None], p.faces[:, ::-1], p.faces)
+        parts.append(Part(p.name, p.points, faces))
     return Mesh(parts), camera
 
 

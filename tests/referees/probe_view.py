@@ -248,7 +248,7 @@ class View:
 
     def are_flat(self, places, along, crease_deg, aside_px=0.3):
         """Whether the surface goes on across each place: to either side of a line that runs
-        `along`, the rays meet one object, in faces that join there and bend by less than a crease."""
+        `along`, rays meet one object, in faces that join there and bend by less than a crease."""
         across = np.stack([-along[:, 1], along[:, 0]], 1)
         across = across * aside_px / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None]
         first, second = (self._front(places + s * across) for s in (-1, 1))

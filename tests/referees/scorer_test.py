@@ -106,7 +106,8 @@ def random_pair(random):
     drawn = (shaken(random, truth) if random.random() < 0.6
              else KINDS[random.integers(len(KINDS))](random, size))
     response = random.integers(1, 256, size) if random.random() < 0.5 else np.full(size, 255)
-    labels = random.choice([1, 2, 3, 4, 5, 7], size) if random.random() < 0.6 else np.full(size, 255)
+    has_classes = random.random() < 0.6
+    labels = random.choice([1, 2, 3, 4, 5, 7], size) if has_classes else np.full(size, 255)
     return (drawn * response).astype(np.uint8), (truth * labels).astype(np.uint8)
 
 
@@ -154,7 +155,8 @@ def main():
         found = program_counts(prediction, truth, options)
         if wanted != found:
             failed += 1
-            print(f"seed {seed} {prediction.shape} {options}:\n  oracle  {wanted}\n  program {found}")
+            print(f"seed {seed} {prediction.shape} {options}:")
+            print(f"  oracle  {wanted}\n  program {found}")
     print(f"{args.pairs} pairs{'' if can_thin else ', none thinned'}: {failed} differ")
     return 1 if failed else 0
 

@@ -44,7 +44,8 @@ def torus(name, radius, tube, around, across):
     i, j = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
     a, b = i.ravel() * across, (i.ravel() + 1) % around * across
     j, k = j.ravel(), (j.ravel() + 1) % across
-    faces = np.concatenate([np.stack([a + j, a + k, b + j], -1), np.stack([b + j, a + k, b + k], -1)])
+    faces = np.concatenate([np.stack(t, -1) for t in ((a + j, a + k, b + j),
+                                                      (b + j, a + k, b + k))])
     return part(name, points, faces)
 
 
@@ -108,7 +109,8 @@ def box_stack():
 
 def abutting_boxes():
     """Level tops: a seam between two objects, and nothing within one."""
-    return Mesh([box("left", (-1.4, 0, -0.7), (0.1, 1, 0.6)), box("right", (0.1, 0, -0.7), (1.7, 1, 0.6)),
+    return Mesh([box("left", (-1.4, 0, -0.7), (0.1, 1, 0.6)),
+                 box("right", (0.1, 0, -0.7), (1.7, 1, 0.6)),
                  one_object("pair", [box("", (-1.4, 0, 1.1), (0.1, 1, 1.7)),
                                      box("", (0.1, 0, 1.1), (1.7, 1, 1.7))])])
 
