@@ -47,7 +47,7 @@ class Camera:
                       turn(np.asarray(self.up, float)), self.fov_deg, self.width_px, self.height_px)
 
 
-def camera_round(mesh, width_px=640, height_px=360, azimuth_deg=37.3, height_deg=23.7, room=1.13,
+def camera_round(mesh, width_px=640, height_px=360, azimuth_deg=37.3, height_deg=23.7, room=0.81,
                  fov_deg=38.9):
     """A camera whose frame holds the whole mesh, from odd angles so that nothing lies level."""
     low, high = mesh.box()

@@ -131,11 +131,13 @@ def t_joint_behind():
 
 
 def decal():
-    """Flat marks in the plane of a wall: one of another object, one of its own."""
+    """Flat marks in the plane of a wall: one of its own, and of two other objects the one that is
+    listed first, which is seen, and the one that is listed last, which is not."""
     wall = quad("", (-2, 0, 0), (2, 0, 0), (2, 2.4, 0), (-2, 2.4, 0))
     own = quad("", (-1.5, 0.4, 0), (-0.4, 0.7, 0), (-0.6, 1.7, 0), (-1.4, 1.5, 0))
     mark = quad("mark", (0.3, 0.5, 0), (1.6, 0.8, 0), (1.4, 1.9, 0), (0.5, 1.6, 0))
-    return Mesh([one_object("wall", [wall, own]), mark])
+    seen = quad("seen", (-0.5, 1.9, 0), (0.4, 1.8, 0), (0.5, 2.2, 0), (-0.3, 2.3, 0))
+    return Mesh([seen, one_object("wall", [wall, own]), mark])
 
 
 def stacked_sheets():
@@ -151,6 +153,48 @@ def touching_solids():
                  cylinder("pin", (-0.5, 0, 0), 0.4, 1.5, 24),
                  cylinder("collar", (-0.5, 0, 0), 0.7, 0.4, 24),
                  box("block", (0.2, 0, -0.6), (1.1, 1.1, 0.6))])
+
+
+def overlapping_boxes():
+    """Level tops and one level side, one through the other: within one object and of two."""
+    def cross(name, x, other):
+        return [box(name, (x - 1, 0, -0.4), (x + 1, 0.7, 0.4)),
+                box(other, (x - 0.3, 0, -0.4), (x + 0.45, 0.7, 1.1))]
+    return Mesh([*cross("bar", -1.3, "beam"), one_object("pair", cross("", 1.4, ""))])
+
+
+def lying_cylinder():
+    """On a floor, one of its sides level with it; another touches that one along an edge."""
+    first = turned(cylinder("first", (0, -1, 0), 0.6, 2.2, 16), (1, 0, 0), 90)
+    first = turned(first, (0, 0, 1), 180 / 16)
+    level = float(first.points[:, 1].min())
+    beside = first.points.astype(np.float64) + [2 * first.points[:, 0].max(), 0, 0.3]
+    second = part("second", beside, first.faces)
+    return Mesh([first, second,
+                 quad("floor", (-2, level, -2), (-2, level, 2), (3, level, 2), (3, level, -2))])
+
+
+def inlay():
+    """A block let into a plate's hole, level with it, and one that stands out of such a hole."""
+    def frame(x):
+        low, high = (x - 1, -0.3, -1), (x + 1, 0, 1)
+        return [box("", low, (x - 0.5, 0, 1)), box("", (x + 0.5, -0.3, -1), high),
+                box("", (x - 0.5, -0.3, -1), (x + 0.5, 0, -0.4)),
+                box("", (x - 0.5, -0.3, 0.4), (x + 0.5, 0, 1))]
+    return Mesh([one_object("plate", frame(-1.2) + frame(1.2)),
+                 box("level", (-1.7, -0.3, -0.4), (-0.7, 0, 0.4)),
+                 box("proud", (0.7, -0.3, -0.4), (1.7, 0.35, 0.4))])
+
+
+def roof_under_a_plate():
+    """A ridge that touches a plate's lower side, and a tip that touches its upper one."""
+    ridge = part("roof", [(-0.9, 0, 0.1), (0.8, 0, 0.1), (-0.9, -0.8, 0.9), (0.8, -0.8, 0.9),
+                          (-0.9, -0.8, -0.7), (0.8, -0.8, -0.7)],
+                 [(0, 2, 1), (1, 2, 3), (0, 1, 4), (1, 5, 4)])
+    tip = part("tip", [(0.2, 0, 0.3), (-0.2, 0.9, 0), (0.7, 0.8, 0.1), (0.1, 0.9, 0.8)],
+               [(0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2)])
+    return Mesh([quad("plate", (-1.5, 0, -1.2), (-1.5, 0, 1.2), (1.5, 0, 1.2), (1.5, 0, -1.2)),
+                 ridge, tip])
 
 
 def crossing_boxes():
@@ -178,4 +222,5 @@ def folded_sheets():
 
 SHAPES = {make.__name__: make for make in (
     boxes_on_a_floor, box_stack, abutting_boxes, t_joint, t_joint_behind, decal, stacked_sheets,
-    touching_solids, crossing_boxes, smooth_shapes, folded_sheets)}
+    touching_solids, overlapping_boxes, lying_cylinder, inlay, roof_under_a_plate, crossing_boxes,
+    smooth_shapes, folded_sheets)}
