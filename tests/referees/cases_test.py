@@ -159,6 +159,21 @@ class CasesTest(unittest.TestCase):
         truth = trace(mesh, seen_from)
         self.assertEqual(truth.outline.length_px(INTERSECTION), 0)
 
+    def test_a_hidden_border_along_a_crossing(self):
+        """Two surfaces pierce each other exactly where a third, behind them, ends."""
+        wall = quad("wall", (-2, -2, 0), (2, -2, 0), (2, 1, 0), (-2, 1, 0))
+        slope = quad("slope", (-2, -2, 1), (2, -2, 1), (2, 1, -2), (-2, 1, -2))
+        for step in (-1, 1):  # the third lies behind either of the two
+            third = quad("third", (-3, -1, 0), (3, -1, 0), (3, -1, step), (-3, -1, step))
+            pair = one_object("slope", [slope, third])
+            for name, parts in (("of three", [wall, slope, third]), ("of two", [wall, pair]),
+                                ("the other first", [pair, wall])):
+                with self.subTest(objects=name, step=step):
+                    mesh, seen_from = Mesh(parts), camera((-3.1, 6.2, 9.3), (0, -0.6, 0), 30)
+                    truth = trace(mesh, seen_from)
+                    verdict = View(mesh, seen_from).judge_passed(truth.outline, step=2)
+                    self.assertEqual(len(verdict.failed), 0, verdict.failed[:3])
+
     def test_cop0(self):
         mesh = self.case("cop0")
         self.assert_flat(mesh, camera_round(mesh, 640, 480))

@@ -224,7 +224,8 @@ class View:
         return verdict
 
     def judge_passed(self, outline, step=1):
-        """Looks at every `step`-th row and column of pixel centres and at the steps along them."""
+        """Looks at the steps along every `step`-th row and column of pixel centres; counts those
+        from one object to another, or to the sky."""
         verdict = Verdict()
         width, height = self.camera.width_px, self.camera.height_px
         for along in (0, 1):
@@ -236,7 +237,7 @@ class View:
             row = len(moving)
             pairs = [i for i in range(len(seen) - 1)
                      if (i + 1) % row and seen[i] != seen[i + 1] and not seen[i] & seen[i + 1]]
-            verdict.asked += len(seen) - len(fixed)
+            verdict.asked += len(pairs)
             flat = places.reshape(-1, 2)
             for i in pairs:
                 if not crosses(flat[i], flat[i + 1], outline):
