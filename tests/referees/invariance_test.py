@@ -16,8 +16,8 @@ from shapes import SHAPES
 
 CATALOGUE = ("soup", "tiles")
 MODELS = ("nonmanifold.obj", "featuretype.stl")
-# Poses that round nothing.
-EXACT = ("permute", "shuffle", "flip", "double", "mirror")
+# Poses that round nothing; lattice_test and cases_test permute axes.
+EXACT = ("shuffle", "flip", "double", "mirror")
 SEED = 15
 
 
