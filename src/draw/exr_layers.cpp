@@ -102,6 +102,7 @@ void write_truth_exr(const harness::SceneViews& scene_views,
         file.channels.push_back({"sampled.Y", shares(truth.sampled)});
     }
     file.channels.push_back({"class.label", whole_numbers(truth.labels)});
+    file.channels.push_back({"class.below_crease", whole_numbers(truth.below_crease)});
     const truth::Cracks cracks =
         truth::draw_cracks(truth.curves, truth.labels.width_px(), truth.labels.height_px());
     file.channels.push_back({"crack.right", whole_numbers(cracks.right)});

@@ -13,8 +13,9 @@ namespace ink::draw {
 /// Writes a truth as a multi-channel OpenEXR file.
 ///
 /// Channels: `R G B` (HALF, linear light) the classes in colour, `Z` (FLOAT) the distance along the
-/// view direction, infinity before the sky; `class.label` (UINT) the labels,
-/// `crack.right` and `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
+/// view direction, infinity before the sky; `class.label` (UINT) the labels, `class.below_crease`
+/// (UINT) 1 at intersections that bend by less than the crease angle, `crack.right` and
+/// `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
 /// (HALF) 0 or 1. What the truth was traced without is left out. The header names scene, view,
 /// camera (`worldToCamera`, eye, field of view, near), crease angle, program and commit.

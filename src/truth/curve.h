@@ -44,6 +44,13 @@ struct Curve {
     CurvePoint end;
 };
 
+/// Whether a curve is an intersection whose two seen faces bend by less than the crease angle. A
+/// bend that is the angle but for the rounding of a float is not less.
+[[nodiscard]] constexpr bool is_below_crease(const Curve& curve, double crease_rad) {
+    return curve.line_class == LineClass::intersection &&
+           curve.deviation_rad < static_cast<float>(crease_rad);
+}
+
 /// Between which neighbouring pixel centres the visible lines run: the second, thinning-free
 /// product.
 ///

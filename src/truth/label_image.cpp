@@ -22,6 +22,31 @@ void draw(const Curve& curve, Labels& labels) {
     });
 }
 
+/// 1 at the intersections of `labels` through whose pixel no curve but such below the crease angle
+/// runs.
+Labels draw_below_crease(std::span<const Curve> curves, double crease_rad, const Labels& labels) {
+    Labels below(labels.width_px(), labels.height_px());
+    const auto mark = [&](bool is_below, std::uint8_t value) {
+        for (const Curve& curve : curves) {
+            if (is_below_crease(curve, crease_rad) != is_below) continue;
+            visit_pixels(curve, [&](int x, int y) {
+                if (below.contains(x, y)) below.at(x, y) = value;
+            });
+        }
+    };
+    const bool is_any = std::any_of(curves.begin(), curves.end(), [&](const Curve& curve) {
+        return is_below_crease(curve, crease_rad);
+    });
+    if (!is_any) return below;
+    mark(true, 1);
+    mark(false, 0);
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        if (labels.data()[i] != static_cast<std::uint8_t>(LineClass::intersection))
+            below.data()[i] = 0;
+    }
+    return below;
+}
+
 edge::Mask drawn(const Labels& labels) {
     edge::Mask mask(labels.width_px(), labels.height_px());
     std::transform(labels.data(), labels.data() + labels.size(), mask.data(), [](std::uint8_t l) {
@@ -102,7 +127,10 @@ std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
 
 }  // namespace
 
-LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px) {
+LabelImage draw_labels(std::span<const Curve> curves,
+                       int width_px,
+                       int height_px,
+                       double crease_rad) {
     LabelImage result;
     result.labels = Labels(width_px, height_px);
     for (const Curve& curve : curves)
@@ -115,6 +143,7 @@ LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_p
     const std::size_t crowded = ignore_crowded(before, result.labels);
     result.crowded_share = n == 0 ? 0 : static_cast<double>(crowded) / static_cast<double>(n);
     keep(result.labels, edge::thin(drawn(result.labels)));
+    result.below_crease = draw_below_crease(curves, crease_rad, result.labels);
     return result;
 }
 

@@ -11,14 +11,15 @@ namespace ink::truth {
 
 /// The truth image of some curves and what making it thin left out.
 struct LabelImage {
-    core::Image<std::uint8_t> labels;  ///< LineClass per pixel
-    std::size_t merged_px = 0;         ///< drawn pixels that thinning the union removed
-    double crowded_share = 0;          ///< share of the drawn pixels that lie in crowded blocks
+    core::Image<std::uint8_t> labels;        ///< LineClass per pixel
+    core::Image<std::uint8_t> below_crease;  ///< as Truth::below_crease
+    std::size_t merged_px = 0;               ///< drawn pixels that thinning the union removed
+    double crowded_share = 0;                ///< share of the drawn pixels in crowded blocks
 };
 
 /// Draws curves as the truth image (design, section 5): a pixel that holds a sample of a line,
 /// every 1/16 px along it, both ends included, rounded down; the lower label wins; the union is
-/// thinned.
+/// thinned. `crease_rad` only says which intersections are marked in `below_crease`.
 ///
 /// 8x8 blocks (the first at (0,0); cut off at right and bottom) more than three quarters full
 /// before thinning, and the eight blocks round each, are crowded: all their pixels become `ignore`.
@@ -31,6 +32,9 @@ struct LabelImage {
 /// (those within the tolerance of the line's last truth pixel), so `sampled` fell to F = .83 and
 /// .94. With three quarters and the ring it is .956 and .989. The ring takes in the rim of filled
 /// patches, where what thinning keeps is chance.
-[[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves, int width_px, int height_px);
+[[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves,
+                                     int width_px,
+                                     int height_px,
+                                     double crease_rad);
 
 }  // namespace ink::truth

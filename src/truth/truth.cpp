@@ -51,9 +51,10 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
     Truth truth;
     TracedLines lines = trace_lines(eye, scene, trace);
     lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
-    LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px);
+    LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px, model.crease_rad);
     truth.counts = counts_of(model, lines, image);
     truth.labels = std::move(image.labels);
+    truth.below_crease = std::move(image.below_crease);
     truth.curves = std::move(lines.curves);
     if (trace.layers) {
         TracedLayers seen = trace_layers(eye, scene, trace.threads);

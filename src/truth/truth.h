@@ -57,8 +57,11 @@ struct TruthCounts {
 /// The exact outline of a scene from a view.
 struct Truth {
     core::Image<std::uint8_t> labels;  ///< LineClass per pixel: thinned, crowded blocks `ignore`
-    std::vector<Curve> curves;         ///< sub-pixel, every visible line, before any thinning
-    edge::EdgeImage sampled;           ///< the exact classes seen through ids at pixel centres
+    /// 1 where a pixel of `labels` is an intersection and no line runs through it but intersections
+    /// that bend by less than the crease angle (is_below_crease); else 0.
+    core::Image<std::uint8_t> below_crease;
+    std::vector<Curve> curves;  ///< sub-pixel, every visible line, before any thinning
+    edge::EdgeImage sampled;    ///< the exact classes seen through ids at pixel centres
     Layers layers;
     TruthCounts counts;
     double trace_s = 0;  ///< wall time of the trace (kept when it comes from the cache)

@@ -94,6 +94,7 @@ void pass_curves(Stream& of, Lines& curves) {
 
 void write_payload(core::ByteWriter& out, const Truth& truth) {
     write_runs(out, truth.labels);
+    write_runs(out, truth.below_crease);
     pass_curves(out, truth.curves);
     write_runs(out, truth.sampled);
     write_runs(out, truth.layers.triangle);
@@ -106,6 +107,7 @@ void write_payload(core::ByteWriter& out, const Truth& truth) {
 std::optional<Truth> read_payload(core::ByteReader& in) {
     Truth truth;
     truth.labels = read_runs<std::uint8_t>(in);
+    truth.below_crease = read_runs<std::uint8_t>(in);
     pass_curves(in, truth.curves);
     truth.sampled = read_runs<std::uint8_t>(in);
     truth.layers.triangle = read_runs<std::uint32_t>(in);

@@ -67,13 +67,14 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
     using Ids = core::Image<std::uint32_t>;
     using Floats = core::Image<float>;
     const auto* label = channel<Ids>(file, "class.label");
+    const auto* below_crease = channel<Ids>(file, "class.below_crease");
     const auto* triangle = channel<Ids>(file, "id.triangle");
     const auto* patch = channel<Ids>(file, "id.patch");
     const auto* depth = channel<Floats>(file, "Z");
     const auto* facing = channel<Floats>(file, "facing.Y");
     const auto* sampled = channel<image_io::HalfImage>(file, "sampled.Y");
     const auto* red = channel<image_io::HalfImage>(file, "R");
-    ASSERT_TRUE(label && triangle && patch && depth && facing && sampled && red);
+    ASSERT_TRUE(label && below_crease && triangle && patch && depth && facing && sampled && red);
     EXPECT_EQ(*triangle, truth.layers.triangle);
     EXPECT_EQ(*patch, truth.layers.patch);
     EXPECT_EQ(*depth, truth.layers.w);
@@ -81,6 +82,7 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
     std::size_t lines = 0;
     for (std::size_t i = 0; i < label->size(); ++i) {
         EXPECT_EQ(label->data()[i], truth.labels.data()[i]);
+        EXPECT_EQ(below_crease->data()[i], truth.below_crease.data()[i]);
         EXPECT_EQ(sampled->pixels.data()[i], truth.sampled.data()[i] / 255.0F);
         lines += label->data()[i] != 0;
     }
@@ -99,7 +101,8 @@ TEST(TruthExr, LeavesOutWhatWasNotTraced) {
     write_truth_exr(scene_views, {}, truth, path);
     const image_io::ExrFile file = image_io::read_exr(path);
     fs::remove(path);
-    EXPECT_EQ(file.channels.size(), 6U) << "R, G, B, class.label, crack.right and crack.below";
+    EXPECT_EQ(file.channels.size(), 7U)
+        << "R, G, B, class.label, class.below_crease, crack.right and crack.below";
     using Ids = core::Image<std::uint32_t>;
     const auto* right = channel<Ids>(file, "crack.right");
     ASSERT_NE(right, nullptr);

@@ -56,6 +56,7 @@ class Cache : public testing::Test {
 
 void expect_equal(const Truth& a, const Truth& b) {
     EXPECT_EQ(a.labels, b.labels);
+    EXPECT_EQ(a.below_crease, b.below_crease);
     EXPECT_TRUE(same_curves(a, b));
     EXPECT_EQ(a.sampled, b.sampled);
     EXPECT_EQ(a.layers.triangle, b.layers.triangle);
