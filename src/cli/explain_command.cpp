@@ -66,12 +66,13 @@ Json json_of(const draw::Explanation& explanation) {
 }
 
 void run_explain(const ExplainArgs& args) {
-    const auto configs = harness::make_configs(method_list(args.methods), args.settings);
+    auto configs = harness::make_configs(method_list(args.methods), args.settings);
     if (!(args.crease_deg >= 0 && args.crease_deg <= 180)) {
         throw core::Error("--crease",
                           fmt::format("the crease angle cannot be {:g} degrees", args.crease_deg),
                           "0..180");
     }
+    harness::follow_crease(args.crease_deg, configs);
     const harness::ViewRequest request = view_request(args.views);
     const std::string scene = one_scene(args.scene, "explain");
     const harness::SceneViews scene_views =
@@ -99,7 +100,10 @@ void add_explain_command(CLI::App& app) {
     add_set_option(*command, args->settings);
     command->add_option("--view", args->view, "Name of a view (default: all)")->type_name("NAME");
     add_view_options(*command, args->views);
-    command->add_option("--crease", args->crease_deg, "Crease angle of the scene statistics")
+    command
+        ->add_option("--crease",
+                     args->crease_deg,
+                     "Crease angle of the scene statistics, and of methods that use the same")
         ->type_name("DEGREES")
         ->capture_default_str();
     command->add_flag("--json", args->json, "Print JSON instead of text");

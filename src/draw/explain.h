@@ -50,7 +50,7 @@ struct Explanation {
 };
 
 /// Prepares every configuration on the scene and asks its declared code; draws nothing.
-/// `crease_deg` is the scene statistics's; a method plans with its own.
+/// `crease_deg` is the scene statistics's; a method plans with its own parameter.
 [[nodiscard]] Explanation explain(const harness::SceneViews& scene_views,
                                   const std::vector<harness::MethodConfig>& configs,
                                   double crease_deg);

@@ -119,6 +119,7 @@ std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
         fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
     for (const std::string& setting : experiment.settings)
         apply(setting, configs);
+    harness::follow_crease(experiment.crease_deg, configs);
     return configs;
 }
 

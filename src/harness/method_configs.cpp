@@ -14,6 +14,8 @@
 namespace ink::harness {
 namespace {
 
+constexpr double kUsualCrease_deg = 40;  ///< of the truth, and of methods that mean the same
+
 struct Setting {
     std::string method;  ///< "" means all that know the key
     std::string key;
@@ -101,6 +103,16 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Method
     // Read once here, so that a bad value ends the program before a scene is loaded.
     for (const MethodConfig& config : configs)
         (void)config.info->complete(config.settings);
+}
+
+void follow_crease(double crease_deg, std::vector<MethodConfig>& configs) {
+    for (MethodConfig& config : configs) {
+        for (const core::Param& param : config.info->params) {
+            if (param.name != "crease_deg" || param.default_value != kUsualCrease_deg) continue;
+            if (crease_deg == param.default_value) continue;
+            config.settings.try_emplace(param.name, core::format_param(param, crease_deg));
+        }
+    }
 }
 
 MethodConfig preset_config(const std::filesystem::path& file) {

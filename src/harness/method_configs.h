@@ -33,6 +33,10 @@ struct MethodConfig {
 /// Gives each of `settings` to those that it means, as make_configs does, and reads all of them.
 void apply_settings(const std::vector<std::string>& settings, std::vector<MethodConfig>& configs);
 
+/// Gives the truth's crease angle to the configurations that have it as their own: whose parameter
+/// `crease_deg` is 40 by default, as the truth's is, and which nobody set.
+void follow_crease(double crease_deg, std::vector<MethodConfig>& configs);
+
 /// The configurations that a comma list of methods, some settings and some preset files name; an
 /// empty list is every method.
 ///

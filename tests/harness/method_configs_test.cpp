@@ -41,6 +41,18 @@ TEST(MethodConfigs, ASettingWithMethodGoesToThatOneOnly) {
     EXPECT_EQ(configs[1].settings.at("threshold"), "9");
 }
 
+TEST(MethodConfigs, FollowTheTruthsCreaseAngleWhereItIsTheirOwn) {
+    std::vector<MethodConfig> configs =
+        make_configs("ids,edge_list,sobel,inverted_hull,mote4", {"edge_list.crease_deg=20"});
+    follow_crease(40, configs);
+    EXPECT_TRUE(configs[0].settings.empty()) << "nothing moves at the usual angle";
+    follow_crease(60, configs);
+    EXPECT_EQ(configs[0].settings.at("crease_deg"), "60");
+    EXPECT_EQ(configs[1].settings.at("crease_deg"), "20") << "it was set";
+    EXPECT_EQ(configs[2].settings.at("crease_deg"), "60") << "the patches of its normals";
+    EXPECT_TRUE(configs[3].settings.empty()) << "its default is another angle";
+}
+
 TEST(MethodConfigs, BadNamesAndValuesAreNamed) {
     using testing::HasSubstr;
     EXPECT_THAT(message_of("mote5", {}), HasSubstr("mote4"));
