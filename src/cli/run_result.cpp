@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kInvalid = 1;
+constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
 template <class T>
@@ -49,24 +49,30 @@ json methods_json(const std::vector<harness::Row>& rows) {
     return methods;
 }
 
-json result_json(const experiment::RunRecord& record,
-                 const std::vector<harness::Row>& rows,
-                 const fs::path& folder,
-                 const fs::path& page) {
+using UnscoredCells = std::vector<experiment::Unscored>;
+
+json unscored_json(const UnscoredCells& cells) {
     json unscored = json::array();
-    for (const experiment::Unscored& cell : experiment::unscored_cells(rows)) {
+    for (const experiment::Unscored& cell : cells) {
         unscored.push_back({{"scene", cell.scene},
                             {"view", cell.view},
                             {"method", cell.method},
                             {"reason", cell.reason},
                             {"remedy", cell.remedy}});
     }
-    return {{"run", folder.string()},
+    return unscored;
+}
+
+json result_json(const experiment::RunData& run,
+                 const UnscoredCells& unscored,
+                 const fs::path& page) {
+    const experiment::RunRecord& record = run.record;
+    return {{"run", run.folder.string()},
             {"kind", record.kind},
             {"state", experiment::name(record.state)},
             {"page", page.string()},
-            {"methods", methods_json(rows)},
-            {"unscored", unscored},
+            {"methods", methods_json(run.tables.rows)},
+            {"unscored", unscored_json(unscored)},
             {"missing", record.missing_blocks},
             {"faults", record.faults}};
 }
@@ -94,9 +100,9 @@ void print_comparison(const experiment::RunTables& tables, bool one_place) {
 }
 
 void print_warnings(const experiment::RunRecord& record,
-                    const std::vector<harness::Row>& rows,
+                    const UnscoredCells& unscored,
                     const fs::path& folder) {
-    fmt::print(stderr, "{}", experiment::unscored_text(experiment::unscored_cells(rows)));
+    fmt::print(stderr, "{}", experiment::unscored_text(unscored));
     for (const std::string& fault : record.faults)
         fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);
     if (record.missing_blocks.empty()) return;
@@ -114,6 +120,10 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     experiment::RunData run = experiment::read_run(folder);
     const fs::path page = folder / "report.html";
     report::write_run_page({run}, page);
+    // Of every size and number of threads, before one of them is kept to be printed.
+    const UnscoredCells unscored = experiment::unscored_cells(run.tables.rows);
+    const bool is_without_score =
+        run.record.missing_blocks.empty() && experiment::is_all_unscored(run.tables.rows);
     experiment::keep_one_place(run.tables);
     const std::vector<harness::Row>& rows = run.tables.rows;
     if (!rows.empty()) {
@@ -121,7 +131,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
                                report::verdict_markdown(rows, run.tables.curves) + "\n");
     }
     if (is_json) {
-        fmt::print("{}\n", result_json(run.record, rows, folder, page).dump(2));
+        fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {
         print_comparison(run.tables, run.record.one_place);
         print_stress(run.tables.stress);
@@ -130,10 +140,11 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
         fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
     }
     std::fflush(stdout);
-    print_warnings(run.record, rows, folder);
+    print_warnings(run.record, unscored, folder);
+    if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");
     if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
-    if (!run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
-    if (!experiment::unscored_cells(rows).empty()) throw CLI::RuntimeError(kUnscored);
+    if (is_without_score || !run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
+    if (!unscored.empty()) throw CLI::RuntimeError(kUnscored);
 }
 
 }  // namespace ink::cli

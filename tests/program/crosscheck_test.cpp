@@ -99,6 +99,16 @@ TEST(TooLarge, TruthSaysTheCountsAndLeavesNothing) {
     EXPECT_EQ(desk.inventory(), before);
 }
 
+TEST(TooLarge, CompareWithoutAnyScoreFails) {
+    const Desk desk;
+    desk.write("needles.obj", needles(6000));
+    Words words = {"compare", "needles.obj", "--methods", "mote4", "--size", "640x360"};
+    words.insert(words.end(), {"--views", "1", "--repetitions", "1", "--out", "out"});
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("not one cell has a score"));
+}
+
 TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
     const Desk desk;
     desk.write("needles.obj", needles(6000));

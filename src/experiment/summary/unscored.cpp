@@ -67,6 +67,16 @@ std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {
     return cells;
 }
 
+bool is_all_unscored(const std::vector<harness::Row>& rows) {
+    const auto is_of_method = [](const harness::Row& row) {
+        return !harness::is_baseline(row.method);
+    };
+    return std::any_of(rows.begin(), rows.end(), is_of_method) &&
+           std::none_of(rows.begin(), rows.end(), [&](const harness::Row& row) {
+               return is_of_method(row) && row.is_ok();
+           });
+}
+
 const harness::TableInfo& unscored_table() {
     return table().info();
 }

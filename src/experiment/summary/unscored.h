@@ -21,6 +21,9 @@ struct Unscored {
 /// has none at all, else one for each method that failed there.
 [[nodiscard]] std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows);
 
+/// Whether not one cell of a method has a score; false where there are none.
+[[nodiscard]] bool is_all_unscored(const std::vector<harness::Row>& rows);
+
 /// unscored.csv: the same as a table of the run folder.
 [[nodiscard]] const harness::TableInfo& unscored_table();
 [[nodiscard]] std::string unscored_csv(const std::vector<Unscored>& cells);
