@@ -43,8 +43,9 @@ struct SampledLines {
 };
 
 /// Finds the outline of a welded scene by looking, not by following its edges (construction B of
-/// the design, section 5): a second opinion on trace_truth, which shares the mesh and the camera
-/// with it and nothing else.
+/// the design, section 5): a second opinion on trace_truth. The two share the welded mesh, the
+/// camera, Embree, and what a line is by definition (its class, the crease angle, the weld
+/// tolerance); no step that finds a line or decides whether it is seen.
 ///
 /// Which triangle is seen is asked once a pixel, and on a K x K grid in pixels where neighbouring
 /// answers are not joined, where a feature edge that nothing hides may run, or which a line enters
