@@ -3,10 +3,12 @@
 import pandas as pd
 
 from paper.chart import Nothing, Table
-from paper.runs import BASELINES, CLASSES, counted
+from paper.runs import BASELINES, RECALL_GROUPS, counted
 from paper.style import MM_PER_IN
 
 _WIDE_MM = 120
+_LATEX_GROUPS = {"intersection_above_crease": r"inters.\ $\ge$ crease",
+                 "intersection_below_crease": r"inters.\ $<$ crease"}
 
 
 def _escaped(text):
@@ -46,9 +48,9 @@ def verdict(runs, style):
     if lines["draw_ms"].notna().any():
         columns["ms"] = ["--" if pd.isna(v) else f"{v:.2f}" for v in lines["draw_ms"]]
     columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
-    there = [c for c in CLASSES if lines[f"recall_{c}"].notna().any()] if is_wide else []
+    there = [c for c in RECALL_GROUPS if lines[f"recall_{c}"].notna().any()] if is_wide else []
     for name in there:
-        columns[name] = _numbers(lines[f"recall_{name}"].where(~lines.index.isin(BASELINES)), 3)
+        columns[_LATEX_GROUPS.get(name, name)] = _numbers(lines[f"recall_{name}"].where(~lines.index.isin(BASELINES)), 3)
     out = ["% Made by inkbench figures; needs \\usepackage{booktabs}.",
            r"\begin{tabular}{l" + "r" * (len(columns) - 1) + "}", r"\toprule"]
     if there:

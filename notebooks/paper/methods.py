@@ -4,7 +4,7 @@ import pandas as pd
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.runs import BASELINES, CLASSES, counted, extent, pooled
+from paper.runs import BASELINES, CLASSES, RECALL_GROUPS, counted, extent, pooled
 from paper.sheet import GRID_DPI, text_width_px
 from paper.style import CLASS_COLOURS, FAINT, FALSE_CAUSES, INK, MISSING_CAUSES, MIST
 
@@ -116,16 +116,16 @@ def classes(runs, style):
     if not methods:
         raise Nothing("the run has no method beside the baselines")
     counts = rows.groupby("method")[[f"{kind}_{name}" for kind in ("k", "truth_px")
-                                     for name in CLASSES]].sum()
-    there = [name for name in CLASSES if counts[f"truth_px_{name}"].sum() > 0]
+                                     for name in RECALL_GROUPS]].sum()
+    there = [name for name in RECALL_GROUPS if counts[f"truth_px_{name}"].sum() > 0]
     if not there:
         raise Nothing("the run counted no lines by class (full_scores = false)")
-    recalls = pd.DataFrame({name: counts[f"k_{name}"] / counts[f"truth_px_{name}"]
+    recalls = pd.DataFrame({RECALL_GROUPS[name]: counts[f"k_{name}"] / counts[f"truth_px_{name}"]
                             for name in there}).loc[methods]
     figure = heat_map(style, recalls, "recall at 2 px", methods)
-    absent = [name for name in CLASSES if name not in there]
+    absent = [title for name, title in RECALL_GROUPS.items() if name not in there]
     facts = [f"{name}: {recalls[name].idxmax()} {recalls[name].max():.3f} at best, "
-             f"{recalls[name].idxmin()} {recalls[name].min():.3f} at worst" for name in there]
+             f"{recalls[name].idxmin()} {recalls[name].min():.3f} at worst" for name in recalls]
     caption = (f"Recall at 2 px by class of line, views pooled. Over {extent(rows)}. "
                + (f"Classes that these scenes do not have are left out: {', '.join(absent)}. "
                   if absent else "") + runs.source("rows.csv"))

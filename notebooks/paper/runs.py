@@ -18,6 +18,12 @@ import pandas as pd
 from paper.chart import Nothing
 
 CLASSES = ["contour", "boundary", "crease", "intersection", "seam"]
+# What recall is told of, and its name in figures: intersections by whether they bend at least by
+# the crease angle.
+RECALL_GROUPS = {"contour": "contour", "boundary": "boundary", "crease": "crease",
+                 "intersection_above_crease": "intersection\u00a0\u2265\u00a0crease",
+                 "intersection_below_crease": "intersection\u00a0<\u00a0crease",
+                 "seam": "seam"}
 BASELINES = ["none", "sampled", "oracle"]
 
 # Columns that no figure reads as numbers, so that a version 1.10 stays one.

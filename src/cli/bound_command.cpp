@@ -56,10 +56,7 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
     experiment.view_request = view_request(args.views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.threads = {checked_threads(args.threads)};
-    truth::TruthOptions checked_truth;
-    apply(args.truth, checked_truth);
-    experiment.crease_deg = args.truth.crease_deg;
-    experiment.weld_epsilon = args.truth.weld_epsilon;
+    apply(args.truth, experiment);
     return experiment;
 }
 

@@ -103,10 +103,7 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
         throw core::Error(
             "--skip-study", "it switches every skip itself", "no --no-skip beside it");
     }
-    truth::TruthOptions checked_truth;
-    apply(args.truth, checked_truth);
-    experiment.crease_deg = args.truth.crease_deg;
-    experiment.weld_epsilon = args.truth.weld_epsilon;
+    apply(args.truth, experiment);
     experiment.crosscheck = !args.no_crosscheck;
     experiment.images = kept_images(args.images);
     experiment.study_scaling = args.scaling;
@@ -180,8 +177,9 @@ void add_compare_command(CLI::App& app) {
     command->footer(
         "Killed or interrupted, the same command goes on where it stopped.\n"
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
-        "Exit codes: 0 done, 1 the run is invalid, 2 bad input, 3 views without a score, 130 "
-        "interrupted.");
+        "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input, 3 some "
+        "views "
+        "have no score, 130 interrupted.");
     command->callback([args, command] {
         if (args->demo) apply_demo(*args, *command);
         if (args->quick) apply_quick(*args, *command);

@@ -91,6 +91,7 @@ void refuse_run_options(const CLI::App& command) {
                                "--frame",
                                "--crease",
                                "--weld-epsilon",
+                               "--intersections",
                                "--threads",
                                "--repetitions",
                                "--seed",
@@ -142,10 +143,7 @@ experiment::Experiment experiment_of(const FiguresArgs& args) {
     experiment.repetitions = args.repetitions;
     experiment.budget_s = harness::MeasureOptions{}.budget_s;
     experiment.own_sweep_views = args.has_sweep ? 1 : 0;
-    truth::TruthOptions checked_truth;
-    apply(args.truth, checked_truth);
-    experiment.crease_deg = args.truth.crease_deg;
-    experiment.weld_epsilon = args.truth.weld_epsilon;
+    apply(args.truth, experiment);
     experiment.crosscheck = false;
     experiment.images = experiment::KeptImages::all;
     return experiment;
@@ -250,7 +248,8 @@ void add_figures_command(CLI::App& app) {
         "python3-matplotlib).\n"
         "Example: inkbench figures inkbench-out --format pdf --width 84mm --out figs\n"
         "         inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
-        "Exit codes: 0 done, 2 bad input, 3 views without a score, 130 interrupted.");
+        "Exit codes: 0 done, 1 nothing has a score, 2 bad input, 3 some views have no score, 130 "
+        "interrupted.");
     command->callback([args, command] {
         const std::vector<std::string> runs = take_runs(args->scenes);
         if (runs.empty()) {

@@ -24,6 +24,7 @@ struct StressArgs {
     ViewOptions views;
     int threads = 1;
     std::string seed = "0";
+    TruthSettings truth;  ///< its intersections alone
     CacheOptions cache;
     RunFolderOptions folder{.out = "inkbench-out/stress"};
 };
@@ -52,6 +53,7 @@ experiment::Experiment experiment_of(const StressArgs& args) {
         if (!methods.empty()) experiment.methods.push_back(config.info->name);
     experiment.settings = args.settings;
     experiment.threads = {checked_threads(args.threads)};
+    apply(args.truth, experiment);
     experiment.seed = parse_seed(args.seed);
     if (args.points != 0 && (args.points < 2 || args.points > 1000)) {
         throw core::Error("--points", fmt::format("{} is not possible", args.points), "2..1000");
@@ -80,6 +82,7 @@ void add_stress_command(CLI::App& app) {
     command->add_option("--size", args->views.size, "Size of an image")->capture_default_str();
     add_threads_option(*command, args->threads, "Threads of a method");
     add_seed_option(*command, args->seed, "Of the intervals");
+    add_intersections_option(*command, args->truth.intersections);
     add_cache_options(*command, args->cache);
     add_run_folder_options(*command, args->folder);
     command->footer(

@@ -30,22 +30,23 @@ struct TruthArgs {
     std::optional<std::string> disagreement;
     bool crosscheck = false;
     CacheOptions cache;
-    TruthSettings truth;
+    TruthSettings truth{.intersections = "all"};
     int threads = core::hardware_threads();
 };
 
 /// In the format that the name asks for.
 void write_truth(const harness::SceneViews& scene_views,
                  const truth::TruthOptions& options,
-                 const truth::Truth& truth,
+                 const harness::ViewTruth& truth,
                  const std::filesystem::path& path) {
     if (path.extension() == ".exr") {
-        draw::write_truth_exr(scene_views, options, truth, path);
+        draw::write_truth_exr(scene_views, options, truth.traced, path);
     } else if (path.extension() == ".svg") {
         core::write_whole_file(
-            path, draw::outline_svg(truth, scene_views.scene.name, scene_views.views.front()));
+            path,
+            draw::outline_svg(truth.traced, scene_views.scene.name, scene_views.views.front()));
     } else {
-        draw::write_truth_labels(truth, path);
+        draw::write_truth_labels(truth.counted_labels(), path);
     }
 }
 
@@ -92,9 +93,9 @@ bool check_truth(const TruthArgs& args,
 /// A view that is too large to trace is told in one line, exit code 1.
 harness::ViewTruth traced_or_refused(truth::SceneModel& model,
                                      const scene::View& view,
-                                     const std::filesystem::path& cache) {
+                                     const harness::TraceOptions& options) {
     try {
-        return harness::trace_view(model, view, cache);
+        return harness::trace_view(model, view, options);
     } catch (const truth::TooLarge& reason) {
         fmt::print(stderr, "inkbench: {}: too_large: {}\n", model.scene().name, reason.what());
         throw CLI::RuntimeError(1);
@@ -106,7 +107,7 @@ void run_truth(TruthArgs args) {
         throw core::Error("--disagreement", "there is no cross-check to disagree", "--crosscheck");
     }
     harness::TraceOptions options;
-    apply(args.truth, options.truth);
+    apply(args.truth, options);
     options.truth.threads = checked_threads(args.threads);
     options.cache = cache_folder(args.cache);
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
@@ -118,14 +119,13 @@ void run_truth(TruthArgs args) {
         harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views));
     harness::report_progress(options.truth);
     truth::SceneModel model(scene_views.scene, options.truth);
-    const harness::ViewTruth truth =
-        traced_or_refused(model, scene_views.views.front(), options.cache);
+    const harness::ViewTruth truth = traced_or_refused(model, scene_views.views.front(), options);
     if (args.crosscheck && !args.disagreement) {
         args.disagreement = default_disagreement(scene_views.scene, scene_views.views.front());
     }
-    if (args.file) write_truth(scene_views, options.truth, truth.traced, *args.file);
-    if (args.svg) write_truth(scene_views, options.truth, truth.traced, *args.svg);
-    if (args.image) draw::write_truth_image(truth.traced, *args.image);
+    if (args.file) write_truth(scene_views, options.truth, truth, *args.file);
+    if (args.svg) write_truth(scene_views, options.truth, truth, *args.svg);
+    if (args.image) draw::write_truth_image(truth.counted_labels(), *args.image);
     if (args.sampled) draw::write_responses(truth.traced.sampled, *args.sampled);
     fmt::print("{} {}\n{}",
                scene_views.scene.name,

@@ -77,6 +77,12 @@ void check_choice(const char* option,
         option, fmt::format("there is no '{}'", given), core::known_names(names, given));
 }
 
+harness::MethodConfig with_crease(const harness::MethodConfig& config, double crease_deg) {
+    std::vector<harness::MethodConfig> configs = {config};
+    harness::follow_crease(crease_deg, configs);
+    return configs.front();
+}
+
 tune::TuneOptions tune_options(const TuneArgs& args) {
     tune::TuneOptions options;
     const std::string method = method_of(args);
@@ -101,7 +107,9 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
                     .global = args.global,
                     .local = args.local};
     options.random = !args.no_random;
-    apply(args.truth, options.trace.truth);
+    apply(args.truth, options.trace);
+    if (!tune::TuneSpace(*options.config.info, args.parameters).has("crease_deg"))
+        options.config = with_crease(options.config, args.truth.crease_deg);
     options.trace.truth.threads = core::hardware_threads();
     options.trace.cache = cache_folder(args.cache);
     options.threads = checked_threads(args.threads);

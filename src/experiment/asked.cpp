@@ -85,6 +85,7 @@ toml::table measure_of(const Experiment& experiment) {
                        {"times", experiment.times},
                        {"crease_deg", experiment.crease_deg},
                        {"weld_epsilon", experiment.weld_epsilon},
+                       {"intersections", score::name(experiment.intersections)},
                        {"skips_off", array_of(experiment.skips_off)},
                        {"images", kImages[static_cast<int>(experiment.images)]}};
 }

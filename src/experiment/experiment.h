@@ -10,6 +10,7 @@
 #include "core/param.h"
 #include "harness/method_configs.h"
 #include "harness/suite.h"
+#include "score/intersections.h"
 
 namespace ink::experiment {
 
@@ -65,8 +66,9 @@ struct Experiment {
     std::vector<SettingGrid> grids;      ///< sweep.csv
     int own_sweep_views = 0;             ///< sweep.csv: each method's own, on the first views
     std::vector<std::string> skips_off;  ///< optimisations that methods may not use
-    double crease_deg = 40;              ///< of the truth
+    double crease_deg = 40;              ///< of the truth, and of methods that follow it
     double weld_epsilon = 0;             ///< of the truth, share of each part's diagonal
+    score::Intersections intersections = score::Intersections::above_crease;  ///< that count
     KeptImages images = KeptImages::first;
     bool study_motion = false;   ///< compare: motion.csv, roll.csv too
     bool study_scaling = false;  ///< compare: scaling.csv too
@@ -102,8 +104,9 @@ struct ExperimentOverrides {
 [[nodiscard]] Experiment with_overrides(Experiment experiment,
                                         const ExperimentOverrides& overrides);
 
-/// The methods that take part, presets last, with the settings that each knows. Throws core::Error
-/// for a preset that cannot be read.
+/// The methods that take part, presets last, with the settings that each knows, and the truth's
+/// crease angle where they follow it (harness::follow_crease). Throws core::Error for a preset that
+/// cannot be read.
 [[nodiscard]] std::vector<harness::MethodConfig> configs_of(const Experiment& experiment);
 
 /// Every combination of a grid as a configuration, on top of what `config` has; the last key turns

@@ -127,8 +127,13 @@ void read_grid(TomlReader& grid, Experiment& experiment) {
 }
 
 void read_measure(TomlReader& measure, Experiment& experiment) {
-    std::vector<std::string> known = {"times"};
+    std::vector<std::string> known = {"times", "crease_deg", "intersections"};
     experiment.times = measure.flag("times").value_or(true);
+    experiment.crease_deg = measure.number("crease_deg", 0, 180).value_or(experiment.crease_deg);
+    if (const auto intersections = measure.text("intersections")) {
+        experiment.intersections =
+            score::parse_intersections(*intersections, measure.where("intersections"));
+    }
     if (experiment.kind != ExperimentKind::animation) {
         known.insert(known.end(), {"repetitions", "budget_ms"});
         experiment.repetitions = static_cast<int>(

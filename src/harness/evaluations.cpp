@@ -6,6 +6,7 @@
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "harness/intersection_scores.h"
 #include "harness/line_scores.h"
 #include "score/random_baseline.h"
 #include "truth/curve_facts.h"
@@ -71,6 +72,12 @@ void attribute_evaluations(const ViewTruth& truth,
     }
 }
 
+void fill_truth_settings(const TraceOptions& trace, Row& row) {
+    row.crease_deg = trace.crease_deg();
+    row.weld_epsilon = trace.truth.weld_epsilon;
+    row.intersections = trace.intersections;
+}
+
 void fill_truth_facts(const ViewTruth& truth, Row& row) {
     const truth::ContourLengths behind = truth::contour_lengths(truth.traced.curves);
     row.contour_sky_px = behind.sky_px;
@@ -90,6 +97,8 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         if (!evaluation.row.is_ok()) return;
         evaluation.scored = score_image(evaluation.image, truth.scoring, evaluation.threshold);
         fill_scores(evaluation.scored, evaluation.row);
+        fill_intersections(
+            evaluation.scored.strokes, evaluation.scored.at_2px, truth, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
         evaluation.row.lines = score_lines(evaluation.scored.strokes, lines);
         evaluation.scored.strokes = {};

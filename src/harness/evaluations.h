@@ -39,6 +39,9 @@ struct Evaluation {
 /// contradicts scores nobody.
 void note_crosscheck(const harness::Crosscheck& check, std::vector<Evaluation>& evaluations);
 
+/// Writes how the truth of a row is traced and which of it counts.
+void fill_truth_settings(const TraceOptions& trace, Row& row);
+
 /// Writes what all rows of one view have in common.
 void fill_truth_facts(const ViewTruth& truth, Row& row);
 

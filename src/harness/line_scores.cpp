@@ -1,5 +1,7 @@
 #include "harness/line_scores.h"
 
+#include "truth/cracks.h"
+
 namespace ink::harness {
 namespace {
 
@@ -15,13 +17,16 @@ score::ScoreOptions harness_options() {
 LineTruth prepare_lines(const ViewTruth& truth) {
     const score::ScoreOptions options = harness_options();
     const auto& curves = truth.traced.curves;
+    const std::vector<truth::Curve> counted =
+        score::counted_curves(curves, truth.crease_rad, truth.intersections);
     const int width = truth.scoring.labels.width_px(), height = truth.scoring.labels.height_px();
-    return {score::list_truth(truth.scoring, options),
-            score::prepare_cracks(truth.cracks, truth.scoring, options),
-            score::find_nearest_curves(curves, width, height),
-            score::place_probes(curves, truth.scoring, options),
-            score::prepare_positives(truth.scoring, options),
-            bin_truth(truth.traced, truth.scoring)};
+    return {
+        score::list_truth(truth.scoring, options),
+        score::prepare_cracks(truth::draw_cracks(counted, width, height), truth.scoring, options),
+        score::find_nearest_curves(curves, width, height),
+        score::place_probes(counted, truth.scoring, options),
+        score::prepare_positives(truth.scoring, options),
+        bin_truth(truth.traced, truth.scoring)};
 }
 
 LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth) {

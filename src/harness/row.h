@@ -15,6 +15,7 @@
 #include "harness/line_scores.h"
 #include "raster/skips.h"
 #include "score/attribution.h"
+#include "score/intersections.h"
 #include "score/score.h"
 
 namespace ink::harness {
@@ -38,7 +39,12 @@ struct Row {
     std::optional<double> f_1px;
     std::optional<double> precision_2px;
     std::optional<double> recall_2px;
-    std::map<std::string, double> recall_by_class;  ///< class name -> recall, classes present only
+    /// Which intersections all counts here go by, but for the next two.
+    score::Intersections intersections = score::Intersections::above_crease;
+    std::optional<score::CurveCount> above_crease_2px = {};       ///< at 2 px, if flat ones do not
+    std::optional<score::CurveCount> all_intersections_2px = {};  ///< count, and if they do
+    /// Of kRecallGroups (recall_groups.h) -> recall, groups present only.
+    std::map<std::string, double> recall_by_class;
     std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
     std::map<std::string, std::int64_t> k_by_class = {};         ///< and what it is made from
     std::optional<double> mean_width_px;
@@ -81,6 +87,7 @@ struct Row {
     double crowded_share = 0;
     std::int64_t triangles = 0;
     std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and far positives
+    double crease_deg = 40;                          ///< of the truth
     double weld_epsilon = 0;                 ///< of the truth, share of each part's diagonal
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,

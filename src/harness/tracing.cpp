@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "core/progress.h"
@@ -13,6 +14,28 @@
 #include "truth/truth_cache.h"
 
 namespace ink::harness {
+namespace {
+
+score::ScoringTruth scoring_of(const truth::Truth& traced, score::Intersections intersections) {
+    score::ScoreOptions options;
+    options.band_px = kBand_px;
+    options.ignore_label = static_cast<int>(truth::LineClass::ignore);
+    score::ScoringTruth scoring = score::prepare_truth(
+        score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
+    // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
+    scoring.is_binary = false;
+    return scoring;
+}
+
+/// The intersections below the crease angle that are pixels of `all`.
+score::PixelList below_crease_of(core::Image<std::uint8_t> below, const score::ScoringTruth& all) {
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        if (all.labels.data()[i] == 0) below.data()[i] = 0;
+    }
+    return score::PixelList(below);
+}
+
+}  // namespace
 
 void report_progress(truth::TruthOptions& options) {
     // Made when the first lines are done, gone with the last copy of the options.
@@ -24,18 +47,31 @@ void report_progress(truth::TruthOptions& options) {
     };
 }
 
-ViewTruth trace_view(truth::SceneModel& scene,
-                     const scene::View& view,
-                     const std::filesystem::path& cache) {
-    score::ScoreOptions score_options;
-    score_options.band_px = kBand_px;
-    score_options.ignore_label = static_cast<int>(truth::LineClass::ignore);
+double TraceOptions::crease_deg() const {
+    constexpr double kDegPerRad = 180 / std::numbers::pi;
+    constexpr double kPerDegree = 1e9;
+    return std::round(truth.crease_rad * kDegPerRad * kPerDegree) / kPerDegree;
+}
+
+core::Image<std::uint8_t> ViewTruth::counted_labels() const {
+    return score::counted_labels(traced.labels, traced.below_crease, intersections);
+}
+
+ViewTruth trace_view(truth::SceneModel& scene, const scene::View& view, const TraceOptions& trace) {
+    using enum score::Intersections;
     ViewTruth result;
-    result.traced = truth::cached_truth(scene, view, cache);
-    result.scoring = score::prepare_truth(result.traced.labels, score_options, true);
+    result.traced = truth::cached_truth(scene, view, trace.cache);
+    result.intersections = trace.intersections;
+    result.crease_rad = scene.options().crease_rad;
     result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
-    // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
-    result.scoring.is_binary = false;
+    result.scoring = scoring_of(result.traced, trace.intersections);
+    const auto& below = result.traced.below_crease;
+    if (std::count(below.data(), below.data() + below.size(), 0) ==
+        static_cast<std::ptrdiff_t>(below.size()))
+        return result;
+    const bool is_all = trace.intersections == all;
+    result.other = scoring_of(result.traced, is_all ? above_crease : all);
+    result.below_crease = below_crease_of(below, is_all ? result.scoring : *result.other);
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "harness/intersection_scores.h"
 
 namespace ink::harness {
 namespace {
@@ -36,7 +37,7 @@ TracedView trace_with_facts(truth::SceneModel& model,
     TracedView traced;
     traced.counts = count_frame(scene, view);
     try {
-        traced.truth = trace_view(model, view, trace.cache);
+        traced.truth = trace_view(model, view, trace);
         if (trace.crosscheck) {
             traced.check =
                 harness::cached_crosscheck(model, view, traced.truth.traced, trace.cache);
@@ -60,7 +61,7 @@ void fill_place(const scene::Scene& scene,
     row.height = view.height_px;
     row.threads = options.measure.threads;
     row.seed = options.seed;
-    row.weld_epsilon = options.trace.truth.weld_epsilon;
+    fill_truth_settings(options.trace, row);
     row.triangles = static_cast<std::int64_t>(scene::triangle_count(scene));
 }
 
@@ -85,7 +86,8 @@ void finish_briefly(const scene::Scene& scene,
         Evaluation& evaluation = evaluations[i];
         if (!evaluation.row.is_ok()) return;
         const score::ScoreOptions at_2px = score_options(evaluation.threshold);
-        fill_score_2px(score::score(evaluation.image, traced.truth.scoring, at_2px),
+        fill_score_2px(score::make_strokes(evaluation.image, evaluation.threshold, at_2px),
+                       traced.truth,
                        evaluation.row);
         evaluation.row.image_hash = core::image_hash(evaluation.image);
     });

@@ -166,7 +166,7 @@ std::map<std::string, std::string> image_files(const ViewTruth& truth,
         image_folder(evaluations.front().row.scene, evaluations.front().row.view);
     const truth::Layers& layers = truth.traced.layers;
     std::vector<std::pair<std::string, std::function<std::string()>>> jobs = {
-        {kTruth, [&] { return png(truth.traced.labels); }},
+        {kTruth, [&] { return png(truth.counted_labels()); }},
         {"layer_object.png", [&] { return png(object_layer(layers, scene)); }},
         {"layer_patch.png", [&] { return png(patch_layer(layers)); }},
         {"layer_facing.png", [&] { return png(facing_layer(layers)); }},

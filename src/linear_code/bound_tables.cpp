@@ -1,6 +1,7 @@
 #include "linear_code/bound_tables.h"
 
 #include "harness/cell.h"
+#include "harness/evaluations.h"
 #include "harness/tables/side_table.h"
 
 namespace ink::linear_code {
@@ -81,7 +82,7 @@ harness::Row bound_row(const BoundRow& of,
     row.height = height_px;
     row.threads = options.search.threads;
     row.params = harness::join_params(info.complete(options.config.settings));
-    row.weld_epsilon = options.trace.truth.weld_epsilon;
+    harness::fill_truth_settings(options.trace, row);
     return row;
 }
 

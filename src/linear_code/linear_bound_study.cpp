@@ -104,7 +104,7 @@ class Study {
                   Pool& pool) const {
         harness::ViewTruth truth;
         try {
-            truth = harness::trace_view(model, view, options_.trace.cache);
+            truth = harness::trace_view(model, view, options_.trace);
         } catch (const truth::TooLarge& reason) {
             throw core::Error(pool.name, reason.what(), "a smaller scene or --size");
         }

@@ -37,13 +37,15 @@ struct Image {
     Record& record;
 };
 
-void take(const Image& image, const truth::Truth& traced, const score::ScoringTruth& scoring) {
+void take(const Image& image,
+          const std::vector<truth::Curve>& curves,
+          const score::ScoringTruth& scoring) {
     const score::ScoreOptions options = harness::score_options(image.threshold);
     const score::Strokes strokes =
         score::make_strokes(image.edge_response, image.threshold, options);
     Record& record = image.record;
     record.frames.push_back(score::motion_frame(strokes.thinned, scoring, options));
-    record.sights.push_back(score::see_features(traced.curves, strokes.thinned, scoring, options));
+    record.sights.push_back(score::see_features(curves, strokes.thinned, scoring, options));
     record.images.bytes(image.edge_response.data(), image.edge_response.size());
 }
 
@@ -111,7 +113,9 @@ class Run {
             fail("too_large: no memory to trace the truth");
             return;
         }
-        const score::ScoringTruth scoring = unbanded_truth(traced);
+        const score::ScoringTruth scoring = unbanded_truth(traced, options_.trace.intersections);
+        const std::vector<truth::Curve> curves = score::counted_curves(
+            traced.curves, options_.trace.truth.crease_rad, options_.trace.intersections);
         std::vector<edge::EdgeImage> drawn;
         const std::vector<harness::DrawTimes> times =
             harness::draw_in_turns(methods_, view, options_.measure, drawn);
@@ -123,7 +127,7 @@ class Run {
         images.push_back({traced.sampled, 128, records_[methods_.size()]});
         images.push_back({scoring.labels, 1, records_.back()});
         core::parallel_for(images.size(), core::hardware_threads(), [&](std::size_t i) {
-            if (images[i].record.failure.empty()) take(images[i], traced, scoring);
+            if (images[i].record.failure.empty()) take(images[i], curves, scoring);
         });
     }
 
@@ -217,10 +221,11 @@ Sequence sequence_of_motion(const std::string& name, scene::View size) {
 
 }  // namespace
 
-score::ScoringTruth unbanded_truth(const truth::Truth& traced) {
+score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersections intersections) {
     score::ScoreOptions options = harness::score_options(1);
     options.band_px = 0;
-    return score::prepare_truth(traced.labels, options, true);
+    return score::prepare_truth(
+        score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
 }
 
 std::vector<MotionRow> study_sequence(const std::vector<harness::MethodConfig>& configs,

@@ -106,9 +106,10 @@ std::vector<RollSample> see_creases(const edge::EdgeImage& image,
                                     const std::vector<Crease>& creases) {
     const score::ScoreOptions options = harness::score_options(threshold);
     const score::Strokes strokes = score::make_strokes(image, threshold, options);
+    const score::ScoringTruth scoring = unbanded_truth(truth, score::Intersections::above_crease);
     std::vector<RollSample> samples(creases.size());
     for (const score::FeatureSight& sight :
-         score::see_features(truth.curves, strokes.thinned, unbanded_truth(truth), options)) {
+         score::see_features(truth.curves, strokes.thinned, scoring, options)) {
         if (sight.feature.line_class != truth::LineClass::crease) continue;
         for (std::size_t i = 0; i < creases.size(); ++i) {
             if (creases[i].edge != sight.feature.edge) continue;

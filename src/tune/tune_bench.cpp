@@ -46,7 +46,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             const std::string name = fmt::format("{} {}", scenes[s].scene.name, view.camera.name);
             progress.report(static_cast<int>(views_.size()), name);
             try {
-                harness::ViewTruth truth = harness::trace_view(model, view, trace.cache);
+                harness::ViewTruth truth = harness::trace_view(model, view, trace);
                 hasher.text(name).text(core::image_hash(truth.scoring.labels));
                 hasher.text(core::image_hash(truth.scoring.ignore));
                 score::TruthLists lists = score::list_truth(truth.scoring, options);

@@ -11,6 +11,7 @@
 #include "core/whole_file.h"
 #include "experiment/experiment_run.h"
 #include "harness/cell.h"
+#include "harness/evaluations.h"
 #include "harness/out_folder.h"
 #include "harness/tables/methods_table.h"
 #include "harness/tables/row_table.h"
@@ -82,6 +83,7 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
     row.threads = options.threads;
     row.seed = options.plan.seed;
     row.params = harness::join_params(options.config.info->complete(all));
+    harness::fill_truth_settings(options.trace, row);
     row.k_2px = of.count.k;
     row.n_pred = of.count.n_pred;
     row.n_truth = of.count.n_truth;

@@ -45,6 +45,8 @@ budget_ms = 10
 full_scores = false
 crosscheck = false
 times = false
+crease_deg = 50
+intersections = "all"
 [settings]
 crease_deg = 30
 [settings.mote4]
@@ -68,6 +70,8 @@ fatten = [true, false]
     EXPECT_DOUBLE_EQ(e.budget_s, 0.01);
     EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
+    EXPECT_EQ(e.crease_deg, 50);
+    EXPECT_EQ(e.intersections, score::Intersections::all);
     EXPECT_EQ(e.own_sweep_views, 1);
     ASSERT_EQ(e.grids.size(), 1U);
     EXPECT_EQ(grid_configs(configs_of(e).front(), e.grids.front()).size(), 4U);

@@ -62,7 +62,11 @@ TEST(SummaryCsv, WithoutRowsIsTheHeading) {
         "recall_boundary,recall_boundary_lo,recall_boundary_hi,"
         "recall_crease,recall_crease_lo,recall_crease_hi,"
         "recall_intersection,recall_intersection_lo,recall_intersection_hi,"
-        "recall_seam,recall_seam_lo,recall_seam_hi\n");
+        "recall_seam,recall_seam_lo,recall_seam_hi,"
+        "recall_intersection_above_crease,recall_intersection_above_crease_lo,"
+        "recall_intersection_above_crease_hi,"
+        "recall_intersection_below_crease,recall_intersection_below_crease_lo,"
+        "recall_intersection_below_crease_hi\n");
 }
 
 TEST(SummaryCsv, PoolsTheRowsOfAMethod) {

@@ -32,7 +32,7 @@ ViewRequest small_views() {
 }
 
 ViewTruth truth_of(truth::SceneModel& model, const scene::View& view) {
-    return trace_view(model, view, "");
+    return trace_view(model, view, {});
 }
 
 truth::TruthOptions without_layers() {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "harness/recall_groups.h"
 #include "harness/tables/row_table.h"
-#include "truth/line_class.h"
 
 namespace ink::harness {
 
@@ -64,9 +64,14 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     row.false_negatives = any.count();
     row.truth_merged_px = any.count();
     row.crowded_share = any.share();
-    for (const truth::LineClass c : truth::kLineClasses) {
+    const auto count = [&any] {
+        return score::CurveCount{any.count() / 4, any.count() / 4, any.count() / 4};
+    };
+    row.above_crease_2px = any.maybe(count);
+    row.all_intersections_2px = any.maybe(count);
+    for (const std::string_view group : kRecallGroups) {
         if (any.coin()) continue;
-        const std::string key(truth::name(c));
+        const std::string key(group);
         row.recall_by_class[key] = any.share();
         row.k_by_class[key] = any.count();
         row.truth_px_by_class[key] = any.count();
@@ -124,6 +129,8 @@ inline Row random_row(RandomValues& any) {
     row.image_hash = any.text();
     row.triangles = any.count();
     row.weld_epsilon = any.real();
+    row.crease_deg = any.real();
+    row.intersections = any.coin() ? score::Intersections::all : score::Intersections::above_crease;
     row.contour_sky_px = any.maybe([&] { return any.real(); });
     row.contour_other_px = any.maybe([&] { return any.real(); });
     row.contour_self_px = any.maybe([&] { return any.real(); });

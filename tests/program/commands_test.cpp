@@ -192,6 +192,58 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
     EXPECT_EQ(rows_of(desk, "out").size(), rows.size());
 }
 
+/// `compare` of methods that use the crease angle, on a scene of crossing blocks.
+Words crease_words(const Words& more) {
+    Words words = {"compare", "--scenes", "blocks", "--methods", "ids,edge_hash,inverted_hull"};
+    words.insert(words.end(), {"--size", "320x180", "--quick", "--images", "none", "--out", "out"});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+TEST(Compare, CreaseMovesTheMethodsThatUseIt) {
+    const Desk desk;
+    expect_done(desk, crease_words({"--crease", "60", "--set", "edge_hash.crease_deg=30"}));
+    const Table rows = rows_of(desk, "out");
+    for (const auto& row : rows)
+        EXPECT_EQ(row.at("crease_deg"), "60");
+    EXPECT_THAT(only(rows, "ids").front().at("params"), HasSubstr("crease_deg=60"));
+    EXPECT_THAT(only(rows, "edge_hash").front().at("params"), HasSubstr("crease_deg=30"));
+    EXPECT_THAT(only(rows, "inverted_hull").front().at("params"), HasSubstr("crease_deg=180"));
+    EXPECT_THAT(desk.read("out/run.toml"), HasSubstr("crease_deg = 60"));
+}
+
+TEST(Compare, TellsBothChoicesOfIntersections) {
+    const Desk desk;
+    expect_done(desk, crease_words({"--crease", "100"}));
+    const Table above = rows_of(desk, "out");
+    expect_done(desk, crease_words({"--crease", "100", "--intersections", "all", "--force"}));
+    const Table all = rows_of(desk, "out");
+    ASSERT_EQ(above.size(), all.size());
+    bool has_flat = false;
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        if (above[i].at("method") == "oracle") continue;  // draws what counts
+        EXPECT_EQ(above[i].at("intersections"), "above_crease");
+        EXPECT_EQ(all[i].at("intersections"), "all");
+        EXPECT_EQ(above[i].at("f_2px"), above[i].at("f_2px_above_crease"));
+        EXPECT_EQ(all[i].at("f_2px"), all[i].at("f_2px_all_intersections"));
+        for (const char* column : {"f_2px_above_crease",
+                                   "k_2px_above_crease",
+                                   "f_2px_all_intersections",
+                                   "n_truth_all_intersections",
+                                   "recall_intersection",
+                                   "recall_intersection_above_crease",
+                                   "k_intersection_below_crease",
+                                   "truth_px_intersection_below_crease"})
+            EXPECT_EQ(above[i].at(column), all[i].at(column)) << column;
+        has_flat = has_flat || above[i].at("truth_px_intersection_below_crease") != "";
+    }
+    EXPECT_TRUE(has_flat) << "else nothing was tried";
+
+    const Outcome bad = desk.run(crease_words({"--intersections", "none", "--force"}));
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_THAT(bad.err, HasSubstr("above_crease | all"));
+}
+
 TEST(Compare, BaselinesComeOutAsTheyMust) {
     const Desk desk;
     desk.write("cube.obj", kCubeObj);

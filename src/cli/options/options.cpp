@@ -1,6 +1,7 @@
 #include "cli/options/options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -206,7 +207,8 @@ void add_truth_settings(CLI::App& command, TruthSettings& settings) {
     command
         .add_option("--crease",
                     settings.crease_deg,
-                    "Crease angle of the truth: edges with a larger dihedral deviation are creases")
+                    "Crease angle of the truth: edges with a larger dihedral deviation are "
+                    "creases; methods that use the same angle follow, unless --set says otherwise")
         ->type_name("DEGREES")
         ->capture_default_str();
     command
@@ -216,9 +218,20 @@ void add_truth_settings(CLI::App& command, TruthSettings& settings) {
                     "(0: at the same place only)")
         ->type_name("SHARE")
         ->capture_default_str();
+    add_intersections_option(command, settings.intersections);
 }
 
-void apply(const TruthSettings& settings, truth::TruthOptions& options) {
+void add_intersections_option(CLI::App& command, std::string& intersections) {
+    command
+        .add_option("--intersections",
+                    intersections,
+                    "Intersections that count: those that bend at least by the crease angle "
+                    "(flatter ones are neither required nor penalised), or all")
+        ->type_name(fmt::format("{}", fmt::join(score::kIntersectionNames, "|")))
+        ->capture_default_str();
+}
+
+void apply(const TruthSettings& settings, harness::TraceOptions& trace) {
     if (!(settings.crease_deg >= 0 && settings.crease_deg <= 180)) {
         throw core::Error(
             "--crease",
@@ -230,8 +243,17 @@ void apply(const TruthSettings& settings, truth::TruthOptions& options) {
                           fmt::format("it cannot be {:g}", settings.weld_epsilon),
                           fmt::format("0..{:g}", kMaxWeldEpsilon));
     }
-    options.crease_rad = settings.crease_deg * kRadPerDeg;
-    options.weld_epsilon = settings.weld_epsilon;
+    trace.truth.crease_rad = settings.crease_deg * kRadPerDeg;
+    trace.truth.weld_epsilon = settings.weld_epsilon;
+    trace.intersections = score::parse_intersections(settings.intersections, "--intersections");
+}
+
+void apply(const TruthSettings& settings, experiment::Experiment& experiment) {
+    harness::TraceOptions checked;
+    apply(settings, checked);
+    experiment.crease_deg = settings.crease_deg;
+    experiment.weld_epsilon = settings.weld_epsilon;
+    experiment.intersections = checked.intersections;
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiment/experiment.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
 
@@ -65,14 +66,19 @@ void add_quiet_option(CLI::App& command);
 struct TruthSettings {
     double crease_deg = 40;
     double weld_epsilon = 0;
+    std::string intersections = "above_crease";
 };
 
-/// Adds --crease and --weld-epsilon to a command.
+/// Adds --crease, --weld-epsilon and --intersections to a command.
 void add_truth_settings(CLI::App& command, TruthSettings& settings);
 
-/// Writes the settings into `options`. Throws core::Error (where = the option) for numbers out of
-/// range.
-void apply(const TruthSettings& settings, truth::TruthOptions& options);
+/// Adds --intersections alone.
+void add_intersections_option(CLI::App& command, std::string& intersections);
+
+/// Writes the settings into `trace`, or what an experiment asks of its truths. Throws core::Error
+/// (where = the option) for numbers out of range, or a word that is no choice.
+void apply(const TruthSettings& settings, harness::TraceOptions& trace);
+void apply(const TruthSettings& settings, experiment::Experiment& experiment);
 
 /// Where traced truths are kept.
 struct CacheOptions {

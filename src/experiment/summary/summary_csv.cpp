@@ -5,8 +5,8 @@
 
 #include "experiment/summary/class_recalls.h"
 #include "experiment/summary/summary.h"
+#include "harness/recall_groups.h"
 #include "harness/tables/table_of.h"
-#include "truth/line_class.h"
 
 namespace ink::experiment {
 namespace {
@@ -33,8 +33,8 @@ std::optional<T> find_in(const std::map<std::string, T>& values, const std::stri
 }
 
 void add_recalls(SummaryTable& table) {
-    for (const truth::LineClass c : truth::kLineClasses) {
-        const std::string name(truth::name(c));
+    for (const std::string_view group : harness::kRecallGroups) {
+        const std::string name(group);
         const std::string key = "recall_" + name;
         table.add_derived(
             {key, "0..1", "recall of this class, pooled over views"},

@@ -2,23 +2,33 @@
 
 #include <fmt/format.h>
 
+#include "harness/recall_groups.h"
 #include "harness/tables/row_parts.h"
-#include "truth/line_class.h"
+#include "score/intersections.h"
 
 namespace ink::harness {
 namespace {
 
-/// A column per class of line, empty where the view has none of it.
+/// What a column of a recall group means: `doc`, which speaks of "this class".
+std::string group_doc(std::string_view group, std::string doc) {
+    constexpr std::string_view kClass = "this class";
+    std::string_view group_text = kClass;
+    if (group == kAboveCrease) group_text = "intersections at or above the crease angle";
+    if (group == kBelowCrease) group_text = "intersections below the crease angle";
+    return doc.replace(doc.find(kClass), kClass.size(), group_text);
+}
+
+/// A column per recall group, empty where the view has none of it.
 template <class T>
 void add_by_class(RowTable& table,
                   const std::string& prefix,
                   const std::string& unit,
                   const std::string& doc,
                   std::map<std::string, T> Row::*field) {
-    for (const truth::LineClass line_class : truth::kLineClasses) {
-        const std::string key(truth::name(line_class));
+    for (const std::string_view group : kRecallGroups) {
+        const std::string key(group);
         table.add(
-            {prefix + key, unit, doc},
+            {prefix + key, unit, group_doc(group, doc)},
             [=](const RowRecord& r) {
                 const auto found = (r.row.*field).find(key);
                 return found == (r.row.*field).end() ? "" : csv_text(found->second);
@@ -27,6 +37,19 @@ void add_by_class(RowTable& table,
                 if (!text.is_empty()) text.read((r.row.*field)[key]);
             });
     }
+}
+
+/// F at 2 px with one choice of intersections, and its counts.
+void add_choice(RowTable& table,
+                const std::string& suffix,
+                const std::string& doc,
+                std::optional<score::CurveCount> Row::*field) {
+    using C = score::CurveCount;
+    const auto choice = table.part(&RowRecord::row).part(field);
+    choice.add_derived({"f_2px_" + suffix, "0..1", "F within 2 px " + doc}, &C::f);
+    choice.add({"k_2px_" + suffix, "px", "its matches"}, &C::k);
+    choice.add({"n_pred_" + suffix, "px", "its drawn pixels that count"}, &C::n_pred);
+    choice.add({"n_truth_" + suffix, "px", "its true pixels"}, &C::n_truth);
 }
 
 void add_place(RowTable& table) {
@@ -94,6 +117,10 @@ void add_counts(RowTable& table) {
         {"f_random_2px", "0..1", "F of a random image of as many pixels, within 2 px"}, &C::f);
     random.add({"k_random_2px", "px", "its matches"}, &C::k);
     random.add({"n_pred_random", "px", "its drawn pixels that count"}, &C::n_pred);
+    add_choice(
+        table, "above_crease", "if flatter intersections are ignored", &Row::above_crease_2px);
+    add_choice(
+        table, "all_intersections", "if all intersections count", &Row::all_intersections_2px);
     add_by_class(table,
                  "k_",
                  "px",
@@ -129,6 +156,14 @@ void add_truth(RowTable& table) {
     add_cause_columns(table);
     row.part_if([](const Row& r) { return r.triangles != 0; })
         .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);
+    row.add({"crease_deg", "deg", "crease angle of the truth; a method's own is in params"},
+            &Row::crease_deg);
+    row.add_named({"intersections",
+                   "",
+                   "which intersections count: all, or above_crease: those that bend at least by "
+                   "the crease angle, flatter ones being ignored"},
+                  &Row::intersections,
+                  {score::kIntersectionNames.begin(), score::kIntersectionNames.end()});
     row.add({"weld_epsilon",
              "0..1",
              "the truth joins vertices this near, as a share of each part's diagonal"},

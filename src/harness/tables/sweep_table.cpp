@@ -114,7 +114,9 @@ Row place_of_setting(const Row& own) {
     row.truth_merged_px = own.truth_merged_px;
     row.crowded_share = own.crowded_share;
     row.triangles = own.triangles;
+    row.crease_deg = own.crease_deg;
     row.weld_epsilon = own.weld_epsilon;
+    row.intersections = own.intersections;
     row.contour_sky_px = own.contour_sky_px;
     row.contour_other_px = own.contour_other_px;
     row.contour_self_px = own.contour_self_px;

@@ -60,7 +60,7 @@ function drawFilters(root) {
     const methods = [...run.methods.values()].filter(info => !info.isBaseline);
     const scenes = distinct(run.table('rows.csv').lines, row => row.scene);
     const families = distinct(methods, info => info.family);
-    const classes = CLASSES.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
+    const classes = RECALL_GROUPS.filter(name => run.rows.some(row => row[`truth_px_${name}`] > 0));
     const splits = distinct(run.rows, row => row.split);
     const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
     const times = ascending(run.rows.map(row => row.draw_ns)).map(ns => ns * 1e-6);
@@ -76,7 +76,7 @@ function drawFilters(root) {
             state.get('split'), split => state.set({split})) : null,
         run.rows.length ? chooser('Measure', [
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],
-            ...classes.map(name => [name, `recall: ${name}`])], state.get('measure'),
+            ...classes.map(name => [name, `recall: ${groupTitle(name)}`])], state.get('measure'),
             measure => state.set({measure})) : null,
         times.length ? budgetField(times) : null,
         isFiltered() ? element('button', {type: 'button', id: 'reset', onclick: () => state.reset()}, 'Reset') : null,

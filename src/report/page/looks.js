@@ -39,6 +39,8 @@ const CLASS_COLOURS = {
     boundary: 'var(--class-boundary)',
     crease: 'var(--class-crease)',
     intersection: 'var(--class-intersection)',
+    intersection_above_crease: 'var(--class-intersection)',
+    intersection_below_crease: 'var(--class-intersection)',
     seam: 'var(--class-seam)',
 };
 

@@ -32,10 +32,10 @@ const MEASURES = {
         counts: row => row.k_2px === null ? null : [row.k_2px, row.n_truth],
     },
 };
-for (const name of CLASSES) {
+for (const name of RECALL_GROUPS) {
     MEASURES[name] = {
-        title: `Recall of ${name} lines`,
-        error: `Share of ${name} lines that is missed`,
+        title: `Recall of ${groupTitle(name)} lines`,
+        error: `Share of ${groupTitle(name)} lines that is missed`,
         counts: row => row[`k_${name}`] === null || !row[`truth_px_${name}`]
             ? null : [row[`k_${name}`], row[`truth_px_${name}`]],
     };
@@ -203,7 +203,7 @@ function summarise(method, rows, measure) {
         f_1px: pooled(scored, 'f_1px'),
         precision: pooled(scored, 'precision'),
         recall: pooled(scored, 'recall'),
-        classes: Object.fromEntries(CLASSES.map(name => [name, pooled(scored, name)])),
+        classes: Object.fromEntries(RECALL_GROUPS.map(name => [name, pooled(scored, name)])),
         width_px: widths.length ? d3.mean(widths) : null,
         ms: time ? time.median : null,
         msRange: time && scored.length > 1 ? time : null,

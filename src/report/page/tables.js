@@ -126,6 +126,17 @@ class Run {
 const BASELINES = ['none', 'sampled', 'oracle'];
 const CLASSES = ['contour', 'boundary', 'crease', 'intersection', 'seam'];
 
+/// What recall is told of: the classes, intersections by whether they bend at least by the crease angle.
+const RECALL_GROUPS = ['contour', 'boundary', 'crease', 'intersection_above_crease', 'intersection_below_crease', 'seam'];
+const GROUP_TITLES = {
+    intersection_above_crease: 'intersection ≥ crease angle',
+    intersection_below_crease: 'intersection < crease angle',
+};
+
+function groupTitle(name) {
+    return GROUP_TITLES[name] || name;
+}
+
 /// "a=1;b=2" as an object.
 function parseParams(text) {
     const params = {};

@@ -8,9 +8,9 @@
 
 #include "draw/crosscheck_report.h"
 #include "experiment/summary/paired_differences.h"
+#include "harness/recall_groups.h"
 #include "report/text/text_table.h"
 #include "report/text/verdict_terms.h"
-#include "truth/line_class.h"
 
 namespace ink::report {
 namespace {
@@ -45,17 +45,24 @@ std::vector<TextColumn> main_columns() {
     };
 }
 
-/// One column per class that some view has.
+/// What a recall group is called in a table.
+std::string heading_of(std::string_view group) {
+    if (group == harness::kAboveCrease) return "inters. >= crease";
+    if (group == harness::kBelowCrease) return "inters. < crease";
+    return std::string(group);
+}
+
+/// One column per class that some view has, intersections by their bend.
 std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummary>& summaries) {
     std::vector<TextColumn> columns;
-    for (const truth::LineClass c : truth::kLineClasses) {
-        const std::string name(truth::name(c));
+    for (const std::string_view group : harness::kShownRecallGroups) {
+        const std::string name(group);
         const bool is_there = std::any_of(
             summaries.begin(), summaries.end(), [&](const experiment::MethodSummary& s) {
                 return s.recall_by_class.count(name) != 0;
             });
         if (!is_there) continue;
-        columns.push_back({name, [name](const experiment::MethodSummary& s) {
+        columns.push_back({heading_of(group), [name](const experiment::MethodSummary& s) {
                                const auto found = s.recall_by_class.find(name);
                                return found == s.recall_by_class.end()
                                           ? "-"

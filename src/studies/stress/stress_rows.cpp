@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "core/simd.h"
 #include "harness/evaluations.h"
+#include "harness/intersection_scores.h"
 #include "harness/tables/csv.h"
 #include "studies/stress/stress_counts.h"
 #include "truth/limits.h"
@@ -29,7 +30,7 @@ StressTruth trace(const StressCase& stress, const harness::TraceOptions& options
     StressTruth result;
     try {
         truth::SceneModel model(stress.scene_views.scene, options.truth);
-        result.truth = harness::trace_view(model, stress.scene_views.views.front(), options.cache);
+        result.truth = harness::trace_view(model, stress.scene_views.views.front(), options);
         result.non_finite = count_non_finite(result.truth->traced);
     } catch (const truth::TooLarge& reason) {
         result.failure = fmt::format("too_large: {}", reason.what());
@@ -70,10 +71,7 @@ void score_evaluation(const StressTruth& truth, harness::Evaluation& evaluation)
     if (!evaluation.row.is_ok()) return;
     const score::Strokes strokes = score::make_strokes(
         evaluation.image, evaluation.threshold, harness::score_options(evaluation.threshold));
-    harness::fill_score_2px(
-        score::score_strokes(
-            strokes, truth.truth->scoring, harness::score_options(evaluation.threshold)),
-        evaluation.row);
+    harness::fill_score_2px(strokes, *truth.truth, evaluation.row);
     evaluation.row.image_hash = core::image_hash(evaluation.image);
     harness::fill_truth_facts(*truth.truth, evaluation.row);
 }
@@ -126,7 +124,7 @@ std::vector<StressRow> stress_rows(const StressCase& stress,
         row.width = view.width_px;
         row.height = view.height_px;
         row.threads = frame.threads;
-        row.weld_epsilon = options.truth.weld_epsilon;
+        harness::fill_truth_settings(options, row);
         row.triangles = static_cast<std::int64_t>(scene::triangle_count(scene));
         StressCounts counts = given;
         counts.non_finite += truth.non_finite + count_non_finite(row);

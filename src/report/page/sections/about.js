@@ -45,9 +45,12 @@ function aboutTerms() {
         ['contour', 'a line where the surface turns away: one side empty, on an edge of two faces or more.'],
         ['boundary', 'one side empty, on an edge of one face.'],
         ['crease', 'both faces visible, deviating from flat by at least the crease angle (40° unless asked).'],
-        ['intersection', 'where two triangles pierce each other.'],
+        ['intersection', 'where two triangles pierce each other. One that bends by less than the crease angle does ' +
+            'not count, neither when it is drawn nor when it is missing, unless the run counts all of them; its ' +
+            'recall is told apart.'],
         ['seam', 'both faces visible and flatter than a crease, but of two objects.'],
-        ['does not count', 'pixels at the frame, and places where the true lines are too dense to tell apart.'],
+        ['does not count', 'pixels at the frame, places where the true lines are too dense to tell apart, and intersections ' +
+            'below the crease angle.'],
         ...CAUSES.map(cause => [cause.name.replace(/_/g, ' '), cause.text + '.']),
         ['causes', 'come from the exact truth at pixel centres. A false pixel is judged by the 3 × 3 pixels around ' +
             'it. For a missing pixel of a method that declares its code, the code is computed from the depth and ' +
@@ -77,6 +80,8 @@ function aboutProvenance(run) {
         ['version', row.version ? `${row.version}, commit ${row.commit}${dirty}` : record.build],
         ['compiler', row.compiler], ['flags', row.flags], ['libraries', libraries],
         ['processor', row.cpu], ['instructions', row.simd],
+        ['crease angle', row.crease_deg === undefined ? null : `${row.crease_deg}°`],
+        ['intersections', row.intersections === 'all' ? 'all count' : 'those that bend at least by the crease angle count'],
         ['image size', row.width ? `${row.width} × ${row.height} px` : null],
         ['threads', row.threads], ['seed', row.seed],
         ['identity', record.identity ? element('code', {}, record.identity) : null],

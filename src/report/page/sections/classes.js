@@ -6,10 +6,10 @@ addSection({
     id: 'classes',
     title: 'Line classes',
     intro: 'Share of the true pixels of each class that a method found within 2 px, with its 95 % interval.',
-    isThere: view => view.contestants.some(s => CLASSES.some(name => s.classes[name] !== null)),
+    isThere: view => view.contestants.some(s => RECALL_GROUPS.some(name => s.classes[name] !== null)),
     uses: ['classes.*', 'sort.classes'],
     draw(root, view) {
-        const classes = CLASSES.filter(name => view.summaries.some(s => s.classes[name] !== null));
+        const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const methods = [...view.contestants].sort((a, b) => (b.recall ?? 0) - (a.recall ?? 0));
         const points = methods.flatMap(s => classes.map(name => ({
             method: s, name, value: s.classes[name], range: pooledInterval(s.rows, name),
@@ -38,7 +38,7 @@ function drawClassChart(chart, methods, classes, points) {
         const ofClass = points.filter(p => p.name === name);
         const least = state.get('classes.zero') ? 0 : Math.max(0, (d3.min(ofClass, p => (p.range ? p.range.low : p.value)) ?? 0) - 0.02);
         const x = d3.scaleLinear().domain([least, 1]).range([0, wide]);
-        panel.append('text').attr('class', 'axis-title').attr('y', -12).style('fill', CLASS_COLOURS[name]).text(name);
+        panel.append('text').attr('class', 'axis-title').attr('y', -12).style('fill', CLASS_COLOURS[name]).text(groupTitle(name));
         drawAxis(panel, x, {side: 'bottom', title: '', length: wide, across: height, format: v => Number(v.toFixed(3)),
                             ticks: x.ticks(Math.max(2, Math.floor(wide / 50)))});
         for (const point of ofClass) {
@@ -51,7 +51,7 @@ function drawClassChart(chart, methods, classes, points) {
             node.append('circle').attr('r', 9).attr('class', 'catch');
             node.append('path').attr('d', markerOf(point.method.info)).attr('transform', 'scale(.8)').call(markerStyle, point.method.info);
             answerPointer(node, worstOfClass(point.method.rows, name), [
-                `${point.method.method}, ${name}: recall ${formatShare(point.value)}` + (point.range ? ` (${formatRange(point.range)})` : '')]);
+                `${point.method.method}, ${groupTitle(name)}: recall ${formatShare(point.value)}` + (point.range ? ` (${formatRange(point.range)})` : '')]);
         }
     });
 }

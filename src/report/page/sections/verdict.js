@@ -9,7 +9,7 @@ addSection({
     isThere: view => view.run.rows.length > 0,
     uses: ['sort.verdict'],
     draw(root, view) {
-        const classes = CLASSES.filter(name => view.summaries.some(s => s.classes[name] !== null));
+        const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const rowsOf = line => (line.isBaseline ? null : line.rows);
         const title = MEASURES[view.measure].title;
         const columns = [
@@ -23,7 +23,7 @@ addSection({
             shareColumn('f_1px', 'F at 1 px', line => line.f_1px),
             shareColumn('precision', 'precision', line => line.precision),
             shareColumn('recall', 'recall', line => line.recall),
-            ...classes.map(name => shareColumn(`recall_${name}`, name, line => line.classes[name], {group: 'recall by class of line'})),
+            ...classes.map(name => shareColumn(`recall_${name}`, groupTitle(name), line => line.classes[name], {group: 'recall by class of line'})),
             {key: 'width_px', title: 'width px', value: line => line.width_px, text: line => formatNumber(line.width_px)},
             {key: 'ms', title: 'draw ms', value: line => line.ms, text: line => formatMs(line.ms), best: 'low',
              help: 'Median over views of the median time of a frame', hint: line => (line.msRange ? `quartiles ${formatMs(line.msRange.low)} to ${formatMs(line.msRange.high)} ms` : '')},
