@@ -4,29 +4,23 @@
 #include <tuple>
 
 #include "core/parallel.h"
+#include "crosscheck/edge_probes.h"
 #include "crosscheck/fine_grid.h"
+#include "crosscheck/known_lines.h"
 #include "crosscheck/sample_cells.h"
-#include "crosscheck/thin_cells.h"
 
 namespace ink::crosscheck {
 namespace {
 
-constexpr int kThinFactor = 4;  ///< so many times as dense where the samples stepped over something
+constexpr std::size_t kChunk = 256;   ///< ways judged by one thread in one go
+constexpr double kWay_px = 1.0 / 16;  ///< of line, for a crossing of a way: the grid finds the rest
 
-/// What one row of cells gave, and which cells beside its refined ones a line runs into.
-struct RowResult {
+/// What one row of cells gave, or one chunk of ways, and which cells deserve a close look for it.
+struct Part {
     std::vector<CellPoint> points;
-    std::vector<glm::ivec2> entered;
+    std::vector<glm::ivec2> cells;
     SamplingCounts counts;
 };
-
-void add(const SamplingCounts& part, SamplingCounts& sum) {
-    sum.rays += part.rays;
-    sum.refined_px += part.refined_px;
-    sum.defects += part.defects;
-    sum.near_cuts += part.near_cuts;
-    sum.unexplained += part.unexplained;
-}
 
 class Looking {
   public:
@@ -43,13 +37,10 @@ class Looking {
         counts_.rays += cells_.sample_count();
         if (options_.everywhere) {
             cells_.mark_all();
+            refine(nullptr);
         } else {
-            cells_.mark_crossed(options_.threads);
-            cells_.mark_edges(options_.threads);
+            look_adaptively();
         }
-        while (refine_marked()) {
-        }
-        if (!options_.everywhere) refine_thin();
         std::stable_sort(
             points_.begin(), points_.end(), [](const CellPoint& a, const CellPoint& b) {
                 return std::tie(a.cell.y, a.cell.x) < std::tie(b.cell.y, b.cell.x);
@@ -62,35 +53,98 @@ class Looking {
     }
 
   private:
-    /// Looks closely at every cell that is marked and was not looked at; true if that marked more.
-    bool refine_marked() {
-        std::vector<RowResult> rows(cells_.rows());
-        core::parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
-            rows[row] = refine_row(static_cast<int>(row));
-        });
-        cells_.finish_marked();
-        bool has_more = false;
-        for (const RowResult& row : rows) {
-            points_.insert(points_.end(), row.points.begin(), row.points.end());
-            add(row.counts, counts_);
-            for (const glm::ivec2& cell : row.entered)
-                has_more = cells_.mark(cell) || has_more;
-        }
-        return has_more;
+    void look_adaptively() {
+        cells_.compare(options_.threads);
+        EdgeProbes probes = probe_edges(cells_, rays_, options_.threads);
+        counts_ += probes.counts;
+        points_ = std::move(probes.points);
+        const KnownLines edges(cells_, rays_, points_);
+        judge_ways(edges, probes.ways);
+        judge_lattice(edges);
+        refine(&edges);
     }
 
-    RowResult refine_row(int y) {
-        RowResult result;
-        FineGrid grid(rays_, options_.subsamples);
+    /// Marks the cells of ways that begin beside an edge and first cross something unknown, and
+    /// adds what it is. What comes after a known line is seen from there.
+    void judge_ways(const KnownLines& edges, const std::vector<Way>& ways) {
+        take(in_chunks(ways.size(), [&](std::size_t i, Part& part) {
+            const Way& way = ways[i];
+            if (edges.explain_first(way.from, way.to, part.counts.rays) ||
+                edges.explain(way.from, way.to, part.counts.rays))
+                return;
+            const glm::dvec2 middle = 0.5 * (way.from.p_px + way.to.p_px);
+            for (const glm::dvec2& p : {way.from.p_px, middle, way.to.p_px})
+                part.cells.push_back(cells_.cell_of(p));
+            Crossings found{part.points, part.counts};
+            add_crossings(rays_, way.from, way.to, cells_.cell_of(middle), kWay_px, found);
+        }));
+    }
+
+    /// Marks the cells beside neighbouring corners that the edges do not explain, even once these
+    /// have been looked at exactly.
+    void judge_lattice(const KnownLines& edges) {
+        const std::vector<LatticeWay>& ways = cells_.open_ways();
+        take(in_chunks(ways.size(), [&](std::size_t i, Part& part) {
+            const LatticeWay& way = ways[i];
+            if (edges.explain(way.a, way.b, part.counts.rays)) return;
+            const Sample a{way.a.p_px, rays_.look(way.a.p_px)};
+            const Sample b{way.b.p_px, rays_.look(way.b.p_px)};
+            part.counts.rays += 2;
+            if (edges.explain(a, b, part.counts.rays)) return;
+            part.cells.insert(part.cells.end(), way.cells.begin(), way.cells.end());
+        }));
+    }
+
+    /// Calls `body(i, part)` for each i, with a part for each chunk.
+    template <class Body>
+    std::vector<Part> in_chunks(std::size_t count, const Body& body) const {
+        std::vector<Part> parts((count + kChunk - 1) / kChunk);
+        core::parallel_for(parts.size(), options_.threads, [&](std::size_t chunk) {
+            const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+            for (std::size_t i = chunk * kChunk; i < end; ++i)
+                body(i, parts[chunk]);
+        });
+        return parts;
+    }
+
+    /// Adds what the parts found; true if they marked a cell.
+    bool take(const std::vector<Part>& parts) {
+        bool has_marked = false;
+        for (const Part& part : parts) {
+            points_.insert(points_.end(), part.points.begin(), part.points.end());
+            counts_ += part.counts;
+            for (const glm::ivec2& cell : part.cells)
+                has_marked = cells_.mark(cell) || has_marked;
+        }
+        return has_marked;
+    }
+
+    /// Looks closely at every cell that is marked, and at those that an unknown line enters from
+    /// there.
+    void refine(const KnownLines* known) {
+        bool has_more = true;
+        while (has_more) {
+            std::vector<Part> rows(cells_.rows());
+            core::parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
+                rows[row] = refine_row(static_cast<int>(row), known);
+            });
+            cells_.finish_marked();
+            has_more = take(rows);
+        }
+    }
+
+    Part refine_row(int y, const KnownLines* known) {
+        Part result;
+        FineGrid grid(rays_, known, options_.subsamples);
         const int k = options_.subsamples;
         for (int x = 0; x < cells_.columns(); ++x) {
             const glm::ivec2 cell(x, y);
             if (cells_.state(cell) != CellState::marked) continue;
-            grid.look(cell, cells_.corner_px(cell), cells_.corners(cell));
+            grid.look(cell, cells_.corner_px(cell));
             grid.add_points(result.points);
             const auto enter = [&](glm::ivec2 neighbour, glm::ivec2 begin, glm::ivec2 step) {
                 if (cells_.is_unseen(neighbour) && grid.is_crossed(begin, step))
-                    result.entered.push_back(neighbour);
+                    result.cells.push_back(neighbour);
             };
             enter({x - 1, y}, {0, 0}, {0, 1});
             enter({x + 1, y}, {k, 0}, {0, 1});
@@ -101,36 +155,8 @@ class Looking {
         return result;
     }
 
-    /// Looks again, more densely, at the cells whose samples stepped over something.
-    void refine_thin() {
-        const ThinCells thin = find_thin_cells(cells_, rays_, points_, options_.threads);
-        counts_.rays += thin.rays;
-        counts_.thin_px = thin.cells.size();
-        if (thin.cells.empty()) return;
-        for (const glm::ivec2& cell : thin.cells)
-            cells_.mark(cell, CellState::thin);
-        points_.erase(std::remove_if(points_.begin(),
-                                     points_.end(),
-                                     [&](const CellPoint& p) {
-                                         return cells_.state(p.cell) == CellState::thin;
-                                     }),
-                      points_.end());
-        std::vector<RowResult> results(thin.cells.size());
-        core::parallel_for(results.size(), options_.threads, [&](std::size_t i) {
-            const glm::ivec2 cell = thin.cells[i];
-            FineGrid grid(rays_, kThinFactor * options_.subsamples);
-            grid.look(cell, cells_.corner_px(cell), cells_.corners(cell));
-            grid.add_points(results[i].points);
-            results[i].counts = grid.counts;
-        });
-        for (const RowResult& result : results) {
-            points_.insert(points_.end(), result.points.begin(), result.points.end());
-            counts_.rays += result.counts.rays;
-        }
-    }
-
     ClipMesh mesh_;
-    SightRays rays_;
+    EmbreeRays rays_;
     SamplingOptions options_;
     SampleCells cells_;
     std::vector<CellPoint> points_;
@@ -138,6 +164,16 @@ class Looking {
 };
 
 }  // namespace
+
+SamplingCounts& SamplingCounts::operator+=(const SamplingCounts& other) {
+    rays += other.rays;
+    refined_px += other.refined_px;
+    probes += other.probes;
+    defects += other.defects;
+    near_cuts += other.near_cuts;
+    unexplained += other.unexplained;
+    return *this;
+}
 
 SampledLines sample_lines(const scene::Topology& topology,
                           const scene::View& view,

@@ -30,10 +30,12 @@ struct SampledPoint {
 struct SamplingCounts {
     std::size_t rays = 0;
     std::size_t refined_px = 0;   ///< pixels looked at K x K times
-    std::size_t thin_px = 0;      ///< pixels in which K x K samples stepped over something
+    std::size_t probes = 0;       ///< places across feature edges that were looked at
     std::size_t defects = 0;      ///< crossings of an end across which the surface goes on
     std::size_t near_cuts = 0;    ///< crossings of the near plane's cut: no line
     std::size_t unexplained = 0;  ///< two samples differ and nothing between them says why
+
+    SamplingCounts& operator+=(const SamplingCounts& other);
 };
 
 /// The lines that dense sampling finds: points along them, no curves.
@@ -42,21 +44,25 @@ struct SampledLines {
     SamplingCounts counts;
 };
 
-/// Finds the outline of a welded scene by looking, not by following its edges (construction B of
-/// the design, section 5): a second opinion on trace_truth. The two share the welded mesh, the
-/// camera, Embree, and what a line is by definition (its class, the crease angle, the weld
-/// tolerance); no step that finds a line or decides whether it is seen.
+/// Finds the outline of a welded scene by looking (construction B of the design, section 5): a
+/// second opinion on trace_truth. The two share the welded mesh, the camera, Embree, and what a
+/// line is by definition (its class, the crease angle, the weld tolerance, the rounding of
+/// vertices); no step that finds a line or decides whether it is seen.
 ///
-/// Which triangle is seen is asked once a pixel, and on a K x K grid in pixels where neighbouring
-/// answers are not joined, where a feature edge that nothing hides may run, or which a line enters
-/// from a refined neighbour. Neighbours are joined if a walk over the mesh between them, which may
-/// end in a triangle that the sample misses by 1e-3 px, meets no feature edge. Any other pair is
-/// halved down to 1/512 px, and what lies between is named by what ends or bends there. Pixels in
-/// which a look 1/256 px to either side of an edge finds what the samples stepped over are looked
-/// at 4 K x 4 K times; what is thinner than that, between two samples, is not seen.
+/// 1. Which triangle is seen is asked once a pixel. Neighbours are joined if a walk over the mesh
+///    between them, which may end in a triangle that the sample misses by 1e-3 px, meets no feature
+///    edge.
+/// 2. Every feature edge that no unbroken surface hides is looked at 1/1024 px to either side of
+/// it,
+///    each 3/8 px; what separates the two is named by what ends or bends there (edge_probes.h).
+/// 3. Neighbours that are not joined, and samples beside and along visible edges that are not, must
+///    be explained by lines found so far. Where they are not, there is a line that is no edge: the
+///    way between them is halved down to 1/512 px, and the pixel is looked at K x K times, as are
+///    those that a line enters from there.
 ///
-/// A crossing of a line that runs at angle t to the axes stands for (1/K) / (|cos t| + |sin t|) px
-/// of it: then the sum over a straight line is its length.
+/// A crossing on the K x K lattice of a line that runs at angle t to the axes stands for
+/// (1/K) / (|cos t| + |sin t|) px of it: then the sum over a straight line is its length. A look
+/// across an edge stands for the distance to the next.
 ///
 /// The same for every thread count. An empty scene or image has no points.
 [[nodiscard]] SampledLines sample_lines(const scene::Topology& topology,

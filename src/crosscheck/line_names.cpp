@@ -21,6 +21,10 @@ double depth_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec2& p_px
     return ClipMesh::depth(mesh.local_face(face, p_px));
 }
 
+std::uint32_t edge_of(const ClipMesh& mesh, const MetEdge& met) {
+    return mesh.topology().faces[met.face].edges[met.side];
+}
+
 /// The direction of the line in which two planes meet, as its slant.
 double slant_of_planes(const ClipMesh& mesh, std::uint32_t face0, std::uint32_t face1) {
     const auto plane = [&](std::uint32_t face) {  // 1/w = plane . (x, y, 1)
@@ -87,7 +91,7 @@ void add_end(const SightRays& rays, const MetEdge& end, const Sample& beyond, Be
         line_class = truth::LineClass::seam;
     }
     const bool is_known = between.count == 1 && between.lines[0].line_class == line_class;
-    if (!is_known) between.lines[between.count++] = {line_class, end.slant()};
+    if (!is_known) between.lines[between.count++] = {line_class, end.slant(), edge_of(mesh, end)};
 }
 
 /// On which side of a face's plane a point lies as the eye sees it: 1 the far side, -1 the near
@@ -183,7 +187,7 @@ bool add_passed(const ClipMesh& mesh,
     const bool has_passed = walks[i].has_arrived && met.line_class != truth::LineClass::none;
     const Sample& other = samples[1 - i];
     if (!has_passed || other.sight.face == kNothing || !is_out(mesh, met, other)) return false;
-    between.lines[between.count++] = {met.line_class, met.slant()};
+    between.lines[between.count++] = {met.line_class, met.slant(), edge_of(mesh, met)};
     return true;
 }
 
@@ -201,7 +205,7 @@ bool add_overlap(const ClipMesh& mesh,
         // A seam on the way was one to a surface that the seen one covers.
         const bool is_covered = met.line_class == truth::LineClass::seam && !is_seam;
         if (met.line_class != truth::LineClass::none && !is_covered) {
-            between.lines[between.count++] = {met.line_class, met.slant()};
+            between.lines[between.count++] = {met.line_class, met.slant(), edge_of(mesh, met)};
         } else if (is_seam) {
             // The other surface is what bends here.
             between.lines[between.count++] = {truth::LineClass::seam, walks[1 - i].met.slant()};
@@ -295,7 +299,8 @@ Between name_between(const SightRays& rays, const Sample& from, const Sample& to
             continue;
         if (walks[i].met.line_class == truth::LineClass::none) return between;
         if (walks[i].met.w < mesh.view().camera.near) continue;
-        between.lines[between.count++] = {walks[i].met.line_class, walks[i].met.slant()};
+        const MetEdge& met = walks[i].met;
+        between.lines[between.count++] = {met.line_class, met.slant(), edge_of(mesh, met)};
         return between;
     }
     for (std::size_t i = 0; i < 2; ++i) {

@@ -9,7 +9,8 @@ namespace ink::crosscheck {
 /// A line between two samples.
 struct NamedLine {
     truth::LineClass line_class = truth::LineClass::none;
-    double slant = 1;  ///< |cos| + |sin| of the line's direction on the image
+    double slant = 1;               ///< |cos| + |sin| of the line's direction on the image
+    std::uint32_t edge = kNothing;  ///< of the mesh; nothing where two surfaces cross
 };
 
 /// What lies between two samples: up to two lines of surfaces that end at one place, or an

@@ -5,23 +5,21 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "crosscheck/mesh_walk.h"
 #include "crosscheck/sight_rays.h"
 
 namespace ink::crosscheck {
 
 enum class CellState : std::uint8_t {
-    plain,   ///< its corners say all
+    plain,   ///< its corners and the known lines say all
     marked,  ///< to be looked at closely
-    done,    ///< was looked at closely
-    thin,    ///< was, and deserves more still
+    done     ///< was looked at closely
 };
 
-/// The part of an edge in a cell.
-struct EdgePiece {
-    std::uint32_t edge = 0;
-    glm::ivec2 cell{0};
-    glm::dvec2 begin_px{0};
-    glm::dvec2 end_px{0};
+/// A way between two corners of the lattice that are not joined, and the cells on both sides of it.
+struct LatticeWay {
+    Sample a, b;
+    std::array<glm::ivec2, 2> cells;
 };
 
 /// One sample per pixel over the image and a pixel beyond its left and upper frame, and which of
@@ -31,20 +29,16 @@ class SampleCells {
     /// Borrows the mesh.
     explicit SampleCells(const ClipMesh& mesh);
 
-    /// Looks once at every corner of the cells.
-    void look(const SightRays& rays, int threads);
-    /// Marks the cells of whose four sides one is not joined.
-    void mark_crossed(int threads);
-    /// Marks the cells through which a feature edge runs, except behind a surface that goes on
-    /// unbroken round the cell.
-    void mark_edges(int threads);
+    /// Looks once at every corner of the cells, to within what Embree's rounding leaves.
+    void look(const EmbreeRays& rays, int threads);
+    /// Finds the ways between neighbouring corners that are not joined, and how deep the surface
+    /// lies in cells without one.
+    void compare(int threads);
+    /// Those ways, by rows.
+    [[nodiscard]] const std::vector<LatticeWay>& open_ways() const { return open_ways_; }
     void mark_all();
-    /// Adds the pieces of an edge, one in each cell that it runs through, but those hidden behind a
-    /// surface that goes on unbroken round the cell.
-    void add_pieces(std::uint32_t edge, std::vector<EdgePiece>& pieces) const;
     /// True if the cell was plain.
     bool mark(const glm::ivec2& cell);
-    void mark(const glm::ivec2& cell, CellState state) { states_[index(cell)] = state; }
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
@@ -59,8 +53,12 @@ class SampleCells {
     }
     /// Its upper left corner.
     [[nodiscard]] glm::dvec2 corner_px(const glm::ivec2& cell) const;
-    /// Left to right, top to bottom.
-    [[nodiscard]] std::array<Sight, 4> corners(const glm::ivec2& cell) const;
+    /// The cell that holds a point, or the one nearest to it.
+    [[nodiscard]] glm::ivec2 cell_of(const glm::dvec2& p_px) const;
+    /// Whether a surface that goes on unbroken round the cell of `p_px` hides what lies at 1/w = q.
+    [[nodiscard]] bool is_hidden(const glm::dvec2& p_px, double q) const {
+        return 1 > hidden_behind_[index(cell_of(p_px))] * q;
+    }
     /// What is marked is done.
     void finish_marked();
 
@@ -68,12 +66,16 @@ class SampleCells {
     [[nodiscard]] bool contains(const glm::ivec2& cell) const {
         return cell.x >= 0 && cell.y >= 0 && cell.x < columns_ && cell.y < rows_;
     }
+    [[nodiscard]] Sample corner(int x, int y) const;
+    void compare_row(int y, std::vector<LatticeWay>& open, std::vector<std::uint8_t>& is_open);
+
     const ClipMesh& mesh_;
     int columns_;
     int rows_;
     std::vector<Sight> sights_;  ///< (columns + 1) x (rows + 1)
     std::vector<CellState> states_;
     std::vector<double> hidden_behind_;  ///< per cell: what lies farther away is not seen
+    std::vector<LatticeWay> open_ways_;
 };
 
 }  // namespace ink::crosscheck

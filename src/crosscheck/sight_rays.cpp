@@ -11,13 +11,12 @@
 
 namespace ink::crosscheck {
 
-struct SightRays::Handles : truth::embree::Handles {};
+struct EmbreeRays::Handles : truth::embree::Handles {};
 
 namespace {
 
 /// What Embree's float distances cannot put in order is offered to the filter all the same.
 constexpr float kSlack = 1 + 1e-4F;
-constexpr double kAlmost = 1e-5;  ///< relative: behind that, no face lies in the plane of another
 
 /// One look on its way through the tree.
 struct Look {
@@ -25,16 +24,7 @@ struct Look {
     const ClipMesh* mesh;
     glm::dvec2 p_px;
     double near;
-    std::array<Sight, 32> front;  ///< the nearest so far, in no order
-    std::size_t count = 0;
-    double nearest = std::numeric_limits<double>::infinity();
-
-    void add(const Sight& sight) {
-        nearest = std::min(nearest, sight.w);
-        const auto is_behind = [&](const Sight& s) { return s.w > nearest * (1 + kAlmost); };
-        count = std::remove_if(front.begin(), front.begin() + count, is_behind) - front.begin();
-        if (!is_behind(sight) && count < front.size()) front[count++] = sight;
-    }
+    Foremost foremost;
 };
 
 /// The face that holds the point where Embree's rounding named a neighbour: found over the edges
@@ -74,7 +64,7 @@ void take(const RTCFilterFunctionNArguments* args) {
         args->valid[0] = 0;
         return;
     }
-    look.add({face, w});
+    look.foremost.add(*look.mesh, {face, w});
     RTCRayN_tfar(args->ray, args->N, 0) *= kSlack;
 }
 
@@ -90,8 +80,20 @@ std::uint32_t* new_indices(RTCGeometry geometry, std::size_t count) {
 
 }  // namespace
 
-SightRays::SightRays(const ClipMesh& mesh, int threads)
-    : mesh_(mesh), handles_(std::make_unique<Handles>()) {
+void Foremost::add(const ClipMesh& mesh, const Sight& sight) {
+    if (!may_take(sight.w)) return;
+    const bool is_level = seen_.face != kNothing && mesh.is_level(nearest_.face, sight.face);
+    if (is_level) {
+        seen_.face = std::min(seen_.face, sight.face);
+    } else if (sight.w < nearest_.w) {
+        seen_.face = sight.face;
+    }
+    if (sight.w < nearest_.w) nearest_ = sight;
+    seen_.w = nearest_.w;
+}
+
+EmbreeRays::EmbreeRays(const ClipMesh& mesh, int threads)
+    : SightRays(mesh), handles_(std::make_unique<Handles>()) {
     const scene::Topology& topology = mesh.topology();
     handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (handles_->device == nullptr) {
@@ -131,20 +133,20 @@ SightRays::SightRays(const ClipMesh& mesh, int threads)
     }
 }
 
-SightRays::~SightRays() = default;
+EmbreeRays::~EmbreeRays() = default;
 
-Sight SightRays::look(const glm::dvec2& p_px) const {
+Sight EmbreeRays::look(const glm::dvec2& p_px) const {
     Look look;
     truth::embree::init_context(look.context);
-    look.mesh = &mesh_;
+    look.mesh = &mesh();
     look.p_px = p_px;
-    look.near = mesh_.view().camera.near;
+    look.near = mesh().view().camera.near;
 
     // Unit depth along the view direction, so that distances along the ray are w.
-    const double focal_px = mesh_.projection().focal_px();
+    const double focal_px = mesh().projection().focal_px();
     RTCRayHit query{};
-    query.ray.dir_x = static_cast<float>((p_px.x - mesh_.view().width_px / 2.0) / focal_px);
-    query.ray.dir_y = static_cast<float>((mesh_.view().height_px / 2.0 - p_px.y) / focal_px);
+    query.ray.dir_x = static_cast<float>((p_px.x - mesh().view().width_px / 2.0) / focal_px);
+    query.ray.dir_y = static_cast<float>((mesh().view().height_px / 2.0 - p_px.y) / focal_px);
     query.ray.dir_z = -1;
     query.ray.tnear = static_cast<float>(look.near * scale_) / kSlack;
     query.ray.tfar = std::numeric_limits<float>::infinity();
@@ -152,16 +154,35 @@ Sight SightRays::look(const glm::dvec2& p_px) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     truth::embree::intersect(handles_->scene, look.context, &take, query);
 
-    const std::span<const Sight> front(look.front.data(), look.count);
-    if (front.empty()) return {};
-    Sight seen = *std::min_element(front.begin(), front.end(), [](const Sight& a, const Sight& b) {
-        return a.w != b.w ? a.w < b.w : a.face < b.face;
-    });
-    const std::uint32_t nearest = seen.face;
-    for (const Sight& sight : front) {
-        if (sight.face < seen.face && mesh_.is_level(nearest, sight.face)) seen = sight;
+    return look.foremost.seen();
+}
+
+void EmbreeRays::look_along(const glm::dvec2& first_px, std::span<Sight> sights) const {
+    truth::embree::Context context;
+    truth::embree::init_context(context);
+    const double focal_px = mesh().projection().focal_px();
+    const scene::View& view = mesh().view();
+    alignas(64) std::array<int, kPacket> valid{};
+    alignas(64) RTCRayHit16 query{};
+    for (int i = 0; i < kPacket; ++i) {
+        valid[i] = i < static_cast<int>(sights.size()) ? -1 : 0;
+        query.ray.dir_x[i] = static_cast<float>((first_px.x + i - view.width_px / 2.0) / focal_px);
+        query.ray.dir_y[i] = static_cast<float>((view.height_px / 2.0 - first_px.y) / focal_px);
+        query.ray.dir_z[i] = -1;
+        query.ray.tnear[i] = static_cast<float>(view.camera.near * scale_) / kSlack;
+        query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+        query.ray.mask[i] = 0xffffffffU;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    return seen;
+    truth::embree::intersect_16(valid.data(), handles_->scene, context, nullptr, query);
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        sights[i] = {};
+        if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        const glm::dvec2 p_px = first_px + glm::dvec2(static_cast<double>(i), 0);
+        const LocalFace local = mesh().local_face(query.hit.primID[i], p_px);
+        const double w = ClipMesh::holds(local, 0) ? ClipMesh::depth(local) : 0;
+        sights[i] = w < view.camera.near ? look(p_px) : Sight{query.hit.primID[i], w};
+    }
 }
 
 }  // namespace ink::crosscheck

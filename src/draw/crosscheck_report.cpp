@@ -57,6 +57,7 @@ void add_legend(cv::Mat& mat) {
     line(0, "both", kIgnoredColour);
     line(1, "curves only", kVermilion);
     line(2, "cross-check only", kBlue);
+    line(3, "cross-check abstains", kOrange);
 }
 
 }  // namespace
@@ -74,14 +75,17 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
     }
     text += class_line("all", check.agreement.total());
     text += fmt::format(
-        "within {} px; disagreement {} of both lengths\n"
-        "looked {} times in {:.3f} s, closely at {} px, more closely at {}; unexplained {}\n",
+        "within {} px; disagreement {} of both lengths, confirmed by a third construction; the "
+        "cross-check abstains on {}\n"
+        "looked {} times in {:.3f} s, across edges at {} places, closely at {} px; unexplained "
+        "{}\n",
         harness::kAgreement_px,
         percent(check.agreement.disagreement_rate()),
+        percent(check.agreement.abstained_share()),
         check.counts.rays,
         check.look_s,
+        check.counts.probes,
         check.counts.refined_px,
-        check.counts.thin_px,
         check.counts.unexplained);
     const double strip_px = harness::strip_length_px(curves, check.agreement);
     if (strip_px > 0) {
@@ -122,7 +126,9 @@ void write_disagreement(const scene::View& view,
         cv::circle(mat,
                    point_of(d.x_px, d.y_px),
                    3 << kShift,
-                   scalar_of(d.is_truth ? kVermilion : kBlue),
+                   scalar_of(!d.is_confirmed ? kOrange
+                             : d.is_truth    ? kVermilion
+                                             : kBlue),
                    cv::FILLED,
                    cv::LINE_AA,
                    kShift);
@@ -133,24 +139,26 @@ void write_disagreement(const scene::View& view,
 
 std::string crosscheck_sentence(const std::vector<harness::Row>& rows) {
     std::set<std::pair<std::string, std::string>> views;
-    double length_px = 0, uncovered_px = 0;
+    double length_px = 0, uncovered_px = 0, abstained_px = 0;
     const harness::Row* worst = nullptr;
     for (const harness::Row& row : rows) {
         if (!row.reference_disagreement || !views.insert({row.scene, row.view}).second) continue;
         length_px += row.crosscheck_px;
         uncovered_px += *row.reference_disagreement * row.crosscheck_px;
+        abstained_px += row.crosscheck_abstained * row.crosscheck_px;
         if (worst == nullptr || *row.reference_disagreement > *worst->reference_disagreement)
             worst = &row;
     }
     if (worst == nullptr) return "";
     return fmt::format(
         "The truth and its cross-check disagree on {} of their lines over {} views, at worst on {} "
-        "({} {}).",
+        "({} {}); the cross-check abstains on {}.",
         percent(length_px > 0 ? uncovered_px / length_px : 0),
         views.size(),
         percent(*worst->reference_disagreement),
         worst->scene,
-        worst->view);
+        worst->view,
+        percent(length_px > 0 ? abstained_px / length_px : 0));
 }
 
 }  // namespace ink::draw

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "crosscheck/line_probe.h"
+
 namespace ink::harness {
 namespace {
 
@@ -84,6 +86,11 @@ bool passes(const truth::Curve& curve, const glm::dvec2& p, double reach_px) {
     return std::abs(ab.x * (p - a).y - ab.y * (p - a).x) <= reach_px * std::sqrt(length2);
 }
 
+bool is_on_frame(const glm::dvec2& p, const scene::View& view) {
+    return p.x < kFrame_px || p.y < kFrame_px || p.x > view.width_px - kFrame_px ||
+           p.y > view.height_px - kFrame_px;
+}
+
 /// A curve's pixels: those of its samples, which lie closer than the reach, and what is in reach.
 void add_curve(const truth::Curve& curve, std::uint32_t item, PixelLists& lists) {
     const glm::dvec2 a = begin_of(curve), b = end_of(curve);
@@ -114,6 +121,7 @@ void hold_curves(std::span<const truth::Curve> curves,
         const int count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
         for (int i = 0; i < count; ++i) {
             const glm::dvec2 p = glm::mix(a, b, (i + 0.5) / count);
+            if (is_on_frame(p, view)) continue;
             const bool is_covered = lists.any(p, [&](std::uint32_t item) {
                 const crosscheck::SampledPoint& q = crosscheck.points[item];
                 return q.line_class == curve.line_class &&
@@ -141,6 +149,7 @@ void hold_points(std::span<const truth::Curve> curves,
     for (const crosscheck::SampledPoint& point : crosscheck.points) {
         const std::size_t index = class_index(point.line_class);
         const glm::dvec2 p(point.x_px, point.y_px);
+        if (is_on_frame(p, view)) continue;
         const bool is_covered = lists.any(p, [&](std::uint32_t item) {
             return curves[item].line_class == point.line_class &&
                    distance_to(curves[item], p) <= kAgreement_px;
@@ -157,19 +166,21 @@ void hold_points(std::span<const truth::Curve> curves,
 }  // namespace
 
 double ClassAgreement::truth_share() const {
-    return truth_px > 0 ? truth_covered_px / truth_px : 1;
+    const double length = truth_px - truth_abstained_px;
+    return length > 0 ? truth_covered_px / length : 1;
 }
 
 double ClassAgreement::crosscheck_share() const {
-    return crosscheck_px > 0 ? crosscheck_covered_px / crosscheck_px : 1;
+    const double length = crosscheck_px - crosscheck_abstained_px;
+    return length > 0 ? crosscheck_covered_px / length : 1;
 }
 
 bool ClassAgreement::is_agreed() const {
     const auto is_covered = [](double length, double covered) {
         return length - covered <= std::max(kAllowedShare * length, kAgreement_px);
     };
-    return is_covered(truth_px, truth_covered_px) &&
-           is_covered(crosscheck_px, crosscheck_covered_px);
+    return is_covered(truth_px, truth_covered_px + truth_abstained_px) &&
+           is_covered(crosscheck_px, crosscheck_covered_px + crosscheck_abstained_px);
 }
 
 bool Agreement::is_agreed() const {
@@ -186,6 +197,8 @@ ClassAgreement Agreement::total() const {
         sum.truth_covered_px += c.truth_covered_px;
         sum.crosscheck_px += c.crosscheck_px;
         sum.crosscheck_covered_px += c.crosscheck_covered_px;
+        sum.truth_abstained_px += c.truth_abstained_px;
+        sum.crosscheck_abstained_px += c.crosscheck_abstained_px;
     }
     return sum;
 }
@@ -194,8 +207,15 @@ double Agreement::disagreement_rate() const {
     const ClassAgreement sum = total();
     const double length = sum.truth_px + sum.crosscheck_px;
     const double uncovered =
-        (sum.truth_px - sum.truth_covered_px) + (sum.crosscheck_px - sum.crosscheck_covered_px);
+        (sum.truth_px - sum.truth_covered_px - sum.truth_abstained_px) +
+        (sum.crosscheck_px - sum.crosscheck_covered_px - sum.crosscheck_abstained_px);
     return length > 0 ? std::max(0.0, uncovered) / length : 0;
+}
+
+double Agreement::abstained_share() const {
+    const ClassAgreement sum = total();
+    const double length = sum.truth_px + sum.crosscheck_px;
+    return length > 0 ? (sum.truth_abstained_px + sum.crosscheck_abstained_px) / length : 0;
 }
 
 Agreement compare_truths(std::span<const truth::Curve> curves,
@@ -205,6 +225,24 @@ Agreement compare_truths(std::span<const truth::Curve> curves,
     hold_curves(curves, crosscheck, view, result);
     hold_points(curves, crosscheck, view, result);
     return result;
+}
+
+void judge_disagreements(const scene::Topology& topology,
+                         const scene::View& view,
+                         const crosscheck::SamplingOptions& options,
+                         Agreement& agreement) {
+    std::vector<crosscheck::ClaimedPoint> claims;
+    for (const Disagreement& d : agreement.disagreements)
+        claims.push_back({{d.x_px, d.y_px}, d.line_class});
+    const std::vector<char> is_seen =
+        crosscheck::see_claimed_lines(topology, view, options, claims);
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+        Disagreement& d = agreement.disagreements[i];
+        d.is_confirmed = (is_seen[i] != 0) != d.is_truth;
+        if (d.is_confirmed) continue;
+        ClassAgreement& c = agreement.by_class[class_index(d.line_class)];
+        (d.is_truth ? c.truth_abstained_px : c.crosscheck_abstained_px) += d.length_px;
+    }
 }
 
 double strip_length_px(std::span<const truth::Curve> curves, const Agreement& agreement) {

@@ -13,6 +13,9 @@ namespace ink::harness {
 /// Within so much of each other two lines of one class are the same line.
 inline constexpr double kAgreement_px = 0.25;
 
+/// Lines this near the frame are not held against each other.
+inline constexpr double kFrame_px = 0.5;
+
 /// The share of a line that the other may lack (section 5 of the design).
 inline constexpr double kAllowedShare = 0.001;
 
@@ -23,11 +26,15 @@ struct ClassAgreement {
     double truth_covered_px = 0;       ///< of that, with a cross-check point of the class close by
     double crosscheck_px = 0;          ///< length that the cross-check's crossings stand for
     double crosscheck_covered_px = 0;  ///< of that, with a curve of the class close by
+    /// Not covered, and no disagreement: the third construction sides with the truth. Curves that
+    /// the cross-check stepped over, or points of its own that nothing confirms.
+    double truth_abstained_px = 0;
+    double crosscheck_abstained_px = 0;
 
     /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px: of a class
-    /// of a few px a single crossing is more than the share.
+    /// of a few px a single crossing is more than the share. Abstentions do not count.
     [[nodiscard]] bool is_agreed() const;
-    /// Shares; 1 where there is no line.
+    /// Of what the other does not abstain on, the share that it has; 1 where there is no line.
     [[nodiscard]] double truth_share() const;
     [[nodiscard]] double crosscheck_share() const;
 };
@@ -38,8 +45,9 @@ struct Disagreement {
     double y_px = 0;
     double length_px = 0;
     truth::LineClass line_class = truth::LineClass::none;
-    bool is_truth = true;   ///< the curves have it and the cross-check not, or the reverse
-    std::size_t curve = 0;  ///< into the curves, where they have it
+    bool is_truth = true;      ///< the curves have it and the cross-check not, or the reverse
+    std::size_t curve = 0;     ///< into the curves, where they have it
+    bool is_confirmed = true;  ///< false: the third construction sides with the truth
 };
 
 /// How the two constructions of one view agree.
@@ -52,20 +60,30 @@ struct Agreement {
     [[nodiscard]] ClassAgreement total() const;
     /// Every class and all together.
     [[nodiscard]] bool is_agreed() const;
-    /// Uncovered length over length, both ways, all classes; 0 where neither has a line.
+    /// Confirmed uncovered length over length, both ways, all classes; 0 where neither has a line.
     [[nodiscard]] double disagreement_rate() const;
+    /// The same of the length on which the cross-check abstains.
+    [[nodiscard]] double abstained_share() const;
 };
 
 /// Holds the curves of a traced truth against the cross-check's points, class by class, both ways.
 ///
 /// Curves are taken every 1/8 px, each sample standing for its share of the curve's length; a
-/// sample, or a point, is covered if the other has its class within kAgreement_px. Nothing near the
-/// frame is left out.
+/// sample, or a point, is covered if the other has its class within kAgreement_px. Lines within
+/// kFrame_px of the frame are left out: which side of it they lie on is a matter of rounding.
+/// Every disagreement counts as confirmed until `judge_disagreements` has been asked.
 [[nodiscard]] Agreement compare_truths(std::span<const truth::Curve> curves,
                                        const crosscheck::SampledLines& crosscheck,
                                        const scene::View& view);
 
-/// The densest samples of a cross-check with K = 8 lie this far apart.
+/// Asks the third construction (crosscheck/line_probe.h) about every disagreement. What it does not
+/// confirm is moved to the abstained lengths.
+void judge_disagreements(const scene::Topology& topology,
+                         const scene::View& view,
+                         const crosscheck::SamplingOptions& options,
+                         Agreement& agreement);
+
+/// Of lines that run this near to each other the cross-check may see only one.
 inline constexpr double kThinnest_px = 1.0 / 32;
 
 /// Of the curves' length that the cross-check lacks, px: what runs alongside another curve within

@@ -14,16 +14,21 @@
 namespace ink::harness {
 namespace {
 
-constexpr std::string_view kMagic = "inkwitn1";
+constexpr std::string_view kMagic = "inkwitn2";
 
 /// Everything in a check is a number that a double holds exactly; so is the file.
 void add_numbers(const Crosscheck& check, std::vector<double>& numbers) {
     for (const ClassAgreement& c : check.agreement.by_class)
         numbers.insert(numbers.end(),
-                       {c.truth_px, c.truth_covered_px, c.crosscheck_px, c.crosscheck_covered_px});
+                       {c.truth_px,
+                        c.truth_covered_px,
+                        c.crosscheck_px,
+                        c.crosscheck_covered_px,
+                        c.truth_abstained_px,
+                        c.crosscheck_abstained_px});
     const crosscheck::SamplingCounts& n = check.counts;
     for (const std::size_t count :
-         {n.rays, n.refined_px, n.thin_px, n.defects, n.near_cuts, n.unexplained})
+         {n.rays, n.refined_px, n.probes, n.defects, n.near_cuts, n.unexplained})
         numbers.push_back(static_cast<double>(count));
     numbers.push_back(check.look_s);
     for (const Disagreement& d : check.agreement.disagreements) {
@@ -33,23 +38,25 @@ void add_numbers(const Crosscheck& check, std::vector<double>& numbers) {
                         d.length_px,
                         static_cast<double>(d.line_class),
                         d.is_truth ? 1.0 : 0.0,
-                        static_cast<double>(d.curve)});
+                        static_cast<double>(d.curve),
+                        d.is_confirmed ? 1.0 : 0.0});
     }
 }
 
-constexpr std::size_t kFixedNumbers = 4 * truth::kLineClasses.size() + 7;
-constexpr std::size_t kDisagreementNumbers = 6;
+constexpr std::size_t kClassNumbers = 6;
+constexpr std::size_t kFixedNumbers = kClassNumbers * truth::kLineClasses.size() + 7;
+constexpr std::size_t kDisagreementNumbers = 7;
 
 Crosscheck check_of(const std::vector<double>& numbers) {
     const double* next = numbers.data();
     Crosscheck check;
     for (ClassAgreement& c : check.agreement.by_class) {
-        c = {next[0], next[1], next[2], next[3]};
-        next += 4;
+        c = {next[0], next[1], next[2], next[3], next[4], next[5]};
+        next += kClassNumbers;
     }
     crosscheck::SamplingCounts& n = check.counts;
     for (std::size_t* count :
-         {&n.rays, &n.refined_px, &n.thin_px, &n.defects, &n.near_cuts, &n.unexplained})
+         {&n.rays, &n.refined_px, &n.probes, &n.defects, &n.near_cuts, &n.unexplained})
         *count = static_cast<std::size_t>(*next++);
     check.look_s = *next++;
     for (; next != numbers.data() + numbers.size(); next += kDisagreementNumbers) {
@@ -58,7 +65,8 @@ Crosscheck check_of(const std::vector<double>& numbers) {
                                                  next[2],
                                                  static_cast<truth::LineClass>(next[3]),
                                                  next[4] != 0,
-                                                 static_cast<std::size_t>(next[5])});
+                                                 static_cast<std::size_t>(next[5]),
+                                                 next[6] != 0});
     }
     return check;
 }
@@ -77,6 +85,7 @@ Crosscheck look(truth::SceneModel& scene, const scene::View& view, const truth::
         crosscheck::sample_lines(scene.model().topology, view, options);
     Crosscheck check;
     check.agreement = compare_truths(truth.curves, crosscheck, view);
+    judge_disagreements(scene.model().topology, view, options, check.agreement);
     check.counts = crosscheck.counts;
     check.look_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return check;

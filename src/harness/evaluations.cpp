@@ -114,6 +114,7 @@ void note_crosscheck(const harness::Crosscheck& check, std::vector<Evaluation>& 
     for (Evaluation& evaluation : evaluations) {
         evaluation.row.reference_disagreement = rate;
         evaluation.row.crosscheck_px = total.truth_px + total.crosscheck_px;
+        evaluation.row.crosscheck_abstained = check.agreement.abstained_share();
         if (evaluation.row.is_ok() && rate > harness::kAllowedShare) {
             evaluation.row.status = fmt::format(
                 "reference_disagreement: the cross-check disagrees on {:.3f} % of the lines",

@@ -92,9 +92,10 @@ struct Row {
     std::optional<double> contour_sky_px;    ///< visible length of contours before the sky,
     std::optional<double> contour_other_px;  ///< before another object,
     std::optional<double> contour_self_px;   ///< and before their own
-    /// Truth and cross-check: share of their lines that only one of them has.
+    /// Truth and cross-check: share of their lines that only one of them has, confirmed.
     std::optional<double> reference_disagreement = std::nullopt;
-    double crosscheck_px = 0;  ///< the length of line, both ways, of which that is a share
+    double crosscheck_px = 0;         ///< the length of line, both ways, of which that is a share
+    double crosscheck_abstained = 0;  ///< the share of it on which the cross-check abstains
     /// The program and machine that the row comes from; null: these.
     std::shared_ptr<const core::Provenance> provenance = {};
 

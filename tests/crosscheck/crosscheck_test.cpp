@@ -148,13 +148,32 @@ TEST(SampledLines, SeesBothSidesOfAGapBetweenTwoSamples) {
 }
 
 TEST(SampledLines, SeesASpikeThinnerThanItsSamples) {
-    // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Samples lie
-    // 1/8 px apart, and 1/32 px where they stepped over something.
+    // One unit is 100 px: the spike is 0.1 px wide at its foot and 100 px long. Its last 2 px are
+    // narrower than the distance of two looks.
     scene::Mesh mesh;
     truth::add_triangle(mesh, {-0.0005F, -0.5F, 0}, {0.0005F, -0.5F, 0}, {0, 0.5F, 0});
     const SampledLines crosscheck = look(truth::scene_of({mesh}), truth::view_from(6));
-    EXPECT_GT(lengths(crosscheck)[truth::LineClass::boundary], 50);
-    EXPECT_GT(crosscheck.counts.thin_px, 50U);
+    EXPECT_GT(lengths(crosscheck)[truth::LineClass::boundary], 196);
+    EXPECT_GT(crosscheck.counts.probes, 400U);
+}
+
+TEST(SampledLines, SeesBarsBetweenTwoSamplesOfOnePanel) {
+    // 100 px a unit: thirty bars .08 px wide and 200 px long before a panel. All but three pass
+    // between the columns of pixel samples, which see the panel on both sides of them.
+    constexpr int kBars = 30;
+    constexpr float kWidth = 0.0008F, kSpacing = 0.0503F;
+    scene::Mesh panel, bars;
+    truth::add_quad(
+        panel, {-1.5F, -1.5F, -1}, {1.5F, -1.5F, -1}, {1.5F, 1.5F, -1}, {-1.5F, 1.5F, -1});
+    for (int i = 0; i < kBars; ++i) {
+        const float x = kSpacing * (static_cast<float>(i) - 14.5F);
+        truth::add_quad(bars, {x, -1, 0}, {x + kWidth, -1, 0}, {x + kWidth, 1, 0}, {x, 1, 0});
+    }
+    const SampledLines crosscheck = look(truth::scene_of({panel, bars}), truth::view_from(6));
+    expect_length(crosscheck,
+                  truth::LineClass::boundary,
+                  kBars * 2 * (200 + 0.08) + 4 * 3 * truth::kFocal_px / 7);
+    EXPECT_EQ(lengths(crosscheck).size(), 1U);
 }
 
 TEST(SampledLines, TheNearPlaneDrawsNoLine) {

@@ -148,11 +148,18 @@ void add_truth(RowTable& table) {
                &Row::crowded_share);
     row.add({"reference_disagreement",
              "0..1",
-             "share of the lines that only truth or only cross-check has, 0.25 px, per class"},
+             "share of the lines that only truth or only cross-check has, 0.25 px, per class, "
+             "where a third construction sides against the truth"},
             &Row::reference_disagreement);
-    row.part_if([](const Row& r) { return r.reference_disagreement.has_value(); })
-        .add({"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
-             &Row::crosscheck_px);
+    const auto checked =
+        row.part_if([](const Row& r) { return r.reference_disagreement.has_value(); });
+    checked.add({"crosscheck_px", "px", "the length of line, both ways, of which that is a share"},
+                &Row::crosscheck_px);
+    checked.add({"crosscheck_abstained",
+                 "0..1",
+                 "share of that length on which the cross-check abstains: it differs from the "
+                 "truth, and the third construction sides with the truth"},
+                &Row::crosscheck_abstained);
     add_cause_columns(table);
     row.part_if([](const Row& r) { return r.triangles != 0; })
         .add({"triangles", "", "of the scene, instances counted"}, &Row::triangles);

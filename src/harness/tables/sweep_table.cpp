@@ -122,6 +122,7 @@ Row place_of_setting(const Row& own) {
     row.contour_self_px = own.contour_self_px;
     row.reference_disagreement = own.reference_disagreement;
     row.crosscheck_px = own.crosscheck_px;
+    row.crosscheck_abstained = own.crosscheck_abstained;
     row.provenance = own.provenance;
     return row;
 }
