@@ -1,6 +1,7 @@
 #include "truth/sampled.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -94,14 +95,15 @@ class PairRule {
 
     Mark mark(const CentrePair& pair) {
         walk_surface(eye_, pair, there_);
-        if (there_.reached) return Mark::none;
+        if (there_.reached && !differs(pair, there_)) return Mark::none;
         walk_surface(eye_, pair.reversed(), back_);
-        if (back_.reached) return Mark::none;
+        if (back_.reached && !differs(pair, back_)) return Mark::none;
+        if (there_.reached || back_.reached) return nearer(pair);
         const bool at_first = there_.feature && is_in_front(*there_.feature, back_, eye_.near);
         const bool at_second = back_.feature && is_in_front(*back_.feature, there_, eye_.near);
         const auto emergence = Profiles(there_, back_, eye_.near).crossing();
         if (!at_first && !at_second) {
-            if (!emergence) return Mark::none;
+            if (!emergence) return nearer(pair);
             return emergence->s < 0.5 ? Mark::first : Mark::second;
         }
         const bool is_second_nearer =
@@ -114,6 +116,22 @@ class PairRule {
     }
 
   private:
+    /// Whether the ids at both ends differ though a walk came from the one to the other.
+    [[nodiscard]] bool differs(const CentrePair& pair, const SurfaceWalk& walk) const {
+        return walk.has_left_patch && eye_.model.patch[pair.from] != eye_.model.patch[pair.to];
+    }
+
+    /// The pixel that method `ids` marks where two ids differ: the nearer, of equally near ones
+    /// that of the lower id.
+    [[nodiscard]] Mark nearer(const CentrePair& pair) const {
+        if (pair.from == kNoFace) return Mark::second;
+        if (pair.to == kNoFace) return Mark::first;
+        const double q0 = there_.q_at(0).value_or(0), q1 = back_.q_at(0).value_or(0);
+        if (std::abs(q0 - q1) <= kSameDepth * q0)
+            return pair.from < pair.to ? Mark::first : Mark::second;
+        return q0 > q1 ? Mark::first : Mark::second;
+    }
+
     const EyeView& eye_;
     SurfaceWalk there_, back_;
 };

@@ -5,9 +5,10 @@
 
 namespace ink::truth {
 
-/// The exact classes seen through ids at pixel centres: 255 where a line runs between two pixels
-/// that are neighbours, else 0. The real ceiling of any method that takes one sample a pixel, and a
-/// check on construction A, whose visibility it does not use.
+/// One exact sample a pixel: the exact classes seen through ids at pixel centres, 255 where a line
+/// runs between two pixels that are neighbours, else 0. A check on construction A, whose visibility
+/// it does not use. No ceiling: a method may draw lines wider than a pixel and so join the dots of
+/// a bar thinner than one, or mark by luck what no sample sees.
 ///
 /// Where the faces at two neighbouring centres (left and right, or above and below) differ, the
 /// rule walks over the mesh along the segment between them, from the one face towards the other
@@ -17,10 +18,14 @@ namespace ink::truth {
 /// there is one walk. A face within 1e-3 px of its centre counts as met there. Where the surface of
 /// one walk, until then the nearer, goes under that of the other, the two pierce each other: that
 /// is a line too, found from the depths along both walks and not from the crossings of the model.
+/// Where the ids differ (smooth patches, of one object or two) and no such line is found, the pixel
+/// is marked that method `ids` marks: something lies between that neither centre hits, or the
+/// patches meet without sharing vertices. Over a crack of less than 1/64 px, and between faces that
+/// coincide, ids do not differ.
 ///
 /// The line is drawn at that of the two pixels which holds the crossing, as the truth image draws
 /// it. At the pixel of the nearer surface it would be as near, but where lines run two pixels apart
-/// thinning then merges other ones than in the truth: a ceiling of .944 instead of .993 on a flag
+/// thinning then merges other ones than in the truth: F .944 instead of .993 on a flag
 /// beside its pole, of .957 instead of .978 on temple.glb.
 ///
 /// `face` holds at each pixel centre the index of the seen face in the topology, or kNoFace.

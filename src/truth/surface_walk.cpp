@@ -10,7 +10,8 @@ namespace ink::truth {
 namespace {
 
 constexpr double kAtHit_px = 1e-3;  ///< design, section 5: an end triangle this near counts as hit
-constexpr int kMostSteps = 100000;  ///< faces a walk may cross; against endless loops only
+constexpr double kCrack_px = 1.0 / 64;  ///< ends of two borders this near are the same to any eye
+constexpr int kMostSteps = 100000;      ///< faces a walk may cross; against endless loops only
 
 /// A point of the mesh above the segment's line, in the plane of that line and the eye: s = u / w.
 struct PlanePoint {
@@ -40,6 +41,7 @@ class Walker {
         std::uint32_t face = pair_.from;
         const std::uint32_t goal = pair_.to;
         out.reached = false;
+        out.has_left_patch = false;
         out.feature.reset();
         out.pieces.clear();
         std::uint32_t entered = kNoEdge;
@@ -65,6 +67,8 @@ class Walker {
                 out.feature = {next.border, s, 1 / exit->point.w};
                 return;
             }
+            if (next.face != kNoFace && is_break(exit->edge, face, next.face))
+                out.has_left_patch = true;
             face = next.face;
             entered = face != kNoFace && has_edge(face, exit->edge) ? exit->edge : kNoEdge;
         }
@@ -143,6 +147,53 @@ class Walker {
         if (faces.size() == 1) return {continued(at), kNoEdge};
         const SeenFaces seen = eye_.seen_faces(edge);
         return {side_of(edge, from) < 0 ? seen.right : seen.left, kNoEdge};
+    }
+
+    /// Whether a step over an edge leaves the patch for one that ids tell from it: not over a
+    /// crack, where both have the same border, nor between faces that coincide.
+    [[nodiscard]] bool is_break(std::uint32_t e, std::uint32_t from, std::uint32_t to) const {
+        const Model& model = eye_.model;
+        if (model.patch[from] == model.patch[to]) return false;
+        const auto coplanar = model.crossings.coplanar_with(std::max(from, to));
+        const auto is_pair = [&](const CoplanarPair& pair) {
+            return pair.lower_face == std::min(from, to);
+        };
+        const scene::Edge& edge = model.topology.edges[e];
+        if (std::any_of(coplanar.begin(), coplanar.end(), is_pair) && overlap(edge, from, to))
+            return false;
+        const auto& borders = model.topology.faces[to].edges;
+        return std::none_of(borders.begin(), borders.end(), [&](std::uint32_t other) {
+            const scene::Edge& border = model.topology.edges[other];
+            return (is_near(edge.a, border.a) && is_near(edge.b, border.b)) ||
+                   (is_near(edge.a, border.b) && is_near(edge.b, border.a));
+        });
+    }
+
+    /// Whether a face that goes on over an edge of another also lies on this one's side of it.
+    [[nodiscard]] bool overlap(const scene::Edge& edge,
+                               std::uint32_t from,
+                               std::uint32_t to) const {
+        const auto px = [&](std::uint32_t v) {
+            return glm::dvec2(eye_.p_clip[v]) / std::max(eye_.p_clip[v].z, eye_.near);
+        };
+        const glm::dvec2 a = px(edge.a), along = px(edge.b) - a;
+        const auto height = [&](std::uint32_t v) {
+            const glm::dvec2 p = px(v) - a;
+            return (along.x * p.y - along.y * p.x) / std::hypot(along.x, along.y);
+        };
+        double inside = 0;
+        for (const std::uint32_t v : eye_.model.topology.faces[from].vertices)
+            if (v != edge.a && v != edge.b) inside = height(v);
+        const auto& corners = eye_.model.topology.faces[to].vertices;
+        return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+            return height(v) * (inside < 0 ? -1 : 1) > kCrack_px;
+        });
+    }
+
+    [[nodiscard]] bool is_near(std::uint32_t v, std::uint32_t other) const {
+        const glm::dvec3 &a = eye_.p_clip[v], &b = eye_.p_clip[other];
+        if (a.z < eye_.near || b.z < eye_.near) return v == other;
+        return std::hypot(a.x / a.z - b.x / b.z, a.y / a.z - b.y / b.z) <= kCrack_px;
     }
 
     [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const {

@@ -36,6 +36,7 @@ struct CrossedFeature {
 /// What a walk over the mesh met.
 struct SurfaceWalk {
     bool reached = false;                   ///< the other face, without crossing a feature edge
+    bool has_left_patch = false;            ///< it went on in what no vertices join, over no crack
     std::optional<CrossedFeature> feature;  ///< the first feature edge it crossed
     std::vector<WalkedPiece> pieces;
 

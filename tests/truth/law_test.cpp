@@ -221,5 +221,42 @@ TEST(Sampled, HiddenFeaturesAreNotDrawn) {
     EXPECT_GT(sampled_f(truth), 0.97);
 }
 
+TEST(Sampled, BarsThatNoSampleHitsAreMarkedWhereIdsDiffer) {
+    // Two panels of one object in brick bond, which share no vertices along y = 0, and a bar of
+    // .08 px over their border: the centres see the panels on both sides, a walk joins them, but
+    // their ids differ.
+    const float y = 0.2F / 100, half = 0.0004F;
+    scene::Mesh mesh;
+    add_quad(mesh, {-2, -1, 0}, {0.5F, -1, 0}, {0.5F, y, 0}, {-2, y, 0});
+    add_quad(mesh, {0.5F, -1, 0}, {2, -1, 0}, {2, y, 0}, {0.5F, y, 0});
+    add_quad(mesh, {-2, y, 0}, {0, y, 0}, {0, 1, 0}, {-2, 1, 0});
+    add_quad(mesh, {0, y, 0}, {2, y, 0}, {2, 1, 0}, {0, 1, 0});
+    scene::Mesh bar;
+    add_quad(bar,
+             {-1.9F, y - half, 1e-3F},
+             {1.9F, y - half, 1e-3F},
+             {1.9F, y + half, 1e-3F},
+             {-1.9F, y + half, 1e-3F});
+    const Truth truth = trace(scene_of({mesh, bar}), view_from(6));
+    // y = 0.2 px above the middle between rows 239 and 240.
+    int drawn = 0;
+    for (int column = 140; column < 500; ++column)
+        drawn += truth.sampled.at(column, 239) != 0 || truth.sampled.at(column, 240) != 0;
+    EXPECT_EQ(drawn, 360);
+    EXPECT_GT(sampled_f(truth), 0.97);
+}
+
+TEST(Sampled, CracksNarrowerThanAnyViewShowsAreNotMarked) {
+    // The same border with shared corners and a gap of 1e-7: ids weld it, and so does the truth.
+    scene::Mesh mesh;
+    add_quad(mesh, {-2, -1, 0}, {2, -1, 0}, {2, -1e-7F, 0}, {-2, -1e-7F, 0});
+    add_quad(mesh, {-2, 0, 0}, {2, 0, 0}, {2, 1, 0}, {-2, 1, 0});
+    const Truth truth = trace(scene_of({mesh}), view_from(6));
+    for (int column = 140; column < 500; ++column) {
+        ASSERT_EQ(truth.sampled.at(column, 239), 0) << column;
+        ASSERT_EQ(truth.sampled.at(column, 240), 0) << column;
+    }
+}
+
 }  // namespace
 }  // namespace ink::truth
