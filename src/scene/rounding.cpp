@@ -17,21 +17,15 @@ double area(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c)
     return glm::length(glm::cross(b.p - a.p, c.p - a.p));
 }
 
-/// By how much rounding may turn a face about an edge: what it moves the opposite vertex, and the
-/// edge below it, over the height of the face.
+/// The same of a face about one of its edges.
 double turning_doubt_rad(const Topology& topology, const Edge& edge, std::uint32_t face) {
     const auto& vertices = topology.faces[face].vertices;
     const auto opposite = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
         return v != edge.a && v != edge.b;
     });
-    const RoundedPoint a = rounded_point(topology, edge.a);
-    const RoundedPoint b = rounded_point(topology, edge.b);
-    const RoundedPoint c = rounded_point(topology, *opposite);
-    const glm::dvec3 along = b.p - a.p;
-    const double length2 = glm::dot(along, along);
-    const double t = glm::dot(c.p - a.p, along) / length2;
-    const double height = area(a, b, c) / std::sqrt(length2);
-    return (c.rounding + std::abs(1 - t) * a.rounding + std::abs(t) * b.rounding) / height;
+    return turning_doubt_rad(rounded_point(topology, edge.a),
+                             rounded_point(topology, edge.b),
+                             rounded_point(topology, *opposite));
 }
 
 }  // namespace
@@ -53,17 +47,31 @@ int sure_orient3d(const RoundedPoint& a,
     return value > 0 ? 1 : -1;
 }
 
+double turning_doubt_rad(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c) {
+    const glm::dvec3 along = b.p - a.p;
+    const double length2 = glm::dot(along, along);
+    const double t = glm::dot(c.p - a.p, along) / length2;
+    const double height = area(a, b, c) / std::sqrt(length2);
+    // What moves the corner, and the side below it, over the height.
+    return (c.rounding + std::abs(1 - t) * a.rounding + std::abs(t) * b.rounding) / height;
+}
+
+bool is_crease(double deviation_rad, double doubt_rad, double crease_rad) {
+    if (deviation_rad >= crease_rad) return true;
+    const double doubt = doubt_rad + kArithmetic_rad;
+    return doubt <= kMostDoubt_rad && deviation_rad + doubt >= crease_rad;
+}
+
 bool is_crease(const Topology& topology,
                const Edge& edge,
                std::uint32_t face0,
                std::uint32_t face1,
                double crease_rad) {
     const double deviation = deviation_rad(topology, edge, face0, face1);
-    if (deviation >= crease_rad) return true;
     if (deviation + kMostDoubt_rad < crease_rad) return false;
-    const double doubt = turning_doubt_rad(topology, edge, face0) +
-                         turning_doubt_rad(topology, edge, face1) + kArithmetic_rad;
-    return doubt <= kMostDoubt_rad && deviation + doubt >= crease_rad;
+    const double doubt =
+        turning_doubt_rad(topology, edge, face0) + turning_doubt_rad(topology, edge, face1);
+    return is_crease(deviation, doubt, crease_rad);
 }
 
 }  // namespace ink::scene

@@ -35,12 +35,19 @@ struct RoundedPoint {
                                 const RoundedPoint& c,
                                 const RoundedPoint& d);
 
-/// Whether two faces at an edge crease: they deviate from flat by `crease_rad` or more, or may do
-/// so as far as the rounding of their vertices can tell. So faces that were made to bend by just
-/// that angle crease in every pose.
-///
-/// A sliver whose deviation is open by more than a thousandth of a radian is judged by the one it
-/// has.
+/// By how much rounding may turn a triangle about its side a, b, radians; `c` is its third corner.
+[[nodiscard]] double turning_doubt_rad(const RoundedPoint& a,
+                                       const RoundedPoint& b,
+                                       const RoundedPoint& c);
+
+/// Whether faces that deviate from flat by this much crease: by `crease_rad` or more, or perhaps so
+/// as far as rounding can tell, which may turn both by `doubt_rad` in all. So faces that were made
+/// to bend by just that angle crease in every pose. Where the doubt is above a thousandth of a
+/// radian (slivers) the deviation alone decides.
+[[nodiscard]] bool is_crease(double deviation_rad, double doubt_rad, double crease_rad);
+
+/// Whether two faces at an edge crease: they deviate from flat by `crease_rad` or more, as
+/// far as the rounding of their vertices can tell.
 [[nodiscard]] bool is_crease(const Topology& topology,
                              const Edge& edge,
                              std::uint32_t face0,

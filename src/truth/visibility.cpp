@@ -100,7 +100,17 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     };
     const auto [low, high] = std::minmax({nearing(crossing.face0), nearing(crossing.face1)});
     const double own = nearing(f);
-    return own < low || own > high;
+    // A face that ends at the line covers it to its own side alone.
+    const auto& v = eye_.model.topology.faces[f].vertices;
+    double least = 0, most = 0;
+    for (const std::uint32_t i : v) {
+        const double off = crossing.error + eye_.model.topology.rounding_world[i];
+        const double side = glm::dot(beside, p[i] - point.p_world);
+        if (std::abs(side) <= off * glm::length(beside)) continue;
+        least = std::min(least, side);
+        most = std::max(most, side);
+    }
+    return (least < 0 && own < low) || (most > 0 && own > high);
 }
 
 /// Whether the line from the eye through the point meets the closed triangle; one seen edge-on is

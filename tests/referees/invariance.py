@@ -9,8 +9,9 @@ from poses import POSES
 from program import trace
 
 MOST_SHARE = 0.001  # of the truth's pixels
-# Where a line ends, or two meet, float32's rounding moves a few pixels of the smallest truths.
-FREE_PX = 4
+# Where a line ends, two meet, or a crack is as wide as the weld tolerance, float32's rounding moves
+# a few pixels.
+FREE_PX = 10
 
 
 @dataclass

@@ -47,6 +47,17 @@ class Bundle {
         return std::numbers::pi - std::atan2(glm::length(glm::cross(d0, d1)), glm::dot(d0, d1));
     }
 
+    /// Whether two sheets, one on either side, bend by a crease or may, as far as rounding can
+    /// tell.
+    [[nodiscard]] bool is_crease(const Sheet& s0, const Sheet& s1) const {
+        const auto doubt = [&](const Sheet& s) {
+            return scene::turning_doubt_rad(
+                point_of(edge_.a), point_of(edge_.b), point_of(s.vertex));
+        };
+        return scene::is_crease(
+            deviation_rad(s0, s1), doubt(s0) + doubt(s1), eye_.model.crease_rad);
+    }
+
     /// Whether two sheets, one on either side, lie in one plane as far as rounding can tell.
     [[nodiscard]] bool is_level(const Sheet& s0, const Sheet& s1) const {
         return orientation(s0.vertex, s1.vertex) == 0;
@@ -146,7 +157,7 @@ LineClass class_against(const EyeView& eye,
     const bool is_pierced = !touching.is_border && bundle.hides_own(touching) &&
                             !bundle.is_level(own, touching) && !bundle.covers_own(touching);
     if (is_pierced) return LineClass::intersection;
-    if (bundle.deviation_rad(own, touching) < eye.model.crease_rad) {
+    if (!bundle.is_crease(own, touching)) {
         return eye.model.is_seam(own.face, touching.face) ? LineClass::seam : LineClass::none;
     }
     if (is_outline(own_class)) return own_class;
