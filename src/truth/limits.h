@@ -11,17 +11,23 @@ namespace ink::truth {
 /// What the truth of a view may cost, in things that are counted, never in time: so whether a view
 /// is too large does not depend on the machine, the load or the number of threads.
 ///
-/// The defaults keep one thread of a machine of 2023 below a minute, and every machine below 4 GB,
-/// at 1920 x 1080 (bench/README.md has the measurements).
+/// The defaults keep two threads of a machine of 2023 below a minute, and every machine below 4 GB,
+/// at 1920 x 1080 (bench/README.md has the measurements). A view that exceeds them several times is
+/// refused after a small share of its work.
 struct TruthLimits {
     /// Bytes that scene, topology, trees and results are reckoned to take at their peak
     /// (`memory_estimate`).
     std::size_t memory_bytes = 3'600'000'000;
-    /// Samples along lines, counted from their lengths before any ray is cast.
-    std::size_t samples = 10'000'000;
-    /// Rays, counted as they are cast; lines that flicker need many more than their samples.
-    std::size_t rays = 24'000'000;
+    /// Samples along lines, hidden ones too: most of those take no ray.
+    std::size_t samples = 64'000'000;
+    /// Rays, counted as they are cast: five a visible sample, more where lines flicker.
+    std::size_t rays = 40'000'000;
 };
+
+/// One part in so many is done first, spread evenly over the whole. Where that alone shows a cost
+/// of kSureExcess times a limit, the rest is not begun.
+inline constexpr std::size_t kPilotShare = 64;
+inline constexpr std::size_t kSureExcess = 4;
 
 /// A view that would exceed the limits. `what()` says which and gives the counts; it is the same on
 /// every machine and for every thread count.

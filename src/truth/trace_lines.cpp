@@ -229,11 +229,15 @@ class Account {
         if (trace_.progress && lock) trace_.progress(done, tasks_);
     }
     /// Once it is, it stays so: whether it ends so does not depend on the order of the tasks.
-    [[nodiscard]] bool is_overdrawn() const {
-        return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
-    }
+    [[nodiscard]] bool is_overdrawn() const { return exceeds(1); }
+    /// Whether one in kPilotShare of the tasks has shown that all of them would be by far.
+    [[nodiscard]] bool will_be_overdrawn() const { return exceeds(kPilotShare / kSureExcess); }
 
   private:
+    [[nodiscard]] bool exceeds(std::size_t factor) const {
+        return samples_ > trace_.limits.samples / factor || rays_ > trace_.limits.rays / factor;
+    }
+
     const TruthTrace& trace_;
     std::size_t tasks_;
     std::atomic<std::size_t> samples_{0}, rays_{0}, done_{0};
@@ -248,16 +252,26 @@ TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTr
     const std::size_t count = tracing.edges.size() + tracing.crossings.size();
     std::vector<TracedLines> parts((count + kChunk - 1) / kChunk);
     Account account(trace, parts.size());
-    core::parallel_for(parts.size(), trace.threads, [&](std::size_t chunk) {
+    const auto trace_part = [&](std::size_t chunk) {
         if (account.is_overdrawn()) return;
         const std::size_t begin = chunk * kChunk;
         parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
         account.add(parts[chunk]);
-    });
-    if (account.is_overdrawn()) {
+    };
+    const std::size_t pilots = parts.size() / kPilotShare;
+    core::parallel_for(pilots, trace.threads, [&](std::size_t i) { trace_part(i * kPilotShare); });
+    const bool is_too_large = account.will_be_overdrawn();
+    if (!is_too_large) {
+        core::parallel_for(parts.size(), trace.threads, [&](std::size_t chunk) {
+            const bool is_done = chunk % kPilotShare == 0 && chunk / kPilotShare < pilots;
+            if (!is_done) trace_part(chunk);
+        });
+    }
+    if (is_too_large || account.is_overdrawn()) {
         throw TooLarge(std::to_string(count) + " lines need more than " +
                        std::to_string(trace.limits.samples) + " samples or " +
-                       std::to_string(trace.limits.rays) + " rays");
+                       std::to_string(trace.limits.rays) +
+                       " rays; fewer objects, a simpler mesh or a smaller image would help");
     }
     TracedLines all;
     for (const TracedLines& part : parts) {

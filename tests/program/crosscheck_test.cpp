@@ -94,8 +94,8 @@ TEST(TooLarge, TruthSaysTheCountsAndLeavesNothing) {
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err,
-              "inkbench: needles: too_large: 18000 lines need more than 10000000 samples or "
-              "24000000 rays\n");
+              "inkbench: needles: too_large: 18000 lines need more than 64000000 samples or "
+              "40000000 rays; fewer objects, a simpler mesh or a smaller image would help\n");
     EXPECT_EQ(desk.inventory(), before);
 }
 

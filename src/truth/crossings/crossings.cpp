@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "truth/crossings/pair_tree.h"
+#include "truth/limits.h"
 
 namespace ink::truth {
 namespace {
@@ -150,11 +151,15 @@ class Budget {
         found_ += found;
     }
     [[nodiscard]] std::size_t pairs() const { return pairs_; }
-    [[nodiscard]] bool is_spent() const {
-        return pairs_ > options_.most_pairs || found_ > options_.most_found;
-    }
+    [[nodiscard]] bool is_spent() const { return exceeds(1); }
+    /// Whether one in kPilotShare of the tasks has shown that all of them would spend far more.
+    [[nodiscard]] bool will_be_spent() const { return exceeds(kPilotShare / kSureExcess); }
 
   private:
+    [[nodiscard]] bool exceeds(std::size_t factor) const {
+        return pairs_ > options_.most_pairs / factor || found_ > options_.most_found / factor;
+    }
+
     const CrossingOptions& options_;
     std::atomic<std::size_t> pairs_{0}, found_{0};
 };
@@ -258,17 +263,26 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
     const auto tasks = tree.tasks();
     std::vector<Crossings> parts(tasks.size());
     Budget budget(options);
-    core::parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
+    const auto search = [&](std::size_t i) {
         if (budget.is_spent()) return;
         PairTester tester(topology, flats, budget);
         tree.for_each(tasks[i], [&](std::uint32_t place0, std::uint32_t place1) {
             return tester.test(place0, place1, parts[i]);
         });
         (void)tester.report(parts[i]);
-    });
+    };
+    const std::size_t pilots = tasks.size() / kPilotShare;
+    core::parallel_for(pilots, options.threads, [&](std::size_t i) { search(i * kPilotShare); });
+    const bool will_be_spent = budget.will_be_spent();
+    if (!will_be_spent) {
+        core::parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
+            const bool is_done = i % kPilotShare == 0 && i / kPilotShare < pilots;
+            if (!is_done) search(i);
+        });
+    }
 
     Crossings all;
-    all.is_too_many = budget.is_spent();
+    all.is_too_many = will_be_spent || budget.is_spent();
     all.pairs_tested = all.is_too_many ? options.most_pairs : budget.pairs();
     if (all.is_too_many) return all;
     for (const Crossings& part : parts) {
