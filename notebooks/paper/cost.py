@@ -100,7 +100,7 @@ def _error_time(style, summary, lines, height_in):
                for name, members in style.families_of(lines.index).items()]
     entries.append(("Pareto front", {"color": MIST, "linewidth": 1.6 * style.scale}))
     if has_floor:
-        entries.append(("sampled: floor of one sample a pixel",
+        entries.append(("sampled: one exact sample a pixel",
                         {"color": FAINT, "linestyle": ":", "linewidth": 1}))
     layout.key(figure, style, entries)
     figure.draw_without_rendering()

@@ -35,7 +35,7 @@ def f_by_method(runs, style):
                                             "markersize": 3 * style.scale}))
     if "sampled" in summary.index:
         ax.axvline(summary.loc["sampled", "f_2px"], color=FAINT, linestyle=":", linewidth=1)
-        entries.append(("sampled: ceiling of one sample a pixel",
+        entries.append(("sampled: one exact sample a pixel",
                         {"color": FAINT, "linestyle": ":", "linewidth": 1}))
     layout.key(figure, style, entries)
     best = summary.loc[methods, "f_2px"].sort_values(ascending=False)

@@ -15,11 +15,11 @@ _NAMED = 3        # lines a panel that have a name
 
 def _frame(runs):
     stress = runs.table("stress_summary.csv", "`inkbench stress` writes it")
-    ceiling = stress[stress["method"] == "sampled"]
+    one_sample = stress[stress["method"] == "sampled"]
     stress = stress[~stress["method"].isin(BASELINES)]
     if not len(stress):
         raise Nothing("the run has no method beside the baselines")
-    return stress.fillna({"unit": ""}), ceiling
+    return stress.fillna({"unit": ""}), one_sample
 
 
 def _losses(stress, style):
@@ -53,7 +53,7 @@ def _words(name, units):
 
 def curves(runs, style):
     """F along each axis on which some method loses; the three that lose most have their names."""
-    stress, ceiling = _frame(runs)
+    stress, one_sample = _frame(runs)
     loss = _losses(stress, style)
     shown = [name for name in loss if loss[name].max() > FLAT]
     flat = [name for name in loss if name not in shown]
@@ -83,7 +83,7 @@ def curves(runs, style):
                                                "linewidth": 0.9 * style.scale})
             own_ends.append((own["value"].iloc[-1], own["f"].iloc[-1], method,
                              style.text_colour(method)))
-        most = ceiling[ceiling["axis"] == name].sort_values("value")
+        most = one_sample[one_sample["axis"] == name].sort_values("value")
         ax.plot(most["value"], most["f"], color=INK, linestyle=":", linewidth=1, zorder=1.5)
         _scale(ax, along["value"])
         low = along["f"].min()
@@ -95,7 +95,7 @@ def curves(runs, style):
     figure.supylabel("F at 2 px")
     entries = [(m, {**style.look(m, True), "markersize": 3 * style.scale})
                for m in loss.index] if few else [("another method", {"color": MIST})]
-    layout.key(figure, style, entries + [("sampled: ceiling", {"color": INK, "linestyle": ":"})])
+    layout.key(figure, style, entries + [("sampled: one exact sample a pixel", {"color": INK, "linestyle": ":"})])
     layout.label_ends(figure, style, ends)
     facts = _faults(stress)
     if flat:

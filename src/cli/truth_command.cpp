@@ -155,7 +155,9 @@ void add_truth_command(CLI::App& app) {
                      args->image,
                      "PNG with a colour per class, for people; score takes the one of -o")
         ->type_name("FILE");
-    command->add_option("--sampled", args->sampled, "PNG of the same lines seen at pixel centres")
+    command
+        ->add_option(
+            "--sampled", args->sampled, "PNG of the same lines by one exact sample a pixel")
         ->type_name("FILE");
     command->add_flag("--crosscheck,--witness",
                       args->crosscheck,

@@ -164,4 +164,12 @@ std::vector<MethodConfig> make_configs(const std::string& methods,
     return configs;
 }
 
+bool takes_one_sample(const std::string& method) {
+    const auto& all = methods::registry();
+    return std::any_of(all.begin(), all.end(), [&](const method::MethodInfo& info) {
+        return info.name == method && info.family != method::Family::edges_and_hulls &&
+               info.family != method::Family::other;
+    });
+}
+
 }  // namespace ink::harness

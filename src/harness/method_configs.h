@@ -37,6 +37,11 @@ void apply_settings(const std::vector<std::string>& settings, std::vector<Method
 /// `crease_deg` is 40 by default, as the truth's is, and which nobody set.
 void follow_crease(double crease_deg, std::vector<MethodConfig>& configs);
 
+/// Whether a method of the registry looks once per pixel at the surface, so that `sampled` is what
+/// it may hope for; false for those that draw edges or hulls, and for names that the registry does
+/// not know.
+[[nodiscard]] bool takes_one_sample(const std::string& method);
+
 /// The configurations that a comma list of methods, some settings and some preset files name; an
 /// empty list is every method.
 ///

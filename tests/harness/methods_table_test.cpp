@@ -28,7 +28,7 @@ TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
         lines_of(methods_csv({})),
         ElementsAre("method,role,family,marker,tunables,bytes_per_px,preset_of,source,params",
                     "none,floor,,,,,,,",
-                    "sampled,ceiling,,,,,,,",
+                    "sampled,one_sample,,,,,,,",
                     "oracle,exact,,,,,,,"));
 }
 

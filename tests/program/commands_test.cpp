@@ -100,7 +100,7 @@ TEST(List, GivesMethodsAsATableToo) {
     ASSERT_EQ(tuned.size(), 1U);
     EXPECT_EQ(tuned[0].at("family"), "packed");
     EXPECT_EQ(tuned[0].at("preset_of"), "mote4");
-    EXPECT_EQ(only(table, "sampled").at(0).at("role"), "ceiling");
+    EXPECT_EQ(only(table, "sampled").at(0).at("role"), "one_sample");
     const Outcome other = desk.run({"list", "scenes", "--csv"});
     EXPECT_EQ(other.exit_code, 2);
     EXPECT_THAT(other.err, HasSubstr("inkbench list methods --csv"));

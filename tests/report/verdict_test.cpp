@@ -47,6 +47,21 @@ std::vector<std::string> words_of(const std::string& line) {
     return {std::istream_iterator<std::string>(stream), {}};
 }
 
+TEST(VerdictTable, WarnsWhereAMethodOfOneSampleBeatsSampled) {
+    const auto rows = [](const char* method) {
+        return std::vector{made_up_row(method, 0.98, 1.0),
+                           made_up_row("none", 0, 0),
+                           made_up_row("sampled", 0.87, 0),
+                           made_up_row("oracle", 1, 0)};
+    };
+    const char* warning = "Warning: ids (F .980) above `sampled` (F .870)";
+    EXPECT_THAT(verdict_table(rows("ids")), HasSubstr(warning));
+    EXPECT_THAT(verdict_markdown(rows("ids")), HasSubstr(warning));
+    // Drawn edges are no samples.
+    EXPECT_THAT(verdict_table(rows("edge_list")), Not(HasSubstr("Warning")));
+    EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("Warning")));
+}
+
 TEST(VerdictTable, HasTheNumbersOfEachMethod) {
     const auto lines = lines_of(verdict_table(small_comparison()));
     EXPECT_THAT(words_of(lines.at(1)),

@@ -33,7 +33,7 @@ const TableOf<MethodLine>& table() {
             "A line per method of the run, baselines first: what the registry says of it.");
         using M = MethodLine;
         table.add({"method", "", "as in rows.csv"}, &M::name);
-        table.add({"role", "", "method, floor, ceiling or exact"}, &M::role);
+        table.add({"role", "", "method, floor, one_sample or exact"}, &M::role);
         table.add({"family", "", "methods of one family share a colour"}, &M::family);
         table.add({"marker", "", "of its points in charts"}, &M::marker);
         table.add(
@@ -100,7 +100,7 @@ const TableInfo& methods_table() {
 
 std::string methods_csv(const std::vector<MethodConfig>& configs) {
     std::vector<MethodLine> lines = {
-        {"none", "floor"}, {"sampled", "ceiling"}, {"oracle", "exact"}};
+        {"none", "floor"}, {"sampled", "one_sample"}, {"oracle", "exact"}};
     for (const MethodConfig& config : configs)
         lines.push_back(line_of(config));
     return table().file(lines);

@@ -8,7 +8,7 @@
 
 namespace ink::harness {
 
-/// The columns of methods.csv: method, role (method, floor, ceiling or exact), family, marker,
+/// The columns of methods.csv: method, role (method, floor, one_sample or exact), family, marker,
 /// tunables, bytes_per_px, preset_of, source, params.
 [[nodiscard]] const TableInfo& methods_table();
 

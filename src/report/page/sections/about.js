@@ -38,8 +38,8 @@ function aboutTerms() {
             'twenty 95 % intervals, one misses by chance.'],
         ['draw ms', 'the median time of one frame; over several views their median. Bars along the time axis are ' +
             'quartiles over views.'],
-        ['baselines', 'three rows that are not methods. none: an empty image. sampled: the true lines seen once ' +
-            'per pixel, at its centre: the practical ceiling of every method that looks there. oracle: the truth ' +
+        ['baselines', 'three rows that are not methods. none: an empty image. sampled: one exact sample a ' +
+            'pixel: the true lines as the surfaces at pixel centres tell them. oracle: the truth ' +
             'itself.'],
         ['truth', 'traced from the exact polyhedron as given, not from a smooth surface imagined behind it.'],
         ['contour', 'a line where the surface turns away: one side empty, on an edge of two faces or more.'],

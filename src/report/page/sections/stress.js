@@ -12,8 +12,8 @@ addSection({
     id: 'stress',
     title: 'Stress',
     intro: 'One difficulty at a time. Each point pools the counts of two to four scenes, which stay the same along ' +
-        'an axis. The error is 1 − F at 2 px. Dashed lines: tuned settings, and the baseline “sampled”, the ' +
-        'ceiling of methods that look at each pixel once.',
+        'an axis. The error is 1 − F at 2 px. Dashed lines: tuned settings, and the baseline “sampled”, one ' +
+        'exact sample a pixel.',
     isThere: view => view.run.has('stress_summary.csv'),
     uses: ['stress.*', 'sort.stress*'],
     draw(root, view) {
@@ -130,7 +130,7 @@ function stressLosses(root, axes) {
         const sampled = axis.curves.find(curve => curve.name === 'sampled');
         return {axis, first: ranges[0] || null, second: ranges[1] || null, methods: ranges.length,
                 steady: ranges.filter(range => range.loss < STRESS_STEADY).length,
-                ceiling: sampled ? stressRange(sampled).loss : null};
+                oneSample: sampled ? stressRange(sampled).loss : null};
     });
     const isMoving = line => line.first && line.first.loss >= STRESS_STEADY;
     const at = (line, end) => (isMoving(line) ? stressValue(line.axis, line.first[end].value) : NOTHING);
@@ -158,9 +158,9 @@ function stressLosses(root, axes) {
             {key: 'steady', title: 'steady methods', value: line => line.steady,
                 text: line => `${line.steady} of ${line.methods}`,
              help: `The error moves by less than ${STRESS_STEADY}`},
-            {key: 'ceiling', title: 'sampled moves by', value: line => line.ceiling,
-                text: line => formatShare(line.ceiling),
-             help: 'The ceiling of methods that look at each pixel once: where it moves, no such method can stay'},
+            {key: 'one_sample', title: 'sampled moves by', value: line => line.oneSample,
+                text: line => formatShare(line.oneSample),
+             help: 'One exact sample a pixel: where it moves, what falls between pixel centres moves it'},
         ],
     });
 }

@@ -5,10 +5,11 @@ addSection({
     title: 'Verdict',
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
         'matches between drawn and true pixels. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
-        'sampled (true lines seen once per pixel), oracle (the truth itself).',
+        'sampled (one exact sample a pixel), oracle (the truth itself).',
     isThere: view => view.run.rows.length > 0,
     uses: ['sort.verdict'],
     draw(root, view) {
+        drawSampledWarning(root, view);
         const classes = RECALL_GROUPS.filter(name => view.summaries.some(s => s.classes[name] !== null));
         const rowsOf = line => (line.isBaseline ? null : line.rows);
         const title = MEASURES[view.measure].title;
@@ -38,3 +39,16 @@ addSection({
         });
     },
 });
+
+/// Names the methods of one sample a pixel that score above `sampled`: by luck or by drawing wide.
+function drawSampledWarning(root, view) {
+    const sampled = view.summaries.find(line => line.info.name === 'sampled');
+    if (!sampled || !isNumber(sampled.value)) return;
+    const better = view.summaries.filter(line => !line.isBaseline && line.value > sampled.value &&
+        ['packed', 'full_buffers', 'ids'].includes(line.info.family));
+    if (!better.length) return;
+    root.append(warningBox('Above one exact sample a pixel.',
+        `Lines pass between the samples here. Methods of one sample a pixel find them by luck or by drawing wide. ` +
+        `sampled has ${formatShare(sampled.value)}.`,
+        better.map(line => `${line.info.name}: ${formatShare(line.value)}`)));
+}
