@@ -129,8 +129,8 @@ const CLASSES = ['contour', 'boundary', 'crease', 'intersection', 'seam'];
 /// What recall is told of: the classes, intersections by whether they bend at least by the crease angle.
 const RECALL_GROUPS = ['contour', 'boundary', 'crease', 'intersection_above_crease', 'intersection_below_crease', 'seam'];
 const GROUP_TITLES = {
-    intersection_above_crease: 'intersection ≥ crease angle',
-    intersection_below_crease: 'intersection < crease angle',
+    intersection_above_crease: 'inters. ≥ crease',
+    intersection_below_crease: 'inters. < crease',
 };
 
 function groupTitle(name) {

@@ -47,7 +47,7 @@ function aboutTerms() {
         ['crease', 'both faces visible, deviating from flat by at least the crease angle (40° unless asked).'],
         ['intersection', 'where two triangles pierce each other. One that bends by less than the crease angle does ' +
             'not count, neither when it is drawn nor when it is missing, unless the run counts all of them; its ' +
-            'recall is told apart.'],
+            'recall is told apart, as inters. < crease.'],
         ['seam', 'both faces visible and flatter than a crease, but of two objects.'],
         ['does not count', 'pixels at the frame, places where the true lines are too dense to tell apart, and intersections ' +
             'below the crease angle.'],
