@@ -59,19 +59,29 @@ void add_side_tables(std::int64_t cell,
     result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
 }
 
-/// What the methods that drew the view have inside.
-std::vector<harness::MethodLayers> layers_of(ViewBench& bench,
-                                             const BlockPlace& at,
-                                             const harness::MeasureOptions& measure,
-                                             const std::vector<harness::Evaluation>& evaluations) {
+/// What the methods drew of a view, and have inside if that is kept.
+struct DrawnMethods {
+    std::vector<harness::Evaluation> evaluations;
     std::vector<harness::MethodLayers> layers;
-    const auto& methods = bench.methods(at.scene);
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        if (!evaluations[i].row.is_ok()) continue;
-        layers.push_back(
-            harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
+};
+
+/// Draws all methods in turns, as many at a time as fit into memory.
+DrawnMethods draw_methods(ViewBench& bench,
+                          const BlockPlace& at,
+                          const harness::MeasureOptions& measure) {
+    DrawnMethods drawn;
+    for (std::size_t first = 0; first < bench.configs().size();
+         first += bench.most_at_once(at.scene)) {
+        auto& methods = bench.methods(at.scene, first);
+        auto evaluations = harness::method_evaluations(methods, *at.view, measure);
+        for (std::size_t i = 0; at.keeps_images && i < methods.size(); ++i) {
+            if (!evaluations[i].row.is_ok()) continue;
+            drawn.layers.push_back(
+                harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
+        }
+        std::move(evaluations.begin(), evaluations.end(), std::back_inserter(drawn.evaluations));
     }
-    return layers;
+    return drawn;
 }
 
 /// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
@@ -79,8 +89,8 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const harness::CellOptions options = bench.cell_options(at.threads);
     const bool is_full = bench.experiment().full_scores;
-    std::vector<harness::Evaluation> evaluations =
-        harness::method_evaluations(bench.methods(at.scene), *at.view, options.measure);
+    DrawnMethods drawn = draw_methods(bench, at, options.measure);
+    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
     BlockResult result;
     if (is_full) {
@@ -112,8 +122,7 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
         ++cell;
     }
     if (at.keeps_images && traced.has_truth()) {
-        result.files = harness::image_files(
-            traced.truth, scene, evaluations, layers_of(bench, at, options.measure, evaluations));
+        result.files = harness::image_files(traced.truth, scene, evaluations, drawn.layers);
     }
     return result;
 }
@@ -226,10 +235,15 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
                    const std::vector<harness::MethodConfig>& settings,
                    const std::vector<std::string>& swept,
                    Plan& plan) {
-    for (std::size_t begin = 0; begin < settings.size(); begin += kSettingsAtOnce) {
-        const std::size_t end = std::min(settings.size(), begin + kSettingsAtOnce);
-        const std::string& name = settings.front().info->name;
-        SettingsPart part{method, begin + 1, {}, preparation_of(bench->experiment(), name)};
+    if (settings.empty()) return;
+    const std::string& name = settings.front().info->name;
+    const Preparation preparation = preparation_of(bench->experiment(), name);
+    const std::size_t most = preparation == Preparation::shared
+                                 ? kSettingsAtOnce
+                                 : std::min(kSettingsAtOnce, bench->most_at_once(at.scene));
+    for (std::size_t begin = 0; begin < settings.size(); begin += most) {
+        const std::size_t end = std::min(settings.size(), begin + most);
+        SettingsPart part{method, begin + 1, {}, preparation};
         part.settings.assign(settings.begin() + static_cast<std::ptrdiff_t>(begin),
                              settings.begin() + static_cast<std::ptrdiff_t>(end));
         const int cells = static_cast<int>(part.settings.size());

@@ -38,8 +38,13 @@ class ViewBench {
     /// The truth of a view; that of the last view asked for is at hand.
     const harness::TracedView& traced(std::size_t scene, const scene::View& view);
     harness::MissPredictor& predictor(std::size_t scene);
-    /// All methods at their own settings, ready for the scene.
-    std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene);
+    /// How many methods or settings may be ready for a scene at a time: what they prepare for a
+    /// large mesh takes gigabytes. At least 1.
+    [[nodiscard]] std::size_t most_at_once(std::size_t scene) const;
+    /// The methods from the `first` on, most_at_once of them, at their own settings, ready for the
+    /// scene. Those last asked for are at hand.
+    std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene,
+                                                                   std::size_t first);
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
         const std::vector<harness::MethodConfig>& configs,
@@ -59,6 +64,7 @@ class ViewBench {
     std::unique_ptr<truth::SceneModel> model_;
     std::unique_ptr<harness::MissPredictor> predictor_;
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
+    std::size_t first_method_ = 0;
     const scene::View* traced_view_ = nullptr;
     harness::TracedView traced_;
 };
