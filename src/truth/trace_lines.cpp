@@ -7,9 +7,9 @@
 #include <mutex>
 #include <string>
 
-#include "core/parallel.h"
 #include "scene/topology.h"
 #include "truth/crossings/touching.h"
+#include "truth/pilots.h"
 #include "truth/screen_line.h"
 #include "truth/visibility.h"
 
@@ -258,16 +258,9 @@ TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTr
         parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
         account.add(parts[chunk]);
     };
-    const std::size_t pilots = parts.size() / kPilotShare;
-    core::parallel_for(pilots, trace.threads, [&](std::size_t i) { trace_part(i * kPilotShare); });
-    const bool is_too_large = account.will_be_overdrawn();
-    if (!is_too_large) {
-        core::parallel_for(parts.size(), trace.threads, [&](std::size_t chunk) {
-            const bool is_done = chunk % kPilotShare == 0 && chunk / kPilotShare < pilots;
-            if (!is_done) trace_part(chunk);
-        });
-    }
-    if (is_too_large || account.is_overdrawn()) {
+    const bool is_whole = run_pilots_first(
+        parts.size(), trace.threads, trace_part, [&] { return account.will_be_overdrawn(); });
+    if (!is_whole || account.is_overdrawn()) {
         throw TooLarge(std::to_string(count) + " lines need more than " +
                        std::to_string(trace.limits.samples) + " samples or " +
                        std::to_string(trace.limits.rays) +

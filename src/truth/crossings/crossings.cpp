@@ -8,9 +8,8 @@
 #include <limits>
 #include <tuple>
 
-#include "core/parallel.h"
 #include "truth/crossings/pair_tree.h"
-#include "truth/limits.h"
+#include "truth/pilots.h"
 
 namespace ink::truth {
 namespace {
@@ -271,18 +270,11 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
         });
         (void)tester.report(parts[i]);
     };
-    const std::size_t pilots = tasks.size() / kPilotShare;
-    core::parallel_for(pilots, options.threads, [&](std::size_t i) { search(i * kPilotShare); });
-    const bool will_be_spent = budget.will_be_spent();
-    if (!will_be_spent) {
-        core::parallel_for(tasks.size(), options.threads, [&](std::size_t i) {
-            const bool is_done = i % kPilotShare == 0 && i / kPilotShare < pilots;
-            if (!is_done) search(i);
-        });
-    }
+    const bool is_whole = run_pilots_first(
+        tasks.size(), options.threads, search, [&] { return budget.will_be_spent(); });
 
     Crossings all;
-    all.is_too_many = will_be_spent || budget.is_spent();
+    all.is_too_many = !is_whole || budget.is_spent();
     all.pairs_tested = all.is_too_many ? options.most_pairs : budget.pairs();
     if (all.is_too_many) return all;
     for (const Crossings& part : parts) {
