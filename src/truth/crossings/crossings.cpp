@@ -67,15 +67,18 @@ Loose loose_corners(const Flat& f, const Flat& g) {
 }
 
 /// Whether all loose corners of `g` certainly lie on one side of f's plane, farther from it than
-/// rounding may have moved both. Then what they have in common is what they share.
+/// rounding may have moved both. Then what they have in common is what they share. From a shared
+/// corner g leaves the plane by degrees, so the farther its corners, the higher they must lie.
 bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
     const double scale = kPlaneError * f.size * f.size;
     const double touching = (f.rounding + g.rounding) * glm::length(f.normal);
+    const bool has_shared = loose.count < 3;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (std::size_t i = 0; i < loose.count; ++i) {
         const glm::dvec3 d = g.p[loose.corners[i]] - f.p[0];
         const double height = glm::dot(f.normal, d);
-        const double error = scale * largest(d) + touching;
+        const double reach = has_shared ? std::max(1.0, 2 * largest(d) / f.size) : 1;
+        const double error = scale * largest(d) + reach * touching;
         lowest = std::min(lowest, height - error);
         highest = std::max(highest, height + error);
     }
@@ -86,6 +89,7 @@ bool is_beside_plane(const Flat& f, const Flat& g, const Loose& loose) {
 /// normal, by more than rounding may have moved both. Then they have nothing in common but shared
 /// corners on that side.
 bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose& loose) {
+    const bool has_shared = loose.count < 3;
     std::array<bool, 3> is_shared = {true, true, true};
     for (std::size_t i = 0; i < of_f.count; ++i)
         is_shared[of_f.corners[i]] = false;
@@ -94,31 +98,40 @@ bool is_beside_side(const Flat& f, const Loose& of_f, const Flat& g, const Loose
         if (is_shared[(i + 2) % 3]) continue;  // from there g may run through f
         const glm::dvec3 inward = glm::cross(f.normal, f.p[(i + 1) % 3] - f.p[i]);
         const double touching = (f.rounding + g.rounding) * glm::length(inward);
-        const bool is_outside =
-            std::all_of(loose.corners.begin(),
-                        loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
-                        [&](std::size_t corner) {
-                            const glm::dvec3 d = g.p[corner] - f.p[i];
-                            return glm::dot(inward, d) < -scale * largest(d) - touching;
-                        });
+        const double side = largest(f.p[(i + 1) % 3] - f.p[i]);
+        const bool is_outside = std::all_of(
+            loose.corners.begin(),
+            loose.corners.begin() + static_cast<std::ptrdiff_t>(loose.count),
+            [&](std::size_t corner) {
+                const glm::dvec3 d = g.p[corner] - f.p[i];
+                const double reach = has_shared ? std::max(1.0, 2 * largest(d) / side) : 1;
+                return glm::dot(inward, d) < -scale * largest(d) - reach * touching;
+            });
         if (is_outside) return true;
     }
     return false;
 }
 
 /// Whether a plane through the corner they share, halfway between the middles of their angles
-/// there, certainly has one triangle on either side.
+/// there, certainly has one triangle on either side: by more than rounding may have turned sides.
 bool is_parted_at_corner(const Flat& f, const Loose& of_f, const Flat& g, const Loose& of_g) {
     const glm::dvec3& shared = f.p[3 - of_f.corners[0] - of_f.corners[1]];
     std::array<glm::dvec3, 4> out;
+    double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 2; ++i) {
-        out[i] = glm::normalize(f.p[of_f.corners[i]] - shared);
-        out[2 + i] = glm::normalize(g.p[of_g.corners[i]] - shared);
+        out[i] = f.p[of_f.corners[i]] - shared;
+        out[2 + i] = g.p[of_g.corners[i]] - shared;
+    }
+    for (glm::dvec3& side : out) {
+        const double length = glm::length(side);
+        shortest = std::min(shortest, length);
+        side /= length;
     }
     const glm::dvec3 normal = glm::normalize(out[0] + out[1]) - glm::normalize(out[2] + out[3]);
-    constexpr double kSure = 1e-9;  // far above what rounding does to unit vectors
-    return glm::dot(normal, out[0]) > kSure && glm::dot(normal, out[1]) > kSure &&
-           glm::dot(normal, out[2]) < -kSure && glm::dot(normal, out[3]) < -kSure;
+    // Far above what double does to unit vectors, and what rounding may have turned two of them.
+    const double sure = 1e-9 + 4 * (f.rounding + g.rounding) / shortest;
+    return glm::dot(normal, out[0]) > sure && glm::dot(normal, out[1]) > sure &&
+           glm::dot(normal, out[2]) < -sure && glm::dot(normal, out[3]) < -sure;
 }
 
 /// Whether two triangles with a common side certainly do not lie folded on each other.
