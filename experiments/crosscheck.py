@@ -5,7 +5,7 @@
 
 One line of Markdown per scene and view: length of the truth, what either construction has of the
 other's lines, the confirmed disagreement, what the check abstains on, and the least times of both in
-five runs. Views
+three runs. Views
 are `view0` to `view2` of a model file and the first of a catalogue scene. Stops at the first view
 that cannot be traced, with the program's own message.
 """
@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-RUNS = 5
+RUNS = 3
 SCENES = ("cube torus teapot chess blocks horizon fence room soup tree figure rocket").split()
 ALL = re.compile(r"^all\s+([\d.]+)\s+([\d.]+) %\s+[\d.]+\s+([\d.]+) %", re.M)
 RATE = re.compile(r"disagreement ([\d.]+) % .*abstains on ([\d.]+) %", re.S)

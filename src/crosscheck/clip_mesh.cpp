@@ -2,48 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "core/parallel.h"
 #include "scene/rounding.h"
+#include "scene/weld_tolerance.h"
 
 namespace ink::crosscheck {
 namespace {
 
-constexpr double kRelativeTolerance = 1e-6;
 constexpr double kEdgeOn = 1e-13;  ///< relative; what double leaves of an exact zero
 constexpr std::size_t kChunk = 4096;
 
 double cross_xy(const glm::dvec3& a, const glm::dvec3& b) {
     return a.x * b.y - a.y * b.x;
-}
-
-/// Per object 1e-6 of the diagonal of the box round it, and no less than what two rounded vertices
-/// may be off.
-std::vector<double> tolerances(const scene::Topology& topology) {
-    struct Part {
-        glm::dvec3 low{std::numeric_limits<double>::infinity()};
-        glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-        double rounding = 0;
-    };
-    std::vector<Part> parts;
-    for (const scene::Face& face : topology.faces) {
-        if (face.object >= parts.size()) parts.resize(face.object + 1);
-        Part& part = parts[face.object];
-        for (const std::uint32_t v : face.vertices) {
-            part.low = glm::min(part.low, topology.p_world[v]);
-            part.high = glm::max(part.high, topology.p_world[v]);
-            part.rounding = std::max(part.rounding, topology.rounding_world[v]);
-        }
-    }
-    std::vector<double> result;
-    for (const Part& part : parts) {
-        const double diagonal = part.low.x > part.high.x ? 0 : glm::length(part.high - part.low);
-        result.push_back(std::max(kRelativeTolerance * diagonal, 2 * part.rounding));
-    }
-    return result;
 }
 
 /// The angle between two vectors, 0..pi.
@@ -61,7 +33,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       projection_(view),
       crease_rad_(options.crease_rad),
       material_seams_(options.material_seams),
-      tolerances_(tolerances(topology)),
+      tolerances_(scene::weld_tolerances(topology)),
       p_clip_(topology.p_world.size()),
       kinds_(topology.edges.size()) {
     const auto in_chunks = [&](std::size_t count, auto&& body) {
@@ -125,17 +97,10 @@ bool ClipMesh::holds(const LocalFace& face, double reach_px) {
     return true;
 }
 
-std::uint32_t ClipMesh::opposite(const scene::Edge& edge, std::uint32_t face) const {
-    for (const std::uint32_t v : topology_.faces[face].vertices) {
-        if (v != edge.a && v != edge.b) return v;
-    }
-    return edge.a;
-}
-
 int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
     // Measured from one end of the edge as it is on the image, where the numbers are small.
     glm::dvec3 a = p_clip_[edge.a], b = p_clip_[edge.b];
-    glm::dvec3 c = p_clip_[opposite(edge, face)];
+    glm::dvec3 c = p_clip_[opposite_vertex(topology_.faces[face], edge)];
     double sign = 1;
     if (a.z < b.z) {
         std::swap(a, b);
@@ -191,7 +156,8 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
     const glm::dvec3 a = topology_.p_world[edge.a] - eye;
     const glm::dvec3 along = topology_.p_world[edge.b] - topology_.p_world[edge.a];
     const auto arm = [&](std::uint32_t face) {
-        return topology_.p_world[opposite(edge, face)] - topology_.p_world[edge.a];
+        return topology_.p_world[opposite_vertex(topology_.faces[face], edge)] -
+               topology_.p_world[edge.a];
     };
     for (const std::uint32_t face : topology_.faces_of(edge)) {
         if (side_of(edge, face) != side) continue;
@@ -279,8 +245,8 @@ bool ClipMesh::is_level(std::uint32_t face0, std::uint32_t face1) const {
 }
 
 double ClipMesh::tolerance(std::uint32_t face, double w) const {
-    constexpr double kUnseen_px = 1.0 / 64;
-    const double unseen = kUnseen_px * std::max(w, view_.camera.near) / projection_.focal_px();
+    const double unseen =
+        scene::kUnseen_px * std::max(w, view_.camera.near) / projection_.focal_px();
     return std::min(tolerances_[topology_.faces[face].object], unseen);
 }
 

@@ -108,7 +108,6 @@ class ClipMesh {
     [[nodiscard]] EdgeKind kind_of(const scene::Edge& edge) const;
     /// Which side of the plane through eye and edge a face lies on: 1, -1, 0 in it.
     [[nodiscard]] int side_of(const scene::Edge& edge, std::uint32_t face) const;
-    [[nodiscard]] std::uint32_t opposite(const scene::Edge& edge, std::uint32_t face) const;
     [[nodiscard]] truth::LineClass class_between(const scene::Edge& edge,
                                                  std::uint32_t face0,
                                                  std::uint32_t face1) const;

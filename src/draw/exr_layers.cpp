@@ -100,6 +100,7 @@ void write_truth_exr(const harness::SceneViews& scene_views,
         file.channels.push_back({"id.patch", truth.layers.patch});
         file.channels.push_back({"facing.Y", truth.layers.n_dot_v});
         file.channels.push_back({"sampled.Y", shares(truth.sampled)});
+        file.channels.push_back({"exact_corner.Y", shares(truth.exact_corner)});
     }
     file.channels.push_back({"class.label", whole_numbers(truth.labels)});
     file.channels.push_back({"class.below_crease", whole_numbers(truth.below_crease)});

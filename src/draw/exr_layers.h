@@ -17,8 +17,9 @@ namespace ink::draw {
 /// (UINT) 1 at intersections that bend by less than the crease angle, `crack.right` and
 /// `crack.below` (UINT) the classes of Cracks, `id.triangle` and `id.patch`
 /// (UINT, 2^32-1 for the sky), `facing.Y` (FLOAT) |cos| between facet normal and ray, `sampled.Y`
-/// (HALF) 0 or 1. What the truth was traced without is left out. The header names scene, view,
-/// camera (`worldToCamera`, eye, field of view, near), crease angle, program and commit.
+/// and `exact_corner.Y` (HALF) 0 or 1. What the truth was traced without is left out. The header
+/// names scene, view, camera (`worldToCamera`, eye, field of view, near), crease angle, program and
+/// commit.
 ///
 /// `scene_views` has the traced view first. Throws core::Error if the file cannot be written.
 void write_truth_exr(const harness::SceneViews& scene_views,

@@ -30,7 +30,7 @@ struct ImportLimits {
 /// Assimp turns them. A mesh keeps its normals (made unit) only if every triangle with an area has
 /// good ones. Material numbers are unique within the file. Names are printable; those of cameras
 /// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
-/// is held-out. It stands as the file has it at rest, or in its first frame; `animation` holds what
+/// is `real`. It stands as the file has it at rest, or in its first frame; `animation` holds what
 /// moves: stored frames, or the first animation's keys on nodes, bones and the cameras on those
 /// nodes. A .3ds camera's eye and target move by their own keys, blended straight; its roll and
 /// lens stay, and so does a camera that hangs on an object there.

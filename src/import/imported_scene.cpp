@@ -200,6 +200,7 @@ scene::Scene scene_from_reply(ImportReply&& reply,
                               std::uint64_t most_triangles) {
     scene::Scene scene;
     scene.name = path.stem().string();
+    scene.split = scene::Split::real;
     scene.meshes = std::move(reply.meshes);
     scene.instances = std::move(reply.instances);
     check_counts(scene, most_triangles, path.string());

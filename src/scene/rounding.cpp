@@ -1,6 +1,5 @@
 #include "scene/rounding.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -19,13 +18,10 @@ double area(const RoundedPoint& a, const RoundedPoint& b, const RoundedPoint& c)
 
 /// The same of a face about one of its edges.
 double turning_doubt_rad(const Topology& topology, const Edge& edge, std::uint32_t face) {
-    const auto& vertices = topology.faces[face].vertices;
-    const auto opposite = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
-        return v != edge.a && v != edge.b;
-    });
+    const std::uint32_t opposite = opposite_vertex(topology.faces[face], edge);
     return turning_doubt_rad(rounded_point(topology, edge.a),
                              rounded_point(topology, edge.b),
-                             rounded_point(topology, *opposite));
+                             rounded_point(topology, opposite));
 }
 
 }  // namespace

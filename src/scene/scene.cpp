@@ -84,6 +84,18 @@ void for_each_corner(const Scene& scene, Visit visit) {
 
 }  // namespace
 
+std::string_view split_name(Split split) {
+    switch (split) {
+        case Split::train:
+            return "train";
+        case Split::heldout:
+            return "heldout";
+        case Split::real:
+            return "real";
+    }
+    return "";
+}
+
 bool is_mirrored(const Instance& instance) {
     return glm::determinant(glm::dmat3(instance.world_from_object)) < 0;
 }

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/camera.h"
@@ -38,14 +39,21 @@ struct OmniLight {
     double range = 0;  ///< world units at which it visibly ends; 0 reaches everywhere
 };
 
-/// Which half of the suite a scene belongs to: views of one scene leak, so scenes are split, not
+/// Which part of the suite a scene belongs to: views of one scene leak, so scenes are split, not
 /// views.
-enum class Split { train, heldout };
+enum class Split {
+    train,    ///< made by code; thresholds and presets are found on these
+    heldout,  ///< made by code; nothing is found on these
+    real,     ///< a model file
+};
+
+/// What rows call a part: "train", "heldout" or "real".
+[[nodiscard]] std::string_view split_name(Split split);
 
 /// Everything a method, the rasterizer and the truth may know.
 struct Scene {
     std::string name;
-    Split split = Split::heldout;  ///< a user's model counts as held-out
+    Split split = Split::heldout;  ///< importers say `real`
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Camera> cameras;  ///< the scene's own views, near and far fitted

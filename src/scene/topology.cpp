@@ -265,12 +265,9 @@ void build_edges(Topology& topology) {
 
 /// The direction from the edge into the face, orthogonal to the edge; not normalised.
 glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) {
-    const auto is_opposite = [&](std::uint32_t v) { return v != edge.a && v != edge.b; };
-    const auto opposite = std::find_if(face.vertices.begin(), face.vertices.end(), is_opposite);
-    assert(opposite != face.vertices.end());
     const glm::dvec3 a = topology.p_world[edge.a];
     const glm::dvec3 along = glm::normalize(topology.p_world[edge.b] - a);
-    const glm::dvec3 to_opposite = topology.p_world[*opposite] - a;
+    const glm::dvec3 to_opposite = topology.p_world[opposite_vertex(face, edge)] - a;
     return to_opposite - along * glm::dot(along, to_opposite);
 }
 
@@ -284,6 +281,15 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
     build_edges(topology);
     count_edges(topology);
     return topology;
+}
+
+std::uint32_t opposite_vertex(const Face& face, const Edge& edge) {
+    const auto& vertices = face.vertices;
+    const auto found = std::find_if(vertices.begin(), vertices.end(), [&](std::uint32_t v) {
+        return v != edge.a && v != edge.b;
+    });
+    assert(found != vertices.end());
+    return *found;
 }
 
 double deviation_rad(const Topology& topology,

@@ -75,6 +75,9 @@ struct WeldOptions {
 /// O(n) expected; O(n log n) with an epsilon. An empty scene gives an empty topology.
 [[nodiscard]] Topology weld(const Scene& scene, const WeldOptions& options = {});
 
+/// The corner of a face that one of its edges leaves out.
+[[nodiscard]] std::uint32_t opposite_vertex(const Face& face, const Edge& edge);
+
 /// The angle by which the two faces at an edge deviate from flat, 0..pi, whichever way each is
 /// oriented: pi minus the angle between the directions from the edge into the two faces.
 [[nodiscard]] double deviation_rad(const Topology& topology,

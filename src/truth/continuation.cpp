@@ -12,7 +12,6 @@
 namespace ink::truth {
 namespace {
 
-constexpr double kRelativeTolerance = 1e-6;
 constexpr double kShortestStretch = 8;  ///< tolerances
 constexpr std::size_t kChunk = 1024;    ///< faces a task
 
@@ -26,15 +25,6 @@ struct Border {
     double length = 0;
     double tolerance = 0;
 };
-
-glm::dvec3 opposite_vertex(const scene::Topology& topology,
-                           const scene::Edge& edge,
-                           const scene::Face& face) {
-    for (const std::uint32_t v : face.vertices) {
-        if (v != edge.a && v != edge.b) return topology.p_world[v];
-    }
-    return topology.p_world[edge.a];
-}
 
 std::vector<Border> list_borders(const scene::Topology& topology,
                                  std::span<const double> tolerances) {
@@ -51,8 +41,8 @@ std::vector<Border> list_borders(const scene::Topology& topology,
         border.tolerance = tolerances[topology.faces[border.face].object];
         if (border.length <= kShortestStretch * border.tolerance) continue;
         border.along = (border.b - border.a) / border.length;
-        const glm::dvec3 to_opposite =
-            opposite_vertex(topology, edge, topology.faces[border.face]) - border.a;
+        const std::uint32_t opposite = opposite_vertex(topology.faces[border.face], edge);
+        const glm::dvec3 to_opposite = topology.p_world[opposite] - border.a;
         border.inward =
             glm::normalize(to_opposite - border.along * glm::dot(border.along, to_opposite));
         borders.push_back(border);
@@ -194,28 +184,6 @@ Triangle triangle_of(const scene::Topology& topology, const scene::Face& face) {
 }
 
 }  // namespace
-
-std::vector<double> weld_tolerances(const scene::Topology& topology) {
-    std::vector<Box> boxes;
-    std::vector<double> tolerances;
-    for (const scene::Face& face : topology.faces) {
-        if (face.object >= boxes.size()) {
-            boxes.resize(face.object + 1);
-            tolerances.resize(face.object + 1, 0);
-        }
-        for (const std::uint32_t v : face.vertices) {
-            boxes[face.object].add(topology.p_world[v]);
-            double& tolerance = tolerances[face.object];
-            tolerance = std::max(tolerance, 2 * topology.rounding_world[v]);
-        }
-    }
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].low.x > boxes[i].high.x) continue;  // an object of no face
-        const double diagonal = glm::length(boxes[i].high - boxes[i].low);
-        tolerances[i] = std::max(tolerances[i], kRelativeTolerance * diagonal);
-    }
-    return tolerances;
-}
 
 std::vector<Continuation> find_continuations(const scene::Topology& topology,
                                              const ContinuationOptions& options) {

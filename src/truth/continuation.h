@@ -23,14 +23,10 @@ struct Continuation {
 
 /// How near and how flat two faces must lie for the surface to go on from one to the other.
 struct ContinuationOptions {
-    std::span<const double> tolerances;  ///< of each object (weld_tolerances), world units
+    std::span<const double> tolerances;  ///< of each object (scene::weld_tolerances)
     double crease_rad = 0;  ///< faces that bend by at least this do not continue each other
     int threads = 1;
 };
-
-/// Per object the weld tolerance that `defect` means: 1e-6 of the diagonal of the box round it, and
-/// no less than what rounding may have done to two of its vertices.
-[[nodiscard]] std::vector<double> weld_tolerances(const scene::Topology& topology);
 
 /// Every stretch of a boundary edge from which another face goes on within the tolerance of the
 /// edge's object, flatter than the crease angle, sorted by edge, then t_begin, then face.

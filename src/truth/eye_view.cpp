@@ -22,19 +22,12 @@ void for_all(std::size_t count, int threads, Body&& body) {
     });
 }
 
-std::uint32_t opposite_vertex(const scene::Face& face, const scene::Edge& edge) {
-    for (const std::uint32_t v : face.vertices) {
-        if (v != edge.a && v != edge.b) return v;
-    }
-    return edge.a;
-}
-
 /// Of two faces on the same side of an edge, whether the first hides the second there.
 bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::uint32_t f1) {
     const scene::Topology& topology = eye.model.topology;
     const auto& p = topology.p_world;
-    const glm::dvec3& v0 = p[opposite_vertex(topology.faces[f0], edge)];
-    const glm::dvec3& v1 = p[opposite_vertex(topology.faces[f1], edge)];
+    const glm::dvec3& v0 = p[scene::opposite_vertex(topology.faces[f0], edge)];
+    const glm::dvec3& v1 = p[scene::opposite_vertex(topology.faces[f1], edge)];
     const int other = scene::orient3d(p[edge.a], p[edge.b], v0, v1);
     if (other == 0) return f0 < f1;
     return other != scene::orient3d(p[edge.a], p[edge.b], v0, eye.eye_world());
@@ -56,6 +49,11 @@ LineClass class_of(const EyeView& eye, std::uint32_t e) {
     return eye.model.class_across(edge, seen.left, seen.right);
 }
 
+/// Distance along the view direction of the point t of an edge.
+double depth_at(const EyeView& eye, const scene::Edge& edge, double t) {
+    return eye.p_clip[edge.a].z + t * (eye.p_clip[edge.b].z - eye.p_clip[edge.a].z);
+}
+
 double gap_at(const Continuation& c, double t) {
     const double along = (t - c.t_begin) / (c.t_end - c.t_begin);
     return c.gap_begin_world + along * (c.gap_end_world - c.gap_begin_world);
@@ -66,8 +64,8 @@ double gap_at(const Continuation& c, double t) {
 double change_of_sight(const EyeView& eye, const Continuation& c) {
     const scene::Edge& edge = eye.model.topology.edges[c.edge];
     const auto excess = [&](double t) {
-        const double w = eye.p_clip[edge.a].z + t * (eye.p_clip[edge.b].z - eye.p_clip[edge.a].z);
-        return gap_at(c, t) * eye.projection.focal_px() - kUnseen_px * w;
+        return gap_at(c, t) * eye.projection.focal_px() -
+               scene::kUnseen_px * depth_at(eye, edge, t);
     };
     const double at_begin = excess(c.t_begin), at_end = excess(c.t_end);
     if ((at_begin < 0) == (at_end < 0)) return -1;
@@ -147,8 +145,7 @@ SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
 bool EyeView::goes_on(const Continuation& continuation, double t) const {
     const scene::Topology& topology = model.topology;
     const scene::Edge& edge = topology.edges[continuation.edge];
-    const double w = p_clip[edge.a].z + t * (p_clip[edge.b].z - p_clip[edge.a].z);
-    if (!is_unseen(gap_at(continuation, t), w)) return false;
+    if (!is_unseen(gap_at(continuation, t), depth_at(*this, edge, t))) return false;
     const glm::dvec3 a = topology.p_world[edge.a] - eye_world();
     const glm::dvec3 b = topology.p_world[edge.b] - eye_world();
     // orient3d(a, b, eye, v) has the sign of -(a x b).(v - a), where v is beyond the edge.

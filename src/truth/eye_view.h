@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/weld_tolerance.h"
 #include "truth/model.h"
 
 namespace ink::truth {
@@ -17,9 +18,6 @@ struct SeenFaces {
     std::uint32_t left = kNoFace;
     std::uint32_t right = kNoFace;
 };
-
-/// What is smaller than this on the image cannot be seen there (section 5 of the design: `defect`).
-inline constexpr double kUnseen_px = 1.0 / 64;
 
 /// What one eye makes of a model: the exact facing of faces and class of edges, and where vertices
 /// are on the image. Borrows the model.
@@ -56,7 +54,7 @@ struct EyeView {
     /// Whether the image is too coarse to show a length at this distance along the view direction:
     /// it takes less than 1/64 px there.
     [[nodiscard]] bool is_unseen(double length_world, double w) const {
-        return length_world * projection.focal_px() < kUnseen_px * std::max(w, near);
+        return length_world * projection.focal_px() < scene::kUnseen_px * std::max(w, near);
     }
 
     /// The class of a point of an edge: edge_class, save that a stretch of boundary across which

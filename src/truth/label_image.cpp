@@ -1,6 +1,7 @@
 #include "truth/label_image.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "edge/thin.h"
 #include "truth/curve_walk.h"
@@ -130,7 +131,8 @@ std::size_t ignore_crowded(const edge::Mask& before_thinning, Labels& labels) {
 LabelImage draw_labels(std::span<const Curve> curves,
                        int width_px,
                        int height_px,
-                       double crease_rad) {
+                       double crease_rad,
+                       Crowded crowded) {
     LabelImage result;
     result.labels = Labels(width_px, height_px);
     for (const Curve& curve : curves)
@@ -140,8 +142,10 @@ LabelImage draw_labels(std::span<const Curve> curves,
     const std::size_t n = count(before);
     result.merged_px = n - count(thinned);
     keep(result.labels, thinned);
-    const std::size_t crowded = ignore_crowded(before, result.labels);
-    result.crowded_share = n == 0 ? 0 : static_cast<double>(crowded) / static_cast<double>(n);
+    Labels without = result.labels;
+    const std::size_t left_out = ignore_crowded(before, without);
+    result.crowded_share = n == 0 ? 0 : static_cast<double>(left_out) / static_cast<double>(n);
+    if (crowded == Crowded::ignore) result.labels = std::move(without);
     keep(result.labels, edge::thin(drawn(result.labels)));
     result.below_crease = draw_below_crease(curves, crease_rad, result.labels);
     return result;

@@ -17,13 +17,17 @@ struct LabelImage {
     double crowded_share = 0;                ///< share of the drawn pixels in crowded blocks
 };
 
+/// Whether crowded blocks are left out of a truth image.
+enum class Crowded { ignore, count };
+
 /// Draws curves as the truth image (design, section 5): a pixel that holds a sample of a line,
 /// every 1/16 px along it, both ends included, rounded down; the lower label wins; the union is
 /// thinned. `crease_rad` only says which intersections are marked in `below_crease`.
 ///
 /// 8x8 blocks (the first at (0,0); cut off at right and bottom) more than three quarters full
 /// before thinning, and the eight blocks round each, are crowded: all their pixels become `ignore`.
-/// What is left is thinned again, so that thinning the lines of the result changes nothing.
+/// What is left is thinned again, so that thinning the lines of the result changes nothing. With
+/// `Crowded::count` no block is left out; `crowded_share` is the same.
 ///
 /// Differs from the design, which says a quarter full and no ring. One diagonal line alone fills
 /// nearly a quarter (15 of 64 pixels), so a quarter calls every meeting of two lines crowded: of
@@ -35,6 +39,7 @@ struct LabelImage {
 [[nodiscard]] LabelImage draw_labels(std::span<const Curve> curves,
                                      int width_px,
                                      int height_px,
-                                     double crease_rad);
+                                     double crease_rad,
+                                     Crowded crowded = Crowded::ignore);
 
 }  // namespace ink::truth

@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "scene/rounding.h"
+#include "scene/weld_tolerance.h"
 #include "truth/crossings/slit_crossings.h"
 #include "truth/truth.h"
 
@@ -113,7 +114,7 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
         return f.object == faces.front().object;
     });
-    model.tolerances = weld_tolerances(model.topology);
+    model.tolerances = scene::weld_tolerances(model.topology);
     classify_edges(model, options.threads);
     join_patches(model);
     model.continuations = find_continuations(model.topology,

@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "truth/surface_walk.h"
+#include "truth/trace_layers.h"
 
 namespace ink::truth {
 namespace {
@@ -164,6 +165,38 @@ edge::EdgeImage draw_sampled(const EyeView& eye,
         for (int x = 0; x < width; ++x) {
             if (below.at(x, y) == Mark::first) image.at(x, y) = 255;
             if (below.at(x, y) == Mark::second) image.at(x, y + 1) = 255;
+        }
+    }
+    return image;
+}
+
+edge::EdgeImage draw_exact_corner(const EyeView& eye,
+                                  const core::Image<std::uint32_t>& face,
+                                  int threads) {
+    const int width = face.width_px() - 1, height = face.height_px() - 1;
+    // A line on the side from corner (x, y) to the right, and downwards.
+    core::Image<std::uint8_t> right(face.width_px(), face.height_px());
+    core::Image<std::uint8_t> down(face.width_px(), face.height_px());
+    core::parallel_for(static_cast<std::size_t>(face.height_px()), threads, [&](std::size_t row) {
+        PairRule rule(eye);
+        const int y = static_cast<int>(row);
+        const auto is_line = [&](int x, int dx, int dy) {
+            const std::uint32_t from = face.at(x, y), to = face.at(x + dx, y + dy);
+            if (from == to) return false;
+            const CentrePair pair{
+                x - kCornerShift_px, y - kCornerShift_px, 1.0 * dx, 1.0 * dy, from, to};
+            return rule.mark(pair) != Mark::none;
+        };
+        for (int x = 0; x <= width; ++x) {
+            if (x < width) right.at(x, y) = is_line(x, 1, 0) ? 255 : 0;
+            if (y < height) down.at(x, y) = is_line(x, 0, 1) ? 255 : 0;
+        }
+    });
+    edge::EdgeImage image(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            image.at(x, y) =
+                right.at(x, y) | right.at(x, y + 1) | down.at(x, y) | down.at(x + 1, y);
         }
     }
     return image;

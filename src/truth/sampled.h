@@ -5,10 +5,10 @@
 
 namespace ink::truth {
 
-/// One exact sample a pixel: the exact classes seen through ids at pixel centres, 255 where a line
-/// runs between two pixels that are neighbours, else 0. A check on construction A, whose visibility
-/// it does not use. No ceiling: a method may draw lines wider than a pixel and so join the dots of
-/// a bar thinner than one, or mark by luck what no sample sees.
+/// One exact sample a pixel, at its centre: the exact classes seen through ids at pixel centres,
+/// 255 where a line runs between two pixels that are neighbours, else 0. A check on construction A,
+/// whose visibility it does not use. No ceiling: a method may draw lines wider than a pixel and so
+/// join the dots of a bar thinner than one, or mark by luck what no sample sees.
 ///
 /// Where the faces at two neighbouring centres (left and right, or above and below) differ, the
 /// rule walks over the mesh along the segment between them, from the one face towards the other
@@ -32,5 +32,19 @@ namespace ink::truth {
 [[nodiscard]] edge::EdgeImage draw_sampled(const EyeView& eye,
                                            const core::Image<std::uint32_t>& face,
                                            int threads);
+
+/// One exact sample a pixel, at its corner: a pixel is a line, 255, if on one of its four sides the
+/// surface seen at the one corner does not go on to the other, by the rule of draw_sampled; else 0.
+///
+/// What lies between two corners is known exactly where either corner's surface tells of it, and
+/// else not at all: of a bar thinner than a pixel, whose both lines pass between two corners,
+/// nothing is seen there. Where a line runs within its pixel need not be asked: it is the pixel
+/// that the truth image marks, too. No ceiling either, for the same reasons.
+///
+/// `face` holds the index of the seen face, or kNoFace, at each pixel corner: one row and one
+/// column more than the image, (x, y) the upper left corner of pixel (x, y).
+[[nodiscard]] edge::EdgeImage draw_exact_corner(const EyeView& eye,
+                                                const core::Image<std::uint32_t>& face,
+                                                int threads);
 
 }  // namespace ink::truth

@@ -181,9 +181,7 @@ class Walker {
             const glm::dvec2 p = px(v) - a;
             return (along.x * p.y - along.y * p.x) / std::hypot(along.x, along.y);
         };
-        double inside = 0;
-        for (const std::uint32_t v : eye_.model.topology.faces[from].vertices)
-            if (v != edge.a && v != edge.b) inside = height(v);
+        const double inside = height(opposite_vertex(eye_.model.topology.faces[from], edge));
         const auto& corners = eye_.model.topology.faces[to].vertices;
         return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
             return height(v) * (inside < 0 ? -1 : 1) > kCrack_px;

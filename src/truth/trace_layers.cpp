@@ -50,37 +50,46 @@ std::uint32_t lowest(const EyeView& eye, const glm::dvec3& ray, std::uint32_t fa
 
 constexpr int kBlock = 4;  ///< px: rays are cast in squares of 4 x 4
 
-void fill_pixel(const EyeView& eye,
-                const glm::dvec3& ray,
-                const EyeScene::Hit& hit,
-                std::size_t pixel,
-                TracedLayers& out) {
-    const std::uint32_t face = lowest(eye, ray, hit.face);
-    out.face.data()[pixel] = face;
-    out.layers.triangle.data()[pixel] = eye.model.topology.faces[face].triangle;
-    out.layers.patch.data()[pixel] = eye.model.patch[face];
-    float& w = out.layers.w.data()[pixel];
-    w = static_cast<float>(hit.t);
-    set_depth(eye, ray, face, w, out.layers.n_dot_v.data()[pixel]);
-}
+/// Where the samples of a grid lie, and how many there are.
+struct SampleGrid {
+    int width = 0;
+    int height = 0;
+    double offset_px = 0;  ///< of sample (0, 0) from the image's top left corner, both ways
+};
 
-void trace_block(const EyeView& eye, const EyeScene& scene, int x_px, int y_px, TracedLayers& out) {
+/// Casts a ray at every sample and calls found(ray, face, distance, sample) where it meets one.
+template <class Found>
+void trace_grid(const EyeView& eye,
+                const EyeScene& scene,
+                const SampleGrid& grid,
+                int threads,
+                const Found& found) {
     const RayRange range{eye.near, std::numeric_limits<double>::infinity()};
-    std::array<glm::dvec3, kBlock * kBlock> rays;
-    std::uint32_t valid = 0;
-    for (int i = 0; i < kBlock * kBlock; ++i) {
-        const int x = x_px + i % kBlock, y = y_px + i / kBlock;
-        rays[static_cast<std::size_t>(i)] = eye.projection.ray_world(x + 0.5, y + 0.5);
-        if (out.face.contains(x, y)) valid |= 1U << i;
-    }
-    const auto hits = scene.first_of_sixteen(rays, range, valid);
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (!hits[i]) continue;
-        const auto x = static_cast<std::size_t>(x_px) + i % kBlock;
-        const auto y = static_cast<std::size_t>(y_px) + i / kBlock;
-        const std::size_t pixel = y * static_cast<std::size_t>(eye.width_px) + x;
-        fill_pixel(eye, rays[i], *hits[i], pixel, out);
-    }
+    const auto trace_block = [&](int x0, int y0) {
+        std::array<glm::dvec3, kBlock * kBlock> rays;
+        std::uint32_t valid = 0;
+        for (int i = 0; i < kBlock * kBlock; ++i) {
+            const int x = x0 + i % kBlock, y = y0 + i / kBlock;
+            rays[static_cast<std::size_t>(i)] =
+                eye.projection.ray_world(x + grid.offset_px, y + grid.offset_px);
+            if (x < grid.width && y < grid.height) valid |= 1U << i;
+        }
+        const auto hits = scene.first_of_sixteen(rays, range, valid);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            if (!hits[i]) continue;
+            const auto x = static_cast<std::size_t>(x0) + i % kBlock;
+            const auto y = static_cast<std::size_t>(y0) + i / kBlock;
+            found(rays[i],
+                  lowest(eye, rays[i], hits[i]->face),
+                  hits[i]->t,
+                  y * static_cast<std::size_t>(grid.width) + x);
+        }
+    };
+    const auto rows = static_cast<std::size_t>((grid.height + kBlock - 1) / kBlock);
+    core::parallel_for(rows, threads, [&](std::size_t row) {
+        for (int x = 0; x < grid.width; x += kBlock)
+            trace_block(x, static_cast<int>(row) * kBlock);
+    });
 }
 
 }  // namespace
@@ -93,12 +102,29 @@ TracedLayers trace_layers(const EyeView& eye, const EyeScene& scene, int threads
     out.layers.patch = core::Image<std::uint32_t>(width, height, kNoTriangle);
     out.layers.n_dot_v = core::Image<float>(width, height, 0);
     out.layers.w = core::Image<float>(width, height, std::numeric_limits<float>::infinity());
-    const auto rows = static_cast<std::size_t>((height + kBlock - 1) / kBlock);
-    core::parallel_for(rows, threads, [&](std::size_t row) {
-        for (int x = 0; x < width; x += kBlock)
-            trace_block(eye, scene, x, static_cast<int>(row) * kBlock, out);
-    });
+    const auto fill = [&](const glm::dvec3& ray, std::uint32_t face, double t, std::size_t pixel) {
+        out.face.data()[pixel] = face;
+        out.layers.triangle.data()[pixel] = eye.model.topology.faces[face].triangle;
+        out.layers.patch.data()[pixel] = eye.model.patch[face];
+        float& w = out.layers.w.data()[pixel];
+        w = static_cast<float>(t);
+        set_depth(eye, ray, face, w, out.layers.n_dot_v.data()[pixel]);
+    };
+    trace_grid(eye, scene, {width, height, 0.5}, threads, fill);
     return out;
+}
+
+core::Image<std::uint32_t> trace_corners(const EyeView& eye, const EyeScene& scene, int threads) {
+    const int width = eye.width_px + 1, height = eye.height_px + 1;
+    core::Image<std::uint32_t> faces(width, height, kNoFace);
+    trace_grid(eye,
+               scene,
+               {width, height, -kCornerShift_px},
+               threads,
+               [&](const glm::dvec3&, std::uint32_t face, double, std::size_t corner) {
+                   faces.data()[corner] = face;
+               });
+    return faces;
 }
 
 }  // namespace ink::truth

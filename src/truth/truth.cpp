@@ -62,6 +62,8 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
     if (trace.layers) {
         TracedLayers seen = trace_layers(eye, scene, trace.threads);
         truth.sampled = draw_sampled(eye, seen.face, trace.threads);
+        truth.exact_corner =
+            draw_exact_corner(eye, trace_corners(eye, scene, trace.threads), trace.threads);
         truth.layers = std::move(seen.layers);
     }
     truth.trace_s = seconds_since(begin);

@@ -21,7 +21,7 @@ struct TruthOptions {
     bool material_seams = false;  ///< a seam also where only the material differs
     double weld_epsilon = 0;      ///< as scene::WeldOptions has it
     int threads = 1;
-    bool layers = true;  ///< also layers and `sampled`; without, both stay empty
+    bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty
     TruthLimits limits = {};
     TruthProgress progress = {};  ///< may be empty
 };
@@ -60,8 +60,9 @@ struct Truth {
     /// 1 where a pixel of `labels` is an intersection and no line runs through it but intersections
     /// that bend by less than the crease angle (is_below_crease); else 0.
     core::Image<std::uint8_t> below_crease;
-    std::vector<Curve> curves;  ///< sub-pixel, every visible line, before any thinning
-    edge::EdgeImage sampled;    ///< the exact classes seen through ids at pixel centres
+    std::vector<Curve> curves;     ///< sub-pixel, every visible line, before any thinning
+    edge::EdgeImage sampled;       ///< the exact classes seen through ids at pixel centres
+    edge::EdgeImage exact_corner;  ///< the same at pixel corners, in the pixel between four
     Layers layers;
     TruthCounts counts;
     double trace_s = 0;  ///< wall time of the trace (kept when it comes from the cache)
@@ -84,7 +85,7 @@ struct Model;
 /// How one view of a model is traced; nothing here changes a result, but limits may refuse one.
 struct TruthTrace {
     int threads = 1;
-    bool layers = true;  ///< also layers and `sampled`; without, both stay empty
+    bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty
     TruthLimits limits = {};
     TruthProgress progress = {};  ///< may be empty
 };

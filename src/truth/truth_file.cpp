@@ -97,6 +97,7 @@ void write_payload(core::ByteWriter& out, const Truth& truth) {
     write_runs(out, truth.below_crease);
     pass_curves(out, truth.curves);
     write_runs(out, truth.sampled);
+    write_runs(out, truth.exact_corner);
     write_runs(out, truth.layers.triangle);
     write_runs(out, truth.layers.patch);
     write_seen(out, truth.layers.n_dot_v, truth.layers);
@@ -110,6 +111,7 @@ std::optional<Truth> read_payload(core::ByteReader& in) {
     truth.below_crease = read_runs<std::uint8_t>(in);
     pass_curves(in, truth.curves);
     truth.sampled = read_runs<std::uint8_t>(in);
+    truth.exact_corner = read_runs<std::uint8_t>(in);
     truth.layers.triangle = read_runs<std::uint32_t>(in);
     truth.layers.patch = read_runs<std::uint32_t>(in);
     truth.layers.n_dot_v = read_seen(in, truth.layers, 0);

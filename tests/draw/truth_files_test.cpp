@@ -73,8 +73,10 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
     const auto* depth = channel<Floats>(file, "Z");
     const auto* facing = channel<Floats>(file, "facing.Y");
     const auto* sampled = channel<image_io::HalfImage>(file, "sampled.Y");
+    const auto* corner = channel<image_io::HalfImage>(file, "exact_corner.Y");
     const auto* red = channel<image_io::HalfImage>(file, "R");
-    ASSERT_TRUE(label && below_crease && triangle && patch && depth && facing && sampled && red);
+    ASSERT_TRUE(label && below_crease && triangle && patch && depth && facing && sampled &&
+                corner && red);
     EXPECT_EQ(*triangle, truth.layers.triangle);
     EXPECT_EQ(*patch, truth.layers.patch);
     EXPECT_EQ(*depth, truth.layers.w);
@@ -84,6 +86,7 @@ TEST(TruthExr, HoldsEveryLayerAsItIs) {
         EXPECT_EQ(label->data()[i], truth.labels.data()[i]);
         EXPECT_EQ(below_crease->data()[i], truth.below_crease.data()[i]);
         EXPECT_EQ(sampled->pixels.data()[i], truth.sampled.data()[i] / 255.0F);
+        EXPECT_EQ(corner->pixels.data()[i], truth.exact_corner.data()[i] / 255.0F);
         lines += label->data()[i] != 0;
     }
     EXPECT_GT(lines, 50U);

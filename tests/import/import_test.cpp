@@ -82,7 +82,7 @@ const scene::Instance& instance_named(const scene::Scene& scene, const std::stri
 TEST_F(Import, ReadsATriangleAsItStands) {
     const scene::Scene scene = import_scene(write("tri.obj", kTriangleObj));
     EXPECT_EQ(scene.name, "tri");
-    EXPECT_EQ(scene.split, scene::Split::heldout);
+    EXPECT_EQ(scene.split, scene::Split::real);
     ASSERT_EQ(scene.meshes.size(), 1U);
     ASSERT_EQ(scene.instances.size(), 1U);
     const scene::Mesh& mesh = scene.meshes[0];

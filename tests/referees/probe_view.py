@@ -37,6 +37,21 @@ class Verdict:
         self.failed += other.failed
         self.undecided += other.undecided
 
+    def judge_drawn(self, places, is_hidden, is_tie, distances_px, names):
+        """Adds one place of a line per entry of the five sequences: it fails if it is in plain
+        view, is no tie within rounding, and no line of the truth is near (distance infinite)."""
+        for place, hidden, tie, distance, name in zip(places, is_hidden, is_tie, distances_px,
+                                                      names):
+            if hidden:
+                continue
+            self.asked += 1
+            if np.isfinite(distance):
+                continue
+            if tie:
+                self.undecided += 1
+            else:
+                self.failed.append((*place, f"{name}: not drawn"))
+
     def __str__(self):
         return (f"{self.asked} places, {len(self.failed)} failed, {self.undecided} undecided: "
                 f"{100 * self.agreement:.3f} %")
@@ -180,17 +195,8 @@ class View:
             return verdict
         _, nearly, touched = self.edge_places(edges, shares)
         distance, _ = distances_px(places, outline, 0.05)
-        for place, edge, hidden, tie, far in zip(places, edges, nearly, touched, distance):
-            if hidden:
-                continue
-            verdict.asked += 1
-            if np.isfinite(far):
-                continue
-            if tie:
-                verdict.undecided += 1
-            else:
-                name = CLASSES[self.edges.classes[edge]]
-                verdict.failed.append((*place, f"{name}: not drawn"))
+        names = [CLASSES[c] for c in self.edges.classes[edges]]
+        verdict.judge_drawn(places, nearly, touched, distance, names)
         return verdict
 
     def judge_crossings(self, outline, step_px=2.0):
@@ -211,16 +217,7 @@ class View:
         _, nearly, touched = self._hidden(places, inverse_w,
                                           lambda i, face: face in faces[piece[i]])
         near, _ = distances_px(places, outline, 0.05)
-        for place, hidden, tie, distance in zip(places, nearly, touched, near):
-            if hidden:
-                continue
-            verdict.asked += 1
-            if np.isfinite(distance):
-                continue
-            if tie:
-                verdict.undecided += 1
-            else:
-                verdict.failed.append((*place, "intersection: not drawn"))
+        verdict.judge_drawn(places, nearly, touched, near, ["intersection"] * len(places))
         return verdict
 
     def judge_passed(self, outline, step=1):

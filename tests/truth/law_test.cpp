@@ -43,6 +43,7 @@ TEST(Law, MixedOrientationChangesNothing) {
     EXPECT_GT(drawn_px(straight), 1000U);
     EXPECT_EQ(straight.labels, mixed.labels);
     EXPECT_EQ(straight.sampled, mixed.sampled);
+    EXPECT_EQ(straight.exact_corner, mixed.exact_corner);
     EXPECT_EQ(straight.layers.triangle, mixed.layers.triangle);
     EXPECT_EQ(lengths(straight), lengths(mixed));
 }
@@ -54,6 +55,7 @@ TEST(Law, ThreadsChangeNothing) {
     EXPECT_TRUE(same_curves(one, two));
     EXPECT_EQ(one.labels, two.labels);
     EXPECT_EQ(one.sampled, two.sampled);
+    EXPECT_EQ(one.exact_corner, two.exact_corner);
     EXPECT_EQ(one.layers.triangle, two.layers.triangle);
     EXPECT_EQ(one.layers.patch, two.layers.patch);
     EXPECT_EQ(one.layers.n_dot_v, two.layers.n_dot_v);
@@ -89,6 +91,7 @@ TEST(Law, VerticesMayBeSplitByMaterial) {
     EXPECT_GT(drawn_px(a), 300U);
     EXPECT_EQ(a.labels, b.labels);
     EXPECT_EQ(a.sampled, b.sampled);
+    EXPECT_EQ(a.exact_corner, b.exact_corner);
 }
 
 TEST(Law, MirroredInstanceEqualsMirroredMesh) {
@@ -130,6 +133,7 @@ TEST(Law, WithoutLayersTheLinesAreTheSame) {
     const Truth bare = trace_truth(scene, crowd_view(), options);
     EXPECT_EQ(bare.labels, trace(scene, crowd_view()).labels);
     EXPECT_TRUE(bare.sampled.is_empty());
+    EXPECT_TRUE(bare.exact_corner.is_empty());
     EXPECT_TRUE(bare.layers.triangle.is_empty());
 }
 

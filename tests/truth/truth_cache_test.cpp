@@ -59,6 +59,7 @@ void expect_equal(const Truth& a, const Truth& b) {
     EXPECT_EQ(a.below_crease, b.below_crease);
     EXPECT_TRUE(same_curves(a, b));
     EXPECT_EQ(a.sampled, b.sampled);
+    EXPECT_EQ(a.exact_corner, b.exact_corner);
     EXPECT_EQ(a.layers.triangle, b.layers.triangle);
     EXPECT_EQ(a.layers.patch, b.layers.patch);
     EXPECT_EQ(a.layers.n_dot_v, b.layers.n_dot_v);

@@ -67,7 +67,8 @@ class Bundle {
     [[nodiscard]] bool hides_own(const Sheet& sheet) const {
         const auto own = eye_.model.topology.faces_of(edge_);
         return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
-            return side_of(opposite(eye_.model.topology.faces[f])) == side_of(sheet.vertex);
+            return side_of(opposite_vertex(eye_.model.topology.faces[f], edge_)) ==
+                   side_of(sheet.vertex);
         });
     }
 
@@ -76,7 +77,7 @@ class Bundle {
         const auto& faces = eye_.model.topology.faces;
         const auto own = eye_.model.topology.faces_of(edge_);
         return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
-            const std::uint32_t v = opposite(faces[f]);
+            const std::uint32_t v = opposite_vertex(faces[f], edge_);
             return side_of(v) == side_of(sheet.vertex) && orientation(v, sheet.vertex) == 0;
         });
     }
@@ -92,11 +93,6 @@ class Bundle {
     }
 
   private:
-    [[nodiscard]] std::uint32_t opposite(const scene::Face& face) const {
-        for (const std::uint32_t v : face.vertices)
-            if (v != edge_.a && v != edge_.b) return v;
-        return edge_.a;
-    }
     [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t v) const {
         return scene::rounded_point(eye_.model.topology, v);
     }

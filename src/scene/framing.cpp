@@ -1,0 +1,106 @@
+#include "scene/framing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <set>
+
+#include "core/error.h"
+#include "core/param.h"
+
+namespace ink::scene {
+namespace {
+
+/// The least and greatest place along one axis of the image at which the sides of the frame,
+/// sloping by `slope` per unit of depth, still hold all points.
+struct Extent {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void take(double across, double back, double slope) {
+        low = std::min(low, across - slope * back);
+        high = std::max(high, across + slope * back);
+    }
+    /// How far back the eye must be for this axis.
+    [[nodiscard]] double back(double slope) const { return (high - low) / (2 * slope); }
+    [[nodiscard]] double middle() const { return (low + high) / 2; }
+};
+
+}  // namespace
+
+std::vector<glm::dvec3> placed_points(const Scene& scene) {
+    std::vector<glm::dvec3> points;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[instance.mesh];
+        std::vector<bool> is_used(mesh.positions.size());
+        for (const Triangle& triangle : mesh.triangles) {
+            for (const auto corner : triangle)
+                is_used[corner] = true;
+        }
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            if (is_used[i]) points.push_back(to_world(instance, mesh.positions[i]));
+        }
+    }
+    return points;
+}
+
+glm::dvec3 fitted_eye(std::span<const glm::dvec3> points,
+                      const glm::dmat3& view_from_world,
+                      const Frame& frame) {
+    assert(!points.empty());
+    const double slope_y = std::tan(frame.fov_y_rad / 2) * frame.fill;
+    const double slope_x = slope_y * frame.width_over_height;
+    Extent x;
+    Extent y;
+    for (const auto& p_world : points) {
+        const glm::dvec3 p = view_from_world * p_world;
+        x.take(p.x, p.z, slope_x);
+        y.take(p.y, p.z, slope_y);
+    }
+    const double back = std::max(x.back(slope_x), y.back(slope_y));
+    return glm::transpose(view_from_world) * glm::dvec3(x.middle(), y.middle(), back);
+}
+
+Camera framed(Camera camera,
+              std::span<const glm::dvec3> points,
+              const Frame& frame,
+              const Scene& scene) {
+    const bool is_one_place =
+        std::all_of(points.begin(), points.end(), [&](const auto& p) { return p == points[0]; });
+    if (is_one_place) return camera;
+    camera.eye_world = fitted_eye(points, camera.view_from_world, frame);
+    fit_clip_range(camera, bounding_sphere(scene));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& p_world : placed_points(scene)) {
+        const double depth = -(camera.view_from_world * (p_world - camera.eye_world)).z;
+        if (depth > camera.near) nearest = std::min(nearest, depth);
+    }
+    // The eye may stand inside the scene's ball, before everything: then the ball says little.
+    constexpr double kAir = 0.99;
+    if (nearest < camera.far) camera.near = std::max(camera.near, nearest * kAir);
+    return camera;
+}
+
+Scene only_objects(const Scene& scene, std::span<const std::string> names) {
+    Scene result = scene;
+    result.animation.reset();
+    std::set<std::string> known;
+    for (const Instance& instance : scene.instances)
+        known.insert(instance.name);
+    for (const std::string& name : names) {
+        if (known.count(name) != 0) continue;
+        throw core::Error(scene.name,
+                          fmt::format("it has no object '{}'", name),
+                          core::known_names({known.begin(), known.end()}, name));
+    }
+    std::erase_if(result.instances, [&](const Instance& instance) {
+        return std::find(names.begin(), names.end(), instance.name) == names.end();
+    });
+    return result;
+}
+
+}  // namespace ink::scene
