@@ -33,6 +33,20 @@ scene::Mesh branch(double length, double rise) {
     return whole;
 }
 
+/// A leaf of one sheet in the plane of x and z that points along +z, 0.28 long, hollow along its
+/// rib and bent down by `droop` at its tip.
+scene::Mesh leaf(double droop) {
+    std::vector<Ring> rows{{{0, 0, 0}}};
+    for (const auto& [along, half] : {std::pair{.06, .035}, {.12, .06}, {.18, .055}, {.24, .028}}) {
+        const double height = -droop * along * along / 0.28;
+        rows.push_back({{-half, height + 0.2 * half, along},
+                        {0, height, along},
+                        {half, height + 0.2 * half, along}});
+    }
+    rows.push_back({{0, -droop * 0.28, 0.28}});
+    return loft(rows, {.around = false});
+}
+
 /// One person, looking along +z, feet on y = 0, 1.9 tall with the hat.
 class Person {
   public:
@@ -124,6 +138,40 @@ scene::Scene make_tree_scene() {
     stage.view(Shot{"front", 0, 2});
     stage.view(Shot{"three_quarter", 40, 20});
     stage.view(EyeShot{"trunk", {1.75, 1.125, 3.25}, {0, 1.75, 0}, 50});
+    return stage.finish();
+}
+
+scene::Scene make_bush_scene() {
+    Stage stage;
+    const std::uint32_t leaves[] = {stage.mesh("leaf", leaf(0.16)), stage.mesh("leaf", leaf(0.3))};
+    const TubeNode stem[] = {
+        {{0, -0.3, 0}, .05}, {{.02, .1, 0}, .04}, {{-.02, .7, .03}, .025}, {{0, 1.15, 0}, .01}};
+    stage.add("stem", limb(stem, 5, 12));
+    for (int i = 0; i < 16; ++i) {
+        // Twigs leave the stem on the golden angle, the lower ones longer and flatter.
+        const double share = i / 15.0;
+        const double reach = 1.05 - 0.65 * share;
+        const TubeNode twig[] = {{{0, 0, 0}, .02},
+                                 {{reach * .4, .1, .05}, .016},
+                                 {{reach * .8, .32, -.04}, .012},
+                                 {{reach, .55, 0}, .005}};
+        const std::vector<TubeNode> path = smoothed(twig, 6);
+        const glm::dmat4 at = placed({{0, 0.1 + 0.9 * share, 0}, {0, 137.508 * i, 18 * share}});
+        stage.place(stage.mesh("twig", make_tube(path, 8)), "twig", at);
+        int k = i;
+        for (std::size_t node = 5; node < path.size(); node += 2) {
+            for (const double side : {-1.0, 1.0}) {
+                const Pose pose{
+                    path[node].center,
+                    {side * (50 + 7 * (k % 5)), 20.0 * side * (k % 3) - 15, 12.0 * (k % 4) - 10},
+                    glm::dvec3(0.75 + 0.08 * (k % 4))};
+                stage.place(leaves[k % 2], "leaf", at * placed(pose));
+                ++k;
+            }
+        }
+    }
+    stage.view(Shot{"three_quarter", 40, 30});
+    stage.view(EyeShot{"close", {1.125, 1.25, 2}, {0.125, 0.75, 0}, 44});
     return stage.finish();
 }
 

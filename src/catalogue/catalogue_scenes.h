@@ -8,6 +8,7 @@ namespace ink::catalogue {
 
 // Solids: catalogue_solids.cpp
 [[nodiscard]] scene::Scene make_sphere_scene();
+[[nodiscard]] scene::Scene make_globe_scene();
 [[nodiscard]] scene::Scene make_balls_scene();
 [[nodiscard]] scene::Scene make_torus_scene();
 [[nodiscard]] scene::Scene make_cube_scene();
@@ -23,6 +24,7 @@ namespace ink::catalogue {
 [[nodiscard]] scene::Scene make_hills_scene();
 [[nodiscard]] scene::Scene make_soup_scene();
 [[nodiscard]] scene::Scene make_flag_scene();
+[[nodiscard]] scene::Scene make_drapery_scene();
 
 // Made things: catalogue_things.cpp
 [[nodiscard]] scene::Scene make_gear_scene();
@@ -35,6 +37,19 @@ namespace ink::catalogue {
 // Grown things: catalogue_grown.cpp
 [[nodiscard]] scene::Scene make_figure_scene();
 [[nodiscard]] scene::Scene make_tree_scene();
+[[nodiscard]] scene::Scene make_bush_scene();
+
+// Smooth bodies: catalogue_bodies.cpp
+[[nodiscard]] scene::Scene make_octopus_scene();
+[[nodiscard]] scene::Scene make_hand_scene();
+[[nodiscard]] scene::Scene make_scan_scene();
+
+// Machined parts: catalogue_parts.cpp
+[[nodiscard]] scene::Scene make_bracket_scene();
+
+// Thin things: catalogue_thin.cpp
+[[nodiscard]] scene::Scene make_truss_scene();
+[[nodiscard]] scene::Scene make_bars_scene();
 
 // Places: catalogue_places.cpp
 [[nodiscard]] scene::Scene make_horizon_scene();

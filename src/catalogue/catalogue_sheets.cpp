@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -161,6 +162,50 @@ scene::Scene make_flag_scene() {
     stage.view(Shot{"front", 0, 3});
     stage.view(Shot{"three_quarter", 36, 18});
     stage.view(Shot{"below", -48, -20});
+    return stage.finish();
+}
+
+scene::Scene make_drapery_scene() {
+    // A round cloth on a round table: flat inside the unit circle, then over the edge and down in
+    // folds that double back, so that each hides a part of itself.
+    constexpr double kEdge = 0.15;  // radius of the bend at the table's edge
+    constexpr double kBend = kEdge * std::numbers::pi / 2;
+    constexpr double kLength = 2.3;  // from the middle to the hem
+    constexpr double kFolds = 13;
+    const auto cloth = [](double turn_rad, double way) {
+        const double bent_rad = std::clamp((way - 1) / kEdge, 0.0, std::numbers::pi / 2);
+        const double drop = std::max(way - 1 - kBend, 0.0);
+        const double grown = drop / (drop + 0.45);
+        const double phase =
+            kFolds * turn_rad + 0.8 * std::sin(2 * turn_rad) + 0.5 * std::sin(3 * turn_rad + 1);
+        const double depth = grown * (0.26 + 0.05 * std::sin(5 * turn_rad));
+        const double back_rad = grown * 0.09 * std::sin(2 * phase) + turn_rad;
+        const double out = std::min(way, 1.0) + kEdge * std::sin(bent_rad) + 0.12 * drop +
+                           depth * (1 + std::cos(phase)) * 0.75;
+        const double height = -kEdge * (1 - std::cos(bent_rad)) - 0.94 * drop;
+        return glm::dvec3(out * std::cos(back_rad), height, -out * std::sin(back_rad));
+    };
+    std::vector<double> ways;  // most rings where the cloth bends
+    for (int i = 1; i <= 5; ++i)
+        ways.push_back(i / 5.0);
+    for (int i = 1; i <= 10; ++i)
+        ways.push_back(1 + kBend * i / 10);
+    for (int i = 1; i <= 32; ++i)
+        ways.push_back(1 + kBend + (kLength - 1 - kBend) * i / 32);
+    constexpr int kAround = 624;
+    std::vector<Ring> rings;  // from the hem to the middle
+    for (auto way = ways.rbegin(); way != ways.rend(); ++way) {
+        Ring ring;
+        for (int i = 0; i < kAround; ++i)
+            ring.push_back(cloth(2 * std::numbers::pi * i / kAround, *way));
+        rings.push_back(std::move(ring));
+    }
+    rings.push_back({{0, 0, 0}});
+    Stage stage;
+    stage.add("cloth", loft(rings));
+    stage.view(Shot{"front", 0, 12});
+    stage.view(Shot{"three_quarter", 28, 36});
+    stage.view(EyeShot{"close", {0.875, 0.125, 3.5}, {0.25, -0.5, 0.75}, 34});
     return stage.finish();
 }
 

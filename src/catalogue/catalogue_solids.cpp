@@ -70,6 +70,14 @@ scene::Scene make_sphere_scene() {
     return stage.finish();
 }
 
+scene::Scene make_globe_scene() {
+    Stage stage;
+    stage.add("globe", make_sphere(1, 1024, 490), {{0, 0, 0}, {23.5, 0, 0}});
+    stage.view(Shot{"front", 0, 0});
+    stage.view(Shot{"three_quarter", 35, 40});
+    return stage.finish();
+}
+
 scene::Scene make_balls_scene() {
     Stage stage;
     const auto ball = stage.mesh("ball", make_icosphere(1, 3));

@@ -1,14 +1,12 @@
 #include "catalogue/catalogue_stage.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
-#include <limits>
 
 #include "catalogue/shapes.h"
+#include "scene/framing.h"
 
 namespace ink::catalogue {
 namespace {
@@ -22,50 +20,6 @@ glm::dmat4 snapped_columns(const glm::dmat4& m) {
         result[column] = glm::dvec4(snapped(glm::dvec3(m[column])), m[column].w);
     }
     return result;
-}
-
-std::vector<glm::dvec3> placed_points(const scene::Scene& scene) {
-    std::vector<glm::dvec3> points;
-    for (const scene::Instance& instance : scene.instances) {
-        for (const auto& p : scene.meshes[instance.mesh].positions) {
-            points.push_back(scene::to_world(instance, p));
-        }
-    }
-    assert(!points.empty());
-    return points;
-}
-
-/// The least and greatest place along one axis of the image at which the sides of the frame,
-/// sloping by `slope` per unit of depth, still hold all points.
-struct Extent {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-
-    void take(double across, double back, double slope) {
-        low = std::min(low, across - slope * back);
-        high = std::max(high, across + slope * back);
-    }
-    /// How far back the eye must be for this axis.
-    [[nodiscard]] double back(double slope) const { return (high - low) / (2 * slope); }
-    [[nodiscard]] double middle() const { return (low + high) / 2; }
-};
-
-/// The eye that looks along -`back` and is as near as the frame allows, exactly: each side of the
-/// frame is a plane through the eye, and some point touches it.
-glm::dvec3 fitted_eye(const std::vector<glm::dvec3>& points,
-                      const glm::dmat3& view_from_world,
-                      double fov_rad) {
-    const double slope_y = std::tan(fov_rad / 2) * kFill;
-    const double slope_x = slope_y * kWidthOverHeight;
-    Extent x;
-    Extent y;
-    for (const auto& p_world : points) {
-        const glm::dvec3 p = view_from_world * p_world;
-        x.take(p.x, p.z, slope_x);
-        y.take(p.y, p.z, slope_y);
-    }
-    const double back = std::max(x.back(slope_x), y.back(slope_y));
-    return glm::transpose(view_from_world) * glm::dvec3(x.middle(), y.middle(), back);
 }
 
 void add_default_lights(scene::Scene& scene, const scene::Sphere& bounds) {
@@ -115,7 +69,8 @@ void Stage::view(const Shot& shot) {
     const double fov_rad = glm::radians(shot.fov_deg);
     scene::Camera camera = scene::look_at(back, glm::dvec3(0), {0, 1, 0}, fov_rad);
     camera.name = shot.name;
-    camera.eye_world = snapped(fitted_eye(placed_points(scene_), camera.view_from_world, fov_rad));
+    camera.eye_world = snapped(scene::fitted_eye(
+        scene::placed_points(scene_), camera.view_from_world, {fov_rad, kWidthOverHeight, kFill}));
     scene_.cameras.push_back(camera);
     nears_.push_back(0);
 }
