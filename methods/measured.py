@@ -32,7 +32,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"<!-- measured: (?P<asked>.*?)-->\n(?P<table>.*?)<!-- /measured -->", re.DOTALL)
-BASELINES = {"none", "sampled", "oracle"}
+BASELINES = {"none", "sampled", "exact_corner", "oracle"}
 SCORED = {0, 3}  # exit codes of compare: done, and done without a score on some views
 
 

@@ -10,9 +10,12 @@
 #include "methods/decaudin/decaudin.h"
 #include "methods/edge_hash/edge_hash.h"
 #include "methods/edge_list/edge_list.h"
+#include "methods/id_lookup/id_lookup.h"
 #include "methods/ids/ids.h"
 #include "methods/inverted_hull/inverted_hull.h"
 #include "methods/jump_flood/jump_flood.h"
+#include "methods/label8/label8.h"
+#include "methods/label_plane/label_plane.h"
 #include "methods/mote16/mote16.h"
 #include "methods/mote2/mote2.h"
 #include "methods/mote4/mote4.h"
@@ -20,7 +23,10 @@
 #include "methods/polygon_offset/polygon_offset.h"
 #include "methods/roberts/roberts.h"
 #include "methods/sobel/sobel.h"
+#include "methods/surface16/surface16.h"
+#include "methods/surface8/surface8.h"
 #include "methods/tuned.h"
+#include "methods/two_sums/two_sums.h"
 
 namespace ink::methods {
 namespace {
@@ -36,11 +42,15 @@ std::vector<method::MethodInfo> with_tuned(std::vector<method::MethodInfo> metho
 const std::vector<method::MethodInfo>& registry() {
     // A static object of its own per method would register itself, and vanish with the object file
     // that nobody else refers to when this is linked from a static library. Hence a list.
+    // One line for each method.
+    // clang-format off
     static const std::vector<method::MethodInfo> methods = with_tuned({
         decaudin(),
         mote2(),
         mote4(),
         mote16(),
+        two_sums(),
+        label_plane(),
         polygon_offset(),
         edge_list(),
         back_faces(),
@@ -50,10 +60,15 @@ const std::vector<method::MethodInfo>& registry() {
         canny(),
         plane_distance(),
         ids(),
+        id_lookup(),
         inverted_hull(),
         jump_flood(),
+        label8(),
+        surface8(),
+        surface16(),
         auto_method(),
     });
+    // clang-format on
     return methods;
 }
 

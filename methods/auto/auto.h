@@ -17,7 +17,7 @@ class Auto : public method::Method {
         raster::Interpolation interpolation = raster::Interpolation::affine;
         raster::DepthFormat depth_format = raster::DepthFormat::q32;
         edge::Response response = edge::Response::absolute;
-        // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+        // found: experiments/thresholds.py, over the training scenes at 1280x720
         int threshold = kPlannedResponse;
     };
     [[nodiscard]] static core::ParamTable<Params> table();

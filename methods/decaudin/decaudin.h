@@ -21,7 +21,7 @@ class Decaudin : public buffers::FullBufferMethod {
         edge::KPlace k_place = edge::KPlace::inside;
         Join join = Join::max;
         double sky = -1;
-        // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+        // found: experiments/thresholds.py, over the training scenes at 1280x720
         int threshold = 146;
     };
     [[nodiscard]] static core::ParamTable<Params> table();

@@ -1,6 +1,7 @@
 #include "methods/ids/ids.h"
 
 #include "buffers/packed_sink.h"
+#include "buffers/sample_grid.h"
 
 namespace ink::methods {
 namespace {
@@ -35,11 +36,27 @@ class IdSink : public raster::TileSink {
 
     void finish(const raster::Tile& tile) override {
         if (tile.is_empty) return buffers::clear_tile(tile, out_);
+        if (params_.samples == buffers::Samples::corner) return finish_corners(tile);
         if (params_.depth_format == raster::DepthFormat::q32) return finish_as<float>(tile);
         finish_as<std::uint32_t>(tile);
     }
 
   private:
+    void finish_corners(const raster::Tile& drawn) {
+        const raster::Tile tile = buffers::output_tile(drawn, out_.width_px(), out_.height_px());
+        for (int y = 0; y < tile.height_px; ++y) {
+            const auto* upper = tile.row<std::uint32_t>(0, y);
+            const auto* lower = tile.row<std::uint32_t>(0, y + 1);
+            std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x) {
+                const std::uint32_t id = upper[x];
+                const std::uint32_t others =
+                    (id ^ upper[x + 1]) | (id ^ lower[x]) | (id ^ lower[x + 1]);
+                to[x] = others != 0 ? 255 : 0;
+            }
+        }
+    }
+
     template <class Depth>
     void finish_as(const raster::Tile& tile) {
         for (int y = 0; y < tile.height_px; ++y) {
@@ -79,6 +96,8 @@ std::vector<core::ParamValues> sweep() {
         {{"weld_epsilon", "0"}},
         // Two pixels wide, which no turn of a border makes thinner.
         {{"side", "both"}},
+        // The line in the pixel that it runs in.
+        {{"samples", "corner"}},
         {},
     };
 }
@@ -91,7 +110,8 @@ core::ParamTable<Ids::Params> Ids::table() {
         .choice(&Params::side,
                 "side",
                 {"nearer", "both"},
-                "Where a border's line lies: one pixel on the nearer surface, or both sides of it.")
+                "Where a border's line lies: one pixel on the nearer surface, or both sides of it. "
+                "With corner samples it lies in the pixel between, and this has no meaning.")
         .choice(&Params::depth_format,
                 "depth_format",
                 {"q32", "z24", "z16"},
@@ -118,7 +138,12 @@ method::Cost Ids::cost() const {
     method::Cost cost = ids_.cost();
     // Four comparisons, joined; on a border's side four more of depth, which few pixels reach.
     cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
-    if (params_.side == Side::nearer) cost.filter.bytes_read += 4;
+    if (params_.samples == buffers::Samples::corner) {
+        // Three differences, joined; no depth.
+        cost.filter.operations = 3 + 2 + 1;
+    } else if (params_.side == Side::nearer) {
+        cost.filter.bytes_read += 4;
+    }
     return cost;
 }
 

@@ -4,7 +4,8 @@
 
 namespace ink::methods {
 
-/// Borders between ids of objects, patches or triangles: a line wherever two neighbours differ.
+/// Borders between ids of objects, patches or triangles: a line wherever two neighbours differ, or
+/// a pixel's four corners.
 class Ids : public method::Method {
   public:
     enum class Side {

@@ -33,10 +33,12 @@ struct Run {
 
 class SeedSink : public raster::TileSink {
   public:
-    SeedSink(double depth_step, core::Image<edge::NearestSeed>& seeds)
-        : depth_step_(static_cast<float>(depth_step)), seeds_(seeds) {}
+    SeedSink(double depth_step, buffers::Samples samples, core::Image<edge::NearestSeed>& seeds)
+        : depth_step_(static_cast<float>(depth_step)), samples_(samples), seeds_(seeds) {}
 
-    void finish(const raster::Tile& tile) override {
+    void finish(const raster::Tile& drawn) override {
+        const raster::Tile tile =
+            buffers::output_tile(drawn, seeds_.width_px(), seeds_.height_px());
         for (int y = 0; y < tile.height_px; ++y) {
             edge::NearestSeed* to = seeds_.row(tile.y0_px + y) + tile.x0_px;
             if (tile.is_empty) {
@@ -52,11 +54,16 @@ class SeedSink : public raster::TileSink {
         const std::uint32_t* id = tile.row<std::uint32_t>(0, y);
         const float* q = tile.depth_row<float>(y);
         const std::ptrdiff_t down = tile.stride;
+        // The other two of the four borders that are asked: those to the pixels before, or the
+        // sides of the square of corners that end at its lower right.
+        const bool has_corners = samples_ == buffers::Samples::corner;
+        const std::ptrdiff_t beside = has_corners ? down : -1;
+        const std::ptrdiff_t above = has_corners ? 1 : -down;
         for (int x = 0; x < tile.width_px; ++x) {
             const bool is_seed = Run{id + x, q + x, 1}.has_border(depth_step_) ||
-                                 Run{id + x - 1, q + x - 1, 1}.has_border(depth_step_) ||
+                                 Run{id + x + beside, q + x + beside, 1}.has_border(depth_step_) ||
                                  Run{id + x, q + x, down}.has_border(depth_step_) ||
-                                 Run{id + x - down, q + x - down, down}.has_border(depth_step_);
+                                 Run{id + x + above, q + x + above, down}.has_border(depth_step_);
             to[x] = {};
             if (is_seed)
                 to[x] = {static_cast<std::int16_t>(tile.x0_px + x),
@@ -65,6 +72,7 @@ class SeedSink : public raster::TileSink {
     }
 
     float depth_step_;
+    buffers::Samples samples_;
     core::Image<edge::NearestSeed>& seeds_;
 };
 
@@ -88,6 +96,8 @@ std::vector<core::ParamValues> sweep() {
         // Jumps within a patch at smaller and at larger steps.
         {{"depth_step", "0.05"}},
         {{"depth_step", "0.005"}},
+        // Seeds one pixel wide, in the pixel that the border runs in.
+        {{"samples", "corner"}},
         {},
     };
 }
@@ -118,7 +128,7 @@ void JumpFlood::draw(const method::Frame& frame, edge::EdgeImage& out) {
     if (ids_.is_empty() || out.is_empty()) return out.fill(0);
     if (seeds_.width_px() != out.width_px() || seeds_.height_px() != out.height_px())
         seeds_ = core::Image<edge::NearestSeed>(out.width_px(), out.height_px());
-    SeedSink sink(params_.depth_step, seeds_);
+    SeedSink sink(params_.depth_step, params_.samples, seeds_);
     // A line reaches into tiles where nothing moved: all are drawn.
     skip_counts_ = ids_.draw(frame, false, sink).skips;
     edge::jump_flood(seeds_, scratch_, reach_px(), frame.threads);

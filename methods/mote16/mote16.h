@@ -19,7 +19,7 @@ class Mote16 : public buffers::PackedBuffer {
         /// Edge responses are then finer than a byte's by four.
         Params() {
             scale_bits = -6;
-            // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+            // found: experiments/thresholds.py, over the training scenes at 1280x720
             threshold = 36;
         }
         Layout layout = Layout::sum;

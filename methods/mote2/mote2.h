@@ -13,7 +13,7 @@ class Mote2 : public buffers::PackedBuffer {
     };
     struct Params : buffers::PackParams {
         Params() {
-            // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+            // found: experiments/thresholds.py, over the training scenes at 1280x720
             threshold = 13;
         }
         Combine combine = Combine::sum;

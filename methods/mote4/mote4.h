@@ -9,7 +9,7 @@ class Mote4 : public buffers::PackedBuffer {
   public:
     struct Params : buffers::PackParams {
         Params() {
-            // found: ODS over the training scenes at 1280x720, `inkbench compare`, default settings
+            // found: experiments/thresholds.py, over the training scenes at 1280x720
             threshold = 6;
         }
         double range_depth = 63;

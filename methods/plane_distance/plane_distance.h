@@ -9,7 +9,7 @@ namespace ink::methods {
 class PlaneDistance : public buffers::FullBufferMethod {
   public:
     struct Params : buffers::InputParams {
-        // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
+        // found: experiments/thresholds.py, over the training scenes at 1280x720; see the page
         double plane_step = 0.16;
         double normal_step = 0.2;
         int threshold = 82;

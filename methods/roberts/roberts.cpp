@@ -28,6 +28,8 @@ std::vector<core::ParamValues> sweep() {
         {{"normals", "facet"}},
         // Normals and depth exact on the surface, at the price of a division.
         {{"interpolation", "perspective"}, {"renormalise", "true"}},
+        // The cross over the pixel's own corners.
+        {{"samples", "corner"}},
     };
 }
 
@@ -61,7 +63,8 @@ core::ParamTable<Roberts::Params> Roberts::table() {
             {0, 100},
             "",
             "How much the ramp adds to the threshold's factor at grazing angles (guard = ramp).");
-    return buffers::add_surface_params(table).number(
+    buffers::add_surface_params(table);
+    return buffers::add_samples_param(table).number(
         &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 

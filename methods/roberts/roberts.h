@@ -17,7 +17,7 @@ class Roberts : public buffers::FullBufferMethod {
         Guard guard = Guard::cosine;
         double guard_start = 0.5;
         double guard_scale = 7;
-        // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
+        // found: experiments/thresholds.py, over the training scenes at 1280x720; see the page
         double depth_step = 0.0025;
         double normal_step = 0.2;
         int threshold = 74;

@@ -17,7 +17,7 @@ class Sobel : public buffers::FullBufferMethod {
         Order order = Order::second;
         bool uses_normals = true;
         double sky = -1;
-        // found: ODS over the training scenes at 1280x720, `inkbench compare`; see the page
+        // found: experiments/thresholds.py, over the training scenes at 1280x720; see the page
         double k_first = 0.02;
         double k_second = 0.02;
         double k_normal = 1;

@@ -13,6 +13,7 @@ Packer::Packer(CodeLayout layout, DepthSign sign, Quantise quantise, raster::Ove
         added.depth = static_cast<float>(field.ranges.depth);
         for (int i = 0; i < 3; ++i)
             added.normal[i] = static_cast<float>(field.ranges.normal[i]);
+        added.offset = static_cast<float>(field.ranges.offset);
         added.bits = field.bits;
         added.shift = field.shift;
     }
@@ -28,7 +29,7 @@ double Packer::value(const Ranges& ranges, double depth, const glm::dvec3& n) co
         for (double& term : terms)
             term = std::floor(term + 0.5);
     }
-    return terms[0] + terms[1] + terms[2] + terms[3];
+    return terms[0] + terms[1] + terms[2] + terms[3] + ranges.offset;
 }
 
 int Packer::limited(long value, int bits) const {

@@ -20,6 +20,7 @@ enum class Quantise {
 struct Ranges {
     double depth = 0;
     glm::dvec3 normal{0};  ///< of each view-space component's (n+1)/2
+    double offset = 0;     ///< added to the sum, as ranges below 0 need
 };
 
 /// One number inside a packed code: bits `shift` .. `shift + bits - 1` of plane `plane`.

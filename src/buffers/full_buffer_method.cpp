@@ -1,6 +1,7 @@
 #include "buffers/full_buffer_method.h"
 
 #include "buffers/packed_sink.h"
+#include "buffers/sample_grid.h"
 
 namespace ink::buffers {
 namespace {
@@ -17,7 +18,8 @@ class FullBufferMethod::Sink : public raster::TileSink {
 
     void finish(const raster::Tile& tile) override {
         if (tile.is_empty) return clear_tile(tile, out_);
-        method_.filter(frame_, tile, out_);
+        const raster::Tile output = output_tile(tile, out_.width_px(), out_.height_px());
+        if (output.width_px > 0 && output.height_px > 0) method_.filter(frame_, output, out_);
     }
 
   private:
@@ -30,7 +32,7 @@ void FullBufferMethod::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (buffers_.is_empty()) return out.fill(0);
     const method::DepthCarrier carrier = buffers_.see(frame);
-    const FullBufferFrame seen{carrier, buffers_.range(), PixelRays(frame.view)};
+    const FullBufferFrame seen{carrier, buffers_.range(), PixelRays(buffers_.view())};
     Sink sink(*this, seen, out);
     skip_counts_ = buffers_.draw(frame, carrier, sky_, sink, out);
 }

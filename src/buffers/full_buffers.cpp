@@ -36,8 +36,9 @@ class LayerSink : public raster::TileSink {
               Image& normal)
         : carrier_(carrier), params_(params), depth_(depth), normal_(normal) {}
 
-    void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return;
+    void finish(const raster::Tile& drawn) override {
+        if (drawn.is_empty) return;
+        const raster::Tile tile = output_tile(drawn, depth_.width_px(), depth_.height_px());
         TileFloats depth_buffer;
         std::array<TileFloats, 3> normal_buffers;
         const TilePlane depth = encoded_depth(tile, carrier_, params_.depth_sign, 0, depth_buffer);

@@ -52,6 +52,8 @@ class FullBuffers {
     [[nodiscard]] method::DepthCarrier see(const method::Frame& frame);
     /// The distances that depth 1 and 0 stand for in the frame that was seen.
     [[nodiscard]] const raster::DepthRange& range() const { return inputs_.range(); }
+    /// See SurfaceInputs::view.
+    [[nodiscard]] const scene::View& view() const { return inputs_.view(); }
     /// Draws the frame that was seen. Where nothing is, normals are null and depth is `sky`, or
     /// kNothingDrawn where the carrier's depth is yet to be encoded.
     [[nodiscard]] raster::SkipCounts draw(const method::Frame& frame,

@@ -14,6 +14,7 @@ InputParams input_params(const IdParams& params) {
     inputs.normals = scene::NormalSource::patch;
     inputs.crease_deg = params.crease_deg;
     inputs.depth_format = params.depth_format;
+    inputs.samples = params.samples;
     return inputs;
 }
 
@@ -39,8 +40,9 @@ class ColorSink : public raster::TileSink {
   public:
     explicit ColorSink(core::Image<glm::u8vec3>& image) : image_(image) {}
 
-    void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return;
+    void finish(const raster::Tile& drawn) override {
+        if (drawn.is_empty) return;
+        const raster::Tile tile = output_tile(drawn, image_.width_px(), image_.height_px());
         for (int y = 0; y < tile.height_px; ++y) {
             const std::uint32_t* const ids = tile.row<std::uint32_t>(0, y);
             glm::u8vec3* const to = image_.row(tile.y0_px + y) + tile.x0_px;

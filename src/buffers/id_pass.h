@@ -14,13 +14,14 @@ struct IdParams {
     IdSource of = IdSource::object_and_patch;
     double crease_deg = 40;
     double weld_epsilon = 1e-4;  // found: the least that closes cracks, see ids.md
+    Samples samples = Samples::centre;
     raster::DepthFormat depth_format = raster::DepthFormat::q32;
 };
 
 /// Appends the rows of IdParams but depth_format to a table whose struct derives from it.
 template <class P>
 core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
-    return table
+    table
         .choice(&P::of,
                 "of",
                 {"object", "patch", "object_and_patch", "triangle"},
@@ -36,6 +37,7 @@ core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
                 "",
                 "Vertices of an object this near are welded for its patches, as a share of its "
                 "diagonal.");
+    return add_samples_param(table);
 }
 
 /// A scene drawn as ids: the pass's constant, nothing interpolated.
@@ -51,12 +53,13 @@ class IdPass {
     [[nodiscard]] bool is_empty() const { return inputs_.is_empty(); }
     [[nodiscard]] const raster::PassFormat& format() const { return format_; }
 
-    /// Hands every tile to `sink`, whose plane 0 is u32 ids, kNoId where nothing is. Where nothing
-    /// moved since the last frame, `may_keep_still` lets it leave tiles out.
+    /// Hands every tile of samples to `sink`, whose plane 0 is u32 ids, kNoId where nothing is.
+    /// Where nothing moved since the last frame, `may_keep_still` lets it leave tiles out.
     [[nodiscard]] raster::MeshResult draw(const method::Frame& frame,
                                           bool may_keep_still,
                                           raster::TileSink& sink);
-    /// `ids`: a colour for every id, sky black. Drawn anew.
+    /// `ids`: a colour for every id, sky black; of pixel corners, that of the upper left one. Drawn
+    /// anew.
     [[nodiscard]] method::Layer layer(const method::Frame& frame);
     void finish(const raster::MeshResult& result, edge::EdgeImage& out) {
         inputs_.finish(result, out);

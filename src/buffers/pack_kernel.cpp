@@ -53,7 +53,7 @@ HWY_INLINE VI Code(const PackField& field, const PackRules& rules, const Pixels&
             term = hn::Floor(hn::Add(term, half));
     }
     const auto sum = hn::Add(hn::Add(hn::Add(terms[0], terms[1]), terms[2]), terms[3]);
-    const auto whole = hn::Floor(hn::Add(sum, half));
+    const auto whole = hn::Floor(hn::Add(sum, hn::Set(d, field.offset + 0.5F)));
     const std::int32_t most = (1 << field.bits) - 1;
     if (rules.wraps) return hn::And(hn::ConvertTo(DI(), whole), hn::Set(DI(), most));
     const auto limited = hn::Min(hn::Max(whole, hn::Zero(d)), hn::Set(d, static_cast<float>(most)));

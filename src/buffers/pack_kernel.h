@@ -20,6 +20,7 @@ struct PixelRow {
 struct PackField {
     float depth = 0;  ///< the code's range of each channel
     float normal[3] = {};
+    float offset = 0;  ///< added to their sum
     int bits = 8;
     int shift = 0;
 };

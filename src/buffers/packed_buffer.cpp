@@ -39,7 +39,7 @@ std::optional<method::LinearCode> PackedBuffer::code() const {
     code.encoding = params_.depth_encoding;
     const bool is_near_high = params_.depth_sign == DepthSign::near_high;
     code.depth_weight = is_near_high ? ranges.depth : -ranges.depth;
-    code.offset = is_near_high ? 0 : ranges.depth;
+    code.offset = ranges.offset + (is_near_high ? 0 : ranges.depth);
     for (int i = 0; i < 3; ++i)
         code.normal_weight[i] = ranges.normal[i];
     code.bits = layout.bits();

@@ -58,7 +58,7 @@ core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
 
 /// Depth and normal packed into one or two small integers a pixel, and MOTE's filter over them.
 ///
-/// The engine of mote2, mote4 and mote16, which differ in their CodeLayout alone.
+/// The engine of mote2, mote4, mote16 and two_sums, which differ in their CodeLayout alone.
 class PackedBuffer : public method::Method {
   public:
     PackedBuffer(const PackParams& params, CodeLayout layout);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "buffers/sample_grid.h"
 #include "edge/binomial_blur.h"
 #include "edge/laplacian.h"
 #include "raster/pass/needed_rows.h"
@@ -182,9 +183,11 @@ void filter_tile(const Codes<T>& codes,
 }  // namespace
 
 void clear_tile(const raster::Tile& tile, edge::EdgeImage& out) {
+    const raster::Tile output = output_tile(tile, out.width_px(), out.height_px());
+    if (output.width_px == 0 || output.height_px == 0) return;
     const core::ImageView<std::uint8_t> to{
-        out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
-    clear_rows<raster::kTileSize_px>(to, 0, {0, tile.height_px});
+        out.row(tile.y0_px) + tile.x0_px, output.width_px, output.height_px, out.width_px()};
+    clear_rows<raster::kTileSize_px>(to, 0, {0, output.height_px});
 }
 
 PackedSink::PackedSink(const Packer& packer,

@@ -54,7 +54,7 @@ class PackedSink : public raster::TileSink {
     FrameCodes* kept_ = nullptr;
 };
 
-/// Writes an edge response of 0 to every pixel of a tile.
+/// Writes an edge response of 0 to every pixel of a tile, as far as the image goes.
 void clear_tile(const raster::Tile& tile, edge::EdgeImage& out);
 
 }  // namespace ink::buffers

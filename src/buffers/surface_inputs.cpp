@@ -88,15 +88,16 @@ void SurfaceInputs::see(const method::Frame& frame) {
                                bounds_.radius == seen_bounds_.radius;
     seen_bounds_ = bounds_;
     keeps_still_ = frame.skips.has(raster::Skip::temporal_reuse) && has_moved_;
-    is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(frame.view, view_);
-    view_ = frame.view;
+    const scene::View view = sampled_view(frame.view, params_.samples);
+    is_still_ = keeps_still_ && last_.is_kept && is_range_same && is_same_view(view, view_);
+    view_ = view;
     range_ = range;
 }
 
 raster::MeshInput SurfaceInputs::mesh_input(const method::Frame& frame) const {
     raster::MeshInput input;
     input.mesh = mesh_.get();
-    input.view = frame.view;
+    input.view = view_;
     input.bounds = bounds_;
     input.threads = frame.threads;
     input.skips = frame.skips;
@@ -123,13 +124,16 @@ glm::mat3 SurfaceInputs::view_from_world() const {
 }
 
 void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& out) {
-    const raster::TileGrid grid{out.width_px(), out.height_px(), 0};
+    const raster::TileGrid grid{view_.width_px, view_.height_px, 0};
     for (std::size_t tile = 0; tile < result.still.size(); ++tile) {
         if (result.still[tile] == 0) continue;
         const raster::PixelRect rect = grid.own(static_cast<int>(tile));
-        for (int y = rect.y0; y < rect.y1; ++y) {
-            std::copy_n(last_.image.row(y) + rect.x0, rect.x1 - rect.x0, out.row(y) + rect.x0);
-        }
+        // The last samples of a corner pass have no pixel.
+        const int x1 = std::min(rect.x1, out.width_px());
+        const int y1 = std::min(rect.y1, out.height_px());
+        if (x1 <= rect.x0) continue;
+        for (int y = rect.y0; y < y1; ++y)
+            std::copy_n(last_.image.row(y) + rect.x0, x1 - rect.x0, out.row(y) + rect.x0);
     }
     last_.is_kept = keeps_still_;
     if (keeps_still_) last_.image = out;

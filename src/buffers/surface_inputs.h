@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "buffers/sample_grid.h"
 #include "core/param.h"
 #include "method/depth_code.h"
 #include "method/method.h"
@@ -27,6 +28,7 @@ struct InputParams {
     raster::Interpolation interpolation = raster::Interpolation::affine;
     bool renormalise = false;
     raster::DepthFormat depth_format = raster::DepthFormat::q32;
+    Samples samples = Samples::centre;  ///< a row of its own, see add_samples_param
 };
 
 /// Appends the rows of InputParams that say what the surface gives, whatever depth is made of.
@@ -96,18 +98,23 @@ class SurfaceInputs {
     /// The view, its depth range, and whether the last frame had the same.
     void see(const method::Frame& frame);
 
+    /// What there is to draw, as it is posed.
+    [[nodiscard]] const scene::Surface& surface() const { return *surface_; }
     /// Whether there is nothing to draw.
     [[nodiscard]] bool is_empty() const { return !surface_ || surface_->triangles.empty(); }
     [[nodiscard]] const raster::DepthRange& range() const { return range_; }
+    /// What the pass of the frame that was seen draws: its view, or that of its pixel corners.
+    [[nodiscard]] const scene::View& view() const { return view_; }
     [[nodiscard]] glm::mat3 view_from_world() const;
     [[nodiscard]] LinearChannels linear_channels() const;
-    /// A pass over this surface that still lacks values and sky.
+    /// A pass over this surface as it was seen, that still lacks values and sky.
     [[nodiscard]] raster::MeshInput mesh_input(const method::Frame& frame) const;
     /// Instead of finish(), for who drew something else than the method's image: the next frame
     /// keeps no tile of the last.
     void forget_image() { last_.is_kept = false; }
     /// Copies what was not drawn because nothing moved there, and keeps the image for the next
-    /// frame once the scene has begun to move. `out` is what a pass over mesh_input() drew.
+    /// frame once the scene has begun to move. `out` is what a pass over mesh_input() drew, of the
+    /// frame's own size wherever its samples lie.
     void finish(const raster::MeshResult& result, edge::EdgeImage& out);
 
   private:
@@ -127,7 +134,7 @@ class SurfaceInputs {
     bool keeps_still_ = false;
     bool is_still_ = false;  ///< this frame's camera, size and range are the last one's
     Kept last_;
-    scene::View view_;
+    scene::View view_;  ///< of the samples
     raster::DepthRange range_;
 };
 

@@ -10,7 +10,8 @@ raster::LinearValue linear_code(const LinearChannels& channels,
     const bool is_near_high = sign == DepthSign::near_high;
     const double per_depth = is_near_high ? ranges.depth : -ranges.depth;
     raster::LinearValue code;
-    code.base = 0.5 + (is_near_high ? 0 : ranges.depth) + per_depth * channels.depth.base;
+    code.base =
+        0.5 + ranges.offset + (is_near_high ? 0 : ranges.depth) + per_depth * channels.depth.base;
     code.per_q = per_depth * channels.depth.per_q;
     for (int i = 0; i < 3; ++i) {
         const double half = ranges.normal[i] / 2;

@@ -30,6 +30,16 @@ TEST(Packer, SumsTheRangesOfItsChannels) {
     EXPECT_EQ(packed<std::uint8_t>(packer, 0.5F, {0, 0, 1}), 158);  // 157.5, rounded
 }
 
+TEST(Packer, OffsetKeepsNegativeRangesInTheByte) {
+    const Field field{.ranges = {.depth = 100, .normal = {-80, 0, 75}, .offset = 80}};
+    const Packer packer(
+        {raster::Store::u8, 1, {field}}, DepthSign::near_high, Quantise::sum, Overflow::saturate);
+    EXPECT_EQ(packer.at_vertex(0, 0, {1, 0, -1}), 0.5);
+    EXPECT_EQ(packer.at_vertex(0, 1, {-1, 0, 1}), 255.5);
+    EXPECT_EQ(packed<std::uint8_t>(packer, 0, {1, 0, -1}), 0);
+    EXPECT_EQ(packed<std::uint8_t>(packer, 1, {-1, 0, 1}), 255);
+}
+
 TEST(Packer, FarHighTurnsDepthRound) {
     const Packer packer(
         {raster::Store::u8, 1, {kSum}}, DepthSign::far_high, Quantise::sum, Overflow::saturate);

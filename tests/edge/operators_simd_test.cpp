@@ -7,6 +7,7 @@
 
 #include "edge/binomial_blur.h"
 #include "edge/roberts.h"
+#include "edge/side_differences.h"
 #include "edge/sobel.h"
 #include "edge/threshold.h"
 #include "guarded.h"
@@ -57,6 +58,46 @@ TYPED_TEST(Operators, SobelSecondIsThePlainFormula) {
     using T = TypeParam;
     expect_every_width<T>([](auto in, auto out) { sobel(in, Differential::second, out); },
                           plain::sobel_second_at<T>);
+}
+
+TEST(SideDifferences, AreThePlainFormula) {
+    for (const Sides sides : {Sides::square, Sides::forward}) {
+        for (const int gain_bits : {0, 6, 8}) {
+            expect_every_width<std::uint8_t>(
+                [&](auto in, auto out) { side_differences(in, out, sides, gain_bits); },
+                [&](const std::uint8_t* at, std::ptrdiff_t stride) {
+                    return plain::side_difference_at(at, stride, sides, gain_bits);
+                });
+        }
+    }
+}
+
+TEST(SideDifferences, OfPairsAreTheLargerOfBothBytes) {
+    on_every_target([] {
+        for (int width = 0; width <= 130; ++width) {
+            Guarded<std::uint16_t> in(width, 3, width % 67, 0);
+            fill_adversarially(in.pixels(), static_cast<unsigned>(width));
+            Guarded<std::uint8_t> low(width, 3, width % 67, 0), high = low;
+            for (std::size_t i = 0; i < in.pixels().size(); ++i) {
+                low.pixels()[i] = static_cast<std::uint8_t>(in.pixels()[i] & 0xff);
+                high.pixels()[i] = static_cast<std::uint8_t>(in.pixels()[i] >> 8);
+            }
+            Guarded<std::uint8_t> out(width, 3, width % 61, 77);
+            for (const Sides sides : {Sides::square, Sides::forward}) {
+                side_differences(in.view(), out.view(), sides, 6);
+                for (int y = 0; y < 3; ++y) {
+                    for (int x = 0; x < width; ++x) {
+                        const auto plain = [&](auto& bytes) {
+                            return plain::side_difference_at(
+                                bytes.view().row(y) + x, bytes.view().stride, sides, 6);
+                        };
+                        ASSERT_EQ(out.view().at(x, y), std::max(plain(low), plain(high)));
+                    }
+                }
+            }
+            ASSERT_TRUE(out.is_margin_whole());
+        }
+    });
 }
 
 TYPED_TEST(Operators, ThreadsChangeNothing) {

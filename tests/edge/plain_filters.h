@@ -11,6 +11,7 @@
 #include "edge/decaudin_filter.h"
 #include "edge/laplacian.h"
 #include "edge/laplacian_f32x4.h"
+#include "edge/side_differences.h"
 
 /// The filters as their formulas have them, pixel by pixel: what every SIMD target must equal.
 /// `at` is the middle pixel, `stride` the way to the row below.
@@ -37,6 +38,16 @@ std::uint8_t response_at(const T* at, std::ptrdiff_t stride, const LaplacianResp
     v -= v % (1L << r.clip_bits);
     v = r.scale_bits >= 0 ? v << r.scale_bits : v >> -r.scale_bits;
     return static_cast<std::uint8_t>(std::min(v, 255L));
+}
+
+inline std::uint8_t side_difference_at(const std::uint8_t* at,
+                                       std::ptrdiff_t stride,
+                                       Sides sides,
+                                       int gain_bits) {
+    const int a = at[0], b = at[1], c = at[stride], d = at[stride + 1];
+    int most = std::max(std::abs(a - b), std::abs(a - c));
+    if (sides == Sides::square) most = std::max({most, std::abs(b - d), std::abs(c - d)});
+    return static_cast<std::uint8_t>(std::min(most << gain_bits, 255));
 }
 
 /// Additions in the order that the kernels keep.

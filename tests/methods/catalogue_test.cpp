@@ -2,6 +2,7 @@
 
 #include "catalogue/catalogue.h"
 #include "methods/registry.h"
+#include "tests/catalogue_names.h"
 #include "tests/methods/names.h"
 #include "tests/methods/small_scenes.h"
 
@@ -24,7 +25,7 @@ TEST_P(CatalogueScene, IsDrawnAlikeOnEveryThreadCountByEveryMethod) {
 
 INSTANTIATE_TEST_SUITE_P(Every,
                          CatalogueScene,
-                         testing::ValuesIn(scene_names()),
+                         testing::ValuesIn(light_scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

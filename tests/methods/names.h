@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/catalogue.h"
 #include "methods/registry.h"
 
 /// What tests over every method or every scene are named by.
@@ -16,13 +15,6 @@ inline std::vector<std::string> method_names() {
     std::vector<std::string> names;
     for (const method::MethodInfo& info : registry())
         names.push_back(info.name);
-    return names;
-}
-
-inline std::vector<std::string> scene_names() {
-    std::vector<std::string> names;
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
-        names.push_back(entry.name);
     return names;
 }
 

@@ -7,6 +7,7 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/shapes.h"
+#include "tests/catalogue_names.h"
 #include "tests/methods/names.h"
 
 namespace ink::methods {
@@ -35,7 +36,7 @@ TEST_P(SkipsOnAScene, LeaveTheImagesOfAllMethodsAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Every,
                          SkipsOnAScene,
-                         testing::ValuesIn(scene_names()),
+                         testing::ValuesIn(light_scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 /// A cube on a floor among four balls, each in tiles of its own.

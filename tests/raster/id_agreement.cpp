@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/id_agreement.h"
+#include "scene/corner_view.h"
 
 namespace ink::raster {
 namespace {
@@ -11,27 +12,32 @@ namespace {
 constexpr int kWidth_px = 480;
 constexpr int kHeight_px = 270;
 
+void expect_same_ids(const scene::Scene& scene,
+                     const scene::View& view,
+                     DepthFormat depth,
+                     const char* what) {
+    const draw::IdAgreement ids = draw::compare_ids(scene, view, depth);
+    fmt::print("{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} else\n",
+               scene.name,
+               view.camera.name,
+               what,
+               ids.covered,
+               ids.near_edge,
+               ids.near_depth,
+               ids.other);
+    EXPECT_EQ(ids.other, 0U) << scene.name << " " << view.camera.name << " " << what;
+    EXPECT_GT(ids.covered, 0U) << scene.name << " " << view.camera.name << " " << what;
+}
+
 }  // namespace
 
 void expect_same_ids(const scene::Scene& scene, const std::vector<scene::Camera>& cameras) {
     ASSERT_FALSE(cameras.empty()) << scene.name;
     for (const scene::Camera& camera : cameras) {
-        for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24}) {
-            const draw::IdAgreement ids =
-                draw::compare_ids(scene, {camera, kWidth_px, kHeight_px}, depth);
-            fmt::print(
-                "{:<16} {:<10} {} {:7} covered, differ: {:4} near an edge, {:4} in depth, {} "
-                "else\n",
-                scene.name,
-                camera.name,
-                depth == DepthFormat::q32 ? "q32" : "z24",
-                ids.covered,
-                ids.near_edge,
-                ids.near_depth,
-                ids.other);
-            EXPECT_EQ(ids.other, 0U) << scene.name << " " << camera.name;
-            EXPECT_GT(ids.covered, 0U) << scene.name << " " << camera.name;
-        }
+        const scene::View view{camera, kWidth_px, kHeight_px};
+        for (const DepthFormat depth : {DepthFormat::q32, DepthFormat::z24})
+            expect_same_ids(scene, view, depth, depth == DepthFormat::q32 ? "q32" : "z24");
+        expect_same_ids(scene, scene::corner_view(view), DepthFormat::q32, "q32 at corners");
     }
 }
 

@@ -72,10 +72,12 @@ std::vector<Evaluation> evaluations() {
             result.back().offset = offset;
         }
     }
-    for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::q32}) {
-        result.push_back(make(Store::u32, 0, 0));
-        result.back().format.depth = depth;
-        result.back().format.constant = true;
+    for (const Store store : {Store::u8, Store::u16, Store::u32}) {
+        for (const DepthFormat depth : {DepthFormat::z24, DepthFormat::q32}) {
+            result.push_back(make(store, 0, 0));
+            result.back().format.depth = depth;
+            result.back().format.constant = true;
+        }
     }
     return result;
 }
@@ -99,7 +101,7 @@ class KeepSink : public TileSink {
   public:
     KeepSink(const PassFormat& format, Drawn& to) : format_(format), to_(to) {
         const auto planes = static_cast<std::size_t>(format.planes());
-        if (format.constant) {
+        if (format.store == Store::u32) {
             to_.constants = core::Image<std::uint32_t>(kWidth_px, kHeight_px);
         } else if (format.store == Store::f32) {
             to_.numbers.assign(planes, core::Image<float>(kWidth_px, kHeight_px));
@@ -130,7 +132,8 @@ class KeepSink : public TileSink {
         }
         for (int k = 0; k < format_.planes(); ++k) {
             const auto at = static_cast<std::size_t>(k);
-            if (format_.constant) to_.constants.at(u, v) = tile.row<std::uint32_t>(k, y)[x];
+            if (format_.store == Store::u32)
+                to_.constants.at(u, v) = tile.row<std::uint32_t>(k, y)[x];
             if (format_.store == Store::f32) to_.numbers[at].at(u, v) = tile.row<float>(k, y)[x];
             if (format_.store == Store::u8)
                 to_.codes[at].at(u, v) = tile.row<std::uint8_t>(k, y)[x];
@@ -147,7 +150,8 @@ class KeepSink : public TileSink {
 struct Stage {
     scene::Surface surface;
     LaneMesh mesh;
-    std::vector<std::uint32_t> ids;  ///< 1 + index of each triangle: its constant
+    std::vector<std::uint32_t> ids;   ///< 1 + index of each triangle: its constant
+    std::vector<std::uint8_t> bytes;  ///< the same in the order of clusters, if not empty
     scene::View view;
 
     explicit Stage(const std::string& name, double nearer = 1) {
@@ -172,7 +176,10 @@ struct Stage {
         MeshInput input;
         input.mesh = &mesh;
         input.values = &values;
-        if (evaluation.format.constant) input.constants = ids;
+        if (evaluation.format.constant) {
+            input.constants = ids;
+            input.constants_in_clusters = bytes;
+        }
         input.view = view;
         input.threads = threads;
         input.skips = skips;
@@ -295,6 +302,37 @@ TEST(MeshPass, ConstantsAreThoseOfTheTrianglesThatThePlainPassSees) {
             // Faces of equal depth and faces turned away are told apart by order alone.
             EXPECT_LE(unlike_px, covered_px / 100) << name << ' ' << nearer;
         }
+    }
+}
+
+TEST(MeshPass, NarrowConstantsAreTheLowBitsOfWideOnes) {
+    for (const std::string& name : kScenes) {
+        const Stage stage(name, 0.05);
+        Evaluation evaluation = evaluations().back();
+        const Drawn lanes = stage.draw(evaluation, 1, {});
+        const Drawn plain = draw_plainly(stage, evaluation.format);
+        for (const auto& [store, mask] : {std::pair(Store::u8, 0xffU), {Store::u16, 0xffffU}}) {
+            evaluation.format.store = store;
+            const Drawn narrow_lanes = stage.draw(evaluation, 1, {});
+            const Drawn narrow_plain = draw_plainly(stage, evaluation.format);
+            for (std::size_t i = 0; i < lanes.constants.size(); ++i) {
+                ASSERT_EQ(narrow_lanes.codes[0].data()[i], lanes.constants.data()[i] & mask);
+                ASSERT_EQ(narrow_plain.codes[0].data()[i], plain.constants.data()[i] & mask);
+            }
+        }
+    }
+}
+
+TEST(MeshPass, ConstantsInTheOrderOfClustersAreTheSame) {
+    for (const std::string& name : kScenes) {
+        Stage stage(name);
+        for (std::uint32_t& id : stage.ids)
+            id &= 0xffU;
+        const Evaluation evaluation = evaluations().back();
+        const Drawn looked_up = stage.draw(evaluation, 1, {});
+        for (const std::uint32_t id : stage.mesh.clusters().triangle_ids)
+            stage.bytes.push_back(static_cast<std::uint8_t>(stage.ids[id]));
+        EXPECT_TRUE(stage.draw(evaluation, 1, {}) == looked_up) << name;
     }
 }
 

@@ -235,6 +235,7 @@ void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& 
 
 template <class Depth>
 void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    if (format.constant) return Fill<Depth, ConstantLanes>(format, triangles, to);
     switch (format.store) {
         case Store::u8:
             return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(format, triangles, to)
@@ -243,8 +244,6 @@ void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuf
             return Fill<Depth, CodeLanes<1, 14>>(format, triangles, to);
         case Store::f32:
             return Fill<Depth, NumberLanes>(format, triangles, to);
-        case Store::u32:
-            return Fill<Depth, ConstantLanes>(format, triangles, to);
         default:
             return Fill<Depth, NoLanes>(format, triangles, to);
     }

@@ -4,7 +4,10 @@ namespace ink::raster {
 
 bool lanes_can_draw(const PassFormat& format) {
     if (format.interpolation != Interpolation::affine) return false;
-    if (format.constant) return format.store == Store::u32 && format.interpolants == 0;
+    if (format.constant) {
+        const bool is_integer = format.store != Store::none && format.store != Store::f32;
+        return is_integer && format.interpolants == 0;
+    }
     switch (format.store) {
         case Store::none:
             return format.interpolants == 0;

@@ -70,6 +70,8 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     assert(format.halo_px >= 0 && format.halo_px <= kMaxHalo_px);
     assert(format.interpolants == 0 || input.values != nullptr);
     assert(!format.constant || input.constants.size() == input.mesh->surface().triangles.size());
+    assert(input.constants_in_clusters.empty() ||
+           input.constants_in_clusters.size() == input.mesh->clusters().triangle_ids.size());
     if (view.width_px == 0 || view.height_px == 0) return result;
 
     const TileGrid grid{view.width_px, view.height_px, format.halo_px};

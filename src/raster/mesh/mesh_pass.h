@@ -29,6 +29,9 @@ struct MeshInput {
     const CornerValues* values = nullptr;  ///< null where the format interpolates nothing
     /// Per triangle of the surface, if the format has a constant; empty otherwise.
     std::span<const std::uint32_t> constants;
+    /// The same as bytes in the order of the mesh's clusters (Clusters::triangle_ids), where all
+    /// fit: these lie side by side, and need not be looked up. Empty: they are.
+    std::span<const std::uint8_t> constants_in_clusters;
     scene::View view;
     scene::Sphere bounds;  ///< holds all vertices; near planes are fitted to it
     int threads = 1;

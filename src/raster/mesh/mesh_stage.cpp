@@ -190,6 +190,13 @@ std::size_t MeshRun::keep_corners(const MeshJob& job, std::size_t index, std::si
     const std::uint32_t* ids =
         clusters.triangle_ids.data() + clusters.clusters[index].first_triangle;
     auto* const constants = reinterpret_cast<std::uint32_t*>(records_.data() + byte);
+    if (!job.input.constants_in_clusters.empty()) {
+        const std::uint8_t* bytes =
+            job.input.constants_in_clusters.data() + clusters.clusters[index].first_triangle;
+        for (std::size_t i = 0; i < culled_.count; ++i)
+            constants[i] = bytes[LaneMesh::index_of(culled_.corners[i])];
+        return byte + list_bytes;
+    }
     for (std::size_t i = 0; i < culled_.count; ++i)
         constants[i] = job.input.constants[ids[LaneMesh::index_of(culled_.corners[i])]];
     return byte + list_bytes;

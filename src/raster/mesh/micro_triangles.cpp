@@ -148,13 +148,13 @@ HWY_INLINE std::size_t AddMicroTriangles(const PassFormat& format,
     q.Store(four);
     for (std::size_t k = 0; k < planes; ++k) {
         if (format.store == Store::f32) NumbersAt(t.numbers[k], places, at, four);
-        if (format.store == Store::u8)
-            CodesAt<lane_fraction_bits(Store::u8)>(t.codes[k], places, at, four);
-        if (format.store == Store::u16)
-            CodesAt<lane_fraction_bits(Store::u16)>(t.codes[k], places, at, four);
-        if (format.store == Store::u32) {
+        if (format.constant) {
             for (VI& constant : four)
                 constant = hn::Load(d, t.constants + at);
+        } else if (format.store == Store::u8) {
+            CodesAt<lane_fraction_bits(Store::u8)>(t.codes[k], places, at, four);
+        } else if (format.store == Store::u16) {
+            CodesAt<lane_fraction_bits(Store::u16)>(t.codes[k], places, at, four);
         }
         values[k].Store(four);
     }

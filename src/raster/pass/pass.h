@@ -18,7 +18,7 @@ inline constexpr int kMaxPlanes = 4;
 /// What a pixel keeps besides its depth.
 enum class Store {
     none,  ///< depth only
-    u8,    ///< integer planes; `planes` of them
+    u8,    ///< integer planes; `planes` of them, or the low bits of the per-triangle constant
     u16,
     u32,  ///< one plane: integer code, or the per-triangle constant as it is
     f32,  ///< float planes

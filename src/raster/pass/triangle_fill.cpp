@@ -238,11 +238,11 @@ bool FillTriangle(const FillJob& job,
     Area area;
     if (part.is_empty() || !MakeArea(t, part, area)) return true;
     area.rows = &rows;
+    if (format.interpolants == 0 && format.constant)
+        return FillWith<ConstantValues>(job, entry, area, to);
     switch (format.store) {
         case Store::none:
             return FillWith<NoValues>(job, entry, area, to);
-        case Store::u32:
-            return FillWith<ConstantValues>(job, entry, area, to);
         case Store::f32:
             return is_affine ? FillWith<NumberValues<false>>(job, entry, area, to)
                              : FillWith<NumberValues<true>>(job, entry, area, to);

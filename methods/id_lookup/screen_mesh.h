@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "methods/id_lookup/lookup_mesh.h"
+#include "scene/camera.h"
+
+namespace ink::methods {
+
+/// Two neighbouring samples and the faces seen there (kNoNeighbour: sky). `x` and `y` are the first
+/// one's place in the view that is drawn; the second is the next to the right, or below.
+struct SampleSide {
+    int x = 0;
+    int y = 0;
+    bool is_down = false;
+    std::uint32_t first = kNoNeighbour;
+    std::uint32_t second = kNoNeighbour;
+};
+
+/// The line between two samples, if any, and how far from the first to the second it lies, 0..1.
+struct FoundLine {
+    LineKind kind = LineKind::none;
+    double s = 0.5;
+};
+
+/// How lines are looked for.
+struct WalkOptions {
+    double crease_rad = 0;
+    int most_steps = 64;  ///< faces that a walk may cross
+};
+
+/// A LookupMesh as one view sees it, in which lines between samples are looked up.
+///
+/// Positions are those that the rasterizer covers samples by, snapped to 1/256 px, so that a face
+/// which it drew at a sample holds that sample here, too. Any number of threads may ask at once.
+class ScreenMesh {
+  public:
+    /// Takes the vertices to the screen. `mesh` is borrowed until the next call.
+    void see(const LookupMesh& mesh,
+             const scene::View& view,
+             const WalkOptions& options,
+             int threads);
+
+    /// Walks over the mesh between two samples whose faces differ, from the one and, if that does
+    /// not come to the other, from the other back. There is no line if either walk arrives; else
+    /// the nearer of the lines that ended them; else the two surfaces cross in between.
+    [[nodiscard]] FoundLine line_between(const SampleSide& side) const;
+
+  private:
+    class Walk;
+
+    /// A vertex on the screen. What cannot be put there (behind the near plane, far out) is told by
+    /// the clip space.
+    struct Vertex {
+        static constexpr std::int32_t kOffScreen = INT32_MIN;
+
+        double q = 0;
+        std::int32_t x = kOffScreen;  ///< 1/256 px
+        std::int32_t y = kOffScreen;
+
+        [[nodiscard]] bool is_on_screen() const { return x != kOffScreen; }
+    };
+
+    [[nodiscard]] int side_of(std::uint32_t a, std::uint32_t b, std::uint32_t corner) const;
+    [[nodiscard]] bool are_neighbours(std::uint32_t first, std::uint32_t second) const;
+    [[nodiscard]] bool covers(const SampleSide& side,
+                              bool is_second,
+                              std::uint32_t seen,
+                              std::uint32_t other) const;
+    [[nodiscard]] bool is_crack(const Walk& there, const Walk& back) const;
+    [[nodiscard]] FoundLine between_surfaces(const SampleSide& side,
+                                             const Walk& there,
+                                             const Walk& back) const;
+
+    const LookupMesh* mesh_ = nullptr;
+    WalkOptions options_;
+    std::vector<Vertex> vertices_;
+    std::vector<glm::dvec3> p_clip_;
+    scene::View view_;
+    glm::dvec3 eye_world_{0};
+    double near_ = 0;
+};
+
+}  // namespace ink::methods

@@ -1,0 +1,144 @@
+#include "buffers/codes/surface_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "buffers/codes/patch_normals.h"
+
+namespace ink::buffers {
+namespace {
+
+/// What the size of a triangle says of the ways over it.
+struct Extent {
+    glm::dvec3 center{0};
+    double width = 0;  ///< over its longest side: how far across it is where it is thin
+};
+
+Extent extent_of(const scene::Topology& topology, const scene::Face& face) {
+    const auto p = [&](std::size_t i) { return topology.p_world[face.vertices[i]]; };
+    const glm::dvec3 a = p(1) - p(0), b = p(2) - p(0), c = p(2) - p(1);
+    const double longest = std::sqrt(std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}));
+    return {(p(0) + p(1) + p(2)) / 3.0, glm::length(glm::cross(a, b)) / longest};
+}
+
+/// Rounded down, but for what rounding of positions may leave below a whole number.
+std::int32_t whole_cost(double steps) {
+    constexpr double kSlack = 1e-6;
+    return static_cast<std::int32_t>(std::min(steps, 1.0) * kStep + kSlack);
+}
+
+}  // namespace
+
+SurfaceGraph::SurfaceGraph(const SmoothMesh& mesh, const StepCosts& costs) : mesh_(mesh) {
+    find_slit_ends();
+    list_corners();
+    set_costs(costs);
+}
+
+/// Fans that lie on both sides of a crease.
+void SurfaceGraph::find_slit_ends() {
+    is_slit_end_.assign(mesh_.fan_count, 0);
+    for (const FacePair& pair : mesh_.borders) {
+        const scene::Edge& edge = mesh_.topology.edges[pair.edge];
+        for (const std::uint32_t vertex : {edge.a, edge.b}) {
+            const std::uint32_t fan = mesh_.fan_of[mesh_.corner_at(pair.face0, vertex)];
+            if (fan == mesh_.fan_of[mesh_.corner_at(pair.face1, vertex)]) is_slit_end_[fan] = 1;
+        }
+    }
+}
+
+void SurfaceGraph::list_corners() {
+    fan_first_.assign(mesh_.fan_count + std::size_t{1}, 0);
+    for (const std::uint32_t fan : mesh_.fan_of)
+        ++fan_first_[fan + 1];
+    for (std::size_t fan = 0; fan < mesh_.fan_count; ++fan)
+        fan_first_[fan + 1] += fan_first_[fan];
+    fan_corners_.resize(mesh_.fan_of.size());
+    std::vector<std::uint32_t> next(fan_first_.begin(), fan_first_.end() - 1);
+    for (std::uint32_t corner = 0; corner < mesh_.fan_of.size(); ++corner)
+        fan_corners_[next[mesh_.fan_of[corner]]++] = corner;
+}
+
+void SurfaceGraph::set_costs(const StepCosts& costs) {
+    const scene::Topology& topology = mesh_.topology;
+    const std::vector<glm::dvec3> normals = patch_normals(mesh_);
+    const std::vector<double> spreads = fan_spreads(mesh_, normals);
+    // Angles as distances between unit vectors, which every machine computes alike.
+    const double turn = 2 * std::sin(costs.turn_rad / 2);
+    const double half_turn = 2 * std::sin(costs.turn_rad / 4);  // from the mean of a fan
+    half_costs_.resize(mesh_.fan_of.size());
+    edge_costs_.assign(mesh_.fan_of.size(), kStep);
+    for (std::uint32_t f = 0; f < face_count(); ++f) {
+        const Extent extent = extent_of(topology, topology.faces[f]);
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const std::uint32_t corner = 3 * f + i;
+            double half = 0.5 * std::min(spreads[mesh_.fan_of[corner]] / half_turn, 1.0);
+            if (!costs.length_world.empty()) {
+                const glm::dvec3 p = topology.p_world[topology.faces[f].vertices[i]];
+                half = std::min(half, glm::length(p - extent.center) / costs.length_world[f]);
+            }
+            half_costs_[corner] = whole_cost(half);
+            const std::uint32_t g = mesh_.across[corner];
+            if (g == SmoothMesh::kNone || g < f) continue;
+            double over = glm::length(normals[f] - normals[g]) / turn;
+            if (!costs.length_world.empty()) {
+                // A straight way crosses an edge about twice for each width of a triangle.
+                const Extent beyond = extent_of(topology, topology.faces[g]);
+                over = std::min(
+                    over,
+                    (extent.width / costs.length_world[f] + beyond.width / costs.length_world[g]) /
+                        4);
+            }
+            edge_costs_[corner] = whole_cost(over);
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                if (topology.faces[g].edges[k] == topology.faces[f].edges[i])
+                    edge_costs_[3 * g + k] = edge_costs_[corner];
+            }
+        }
+    }
+}
+
+void spread(const SurfaceGraph& graph,
+            std::span<const std::uint32_t> sources,
+            std::vector<std::int32_t>& keys) {
+    // No way costs more than a step, so the keys of what is due span no more than that, once the
+    // sources join in the order of theirs.
+    constexpr std::int32_t kRing = 2 * kStep;
+    static_assert((kRing & (kRing - 1)) == 0);
+    std::array<std::vector<std::uint32_t>, kRing> due;
+    std::vector<std::uint32_t> waiting(sources.begin(), sources.end());
+    std::sort(waiting.begin(), waiting.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return keys[a] != keys[b] ? keys[a] < keys[b] : a < b;
+    });
+    std::size_t next = 0;
+    std::size_t count = 0;
+    const auto place = [](std::int32_t key) {
+        return static_cast<std::size_t>(static_cast<std::uint32_t>(key) & (kRing - 1));
+    };
+    for (std::int32_t key = 0; count > 0 || next < waiting.size(); ++key) {
+        if (count == 0) key = keys[waiting[next]];
+        for (; next < waiting.size() && keys[waiting[next]] <= key; ++next) {
+            // Lowered meanwhile, it has spread already.
+            if (keys[waiting[next]] < key) continue;
+            due[place(key)].push_back(waiting[next]);
+            ++count;
+        }
+        std::vector<std::uint32_t>& now = due[place(key)];
+        for (std::size_t i = 0; i < now.size(); ++i) {  // ways that cost nothing add to it
+            const std::uint32_t node = now[i];
+            if (keys[node] != key) continue;
+            graph.for_each_way(node, [&](std::uint32_t to, std::int32_t cost) {
+                if (keys[to] <= key + cost) return;
+                keys[to] = key + cost;
+                due[place(key + cost)].push_back(to);
+                ++count;
+            });
+        }
+        count -= now.size();
+        now.clear();
+    }
+}
+
+}  // namespace ink::buffers

@@ -1,0 +1,157 @@
+#include "methods/id_lookup/id_lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "catalogue/shapes.h"
+#include "scene/topology.h"
+#include "tests/methods/small_scenes.h"
+#include "truth/truth.h"
+
+namespace ink::methods {
+namespace {
+
+core::Image<LineKind> classes_of(const scene::Scene& scene,
+                                 const scene::View& view,
+                                 const IdLookup::Params& params = {}) {
+    IdLookup method(params);
+    method.prepare(scene);
+    method.pose(scene);
+    return method.classes({view, 1});
+}
+
+/// Boxes of two objects in front of each other, through each other and side by side.
+scene::Scene boxes() {
+    scene::Scene scene = scene_of({cube_mesh(), cube_mesh(), cube_mesh(), cube_mesh()});
+    const std::array<glm::dvec3, 4> at = {
+        glm::dvec3{0, 0, 0}, {2, 0, 0}, {-1.3, 0.4, 1.1}, {0.5, 0.3, 4}};
+    for (std::size_t i = 0; i < at.size(); ++i)
+        scene.instances[i].world_from_object = glm::translate(glm::dmat4(1), at[i]);
+    return scene;
+}
+
+TEST(IdLookup, DrawsNothingInsideASmoothSphereOfAnySize) {
+    // Triangles of many pixels, of one, and far below one.
+    const scene::Scene scene = scene_of({catalogue::make_icosphere(1, 5)});
+    for (const double distance : {2.5, 12.0, 60.0}) {
+        for (const glm::dvec3 direction : {glm::dvec3{1, 0.3, 0.2}, {0.1, 0.2, 1}}) {
+            const scene::View view = view_from(scene, distance * direction, {0, 0, 0}, {310, 230});
+            // The border against the sky, and no line but that.
+            EXPECT_EQ(drawn("id_lookup", {}, scene, {view, 1}),
+                      drawn("ids", {{"of", "object"}, {"samples", "corner"}}, scene, {view, 1}))
+                << distance;
+        }
+    }
+}
+
+TEST(IdLookup, DrawsTheEdgesOfACubeAndNoDiagonal) {
+    const scene::Scene scene = scene_of({cube_mesh()});
+    for (const glm::dvec3 eye : {glm::dvec3{3, 4, 6}, {0.2, 5, 0.7}, {-4, -3, 2}}) {
+        const scene::View view = view_from(scene, eye, {0, 0, 0}, {301, 200});
+        EXPECT_EQ(drawn("id_lookup", {}, scene, {view, 1}),
+                  drawn("ids", {{"samples", "corner"}}, scene, {view, 1}));
+    }
+}
+
+TEST(IdLookup, SilhouettesOfACubeAreContoursTheOthersCreases) {
+    const scene::Scene scene = scene_of({cube_mesh()});
+    const scene::View view = view_from(scene, {3, 4, 6}, {0, 0, 0}, {301, 200});
+    const auto outline = drawn("ids", {{"of", "object"}, {"samples", "corner"}}, scene, {view, 1});
+    const auto kinds = classes_of(scene, view);
+    int creases = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const LineKind kind = kinds.data()[i];
+        if (outline.data()[i] != 0) {
+            EXPECT_EQ(kind, LineKind::contour);
+        } else {
+            EXPECT_TRUE(kind == LineKind::none || kind == LineKind::crease);
+        }
+        creases += kind == LineKind::crease;
+    }
+    EXPECT_GT(creases, 100);
+}
+
+/// How many pixels of a class the truth has, and how many have one of the method beside or on them.
+struct Agreement {
+    int truth_px = 0;
+    int same_px = 0;
+};
+
+std::array<Agreement, 6> compare(const core::Image<std::uint8_t>& labels,
+                                 const core::Image<LineKind>& kinds) {
+    std::array<Agreement, 6> result;
+    for (int y = 1; y + 1 < labels.height_px(); ++y) {
+        for (int x = 1; x + 1 < labels.width_px(); ++x) {
+            const std::uint8_t label = labels.at(x, y);
+            if (label == 0 || label > 5) continue;
+            bool is_there = false;
+            for (int i = 0; i < 9; ++i)
+                is_there |= static_cast<int>(kinds.at(x - 1 + i % 3, y - 1 + i / 3)) == label;
+            ++result[label].truth_px;
+            result[label].same_px += is_there;
+        }
+    }
+    return result;
+}
+
+TEST(IdLookup, ClassesAreThoseOfTheTruth) {
+    const scene::Scene scene = boxes();
+    for (const buffers::Samples samples : {buffers::Samples::corner, buffers::Samples::centre}) {
+        for (const glm::dvec3 eye : {glm::dvec3{5, 6, 12}, {-7, 4, 9}, {9, 3, -8}}) {
+            const scene::View view = view_from(scene, eye, {0, 0, 0.5}, {400, 300});
+            const truth::Truth truth = truth::trace_truth(scene, view, {});
+            IdLookup::Params params;
+            params.samples = samples;
+            const auto found = compare(truth.labels, classes_of(scene, view, params));
+            for (const LineKind kind : {LineKind::contour, LineKind::crease}) {
+                const Agreement& of = found[static_cast<std::size_t>(kind)];
+                EXPECT_GT(of.truth_px, 200);
+                EXPECT_GE(of.same_px, 0.99 * of.truth_px) << static_cast<int>(kind);
+            }
+            for (const LineKind kind : {LineKind::intersection, LineKind::seam}) {
+                const Agreement& of = found[static_cast<std::size_t>(kind)];
+                EXPECT_GE(of.same_px, 0.95 * of.truth_px) << static_cast<int>(kind);
+            }
+        }
+    }
+}
+
+TEST(IdLookup, BoundariesAreTold) {
+    const scene::Scene scene = scene_of({floor_mesh(1)});
+    const scene::View view = view_from(scene, {1, 3, 2}, {0, 0, 0}, {300, 200});
+    const auto kinds = classes_of(scene, view);
+    int lines = 0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        EXPECT_TRUE(kinds.data()[i] == LineKind::none || kinds.data()[i] == LineKind::boundary);
+        lines += kinds.data()[i] == LineKind::boundary;
+    }
+    EXPECT_GT(lines, 200);
+}
+
+TEST(IdLookup, HairlineCracksAreClosed) {
+    // A floor of two halves that lie a hair apart, and of a row of tiles in brick bond.
+    scene::Mesh mesh;
+    const auto quad = [&](float x0, float x1, float z0, float z1) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(),
+                              {{x0, 0, z0}, {x0, 0, z1}, {x1, 0, z1}, {x1, 0, z0}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+    };
+    quad(-1, 0, -1, 0);
+    quad(1e-5F, 1, -1, 0);
+    quad(-1, 0.4F, 1e-6F, 1);
+    quad(0.4F, 1, 1e-6F, 1);
+    const scene::Scene scene = scene_of({mesh});
+    const scene::View view = view_from(scene, {0.3, 2, 0.5}, {0, 0, 0}, {300, 200});
+    scene::View inside = view;
+    inside.camera.fov_y_rad = 0.3;  // no border of the floor in view
+    const auto image = drawn("id_lookup", {}, scene, {inside, 1});
+    // The rasterizer's own sparkles in a T-junction are left: single samples of sky, 2 x 2 px each.
+    EXPECT_LE(std::count(image.data(), image.data() + image.size(), 255), 8);
+}
+
+}  // namespace
+}  // namespace ink::methods

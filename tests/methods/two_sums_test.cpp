@@ -1,0 +1,91 @@
+#include "methods/two_sums/two_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "buffers/code_layout.h"
+
+namespace ink::methods {
+namespace {
+
+constexpr double kFacet_rad = 10 * std::numbers::pi / 180;
+
+glm::dvec3 random_direction(std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+}
+
+/// A normal, and the one that a crease of this angle turns it to.
+std::pair<glm::dvec3, glm::dvec3> random_crease(double angle_rad, std::mt19937_64& random) {
+    const glm::dvec3 axis = random_direction(random);
+    const glm::dvec3 u = glm::normalize(glm::cross(axis, random_direction(random)));
+    const glm::dvec3 v = glm::cross(axis, u);
+    return {u, std::cos(angle_rad) * u + std::sin(angle_rad) * v};
+}
+
+/// Normals alone, without rounding, in weights of length 254 each.
+buffers::Packer packer() {
+    const buffers::Field first{.ranges = {.normal = {254, 0, 0}}};
+    const buffers::Field second{.ranges = {.normal = {0, 203.2, -152.4}, .offset = 153},
+                                .plane = 1};
+    return {{raster::Store::u8, 2, {first, second}},
+            buffers::DepthSign::near_high,
+            buffers::Quantise::sum,
+            raster::Overflow::saturate};
+}
+
+struct Missed {
+    double by_one = 0;
+    double by_two = 0;
+};
+
+/// The shares of random creases whose step is below the largest that a facet may cause.
+Missed missed(double crease_rad) {
+    constexpr int kCreases = 200'000;
+    const buffers::Packer codes = packer();
+    const double silent = 254 * std::sin(kFacet_rad / 2);
+    std::mt19937_64 random(5);
+    int one = 0, two = 0;
+    for (int i = 0; i < kCreases; ++i) {
+        const auto [n0, n1] = random_crease(crease_rad, random);
+        const auto is_silent = [&](int plane) {
+            return std::abs(codes.at_vertex(plane, 0, n0) - codes.at_vertex(plane, 0, n1)) <=
+                   silent;
+        };
+        one += is_silent(0);
+        two += is_silent(0) && is_silent(1);
+    }
+    return {static_cast<double>(one) / kCreases, static_cast<double>(two) / kCreases};
+}
+
+TEST(TwoSums, OneSumMissesCreasesAsOftenAsItsLawSays) {
+    for (const double crease_deg : {40.0, 60.0, 90.0, 120.0}) {
+        const double crease_rad = crease_deg * std::numbers::pi / 180;
+        const double share = std::sin(kFacet_rad / 2) / std::sin(crease_rad / 2);
+        EXPECT_NEAR(missed(crease_rad).by_one, share, 0.005) << crease_deg;
+    }
+}
+
+TEST(TwoSums, TwoOrthogonalSumsMissTwoThirdsOfTheSquare) {
+    for (const double crease_deg : {40.0, 60.0, 90.0, 120.0}) {
+        const double crease_rad = crease_deg * std::numbers::pi / 180;
+        const double share = std::sin(kFacet_rad / 2) / std::sin(crease_rad / 2);
+        EXPECT_NEAR(missed(crease_rad).by_two / (share * share), 2.0 / 3, 0.06) << crease_deg;
+    }
+}
+
+TEST(TwoSums, DefaultWeightsAreOrthogonalAndFillTheirBytes) {
+    const TwoSums::Params p;
+    const double product = p.first_depth * p.second_depth + p.first_nx * p.second_nx +
+                           p.first_ny * p.second_ny + p.first_nz * p.second_nz;
+    EXPECT_EQ(product, 0);
+    EXPECT_EQ(p.first_depth + p.first_nx + p.first_ny + p.first_nz, 255);
+    EXPECT_EQ(p.second_depth + p.second_nx - p.second_ny + p.second_nz, 255);
+}
+
+}  // namespace
+}  // namespace ink::methods
