@@ -23,11 +23,10 @@ constexpr int kQuickRepetitions = 3;
 /// What `--demo` compares unless told otherwise: each kind of line and difficulty once, and of each
 /// family the methods that the README recommends beside those of the sources.
 constexpr const char* kDemoScenes =
-    "torus,cube,blocks,tiles,hills,gear,figure,teapot,letters,knot,chess,staircase";
+    "octopus,cube,blocks,tiles,hills,gear,figure,teapot,letters,hand,chess,staircase";
 constexpr const char* kDemoMethods =
-    "decaudin,roberts_tuned,sobel,mote4,mote4_tuned,auto,polygon_offset,edge_hash,inverted_hull,"
-    "ids,"
-    "jump_flood";
+    "decaudin,roberts_tuned,sobel,mote4,mote4_tuned,two_sums,auto,polygon_offset,edge_hash,"
+    "inverted_hull,ids,jump_flood,surface8,id_lookup";
 constexpr const char* kDemoOut = "inkbench-out/demo";
 
 struct CompareArgs {

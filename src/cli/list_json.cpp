@@ -54,7 +54,7 @@ Json scenes_json() {
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
         const scene::Scene made = entry.make();
         list.push_back({{"name", entry.name},
-                        {"split", entry.split == scene::Split::train ? "train" : "heldout"},
+                        {"split", scene::split_name(entry.split)},
                         {"triangles", scene::triangle_count(made)},
                         {"views", made.cameras.size()},
                         {"summary", entry.summary}});

@@ -38,7 +38,7 @@ std::string list_scenes() {
         const scene::Scene made = entry.make();
         text += fmt::format("  {:<16} {:<8} {:>6} triangles, {} views  {}\n",
                             entry.name,
-                            entry.split == scene::Split::train ? "train" : "heldout",
+                            scene::split_name(entry.split),
                             scene::triangle_count(made),
                             made.cameras.size(),
                             entry.summary);

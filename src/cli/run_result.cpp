@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -41,6 +42,7 @@ json methods_json(const std::vector<harness::Row>& rows) {
                            {"f_2px", json_of(s.f_2px)},
                            {"f_train", json_of(s.f_train)},
                            {"f_heldout", json_of(s.f_heldout)},
+                           {"f_real", json_of(s.f_real)},
                            {"f_1px", json_of(s.f_1px)},
                            {"precision_2px", json_of(s.precision)},
                            {"recall_2px", json_of(s.recall)},
@@ -144,7 +146,8 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");
     if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
     if (is_without_score || !run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
-    if (!unscored.empty()) throw CLI::RuntimeError(kUnscored);
+    if (std::any_of(unscored.begin(), unscored.end(), experiment::is_failure))
+        throw CLI::RuntimeError(kUnscored);
 }
 
 }  // namespace ink::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/name_list.h"
@@ -35,6 +36,7 @@ struct TuneArgs {
     bool no_random = false;
     bool no_bound = false;
     SceneOptions scenes;
+    std::vector<std::string> unseen;
     ViewOptions views;
     int more_views = 0;
     std::string name;
@@ -125,6 +127,28 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     return options;
 }
 
+/// Scenes and models that are only scored, after those that take part in the search.
+void add_unseen(const TuneArgs& args,
+                const harness::ViewRequest& request,
+                std::vector<harness::SceneViews>& scenes,
+                tune::TuneOptions& options) {
+    if (args.unseen.empty()) return;
+    const std::vector<std::string> names = scene_names({.listed = {}, .named = args.unseen});
+    for (harness::SceneViews& scene_views : harness::load_scenes(names, request)) {
+        const std::string& name = scene_views.scene.name;
+        const bool is_there = std::any_of(scenes.begin(), scenes.end(), [&](const auto& other) {
+            return other.scene.name == name;
+        });
+        if (is_there) {
+            throw core::Error("--unseen",
+                              fmt::format("{} takes part in the search", name),
+                              "other scenes than those that are searched");
+        }
+        options.unseen.insert(name);
+        scenes.push_back(std::move(scene_views));
+    }
+}
+
 void run_tune(const TuneArgs& args, const std::string& command) {
     tune::TuneOptions options = tune_options(args);
     options.command = command;
@@ -136,6 +160,7 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
     for (harness::SceneViews& scene_views : scenes)
         tune::add_training_views(scene_views, request, args.more_views);
+    add_unseen(args, request, scenes, options);
     const tune::TuneResult result = tune::tune(scenes, options);
     if (result.is_interrupted) {
         end_interrupted(
@@ -203,8 +228,10 @@ void add_tune_command(CLI::App& app) {
         "--no-bound", args->no_bound, "Skip the linear bound, for methods that declare a code");
     add_scene_options(*command,
                       args->scenes,
-                      "Scenes or model files that take part (default: the catalogue): the training "
-                      "scenes are searched, the others only scored");
+                      "Scenes or model files that take part (default: the catalogue): training "
+                      "scenes and models are searched, held-out scenes only scored");
+    add_repeatable_option(
+        *command, "--unseen", args->unseen, "Scenes or model files that are only scored", "SCENES");
     add_view_options(*command, args->views);
     command
         ->add_option("--more-views",
@@ -222,6 +249,7 @@ void add_tune_command(CLI::App& app) {
     add_quiet_option(*command);
     command->footer(
         "Example: inkbench tune mote4 --evaluations 400 --seed 7 --out tuned\n"
+        "On your own models: inkbench tune mote4 my.glb other.obj --unseen third.obj\n"
         "The preset: inkbench compare --preset tuned/mote4_tuned.toml\n"
         "Exit codes: 0 done, 2 bad input, 130 interrupted (the same command goes on).");
     command->callback(

@@ -43,6 +43,9 @@ toml::table views_of(const Experiment& experiment) {
     views.insert("sizes", std::move(sizes));
     if (experiment.views > 0) views.insert("first", experiment.views);
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
+    if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
+    if (request.margin) views.insert("margin", *request.margin);
+    if (!request.objects.empty()) views.insert("objects", array_of(request.objects));
     if (request.file_cameras) views.insert("file_cameras", true);
     if (!request.cameras.empty()) views.insert("cameras", cameras_of(request));
     if (request.time_s) views.insert("time_s", *request.time_s);

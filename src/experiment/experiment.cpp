@@ -82,8 +82,7 @@ std::vector<std::string> scenes_called(const std::string& name) {
     if (!is_all && name != "train" && name != "heldout") return {name};
     std::vector<std::string> names;
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
-        const bool is_training = entry.split == scene::Split::train;
-        if (is_all || is_training == (name == "train")) names.push_back(entry.name);
+        if (is_all || scene::split_name(entry.split) == name) names.push_back(entry.name);
     }
     return names;
 }

@@ -15,7 +15,7 @@
 namespace ink::experiment {
 namespace {
 
-constexpr int kBaselines = 2;  // of a sequence: sampled and oracle
+constexpr int kBaselines = 3;  // of a sequence: sampled, exact_corner and oracle
 constexpr int kRollFrames = 180;
 constexpr int kRollCreases = 3;
 

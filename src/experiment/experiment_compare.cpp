@@ -20,7 +20,7 @@ namespace {
 
 /// Settings of one method that take turns; more at once would not fit into memory on large models.
 constexpr std::size_t kSettingsAtOnce = 48;
-constexpr int kBaselines = 3;
+constexpr int kBaselines = 4;
 /// The motion study beside a comparison: small images, a few pixels' way.
 constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
@@ -68,13 +68,14 @@ struct DrawnMethods {
 /// Draws all methods in turns, as many at a time as fit into memory.
 DrawnMethods draw_methods(ViewBench& bench,
                           const BlockPlace& at,
-                          const harness::MeasureOptions& measure) {
+                          const harness::MeasureOptions& measure,
+                          bool keeps_layers) {
     DrawnMethods drawn;
     for (std::size_t first = 0; first < bench.configs().size();
          first += bench.most_at_once(at.scene)) {
         auto& methods = bench.methods(at.scene, first);
         auto evaluations = harness::method_evaluations(methods, *at.view, measure);
-        for (std::size_t i = 0; at.keeps_images && i < methods.size(); ++i) {
+        for (std::size_t i = 0; keeps_layers && i < methods.size(); ++i) {
             if (!evaluations[i].row.is_ok()) continue;
             drawn.layers.push_back(
                 harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
@@ -89,9 +90,10 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];
     const harness::CellOptions options = bench.cell_options(at.threads);
     const bool is_full = bench.experiment().full_scores;
-    DrawnMethods drawn = draw_methods(bench, at, options.measure);
-    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
     const harness::TracedView& traced = bench.traced(at.scene, *at.view);
+    const bool keeps_images = at.keeps_images && traced.has_truth();
+    DrawnMethods drawn = draw_methods(bench, at, options.measure, keeps_images);
+    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
     BlockResult result;
     if (is_full) {
         harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
@@ -121,7 +123,7 @@ BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
         add_side_tables(cell, evaluation, result);
         ++cell;
     }
-    if (at.keeps_images && traced.has_truth()) {
+    if (keeps_images) {
         result.files = harness::image_files(traced.truth, scene, evaluations, drawn.layers);
     }
     return result;

@@ -12,7 +12,7 @@
 namespace ink::experiment {
 namespace {
 
-constexpr int kBaselines = 3;
+constexpr int kBaselines = 4;
 
 /// What the blocks share.
 struct Stage {

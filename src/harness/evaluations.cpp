@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "harness/crowded.h"
 #include "harness/intersection_scores.h"
 #include "harness/line_scores.h"
 #include "score/random_baseline.h"
@@ -31,14 +33,17 @@ std::uint64_t random_seed(const Row& row) {
 }  // namespace
 
 std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
-    std::vector<Evaluation> evaluations(3);
+    std::vector<Evaluation> evaluations;
+    const auto add = [&](const char* name, edge::EdgeImage image) {
+        Evaluation& added = evaluations.emplace_back();
+        added.row.method = name;
+        added.image = std::move(image);
+    };
     const auto& labels = truth.scoring.labels;
-    evaluations[0].row.method = "none";
-    evaluations[0].image = edge::EdgeImage(labels.width_px(), labels.height_px());
-    evaluations[1].row.method = "sampled";
-    evaluations[1].image = truth.traced.sampled;
-    evaluations[2].row.method = "oracle";
-    evaluations[2].image = full_response(labels);
+    add("none", edge::EdgeImage(labels.width_px(), labels.height_px()));
+    add("sampled", truth.traced.sampled);
+    add("exact_corner", truth.traced.exact_corner);
+    add("oracle", full_response(labels));
     return evaluations;
 }
 
@@ -99,6 +104,7 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         fill_scores(evaluation.scored, evaluation.row);
         fill_intersections(
             evaluation.scored.strokes, evaluation.scored.at_2px, truth, evaluation.row);
+        fill_crowded(evaluation.scored.strokes, evaluation.scored.at_2px, truth, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
         evaluation.row.lines = score_lines(evaluation.scored.strokes, lines);
         evaluation.scored.strokes = {};

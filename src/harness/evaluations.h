@@ -24,8 +24,9 @@ struct Evaluation {
     Scored scored;
 };
 
-/// The rows that stand in every run and are no methods: floor (`none`), one exact sample
-/// a pixel (`sampled`), truth itself (`oracle`), in this order.
+/// The rows that stand in every run and are no methods: floor (`none`), one exact sample a pixel at
+/// its centre (`sampled`) and at its corner (`exact_corner`), truth itself (`oracle`), in this
+/// order.
 [[nodiscard]] std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth);
 
 /// Draws and times every method on `view`, in turns. A method that fails is an evaluation whose row

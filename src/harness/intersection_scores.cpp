@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "harness/cell.h"
+#include "harness/crowded.h"
 #include "harness/recall_groups.h"
 #include "score/matching.h"
 
@@ -81,6 +82,7 @@ void fill_score_2px(const score::Strokes& strokes, const ViewTruth& truth, Row& 
     const score::Score at_2px = score::score_strokes(strokes, truth.scoring, score_options(1));
     fill_score_2px(at_2px, row);
     fill_intersections(strokes, at_2px, truth, row);
+    fill_crowded(strokes, at_2px, truth, row);
 }
 
 }  // namespace ink::harness

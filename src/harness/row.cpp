@@ -21,7 +21,8 @@ void clear_times(Row& row) {
 }
 
 bool is_baseline(std::string_view method) {
-    return method == "none" || method == "sampled" || method == "oracle";
+    return method == "none" || method == "sampled" || method == "exact_corner" ||
+           method == "oracle";
 }
 
 }  // namespace ink::harness

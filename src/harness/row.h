@@ -27,7 +27,7 @@ struct Row {
     std::string method;
     std::string scene;
     std::string view;
-    std::string split;  ///< train | heldout
+    std::string split;  ///< train | heldout | real
     int width = 0;
     int height = 0;
     int threads = 1;
@@ -43,6 +43,8 @@ struct Row {
     score::Intersections intersections = score::Intersections::above_crease;
     std::optional<score::CurveCount> above_crease_2px = {};       ///< at 2 px, if flat ones do not
     std::optional<score::CurveCount> all_intersections_2px = {};  ///< count, and if they do
+    /// At 2 px, if crowded pixels count too (harness/crowded.h): also where the view is `crowded`.
+    std::optional<score::CurveCount> with_crowded_2px = {};
     /// Of kRecallGroups (recall_groups.h) -> recall, groups present only.
     std::map<std::string, double> recall_by_class;
     std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
@@ -111,7 +113,8 @@ void clear_times(Row& row);
 using Place = std::tuple<std::string, std::string, int, int>;
 [[nodiscard]] Place place_of(const Row& row);
 
-/// Whether `method` is one of the rows that the harness makes itself: none, sampled, oracle.
+/// Whether `method` is one of the rows that the harness makes itself: none, sampled, exact_corner,
+/// oracle.
 [[nodiscard]] bool is_baseline(std::string_view method);
 
 }  // namespace ink::harness

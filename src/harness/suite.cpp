@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "scene/animation.h"
+#include "scene/framing.h"
 
 namespace ink::harness {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr int kMaxSide_px = 16384;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
 constexpr int kModelViews = 3;
+constexpr double kMargin = 0.04;
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 bool is_catalogue_name(const std::string& what) {
@@ -50,18 +52,38 @@ std::vector<scene::Camera> asked_cameras(const ViewRequest& request, const scene
     return cameras;
 }
 
+/// Views from all around, framed as asked.
+std::vector<scene::Camera> orbit_of(const scene::Scene& scene, const ViewRequest& request) {
+    const double aspect = static_cast<double>(request.width_px) / request.height_px;
+    const int count = request.orbit_count.value_or(kModelViews);
+    std::optional<scene::Scene> part;
+    if (!request.objects.empty()) part = scene::only_objects(scene, request.objects);
+    const scene::Scene& framed = part ? *part : scene;
+    auto cameras = scene::orbit_cameras(scene::bounding_sphere(framed), count, aspect);
+    if (part && request.fit != Fit::box) {
+        for (scene::Camera& camera : cameras)
+            scene::fit_clip_range(camera, scene::bounding_sphere(scene));
+    }
+    if (request.fit != Fit::box) return cameras;
+    const auto points = scene::placed_points(framed);
+    const double fill = 1 - 2 * request.margin.value_or(kMargin);
+    for (scene::Camera& camera : cameras)
+        camera = scene::framed(camera, points, {camera.fov_y_rad, aspect, fill}, scene);
+    return cameras;
+}
+
 std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
                                           const ViewRequest& request,
                                           bool is_catalogue_scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
-    const double aspect = static_cast<double>(request.width_px) / request.height_px;
     if (!request.cameras.empty()) return asked_cameras(request, bounds);
     if (request.file_cameras && scene.cameras.empty()) {
         throw core::Error(scene.name,
                           "the file has no camera of its own",
                           "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
-    if (request.orbit_count) return scene::orbit_cameras(bounds, *request.orbit_count, aspect);
+    const bool is_framed = request.fit || !request.objects.empty();
+    if (request.orbit_count || is_framed) return orbit_of(scene, request);
     if (request.file_cameras || is_catalogue_scene) {
         std::vector<scene::Camera> cameras = scene.cameras;
         const bool is_posed = request.time_s || request.frame;
@@ -69,7 +91,7 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
             scene::fit_clip_range(cameras[c], bounds);  // it or the scene has moved
         return cameras;
     }
-    return scene::orbit_cameras(bounds, kModelViews, aspect);
+    return orbit_of(scene, request);
 }
 
 void check_moves(const scene::Scene& scene, const char* option) {

@@ -19,11 +19,21 @@ struct CameraRequest {
     std::optional<double> fov_y_rad;  ///< default: 40 degrees
 };
 
+/// What the frame of a view round a scene is fitted to.
+enum class Fit {
+    sphere,  ///< the bounding sphere, as a whole
+    box      ///< what the view shows of the scene, as near as it goes
+};
+
 /// From where scenes are seen.
 struct ViewRequest {
     int width_px = 1280;
     int height_px = 720;
     std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
+    /// How views round a scene are framed; any of these asks for such views, three unless said.
+    std::optional<Fit> fit = {};            ///< default: the sphere
+    std::optional<double> margin = {};      ///< of the frame's size on either side, of Fit::box; .04
+    std::vector<std::string> objects = {};  ///< the instances that are framed; none: all
     /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
     bool file_cameras = false;
     std::vector<CameraRequest> cameras;  ///< these instead of all others
@@ -50,8 +60,8 @@ struct SceneViews {
 /// Without a request: a catalogue scene's own, a model's three from all around. Two scenes of one
 /// name in a suite are the caller's to rename; one that is posed is called with its frame or time
 /// (`knight.frame12`, `gear.1.5s`). Throws core::Error for a size outside 1..16384 a side or over
-/// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, or a
-/// moment that the scene's animation does not have.
+/// 2^27 pixels, a field of view outside 1..170 degrees, file cameras that are not there, a framed
+/// object that is not there, or a moment that the scene's animation does not have.
 [[nodiscard]] SceneViews make_scene_views(scene::Scene scene, const ViewRequest& request);
 
 /// The scenes that `names` name (see load_scene); no names: the whole catalogue.

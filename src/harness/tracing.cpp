@@ -11,20 +11,36 @@
 #include "core/progress.h"
 #include "truth/cracks.h"
 #include "truth/curve_facts.h"
+#include "truth/label_image.h"
 #include "truth/truth_cache.h"
 
 namespace ink::harness {
 namespace {
 
-score::ScoringTruth scoring_of(const truth::Truth& traced, score::Intersections intersections) {
+score::ScoringTruth scoring_of(const core::Image<std::uint8_t>& labels) {
     score::ScoreOptions options;
     options.band_px = kBand_px;
     options.ignore_label = static_cast<int>(truth::LineClass::ignore);
-    score::ScoringTruth scoring = score::prepare_truth(
-        score::counted_labels(traced.labels, traced.below_crease, intersections), options, true);
+    score::ScoringTruth scoring = score::prepare_truth(labels, options, true);
     // A traced truth is one of classes, also where it shows contours only (label 1 looks binary).
     scoring.is_binary = false;
     return scoring;
+}
+
+score::ScoringTruth scoring_of(const truth::Truth& traced, score::Intersections intersections) {
+    return scoring_of(score::counted_labels(traced.labels, traced.below_crease, intersections));
+}
+
+/// The truth as if no part of the image were too dense to score.
+score::ScoringTruth scoring_with_crowded(const truth::Truth& traced,
+                                         double crease_rad,
+                                         score::Intersections intersections) {
+    const truth::LabelImage image = truth::draw_labels(traced.curves,
+                                                       traced.labels.width_px(),
+                                                       traced.labels.height_px(),
+                                                       crease_rad,
+                                                       truth::Crowded::count);
+    return scoring_of(score::counted_labels(image.labels, image.below_crease, intersections));
 }
 
 /// The intersections below the crease angle that are pixels of `all`.
@@ -65,6 +81,10 @@ ViewTruth trace_view(truth::SceneModel& scene, const scene::View& view, const Tr
     result.crease_rad = scene.options().crease_rad;
     result.cracks = truth::draw_cracks(result.traced.curves, view.width_px, view.height_px);
     result.scoring = scoring_of(result.traced, trace.intersections);
+    if (result.traced.counts.crowded_share > 0) {
+        result.with_crowded =
+            scoring_with_crowded(result.traced, result.crease_rad, trace.intersections);
+    }
     const auto& below = result.traced.below_crease;
     if (std::count(below.data(), below.data() + below.size(), 0) ==
         static_cast<std::ptrdiff_t>(below.size()))

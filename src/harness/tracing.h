@@ -40,6 +40,8 @@ struct ViewTruth {
     double crease_rad = 0;
     /// With the other choice of intersections; nothing where the two are the same.
     std::optional<score::ScoringTruth> other = std::nullopt;
+    /// With crowded pixels counted; nothing where there are none.
+    std::optional<score::ScoringTruth> with_crowded = std::nullopt;
     /// The intersections below the crease angle, of the truth in which all count.
     score::PixelList below_crease = {};
 

@@ -7,6 +7,7 @@
 
 #include "core/hash.h"
 #include "core/parallel.h"
+#include "harness/crowded.h"
 #include "harness/intersection_scores.h"
 
 namespace ink::harness {
@@ -56,7 +57,7 @@ void fill_place(const scene::Scene& scene,
                 Row& row) {
     row.scene = scene.name;
     row.view = view.camera.name;
-    row.split = scene.split == scene::Split::train ? "train" : "heldout";
+    row.split = scene::split_name(scene.split);
     row.width = view.width_px;
     row.height = view.height_px;
     row.threads = options.measure.threads;
@@ -71,7 +72,9 @@ void finish_evaluations(const scene::Scene& scene,
                         const CellOptions& options,
                         std::vector<Evaluation>& evaluations) {
     prepare_rows(scene, view, traced, options, evaluations);
-    if (traced.has_truth()) score_evaluations(traced.truth, evaluations);
+    if (!traced.has_truth()) return;
+    score_evaluations(traced.truth, evaluations);
+    note_crowded(traced.truth, evaluations);
 }
 
 void finish_briefly(const scene::Scene& scene,
@@ -93,6 +96,7 @@ void finish_briefly(const scene::Scene& scene,
     });
     for (Evaluation& evaluation : evaluations)
         fill_truth_facts(traced.truth, evaluation.row);
+    note_crowded(traced.truth, evaluations);
 }
 
 }  // namespace ink::harness

@@ -28,7 +28,8 @@ struct MethodLayers {
 ///
 /// In `images/<scene>/<view>/`: `truth.png` holds the label of each pixel (0 none, 1 contour, ...,
 /// 7 ignore), `<method>.png` the edge response of a method (0..255) and `<method>.errors.png` why
-/// each wrong pixel is wrong (0: it is not wrong; else 1 + score::Cause), both for `sampled` too;
+/// each wrong pixel is wrong (0: it is not wrong; else 1 + score::Cause), both for `sampled` and
+/// `exact_corner` too;
 /// `<method>.layer_<name>.png` each of `layers`: `packed` (the codes as grey or colour) and
 /// `filtered` (the edge response, middle grey at the threshold) of methods with a packed buffer,
 /// `depth` (near is bright) and `normal` (view space, -1..1 as 0..255) of those with full buffers;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/text_table.h"
@@ -66,8 +69,8 @@ class Study {
     }
 
     [[nodiscard]] Pool pool_of(const harness::SceneViews& scene_views) const {
-        const bool is_train = scene_views.scene.split == scene::Split::train;
-        Pool pool = empty_pool(scene_views.scene.name, is_train ? "train" : "heldout");
+        Pool pool = empty_pool(scene_views.scene.name,
+                               std::string(scene::split_name(scene_views.scene.split)));
         pool.scenes = 1;
         harness::PreparedMethod method(options_.config, scene_views.scene);
         if (!method.failure().empty()) {
@@ -137,27 +140,32 @@ std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scene
                                    const BoundStudyOptions& options) {
     Study study(options);
     Study of_pools(options);
-    core::Progress progress("bound", static_cast<int>(scenes.size()) + 3);
+    core::Progress progress("bound", static_cast<int>(scenes.size()) + 4);
     std::vector<BoundRow> rows;
-    Pool train = study.empty_pool("(training)", "train");
-    Pool heldout = study.empty_pool("(held-out)", "heldout");
+    std::array parts = {study.empty_pool("(training)", "train"),
+                        study.empty_pool("(held-out)", "heldout"),
+                        study.empty_pool("(real)", "real")};
     int done = 0;
     for (const harness::SceneViews& scene_views : scenes) {
         if (harness::is_interrupted()) return rows;
         progress.report(done++, scene_views.scene.name);
         const Pool pool = study.pool_of(scene_views);
-        (pool.split == "train" ? train : heldout).add(pool);
+        for (Pool& part : parts) {
+            if (part.split == pool.split) part.add(pool);
+        }
         rows.push_back(study.row_of(pool));
         of_pools.remember(rows.back().bound.weights);
     }
     Pool all = study.empty_pool("(all)", "");
-    all.add(train);
-    all.add(heldout);
-    const bool are_both = train.scenes > 0 && heldout.scenes > 0;
-    for (const Pool* pool : {&train, &heldout, &all}) {
+    for (const Pool& part : parts)
+        all.add(part);
+    const auto present =
+        std::count_if(parts.begin(), parts.end(), [](const Pool& part) { return part.scenes > 0; });
+    for (const Pool* pool : {&parts[0], &parts[1], &parts[2], &all}) {
         if (harness::is_interrupted()) return rows;
         progress.report(done++, pool->name);
-        if (pool->scenes > 1 && (pool != &all || are_both)) rows.push_back(of_pools.row_of(*pool));
+        if (pool->scenes > 1 && (pool != &all || present > 1))
+            rows.push_back(of_pools.row_of(*pool));
     }
     return rows;
 }

@@ -22,8 +22,9 @@ struct BoundStudyOptions {
 
 /// What one scene, or several taken together, allow four weights.
 struct BoundRow {
-    std::string scene;  ///< or "(training)", "(held-out)", "(all)": counts of their scenes added up
-    std::string split;  ///< "train", "heldout" or ""
+    std::string scene;  ///< or "(training)", "(held-out)", "(real)", "(all)": counts of their
+                        ///< scenes added up
+    std::string split;  ///< "train", "heldout", "real" or ""
     int views = 0;
     score::CurveCount measured;           ///< the method's own, as it is scored, at 2 px
     std::optional<LinearCount> modelled;  ///< its weights by the bound's reckoning, if it has them

@@ -26,7 +26,7 @@ struct MotionRow {
     std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
     std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
     std::string images_hash = {};          ///< of all its images
-    std::string split = {};                ///< of the scene: train | heldout
+    std::string split = {};                ///< of the scene: train | heldout | real
     std::int64_t triangles = 0;            ///< of the scene, instances counted
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }

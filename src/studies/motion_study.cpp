@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -21,6 +22,8 @@ namespace ink::studies {
 namespace {
 
 constexpr double kStep_px = 0.25;
+
+constexpr std::array kBaselines = {"sampled", "exact_corner", "oracle"};
 
 /// One method's images of a sequence as they are scored.
 struct Record {
@@ -55,7 +58,7 @@ class Run {
     Run(const std::vector<harness::MethodConfig>& configs,
         Sequence& sequence,
         const MotionOptions& options)
-        : sequence_(sequence), options_(options), records_(configs.size() + 2) {
+        : sequence_(sequence), options_(options), records_(configs.size() + kBaselines.size()) {
         options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
         for (const harness::MethodConfig& config : configs)
             methods_.push_back(std::make_unique<harness::PreparedMethod>(config, sequence.scene));
@@ -81,7 +84,7 @@ class Run {
                 row.method = of_cell.method;
                 row.params = of_cell.params;
             } else {
-                row.method = i == methods_.size() ? "sampled" : "oracle";
+                row.method = kBaselines[i - methods_.size()];
             }
             fill(records_[i], row);
             rows.push_back(std::move(row));
@@ -125,6 +128,7 @@ class Run {
             images.push_back({drawn[i], methods_[i]->threshold(), records_[i]});
         }
         images.push_back({traced.sampled, 128, records_[methods_.size()]});
+        images.push_back({traced.exact_corner, 128, records_[methods_.size() + 1]});
         images.push_back({scoring.labels, 1, records_.back()});
         core::parallel_for(images.size(), core::hardware_threads(), [&](std::size_t i) {
             if (images[i].record.failure.empty()) take(images[i], curves, scoring);
@@ -147,7 +151,7 @@ class Run {
                 .frames = path.frame_count,
                 .frames_per_s = path.frames_per_s,
                 .step_px = sequence_.step_px,
-                .split = sequence_.scene.split == scene::Split::train ? "train" : "heldout",
+                .split = std::string(scene::split_name(sequence_.scene.split)),
                 .triangles = static_cast<std::int64_t>(scene::triangle_count(sequence_.scene))};
     }
 
@@ -168,7 +172,7 @@ class Run {
     Sequence& sequence_;
     MotionOptions options_;
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
-    std::vector<Record> records_;  ///< the methods', then `sampled` and `oracle`
+    std::vector<Record> records_;  ///< the methods', then those of kBaselines
     std::optional<truth::SceneModel> model_;
 };
 

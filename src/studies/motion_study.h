@@ -35,7 +35,7 @@ struct MotionOptions {
 
 /// Draws every frame of a sequence with every configuration and scores them against their truths
 /// and each other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per
-/// configuration, then the baselines `sampled` and `oracle`.
+/// configuration, then the baselines `sampled`, `exact_corner` and `oracle`.
 ///
 /// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
 /// sequence: every row says so. On Ctrl-C there are no rows.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 
@@ -17,6 +16,7 @@
 #include "methods/preset.h"
 #include "statistics/ods.h"
 #include "tune/tune_bench.h"
+#include "tune/tune_error.h"
 #include "tune/tune_folder.h"
 #include "tune/tune_report.h"
 
@@ -32,13 +32,6 @@ harness::MethodConfig with(const harness::MethodConfig& config, const core::Para
     for (const auto& [name, value] : settings)
         changed.settings[name] = value;
     return changed;
-}
-
-score::CurveCount pooled(const std::vector<score::CurveCount>& counts) {
-    score::CurveCount sum;
-    for (const score::CurveCount& count : counts)
-        sum += count;
-    return sum;
 }
 
 /// A search under way: answers the optimiser from what is known, from the disk or by drawing.
@@ -102,9 +95,8 @@ class Tuner {
         if (options_.objective == TuneObjective::ap) {
             found.error = 1 - score::average_precision(bench_.curve(config, by));
         } else {
-            const std::vector<score::CurveCount> scenes = bench_.counts(config, by);
-            const bool is_pooled = options_.objective == TuneObjective::error;
-            found.error = is_pooled ? 1 - pooled(scenes).f() : scenes_error(scenes);
+            found.by_view = bench_.view_counts(config, by);
+            found.error = error_of(bench_.by_scene(found.by_view), options_.objective);
         }
         found.value = found.error;
         if (!options_.budget_ms) return found;
@@ -195,19 +187,10 @@ void write_results(const TuneOptions& options, const TuneSpace& space, TuneResul
 
 }  // namespace
 
-double scenes_error(const std::vector<score::CurveCount>& scenes) {
-    if (scenes.empty()) return 0;
-    double sum = 0;
-    for (const score::CurveCount& scene : scenes)
-        sum += std::sqrt(1 - scene.f());
-    const double mean = sum / static_cast<double>(scenes.size());
-    return mean * mean;
-}
-
 void add_training_views(harness::SceneViews& scene_views,
                         const harness::ViewRequest& request,
                         int count) {
-    if (count == 0 || scene_views.scene.split != scene::Split::train) return;
+    if (count == 0 || scene_views.scene.split == scene::Split::heldout) return;
     harness::ViewRequest more = request;
     more.orbit_count = count;
     more.cameras.clear();
@@ -221,23 +204,26 @@ void add_training_views(harness::SceneViews& scene_views,
 TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options) {
     const harness::InterruptGuard guard;
     const TuneSpace space = checked_space(options);
-    const auto middle = std::stable_partition(scenes.begin(), scenes.end(), [](auto& scene_views) {
-        return scene_views.scene.split == scene::Split::train;
+    const auto middle = std::stable_partition(scenes.begin(), scenes.end(), [&](auto& scene_views) {
+        return scene_views.scene.split != scene::Split::heldout &&
+               options.unseen.count(scene_views.scene.name) == 0;
     });
     const std::vector<harness::SceneViews> train(scenes.begin(), middle);
     const std::vector<harness::SceneViews> heldout(middle, scenes.end());
     if (train.empty()) {
         throw core::Error("--scenes",
-                          "none of them is a training scene",
-                          "one or more of those that inkbench list scenes calls training");
+                          "none of them may be searched: all are held out",
+                          "a model file, or one of those that inkbench list scenes calls training");
     }
     begin_folder(options, space);
 
     TuneResult result;
     for (const harness::SceneViews& scene_views : train)
         result.train_scenes.push_back(scene_views.scene.name);
-    for (const harness::SceneViews& scene_views : heldout)
+    for (const harness::SceneViews& scene_views : heldout) {
         result.heldout_scenes.push_back(scene_views.scene.name);
+        result.heldout_splits.push_back(scene_views.scene.split);
+    }
     TuneBench bench(train, options.trace, options.threads);
     if (harness::is_interrupted()) {
         result.is_interrupted = true;
@@ -273,6 +259,9 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
         const TuneStep& lucky = best_of(result.random_steps);
         result.random = TunedSettings{"random search", lucky.settings, lucky.found, {}, {}};
     }
+    if (heldout.empty())
+        result.left_out =
+            leave_one_view_out(result.steps, bench.scenes_of_views(), options.objective);
     std::vector<TunedSettings*> all = {&result.defaults, &result.tuned};
     if (result.random) all.push_back(&*result.random);
     if (options.objective == TuneObjective::ap) {

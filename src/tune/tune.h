@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,27 +12,12 @@
 #include "score/score.h"
 #include "statistics/spread.h"
 #include "tune/tune_bench.h"
+#include "tune/tune_error.h"
 #include "tune/tune_log.h"
 #include "tune/tune_search.h"
 #include "tune/tune_space.h"
 
 namespace ink::tune {
-
-/// What a tuner lowers over all training views.
-enum class TuneObjective {
-    error,  ///< 1 - F at 2 px and the method's own threshold, all views pooled
-    /// The square of the mean root of each scene's error: no scene speaks for all the others.
-    ///
-    /// Pooled errors let the one scene with the most of them decide (a soup with cracks has five
-    /// times the others'), and what is found there fits it alone. With one training scene at a time
-    /// left out, mote4's settings found over the others erred less on it by this mean than by the
-    /// pool, by .120 against .139.
-    scenes,
-    ap,  ///< 1 - average precision at 2 px; the threshold is then the best over the same views
-};
-
-/// The square of the mean root of 1 - F over `scenes`; 0 if there are none.
-[[nodiscard]] double scenes_error(const std::vector<score::CurveCount>& scenes);
 
 struct TuneOptions {
     harness::MethodConfig config;  ///< the method, with settings that stay as the user set them
@@ -41,6 +27,8 @@ struct TuneOptions {
     /// budget depends on the machine.
     std::optional<double> budget_ms;
     SearchPlan plan;
+    /// Names of scenes that are only scored, though they might be searched.
+    std::set<std::string> unseen;
     bool random = true;  ///< also a random search of as many evaluations and the same seed
     harness::TraceOptions trace;
     int threads = 1;
@@ -48,13 +36,6 @@ struct TuneOptions {
     bool is_forced = false;     ///< another run in `out` is thrown away
     std::string name;           ///< of the preset
     std::string command;        ///< that makes the same preset again
-};
-
-/// One evaluation, in the order in which a search asked for them.
-struct TuneStep {
-    std::string phase;  ///< start | global | local | random
-    core::ParamValues settings;
-    TuneValue found;
 };
 
 /// Settings with what they score.
@@ -74,25 +55,29 @@ struct TuneResult {
     std::vector<TuneStep> steps;          ///< the search's evaluations
     std::vector<TuneStep> random_steps;
     std::optional<PlaneAgreement> agreement;  ///< of the tuned settings, where planes were drawn
-    std::size_t resumed = 0;                  ///< evaluations that were found on disk
+    /// Of each training view, by settings that were chosen without it (leave_one_view_out); empty
+    /// if there are held-out scenes, a single view, or average precision is lowered.
+    std::vector<score::CurveCount> left_out;
+    std::size_t resumed = 0;  ///< evaluations that were found on disk
     bool is_interrupted = false;
-    std::vector<std::string> train_scenes;    ///< those of TunedSettings::train, in that order
-    std::vector<std::string> heldout_scenes;  ///< those of TunedSettings::heldout
+    std::vector<std::string> train_scenes;     ///< those of TunedSettings::train, in that order
+    std::vector<std::string> heldout_scenes;   ///< those of TunedSettings::heldout
+    std::vector<scene::Split> heldout_splits;  ///< of each: heldout or real
     std::size_t train_views = 0;
     std::size_t heldout_views = 0;
     std::string inputs_hash;
     std::filesystem::path preset;  ///< the file that was written
 };
 
-/// Adds `count` views round the scene of a training `scene_views`, of the request's size, beside
-/// those it has. Does nothing to a held-out one.
+/// Adds `count` views round the scene of `scene_views`, of the request's size, beside those it has.
+/// Does nothing to a held-out scene of the catalogue.
 void add_training_views(harness::SceneViews& scene_views,
                         const harness::ViewRequest& request,
                         int count);
 
-/// Looks for the settings of a method that make the fewest errors on the training scenes among
-/// `scenes`, starting from its defaults, so that what is lowered is never worse there; scores
-/// them on the held-out scenes, which the search never sees.
+/// Looks for the settings of a method that make the fewest errors on the training scenes and the
+/// models among `scenes`, starting from its defaults, so that what is lowered is never worse there;
+/// scores them on held-out scenes and those of `options.unseen`, which the search never sees.
 ///
 /// Truths are traced once, and what a linear code reads of the scenes is rendered once: settings of
 /// such a code are drawn from that, and by the method itself only where they may be the best yet
@@ -100,7 +85,7 @@ void add_training_views(harness::SceneViews& scene_views,
 /// threshold alone. All errors of `defaults`, `tuned` and `random` are the method's own. Everything
 /// but times is the same for every thread count. Finished evaluations are kept in
 /// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
-/// if no training scene takes part, or `out` holds another run or cannot be written.
+/// if there is nothing to search, or `out` holds another run or cannot be written.
 [[nodiscard]] TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options);
 
 }  // namespace ink::tune

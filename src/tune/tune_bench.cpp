@@ -106,7 +106,8 @@ const std::vector<edge::EdgeImage>& TuneBench::images_of(const harness::MethodCo
     return kept_.back().images;
 }
 
-std::vector<score::CurveCount> TuneBench::counts(const harness::MethodConfig& config, DrawnBy by) {
+std::vector<score::CurveCount> TuneBench::view_counts(const harness::MethodConfig& config,
+                                                      DrawnBy by) {
     const std::vector<edge::EdgeImage>& images = images_of(config, by);
     const score::ScoreOptions options = harness::score_options(harness::threshold_of(config));
     std::vector<score::CurveCount> by_view(views_.size());
@@ -119,10 +120,26 @@ std::vector<score::CurveCount> TuneBench::counts(const harness::MethodConfig& co
                       .n_pred = static_cast<std::int64_t>(drawn.size()),
                       .n_truth = static_cast<std::int64_t>(view.lists.truth.size())};
     });
-    std::vector<score::CurveCount> by_scene(scenes_.size());
+    return by_view;
+}
+
+std::vector<score::CurveCount> TuneBench::by_scene(
+    const std::vector<score::CurveCount>& by_view) const {
+    std::vector<score::CurveCount> sums(scenes_.size());
     for (std::size_t i = 0; i < views_.size(); ++i)
-        by_scene[views_[i].scene_index] += by_view[i];
-    return by_scene;
+        sums[views_[i].scene_index] += by_view[i];
+    return sums;
+}
+
+std::vector<std::size_t> TuneBench::scenes_of_views() const {
+    std::vector<std::size_t> scenes;
+    for (const BenchView& view : views_)
+        scenes.push_back(view.scene_index);
+    return scenes;
+}
+
+std::vector<score::CurveCount> TuneBench::counts(const harness::MethodConfig& config, DrawnBy by) {
+    return by_scene(view_counts(config, by));
 }
 
 PlaneAgreement TuneBench::agreement(const harness::MethodConfig& config) {

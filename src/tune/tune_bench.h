@@ -51,7 +51,15 @@ class TuneBench {
     /// What can be drawn from planes.
     [[nodiscard]] const TunePlanes& planes() const { return planes_; }
 
-    /// Counts at 2 px and the configuration's own threshold, summed over the views of each scene.
+    /// Counts of each view at 2 px and the configuration's own threshold.
+    [[nodiscard]] std::vector<score::CurveCount> view_counts(const harness::MethodConfig& config,
+                                                             DrawnBy by = DrawnBy::method);
+    /// Counts of views summed over those of each scene.
+    [[nodiscard]] std::vector<score::CurveCount> by_scene(
+        const std::vector<score::CurveCount>& by_view) const;
+    /// The index of each view's scene.
+    [[nodiscard]] std::vector<std::size_t> scenes_of_views() const;
+    /// view_counts, summed over the views of each scene.
     [[nodiscard]] std::vector<score::CurveCount> counts(const harness::MethodConfig& config,
                                                         DrawnBy by = DrawnBy::method);
 

@@ -22,7 +22,7 @@ std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
     std::string text = "linear bound: no four weights of this code can exceed it\n";
     try {
         const std::vector<linear_code::BoundRow> rows = linear_code::study_bounds(scenes, study);
-        for (const char* split : {"train", "heldout"}) {
+        for (const char* split : {"train", "heldout", "real"}) {
             const linear_code::BoundRow* pooled = nullptr;  // the pool's row follows its scenes'
             for (const linear_code::BoundRow& row : rows) {
                 if (row.split == split) pooled = &row;

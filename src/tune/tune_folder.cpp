@@ -68,7 +68,7 @@ struct SceneRow {
     const TunedSettings& settings;
     const std::string& scene;
     const score::CurveCount& count;
-    bool is_train = false;
+    scene::Split split;
 };
 
 std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& options) {
@@ -79,7 +79,7 @@ std::string line_of(std::int64_t cell, const SceneRow& of, const TuneOptions& op
     row.method = of.settings.name;
     row.scene = of.scene;
     row.view = "(all)";
-    row.split = of.is_train ? "train" : "heldout";
+    row.split = scene::split_name(of.split);
     row.threads = options.threads;
     row.seed = options.plan.seed;
     row.params = harness::join_params(options.config.info->complete(all));
@@ -104,10 +104,14 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
     std::int64_t cell = 0;
     for (const TunedSettings* each : all) {
         for (std::size_t i = 0; i < each->train.size(); ++i)
-            text += line_of(cell++, {*each, result.train_scenes[i], each->train[i], true}, options);
+            text += line_of(cell++,
+                            {*each, result.train_scenes[i], each->train[i], scene::Split::train},
+                            options);
         for (std::size_t i = 0; i < each->heldout.size(); ++i)
             text += line_of(
-                cell++, {*each, result.heldout_scenes[i], each->heldout[i], false}, options);
+                cell++,
+                {*each, result.heldout_scenes[i], each->heldout[i], result.heldout_splits[i]},
+                options);
     }
     return text;
 }

@@ -1,10 +1,12 @@
 #include "tune/tune_log.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <charconv>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -31,14 +33,46 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
-/// settings,value,error,draw_ms; nothing for a line that is damaged.
+/// k, n_pred and n_truth of one view after the other; nothing if a number is damaged.
+std::optional<std::vector<score::CurveCount>> parse_counts(std::string_view text) {
+    std::vector<std::int64_t> numbers;
+    for (const char* at = text.data(); at < text.data() + text.size();) {
+        std::int64_t number = 0;
+        const auto [end, status] = std::from_chars(at, text.data() + text.size(), number);
+        if (status != std::errc{}) return std::nullopt;
+        numbers.push_back(number);
+        at = end + 1;  // past the space
+    }
+    if (numbers.size() % 3 != 0) return std::nullopt;
+    std::vector<score::CurveCount> counts;
+    for (std::size_t i = 0; i < numbers.size(); i += 3)
+        counts.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    return counts;
+}
+
+/// settings,value,error,draw_ms,counts; nothing for a line that is damaged.
 std::optional<std::pair<std::string, TuneValue>> parse_line(std::string_view line) {
     const std::vector<std::string_view> fields = fields_of(line);
-    if (fields.size() != 4) return std::nullopt;
+    if (fields.size() != 5) return std::nullopt;
     const auto value = parse_number(fields[1]);
     const auto error = parse_number(fields[2]);
-    if (!value || !error) return std::nullopt;
-    return std::pair(std::string(fields[0]), TuneValue{*value, *error, parse_number(fields[3])});
+    const auto by_view = parse_counts(fields[4]);
+    if (!value || !error || !by_view) return std::nullopt;
+    TuneValue found{.value = *value, .error = *error, .draw_ms = parse_number(fields[3])};
+    found.by_view = *by_view;
+    return std::pair(std::string(fields[0]), std::move(found));
+}
+
+std::string line_of(const std::string& settings, const TuneValue& value) {
+    std::vector<std::string> counts;
+    for (const score::CurveCount& count : value.by_view)
+        counts.push_back(fmt::format("{} {} {}", count.k, count.n_pred, count.n_truth));
+    return fmt::format("{},{},{},{},{}\n",
+                       settings,
+                       value.value,
+                       value.error,
+                       value.draw_ms ? fmt::format("{}", *value.draw_ms) : "",
+                       fmt::join(counts, " "));
 }
 
 std::string heading(const std::string& key) {
@@ -50,13 +84,8 @@ std::string heading(const std::string& key) {
 TuneLog::TuneLog(std::filesystem::path path, const std::string& key) : path_(std::move(path)) {
     read(key);
     std::string text = heading(key) + "\n";
-    for (const auto& [settings, value] : values_) {
-        text += fmt::format("{},{},{},{}\n",
-                            settings,
-                            value.value,
-                            value.error,
-                            value.draw_ms ? fmt::format("{}", *value.draw_ms) : "");
-    }
+    for (const auto& [settings, value] : values_)
+        text += line_of(settings, value);
     core::write_whole_file(path_, text);
     stream_.open(path_, std::ios::app);
     if (!stream_) {
@@ -95,12 +124,7 @@ std::optional<TuneValue> TuneLog::find(const std::string& settings) const {
 void TuneLog::add(const std::string& settings, const TuneValue& value) {
     values_[settings] = value;
     errno = 0;
-    stream_ << fmt::format("{},{},{},{}\n",
-                           settings,
-                           value.value,
-                           value.error,
-                           value.draw_ms ? fmt::format("{}", *value.draw_ms) : "")
-            << std::flush;
+    stream_ << line_of(settings, value) << std::flush;
     if (!stream_) {
         throw core::Error(path_.string(),
                           fmt::format("a line could not be written: {}; those before it are there",

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "score/score.h"
 
@@ -14,8 +15,9 @@ namespace ink::tune {
 struct TuneValue {
     double value = 0;  ///< what the search lowers: 1 - F or 1 - AP, and more beyond a time budget
     double error = 0;  ///< 1 - F or 1 - AP
-    std::optional<double> draw_ms;  ///< where a time budget asked for it
-    bool is_by_planes = false;      ///< else the method itself drew; no part of the log's lines
+    std::optional<double> draw_ms = {};  ///< where a time budget asked for it
+    bool is_by_planes = false;  ///< else the method itself drew; no part of the log's lines
+    std::vector<score::CurveCount> by_view = {};  ///< of each training view, unless AP is lowered
 };
 
 /// The finished evaluations of a search, on disk as soon as they are known.

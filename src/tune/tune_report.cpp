@@ -61,6 +61,18 @@ std::string paired_difference_line(const char* where,
         "  on {} scenes {}{}\n", where, experiment::format_paired_difference(paired), verdict);
 }
 
+/// What settings found so may score on a view like these, where no scene is held out.
+std::string left_out_line(const TuneResult& result) {
+    if (result.left_out.empty()) return "";
+    const double f = f_of(result.left_out);
+    return fmt::format(
+        "one view left out at a time: E {:.4f}, F {:.3f}, 95 % of E {} over {} views\n",
+        1 - f,
+        f,
+        interval_text(statistics::f_interval(result.left_out, {})),
+        result.left_out.size());
+}
+
 /// Best value after the first `n` steps.
 double best_after(const std::vector<TuneStep>& steps, std::size_t n) {
     double best = steps.front().found.value;
@@ -152,6 +164,8 @@ std::vector<std::pair<std::string, std::string>> provenance_lines(const TuneResu
         lines.push_back(
             {"e_heldout_default", fmt::format("{:.6f}", 1 - f_of(result.defaults.heldout))});
     }
+    if (!result.left_out.empty())
+        lines.push_back({"e_left_out", fmt::format("{:.6f}", 1 - f_of(result.left_out))});
     if (options.budget_ms) lines.push_back({"budget_ms", fmt::format("{}", *options.budget_ms)});
     lines.push_back({"inputs", methods::toml_text(result.inputs_hash)});
     return lines;
@@ -181,6 +195,7 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
     if (result.heldout_views > 0) {
         text += paired_difference_line("unseen", result.tuned.heldout, result.defaults.heldout);
     }
+    text += left_out_line(result);
     const bool is_late = options.budget_ms && result.tuned.found.value > 1;
     if (is_late) text += "no setting keeps within the time budget\n";
     if (options.budget_ms) {

@@ -156,6 +156,8 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
     int files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(INK_SOURCE_DIR "/experiments")) {
         if (entry.path().extension() != ".toml") continue;
+        // A list of models, and the experiment on them: its scenes are files that must be fetched.
+        if (entry.path().stem() == "models" || entry.path().stem() == "real") continue;
         ++files;
         const Experiment e = read_experiment(entry.path());
         EXPECT_EQ(e.name, entry.path().stem().string());
@@ -168,7 +170,7 @@ TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {
         }
         EXPECT_LT(work_s, 1800) << entry.path();
     }
-    EXPECT_EQ(files, 7);
+    EXPECT_EQ(files, 8);
 }
 
 }  // namespace

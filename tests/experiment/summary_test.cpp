@@ -62,6 +62,7 @@ TEST(Summarise, PoolsCountsAndTakesMeansApart) {
     EXPECT_DOUBLE_EQ(*s.f_1px, 0.6);  // 2 * 240 / 800
     EXPECT_DOUBLE_EQ(*s.f_train, 0.5);
     EXPECT_DOUBLE_EQ(*s.f_heldout, 1.0);
+    EXPECT_FALSE(s.f_real) << "no row is of a model";
     EXPECT_DOUBLE_EQ(*s.precision, 0.875);
     EXPECT_DOUBLE_EQ(s.recall_by_class.at("crease"), 0.875);  // 350 of 400
     EXPECT_DOUBLE_EQ(s.recall_by_class.at("seam"), 0.25);

@@ -3,6 +3,7 @@
 #include "catalogue/catalogue.h"
 #include "harness/cell.h"
 #include "harness/miss_prediction.h"
+#include "tests/catalogue_names.h"
 
 namespace ink::harness {
 namespace {
@@ -76,16 +77,9 @@ TEST_P(AttributionOfCatalogue, CausesAddUpForEveryMethodAndView) {
     EXPECT_GT(views, 0);
 }
 
-std::vector<std::string> catalogue_names() {
-    std::vector<std::string> names;
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
-        names.push_back(entry.name);
-    return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(Scenes,
                          AttributionOfCatalogue,
-                         testing::ValuesIn(catalogue_names()),
+                         testing::ValuesIn(light_scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 /// Settings under which a declared code has to be read differently.

@@ -8,6 +8,7 @@
 #include "harness/line_scores.h"
 #include "harness/suite.h"
 #include "methods/registry.h"
+#include "tests/catalogue_names.h"
 #include "tests/shared_files.h"
 
 namespace ink::harness {
@@ -136,16 +137,9 @@ TEST_P(EveryScene, KeepsTheLawsOfTheScore) {
     }
 }
 
-std::vector<std::string> catalogue_names() {
-    std::vector<std::string> names;
-    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
-        names.push_back(entry.name);
-    return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(Catalogue,
                          EveryScene,
-                         testing::ValuesIn(catalogue_names()),
+                         testing::ValuesIn(light_scene_names_and_scan()),
                          [](const auto& value) { return value.param; });
 
 class EveryModel : public testing::TestWithParam<std::string> {};

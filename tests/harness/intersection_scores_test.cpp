@@ -108,7 +108,7 @@ TEST_F(Crossings, TheTruthScoresOneAgainstItselfWithEither) {
     for (const Intersections intersections : {Intersections::above_crease, Intersections::all}) {
         const ViewTruth truth = traced(intersections);
         const auto baselines = baseline_evaluations(truth);
-        EXPECT_EQ(scored(baselines[2].image, truth).f_2px, 1);
+        EXPECT_EQ(scored(baselines[3].image, truth).f_2px, 1);
         EXPECT_EQ(scored(baselines[0].image, truth).f_2px, 0);
     }
 }

@@ -29,12 +29,13 @@ TEST(MethodsTable, BaselineRowsSayWhatTheyAreForAndNothingElse) {
         ElementsAre("method,role,family,marker,tunables,bytes_per_px,preset_of,source,params",
                     "none,floor,,,,,,,",
                     "sampled,one_sample,,,,,,,",
+                    "exact_corner,one_sample,,,,,,,",
                     "oracle,exact,,,,,,,"));
 }
 
 TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
     const std::vector<MethodConfig> configs = make_configs("decaudin", {"threshold=99"});
-    const std::string line = lines_of(methods_csv(configs)).at(4);
+    const std::string line = lines_of(methods_csv(configs)).at(5);
     EXPECT_THAT(line,
                 StartsWith("decaudin,method,full_buffers,circle,"
                            "k_depth:0.001..1;k_normal:0.01..2;join:max|or|length;threshold:1..255,"
@@ -46,7 +47,7 @@ TEST(MethodsTable, ALineSaysWhatTheRegistryKnows) {
 }
 
 TEST(MethodsTable, APresetNamesItsMethod) {
-    const std::string line = lines_of(methods_csv(make_configs("mote4_tuned", {}))).at(4);
+    const std::string line = lines_of(methods_csv(make_configs("mote4_tuned", {}))).at(5);
     EXPECT_THAT(line, StartsWith("mote4_tuned,method,packed,square,range_depth:0..255;"));
     EXPECT_THAT(
         line,
@@ -60,15 +61,15 @@ TEST(MethodsTable, BytesFollowTheSettingsAndAreEmptyWhereTheSceneDecides) {
     };
     EXPECT_EQ(bytes("mote4", {"depth_format=q32"}), 5);
     EXPECT_EQ(bytes("mote4", {"depth_format=z16"}), 3);
-    EXPECT_THAT(lines_of(methods_csv(make_configs("mote4", {"depth_format=z16"}))).at(4),
+    EXPECT_THAT(lines_of(methods_csv(make_configs("mote4", {"depth_format=z16"}))).at(5),
                 HasSubstr("threshold:1..64,3,,"));
-    EXPECT_THAT(lines_of(methods_csv(make_configs("auto", {}))).at(4),
+    EXPECT_THAT(lines_of(methods_csv(make_configs("auto", {}))).at(5),
                 StartsWith("auto,method,packed,up,threshold:1..255,,,"));
 }
 
 TEST(MethodsTable, HasALinePerConfigOfARun) {
     const std::vector<MethodConfig> all = make_configs("", {});
-    EXPECT_EQ(lines_of(methods_csv(all)).size(), 1 + 3 + all.size());
+    EXPECT_EQ(lines_of(methods_csv(all)).size(), 1 + 4 + all.size());
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     };
     row.above_crease_2px = any.maybe(count);
     row.all_intersections_2px = any.maybe(count);
+    row.with_crowded_2px = any.maybe(count);
     for (const std::string_view group : kRecallGroups) {
         if (any.coin()) continue;
         const std::string key(group);
@@ -109,7 +110,7 @@ inline Row random_row(RandomValues& any) {
     row.method = any.text();
     row.scene = any.text();
     row.view = any.text();
-    row.split = any.coin() ? "train" : "heldout";
+    row.split = any.coin() ? "train" : any.coin() ? "heldout" : "real";
     row.width = any.small();
     row.height = any.small();
     row.threads = any.small();

@@ -131,11 +131,12 @@ class PageTest(unittest.TestCase):
         self.open()
         shown = self.script(
             "return currentView().summaries.map(s => [s.method, s.value, s.f_1px, s.precision,"
-            " s.recall, s.macro, s.train, s.heldout, s.ms, s.range && s.range.low, s.range && s.range.high])")
+            " s.recall, s.macro, s.train, s.heldout, s.real, s.ms, s.range && s.range.low, s.range && s.range.high])")
         with open(self.folder / "before" / "summary.csv", newline="") as file:
             lines = {line["method"]: line for line in csv.DictReader(file)}
         self.assertEqual({line[0] for line in shown}, set(lines))
-        keys = ["f_2px", "f_1px", "precision", "recall", "f_macro", "f_train", "f_heldout", "draw_ms"]
+        keys = ["f_2px", "f_1px", "precision", "recall", "f_macro", "f_train", "f_heldout", "f_real",
+                "draw_ms"]
         for method, *values in shown:
             for key, value in zip(keys, values):
                 kept = lines[method][key]
@@ -144,7 +145,7 @@ class PageTest(unittest.TestCase):
                         self.assertIsNone(value)
                     else:
                         self.assertAlmostEqual(value, float(kept), places=9)
-            for key, value in zip(["f_lo", "f_hi"], values[8:]):
+            for key, value in zip(["f_lo", "f_hi"], values[9:]):
                 with self.subTest(method=method, key=key):
                     # Resampled by other random numbers: the ends agree as far as these allow.
                     self.assertAlmostEqual(value, float(lines[method][key]), delta=0.02)

@@ -74,13 +74,13 @@ TEST(SampledLines, CompareRecordsItUnlessToldNotTo) {
     words.insert(words.end(), {"--views", "1", "--repetitions", "1", "--out", "out"});
     EXPECT_EQ(desk.run(words).exit_code, 0);
     Table rows = parse_csv(desk.read("out/rows.csv"));
-    ASSERT_EQ(rows.size(), 4U);
+    ASSERT_EQ(rows.size(), 5U);
     for (const auto& row : rows)
         EXPECT_LT(std::stod(row.at("reference_disagreement")), 0.001);
     words.insert(words.end(), {"--no-crosscheck", "--force"});
     EXPECT_EQ(desk.run(words).exit_code, 0);
     rows = parse_csv(desk.read("out/rows.csv"));
-    ASSERT_EQ(rows.size(), 4U);
+    ASSERT_EQ(rows.size(), 5U);
     for (const auto& row : rows)
         EXPECT_EQ(row.at("reference_disagreement"), "");
 }
@@ -133,8 +133,8 @@ TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
             ++done;
         }
     }
-    EXPECT_EQ(refused, 4) << "the method's and three baselines'";
-    EXPECT_EQ(done, 4) << "the method's and three baselines'";
+    EXPECT_EQ(refused, 5) << "the method's and four baselines'";
+    EXPECT_EQ(done, 5) << "the method's and four baselines'";
     EXPECT_THAT(desk.read("out/report.html"), HasSubstr("too_large: 18000 lines"));
     const Table unscored = parse_csv(desk.read("out/unscored.csv"));
     ASSERT_EQ(unscored.size(), 1U);

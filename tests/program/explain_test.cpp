@@ -38,6 +38,42 @@ TEST(Explain, JsonHoldsTheSame) {
     EXPECT_FALSE(json.at("methods").at("auto").at("plan").empty());
 }
 
+TEST(Explain, ShowsTheCamerasThatFramingMakes) {
+    const Desk desk;
+    desk.write("two.obj",
+               "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+               "o right\nv 10 0 0\nv 11 0 0\nv 10 1 0\nf 4 5 6\n");
+    const auto eye = [&](std::vector<std::string> framing) {
+        framing.insert(framing.begin(), {"explain", "two.obj", "--json", "--methods", "ids"});
+        const Outcome outcome = desk.run(framing);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out).at("place").at("cameras").at("view0").at("eye");
+    };
+    const auto usual = eye({});
+    EXPECT_EQ(eye({"--fit", "sphere"}), usual);
+    const auto fitted = eye({"--fit", "box"});
+    EXPECT_LT(fitted.at(2).get<double>(), usual.at(2).get<double>()) << "it stands nearer";
+    EXPECT_GT(eye({"--fit", "box", "--margin", "0.2"}).at(2).get<double>(),
+              fitted.at(2).get<double>());
+    EXPECT_GT(eye({"--object", "right"}).at(0).get<double>(), 10.0);
+}
+
+TEST(Explain, RefusesFramingThatMeansNothing) {
+    const Desk desk;
+    desk.write("one.obj", "o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto refusal = [&](std::vector<std::string> framing) {
+        framing.insert(framing.begin(), {"explain", "one.obj"});
+        const Outcome outcome = desk.run(framing);
+        EXPECT_EQ(outcome.exit_code, 2);
+        return outcome.err;
+    };
+    EXPECT_THAT(refusal({"--fit", "fog"}), AllOf(HasSubstr("'fog'"), HasSubstr("sphere, box")));
+    EXPECT_THAT(refusal({"--margin", "0.1"}), HasSubstr("--fit box"));
+    EXPECT_THAT(refusal({"--fit", "box", "--margin", "0.5"}), HasSubstr("0..0.45"));
+    EXPECT_THAT(refusal({"--fit", "box", "--eye", "1,2,3"}), HasSubstr("nothing to frame"));
+    EXPECT_THAT(refusal({"--object", "right"}), AllOf(HasSubstr("'right'"), HasSubstr("left")));
+}
+
 TEST(Explain, TellsWhereACameraWouldStand) {
     const Desk desk;
     desk.write("box.obj",

@@ -38,7 +38,7 @@ class Variable {
 TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
     const Desk desk;
     const Outcome outcome = desk.run(figures({"--scenes",
-                                              "cube,tiles",
+                                              "cube,torus",
                                               "--methods",
                                               "mote4,decaudin,ids",
                                               "--size",
@@ -56,16 +56,16 @@ TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(desk.read("out/figures.md"),
                 AllOf(HasSubstr("## strips"),
-                      HasSubstr("`inkbench figures --scenes cube,tiles --methods "
+                      HasSubstr("`inkbench figures --scenes cube,torus --methods "
                                 "mote4,decaudin,ids --size 96x54")));
     for (const char* name : {"strips", "error_time", "classes"}) {
         EXPECT_THAT(desk.read(std::string("out/") + name + ".pdf"), StartsWith("%PDF")) << name;
         EXPECT_THAT(desk.read(std::string("out/") + name + ".svg"), HasSubstr(">mote4</text>"))
             << name;
     }
-    EXPECT_THAT(desk.read("out/strips.svg"), HasSubstr("tiles view1"))
+    EXPECT_THAT(desk.read("out/strips.svg"), HasSubstr("torus view1"))
         << "every view that is asked";
-    EXPECT_EQ(parse_csv(desk.read("out/run/rows.csv")).size(), 2U * 2 * (3 + 3));
+    EXPECT_EQ(parse_csv(desk.read("out/run/rows.csv")).size(), 2U * 2 * (3 + 4));
     EXPECT_EQ(desk.read("out/run/sweep.csv"), "");
     for (const auto& [path, size] : desk.inventory())
         EXPECT_THAT(path, Not(HasSubstr(".part")));

@@ -192,7 +192,7 @@ TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
     expect_done(
         desk, {"compare", "--demo"}, {"--scenes", "cube", "--methods", "ids", "--size", "64x36"});
     const Table rows = parse_csv(desk.read("inkbench-out/demo/rows.csv"));
-    EXPECT_EQ(rows.size(), 4U);  // with three baselines
+    EXPECT_EQ(rows.size(), 5U);  // with four baselines
     EXPECT_EQ(rows.at(0).at("scene"), "cube");
 }
 

@@ -64,19 +64,19 @@ TEST(Run, SaysHowMuchThereIsToDoAndWritesTables) {
     desk.write("tiny.toml", kExperiment);
     const Outcome outcome = desk.run({"run", "tiny.toml"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    // 4 scenes x 2 views x (3 methods + 3 baselines + 6 settings), a block for rows and one for the
+    // 4 scenes x 2 views x (3 methods + 4 baselines + 6 settings), a block for rows and one for the
     // sweep on each view.
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 96 cells in 16 blocks"), HasSubstr("about")));
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("tiny: 104 cells in 16 blocks"), HasSubstr("about")));
     EXPECT_THAT(outcome.out, HasSubstr("report.html"));
     const Table rows = parse_csv(desk.read("inkbench-out/tiny/rows.csv"));
-    EXPECT_EQ(rows.size(), 48U);
+    EXPECT_EQ(rows.size(), 56U);
     EXPECT_EQ(parse_csv(desk.read("inkbench-out/tiny/sweep.csv")).size(), 48U);
     for (const auto& row : rows) {
         EXPECT_EQ(row.at("status"), "ok");
         EXPECT_EQ(row.at("seed"), "3");
         EXPECT_EQ(row.at("draw_ns") + row.at("draw_n"), "");
     }
-    EXPECT_THAT(desk.run({"run", "tiny.toml"}).err, HasSubstr("all 96 cells are done"));
+    EXPECT_THAT(desk.run({"run", "tiny.toml"}).err, HasSubstr("all 104 cells are done"));
 }
 
 TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
@@ -122,7 +122,7 @@ TEST(Run, ShardsMergedGiveTheBytesOfOneRun) {
             "run", "tiny.toml", "--shard", shard, "--out", std::string("part") + shard[0]};
         const Outcome outcome = desk.run(words);
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("of 96 cells"));
+        EXPECT_THAT(outcome.err, HasSubstr("of 104 cells"));
         EXPECT_THAT(outcome.out, HasSubstr("inkbench merge"));
     }
     const Outcome early = desk.run({"merge", "part1", "part3", "-o", "merged"});

@@ -60,7 +60,7 @@ TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
         }
     }
     EXPECT_GT(methods.size(), 10U);
-    for (const char* baseline : {"none", "sampled", "oracle"})
+    for (const char* baseline : {"none", "sampled", "exact_corner", "oracle"})
         EXPECT_FALSE(methods.contains(baseline)) << "it does no work";
     EXPECT_EQ(page_table(desk.read("out/report.html"), "cost_fit.csv")["lines"], 7)
         << "a price a kind of work";

@@ -32,8 +32,8 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("grazing"));
     const Table rows = table_of_run(desk, "out", "stress.csv");
-    // Three values of three and of four cases, each with three baselines and two methods.
-    EXPECT_EQ(rows.size(), 3U * (3 + 4) * 5);
+    // Three values of three and of four cases, each with four baselines and two methods.
+    EXPECT_EQ(rows.size(), 3U * (3 + 4) * 6);
     std::set<std::string> values;
     for (const auto& row : rows) {
         EXPECT_EQ(row.at("status"), "ok");
@@ -42,7 +42,7 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
         if (row.at("axis") == "grazing") values.insert(row.at("value"));
     }
     EXPECT_EQ(values, (std::set<std::string>{"0.1", "2", "20"}));
-    EXPECT_EQ(parse_csv(desk.read("out/stress_summary.csv")).size(), 3U * 2 * 5);
+    EXPECT_EQ(parse_csv(desk.read("out/stress_summary.csv")).size(), 3U * 2 * 6);
     EXPECT_EQ(parse_csv(desk.read("out/stress_axes.csv")).size(), 2U);
     const std::string page = desk.read("out/report.html");
     EXPECT_EQ(page_table(page, "stress.csv")["lines"], rows.size());

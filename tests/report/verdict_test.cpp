@@ -62,6 +62,19 @@ TEST(VerdictTable, WarnsWhereAMethodOfOneSampleBeatsSampled) {
     EXPECT_THAT(verdict_table(small_comparison()), Not(HasSubstr("Warning")));
 }
 
+TEST(VerdictTable, ComparesAMethodThatSamplesCornersWithTheExactCorners) {
+    const auto rows = [](double exact) {
+        std::vector<harness::Row> all = {made_up_row("ids", 0.98, 1.0),
+                                         made_up_row("sampled", 0.87, 0),
+                                         made_up_row("exact_corner", exact, 0)};
+        all.front().params = "of=patch;samples=corner;threshold=128";
+        return all;
+    };
+    EXPECT_THAT(verdict_table(rows(0.99)), Not(HasSubstr("Warning")));
+    EXPECT_THAT(verdict_table(rows(0.95)),
+                HasSubstr("Warning: ids (F .980) above `exact_corner` (F .950)"));
+}
+
 TEST(VerdictTable, HasTheNumbersOfEachMethod) {
     const auto lines = lines_of(verdict_table(small_comparison()));
     EXPECT_THAT(words_of(lines.at(1)),
@@ -70,6 +83,7 @@ TEST(VerdictTable, HasTheNumbersOfEachMethod) {
                                      "-",  // one scene has no interval
                                      ".600",
                                      ".600",
+                                     "-",  // no model took part
                                      ".600",
                                      ".540",
                                      ".600",
@@ -84,6 +98,7 @@ TEST(VerdictTable, HasTheNumbersOfEachMethod) {
                                      "-",
                                      ".900",
                                      ".900",
+                                     "-",
                                      ".900",
                                      ".810",
                                      ".900",
@@ -99,13 +114,22 @@ TEST(VerdictTable, MarksTheBaselinesAndGivesThemNoTime) {
     const auto words = words_of(lines.at(5));
     EXPECT_EQ(words.at(0) + words.at(1), "oracle*");
     EXPECT_EQ(words.at(2), "1.000");
-    EXPECT_EQ(words.at(12), "-");
+    EXPECT_EQ(words.at(13), "-");
 }
 
 TEST(VerdictTable, EndsWithOneSentence) {
     EXPECT_EQ(lines_of(verdict_table(small_comparison())).back(),
               "fine makes the fewest errors: F .900 at 2 px over 3 views pooled, 8.00 ms a frame, "
-              "4.0 times as long as the cheapest, rough (2.00 ms, F .600).");
+              "4.0 times as long as the cheapest, rough (2.00 ms, F .600). Best by part: fine on "
+              "training scenes (F .900), fine on held-out scenes (F .900).");
+}
+
+TEST(VerdictTable, SaysOnWhichPartsItHolds) {
+    std::vector<harness::Row> rows = small_comparison();
+    for (harness::Row& row : rows)
+        row.split = "real";
+    EXPECT_THAT(lines_of(verdict_table(rows)).back(),
+                HasSubstr("It holds for real models: no others took part."));
 }
 
 TEST(VerdictTable, ListsTheClassesThatAreThere) {
@@ -120,7 +144,7 @@ TEST(VerdictTable, SaysHowManyCellsFailed) {
     rows[0].status = "failed: out of ink";
     const std::string table = verdict_table(rows);
     EXPECT_THAT(table, HasSubstr("2/3"));
-    EXPECT_THAT(table, HasSubstr("1 cell failed and enters no number here."));
+    EXPECT_THAT(table, HasSubstr("1 cell has no score and no part in these numbers."));
 }
 
 TEST(VerdictTable, SaysSoIfADifferenceIsNotSignificant) {
@@ -189,7 +213,7 @@ TEST(VerdictTable, AMethodAloneWinsNothing) {
 
 TEST(VerdictMarkdown, IsATableOfEqualLines) {
     const auto lines = lines_of(verdict_markdown(small_comparison()));
-    EXPECT_THAT(lines.at(0), HasSubstr("| method | F 2px | 95 % | train | held-out |"));
+    EXPECT_THAT(lines.at(0), HasSubstr("| method | F 2px | 95 % | train | held-out | real |"));
     EXPECT_THAT(lines.at(2), HasSubstr("| rough | .600 | - |"));
     const auto bars = [](const std::string& line) {
         return std::count(line.begin(), line.end(), '|');

@@ -47,7 +47,7 @@ TEST(StressRows, NoExtremeLosesACellOrANumber) {
         const double last = axis.name == "facets" ? 32768 : axis.values.back();  // for time
         for (const double value : {axis.values.front(), last}) {
             const auto rows = rows_of(axis.name, value, configs);
-            EXPECT_EQ(rows.size() % 5, 0U) << axis.name;  // none, sampled, oracle, two methods
+            EXPECT_EQ(rows.size() % 6, 0U) << axis.name;  // four baselines, two methods
             for (const StressRow& row : rows) {
                 EXPECT_EQ(row.row.status, "ok") << axis.name << " " << value;
                 EXPECT_EQ(row.counts.lost, 0);
@@ -65,17 +65,17 @@ TEST(StressRows, NoExtremeLosesACellOrANumber) {
 
 TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
     const auto rows = rows_of("zoom", 0.25, harness::make_configs("mote2", {}));
-    ASSERT_EQ(rows.size(), 16U);
-    EXPECT_EQ(rows[3].axis, "zoom");
-    EXPECT_EQ(rows[3].value, 0.25);
-    EXPECT_EQ(rows[3].row.method, "mote2");
-    EXPECT_EQ(rows[3].row.scene, "blocks");
-    EXPECT_EQ(rows[3].row.view, "zoom=0.25");
-    EXPECT_FALSE(rows[3].row.draw_ns);
-    EXPECT_FALSE(rows[3].row.prepare_ns);
-    EXPECT_FALSE(rows[3].row.predicted_ns);
-    EXPECT_EQ(rows[3].row.draw_n, 0);
-    EXPECT_EQ(stress_line(7, rows[3]), "7,zoom,0.25,,0,0,0,0\n");
+    ASSERT_EQ(rows.size(), 20U);
+    EXPECT_EQ(rows[4].axis, "zoom");
+    EXPECT_EQ(rows[4].value, 0.25);
+    EXPECT_EQ(rows[4].row.method, "mote2");
+    EXPECT_EQ(rows[4].row.scene, "blocks");
+    EXPECT_EQ(rows[4].row.view, "zoom=0.25");
+    EXPECT_FALSE(rows[4].row.draw_ns);
+    EXPECT_FALSE(rows[4].row.prepare_ns);
+    EXPECT_FALSE(rows[4].row.predicted_ns);
+    EXPECT_EQ(rows[4].row.draw_n, 0);
+    EXPECT_EQ(stress_line(7, rows[4]), "7,zoom,0.25,,0,0,0,0\n");
 }
 
 TEST(StressRows, AMethodThatThrowsIsLost) {
@@ -83,10 +83,10 @@ TEST(StressRows, AMethodThatThrowsIsLost) {
     script.failure = "no ink left";
     const method::MethodInfo info = harness::skipping_info(script);
     const auto rows = rows_of("zoom", 1, {{&info, {}}});
-    ASSERT_EQ(rows.size(), 16U);
-    EXPECT_EQ(rows[3].row.status, "failed: no ink left");
-    EXPECT_EQ(rows[3].counts.lost, 1);
-    EXPECT_EQ(rows[2].counts.lost, 0) << "the oracle goes on";
+    ASSERT_EQ(rows.size(), 20U);
+    EXPECT_EQ(rows[4].row.status, "failed: no ink left");
+    EXPECT_EQ(rows[4].counts.lost, 1);
+    EXPECT_EQ(rows[3].counts.lost, 0) << "the oracle goes on";
     StressCounts total;
     for (const StressRow& row : rows)
         total.add(row.counts);
@@ -109,9 +109,9 @@ TEST(StressRows, AnImageOfAnotherSizeIsLost) {
     info.make = [](const core::ParamValues&) { return std::make_unique<Misfit>(); };
     info.complete = [](const core::ParamValues&) { return core::ParamValues{{"threshold", "9"}}; };
     const auto rows = rows_of("cube_roll", 20, {{&info, {}}});
-    ASSERT_EQ(rows.size(), 12U);
-    EXPECT_EQ(rows[3].row.status, "failed: an image of 3 x 5 px");
-    EXPECT_EQ(rows[3].counts.lost, 1);
+    ASSERT_EQ(rows.size(), 15U);
+    EXPECT_EQ(rows[4].row.status, "failed: an image of 3 x 5 px");
+    EXPECT_EQ(rows[4].counts.lost, 1);
 }
 
 TEST(StressThreads, DrawTheSameImages) {
@@ -163,7 +163,7 @@ TEST(StressScaleAxis, AMillionthAndABillionTimesTheSizeAreTheSameImage) {
     const auto configs = harness::make_configs("decaudin,polygon_offset", {});
     const auto small = rows_of("scale", std::ldexp(1, -30), configs);
     const auto large = rows_of("scale", std::ldexp(1, 30), configs);
-    for (const char* method : {"oracle", "sampled"})
+    for (const char* method : {"oracle", "sampled", "exact_corner"})
         EXPECT_EQ(hashes(small, method), hashes(large, method)) << method;
 }
 

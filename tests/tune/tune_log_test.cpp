@@ -48,6 +48,21 @@ TEST_F(Log, GivesBackWhatWasAddedToTheLastBit) {
     EXPECT_FALSE(log.was_anothers());
 }
 
+TEST_F(Log, GivesBackTheCountsOfEveryView) {
+    {
+        TuneLog log(path_, "k");
+        TuneValue value{.value = 0.5, .error = 0.5};
+        value.by_view = {{3, 5, 7}, {0, 0, 1000000}};
+        log.add("a=1", value);
+    }
+    const TuneLog log(path_, "k");
+    ASSERT_TRUE(log.find("a=1"));
+    const std::vector<score::CurveCount> by_view = log.find("a=1")->by_view;
+    ASSERT_EQ(by_view.size(), 2U);
+    EXPECT_EQ(by_view[0].n_pred, 5);
+    EXPECT_EQ(by_view[1].n_truth, 1000000);
+}
+
 TEST_F(Log, ALineThatWasCutOffIsNone) {
     {
         TuneLog log(path_, "k");

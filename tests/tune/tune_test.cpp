@@ -174,18 +174,41 @@ TEST_F(Tune, ATimeBudgetThatNothingMeetsIsSaid) {
     EXPECT_THAT(tune_summary(result, with), HasSubstr("no setting keeps within"));
 }
 
+TEST_F(Tune, WithoutHeldOutScenesOneViewIsLeftOutAtATime) {
+    TuneOptions with = options("mote4", "");
+    with.random = false;
+    const TuneResult alone = tune(scenes({"cube"}), with);
+    ASSERT_EQ(alone.left_out.size(), 3U);
+    EXPECT_GE(error_of(alone.left_out), alone.tuned.found.error);
+    EXPECT_THAT(tune_summary(alone, with), HasSubstr("one view left out at a time: E 0."));
+    EXPECT_THAT(read("mote4_found.toml"), HasSubstr("e_left_out = "));
+    EXPECT_TRUE(tune(scenes({"cube", "gem"}), with).left_out.empty());
+}
+
+TEST_F(Tune, ModelsOfTheUserAreSearchedUnlessTheyAreUnseen) {
+    const fs::path model = fs::path(testing::TempDir()) / "tune_test_roof.obj";
+    std::ofstream(model) << "v 0 0 0\nv 1 0 0\nv 0 1 1\nv 1 1 1\nv 0 2 0\nv 1 2 0\n"
+                            "f 1 2 4 3\nf 3 4 6 5\n";
+    TuneOptions with = options("mote4", "threshold");
+    with.random = false;
+    with.plan.evaluations = 8;
+    const TuneResult alone = tune(scenes({model.string()}), with);
+    EXPECT_EQ(alone.train_scenes, std::vector<std::string>{"tune_test_roof"});
+    EXPECT_EQ(alone.left_out.size(), 3U);
+    with.unseen = {"tune_test_roof"};
+    const TuneResult beside = tune(scenes({"cube", model.string()}), with);
+    EXPECT_EQ(beside.train_scenes, std::vector<std::string>{"cube"});
+    EXPECT_EQ(beside.heldout_scenes, std::vector<std::string>{"tune_test_roof"});
+    EXPECT_TRUE(beside.left_out.empty());
+    fs::remove(model);
+}
+
 TEST_F(Tune, BadWishesAreRefused) {
     EXPECT_THROW((void)tune(scenes({"gem"}), options("mote4", "")), core::Error)
         << "no training scene";
     TuneOptions fixed = options("mote4", "threshold");
     fixed.config = harness::make_configs("mote4", {"threshold=9"}).front();
     EXPECT_THROW((void)tune(scenes({"cube"}), fixed), core::Error) << "fixed and tuned";
-}
-
-TEST(ScenesError, IsTheSquareOfTheMeanRoot) {
-    EXPECT_EQ(scenes_error({}), 0);
-    // Errors of .36 and .04, whatever their pixels: (.6 + .2) / 2 squared.
-    EXPECT_NEAR(scenes_error({{64, 100, 100}, {9600, 10000, 10000}}), 0.16, 1e-12);
 }
 
 TEST(TuneBenchTest, KeptImagesScoreAsFreshOnes) {

@@ -19,6 +19,7 @@ namespace ink::cli {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kMostMargin = 0.45;
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
 template <class T>
@@ -68,6 +69,31 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
         camera.up_world = parse_point(options.up, "--up");
         camera.fov_y_rad = options.fov_deg * kRadPerDeg;
         request.cameras.push_back(camera);
+    }
+}
+
+void parse_framing(const ViewOptions& options, harness::ViewRequest& request) {
+    if (options.fit != "" && options.fit != "sphere" && options.fit != "box")
+        throw core::Error(
+            "--fit", fmt::format("'{}' is no way to fit", options.fit), "sphere, box");
+    if (options.fit == "box") request.fit = harness::Fit::box;
+    if (options.fit == "sphere") request.fit = harness::Fit::sphere;
+    if (options.margin) {
+        if (request.fit != harness::Fit::box)
+            throw core::Error("--margin", "there is no --fit box beside it", "--fit box");
+        if (!(*options.margin >= 0 && *options.margin <= kMostMargin)) {
+            throw core::Error("--margin",
+                              fmt::format("the margin cannot be {:g}", *options.margin),
+                              fmt::format("0..{:g} of the frame", kMostMargin));
+        }
+    }
+    request.margin = options.margin;
+    request.objects = options.objects;
+    const bool is_framed = request.fit || !request.objects.empty();
+    if (is_framed && (!request.cameras.empty() || options.views == "file")) {
+        throw core::Error(request.fit ? "--fit" : "--object",
+                          "the cameras are given, so there is nothing to frame",
+                          "no --eye and no --views file beside it");
     }
 }
 
@@ -138,6 +164,22 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
                     "N views round the scene, or 'file' for the model's own cameras (default: a "
                     "built-in scene's own views, three round a model)")
         ->type_name("N|file");
+    command
+        .add_option("--fit",
+                    options.fit,
+                    "What views round the scene are fitted to: its bounding sphere, or what each "
+                    "view shows of it (default: sphere)")
+        ->type_name("sphere|box");
+    command
+        .add_option("--margin",
+                    options.margin,
+                    "Share of the frame that --fit box leaves free on either side (default: 0.04)")
+        ->type_name("SHARE");
+    add_repeatable_option(command,
+                          "--object",
+                          options.objects,
+                          "Frame this object of the scene only; may be given again",
+                          "NAME");
     add_repeatable_option(command,
                           "--eye",
                           options.eyes,
@@ -166,6 +208,7 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     harness::ViewRequest request;
     parse_size(options.size, request);
     parse_cameras(options, request);
+    parse_framing(options, request);
     if (options.views == "file") {
         request.file_cameras = true;
     } else if (!options.views.empty()) {

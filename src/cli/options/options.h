@@ -27,9 +27,13 @@ struct ViewOptions {
     double fov_deg = 40;
     std::optional<double> time_s;
     std::optional<int> frame;
+    std::string fit;  ///< "", "sphere" or "box"
+    std::optional<double> margin;
+    std::vector<std::string> objects;
 };
 
-/// Adds --size, --views, --eye, --target, --up, --fov, --time and --frame to a command.
+/// Adds --size, --views, --fit, --margin, --object, --eye, --target, --up, --fov, --time and
+/// --frame to a command.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.

@@ -116,6 +116,7 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
     }
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
+    summary.f_real = pooled(of_split(rows, "real"), counts_2px);
     summary.f_macro = macro_f(scenes);
     summary.f_1px = pooled_where(
         rows, [](const harness::Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);

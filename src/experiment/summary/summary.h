@@ -26,6 +26,7 @@ struct MethodSummary {
         f_2px_range;                  ///< 95 %, cluster bootstrap; two scenes at least
     std::optional<double> f_train;    ///< pooled over the views of training scenes
     std::optional<double> f_heldout;  ///< pooled over those of held-out scenes
+    std::optional<double> f_real;     ///< pooled over those of model files
     std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
     std::optional<int> threshold;     ///< at which it is scored, from its parameters
     std::vector<double>

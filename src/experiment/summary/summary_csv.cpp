@@ -58,6 +58,7 @@ void add_f(const Summary& summary) {
                         [](const S& s) { return high_of(s.f_2px_range); });
     summary.add_derived({"f_train", "0..1", "the same over training scenes"}, &S::f_train);
     summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
+    summary.add_derived({"f_real", "0..1", "the same over model files"}, &S::f_real);
     summary.add_derived({"f_macro", "0..1", "mean of the scenes' own F"}, &S::f_macro);
     summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
     summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);

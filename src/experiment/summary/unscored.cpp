@@ -23,6 +23,10 @@ std::string remedy_of(const harness::Row& row) {
             row.scene,
             row.view);
     }
+    if (row.status.starts_with("crowded")) {
+        return "a larger --size, or a view in which lines lie farther apart; f_2px_with_crowded of "
+               "its rows counts the crowded pixels too";
+    }
     return fmt::format("inkbench draw {} --view {} --method {} -o alone.png draws it alone",
                        row.scene,
                        row.view,
@@ -65,6 +69,10 @@ std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows) {
             {row.scene, row.view, is_whole_view ? "" : row.method, row.status, remedy_of(row)});
     }
     return cells;
+}
+
+bool is_failure(const Unscored& cell) {
+    return !cell.reason.starts_with("crowded");
 }
 
 bool is_all_unscored(const std::vector<harness::Row>& rows) {

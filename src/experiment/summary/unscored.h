@@ -21,6 +21,10 @@ struct Unscored {
 /// has none at all, else one for each method that failed there.
 [[nodiscard]] std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows);
 
+/// Whether something went wrong there. A crowded view did not: it has no part in headline numbers,
+/// but every cell of it has its f_2px_with_crowded.
+[[nodiscard]] bool is_failure(const Unscored& cell);
+
 /// Whether not one cell of a method has a score; false where there are none.
 [[nodiscard]] bool is_all_unscored(const std::vector<harness::Row>& rows);
 

@@ -99,8 +99,10 @@ const TableInfo& methods_table() {
 }
 
 std::string methods_csv(const std::vector<MethodConfig>& configs) {
-    std::vector<MethodLine> lines = {
-        {"none", "floor"}, {"sampled", "one_sample"}, {"oracle", "exact"}};
+    std::vector<MethodLine> lines = {{"none", "floor"},
+                                     {"sampled", "one_sample"},
+                                     {"exact_corner", "one_sample"},
+                                     {"oracle", "exact"}};
     for (const MethodConfig& config : configs)
         lines.push_back(line_of(config));
     return table().file(lines);

@@ -12,8 +12,8 @@ namespace ink::harness {
 /// tunables, bytes_per_px, preset_of, source, params.
 [[nodiscard]] const TableInfo& methods_table();
 
-/// methods.csv: a line per baseline (none, sampled, oracle), then one per configuration, in their
-/// order.
+/// methods.csv: a line per baseline (none, sampled, exact_corner, oracle), then one per
+/// configuration, in their order.
 ///
 /// `tunables` is "name:low..high;..." with the ends within which `inkbench tune` searches, or
 /// "name:a|b|c" for a choice or a flag; `params` is every parameter as rows.csv has it. Empty is

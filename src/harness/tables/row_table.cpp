@@ -39,7 +39,7 @@ void add_by_class(RowTable& table,
     }
 }
 
-/// F at 2 px with one choice of intersections, and its counts.
+/// F at 2 px with another choice of what counts, and its counts.
 void add_choice(RowTable& table,
                 const std::string& suffix,
                 const std::string& doc,
@@ -59,10 +59,11 @@ void add_place(RowTable& table) {
         &RowRecord::study,
         {kStudyNames.begin(), kStudyNames.end()});
     const auto row = table.part(&RowRecord::row);
-    row.add({"method", "", "method, or baseline: none, sampled, oracle"}, &Row::method);
+    row.add({"method", "", "method, or baseline: none, sampled, exact_corner, oracle"},
+            &Row::method);
     row.add({"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
     row.add({"view", "", "name of the camera, the path or the place on an axis"}, &Row::view);
-    row.add({"split", "", "train or heldout"}, &Row::split);
+    row.add({"split", "", "train, heldout or real"}, &Row::split);
     row.add({"width", "px", "of the image"}, &Row::width);
     row.add({"height", "px", "of the image"}, &Row::height);
     row.add({"threads", "", "the method might use"}, &Row::threads);
@@ -121,6 +122,7 @@ void add_counts(RowTable& table) {
         table, "above_crease", "if flatter intersections are ignored", &Row::above_crease_2px);
     add_choice(
         table, "all_intersections", "if all intersections count", &Row::all_intersections_2px);
+    add_choice(table, "with_crowded", "if crowded pixels count too", &Row::with_crowded_2px);
     add_by_class(table,
                  "k_",
                  "px",
@@ -144,8 +146,9 @@ void add_truth(RowTable& table) {
     const auto scored = row.part_if(&Row::is_scored);
     scored.add({"truth_merged_px", "px", "true pixels that thinning took away"},
                &Row::truth_merged_px);
-    scored.add({"crowded_share", "0..1", "share of true pixels too dense to score"},
-               &Row::crowded_share);
+    row.part_if([](const Row& r) { return r.is_scored() || r.crowded_share > 0; })
+        .add({"crowded_share", "0..1", "share of true pixels too dense to score"},
+             &Row::crowded_share);
     row.add({"reference_disagreement",
              "0..1",
              "share of the lines that only truth or only cross-check has, 0.25 px, per class, "

@@ -51,6 +51,11 @@ function viewOf(run) {
     };
 }
 
+/// What the page calls a part of the suite.
+function splitTitle(split) {
+    return {train: 'training', heldout: 'held-out', real: 'real models'}[split] ?? split;
+}
+
 function isFiltered() {
     return ['families', 'methods', 'scenes', 'split', 'measure', 'budget'].some(name => !state.isDefault(name));
 }
@@ -72,7 +77,7 @@ function drawFilters(root) {
         families.length > 1 ? familyButtons(families) : null,
         methods.length > 1 ? picker('Methods', 'methods', methods.map(info => info.name)) : null,
         scenes.length > 1 ? picker('Scenes', 'scenes', scenes) : null,
-        splits.length > 1 ? chooser('Split', [['all', 'all scenes'], ['train', 'training'], ['heldout', 'held-out']],
+        splits.length > 1 ? chooser('Split', [['all', 'all scenes'], ...splits.map(split => [split, splitTitle(split)])],
             state.get('split'), split => state.set({split})) : null,
         run.rows.length ? chooser('Measure', [
             ['f_2px', 'F at 2 px'], ['f_1px', 'F at 1 px'], ['precision', 'precision'], ['recall', 'recall'],

@@ -199,6 +199,7 @@ function summarise(method, rows, measure) {
         range: pooledInterval(scored, measure),
         train: ofSplit('train'),
         heldout: ofSplit('heldout'),
+        real: ofSplit('real'),
         macro: macro.length ? d3.mean(macro) : null,
         f_1px: pooled(scored, 'f_1px'),
         precision: pooled(scored, 'precision'),

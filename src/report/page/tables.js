@@ -123,7 +123,7 @@ class Run {
     }
 }
 
-const BASELINES = ['none', 'sampled', 'oracle'];
+const BASELINES = ['none', 'sampled', 'exact_corner', 'oracle'];
 const CLASSES = ['contour', 'boundary', 'crease', 'intersection', 'seam'];
 
 /// What recall is told of: the classes, intersections by whether they bend at least by the crease angle.

@@ -20,7 +20,7 @@ function viewerChoice(shown) {
     const {scene, view} = asked || views[0];
     const other = runs[state.get('rightRun')] || run;
     const names = [...other.methods.keys()].filter(name => viewImages.has(other, scene, view, name));
-    const best = shown.best && names.includes(shown.best.method) ? shown.best.method : names.find(n => n !== 'oracle' && n !== 'sampled');
+    const best = shown.best && names.includes(shown.best.method) ? shown.best.method : names.find(n => !BASELINES.includes(n));
     const right = names.includes(state.get('right')) ? state.get('right') : best || 'truth';
     const left = viewImages.has(run, scene, view, state.get('left')) ? state.get('left') : 'truth';
     return {run, other, scene, view, left, right, views};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "draw/crosscheck_report.h"
 #include "experiment/summary/paired_differences.h"
@@ -29,6 +30,7 @@ std::vector<TextColumn> main_columns() {
         {"95 %", [](const experiment::MethodSummary& s) { return format_range(s.f_2px_range); }},
         share_column("train", &experiment::MethodSummary::f_train),
         share_column("held-out", &experiment::MethodSummary::f_heldout),
+        share_column("real", &experiment::MethodSummary::f_real),
         share_column("macro", &experiment::MethodSummary::f_macro),
         share_column("F 1px", &experiment::MethodSummary::f_1px),
         share_column("prec.", &experiment::MethodSummary::precision),
@@ -75,7 +77,7 @@ std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummar
 
 constexpr const char* kBaselineNote =
     "* baselines, not methods: `none` draws nothing, `sampled` is one exact sample a pixel,\n  "
-    "`oracle` is the truth itself.";
+    "`exact_corner` one at its corner, `oracle` is the truth itself.";
 
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
 std::string cost_of(const experiment::Verdict& verdict) {
@@ -114,38 +116,90 @@ std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdi
         experiment::format_paired_difference(*paired));
 }
 
+/// On which parts of the suite the verdict holds: the best method of each part, or which the only
+/// part is.
+std::string by_part(const std::vector<experiment::MethodSummary>& summaries) {
+    using S = experiment::MethodSummary;
+    struct Part {
+        const char* name;
+        std::optional<double> S::*f;
+    };
+    constexpr Part kParts[] = {{"training scenes", &S::f_train},
+                               {"held-out scenes", &S::f_heldout},
+                               {"real models", &S::f_real}};
+    std::vector<std::string> texts;
+    const char* only = "";
+    for (const Part& part : kParts) {
+        const S* best = nullptr;
+        for (const S& s : summaries) {
+            if (s.is_baseline || !(s.*part.f)) continue;
+            if (best == nullptr || *(s.*part.f) > *(best->*part.f)) best = &s;
+        }
+        if (best == nullptr) continue;
+        only = part.name;
+        texts.push_back(fmt::format(
+            "{} on {} (F {})", best->method, part.name, core::format_share(best->*part.f)));
+    }
+    if (texts.empty()) return "";
+    if (texts.size() == 1) return fmt::format(" It holds for {}: no others took part.", only);
+    return fmt::format(" Best by part: {}.", fmt::join(texts, ", "));
+}
+
 std::string failures(const std::vector<experiment::MethodSummary>& summaries) {
     int failed = 0;
     for (const experiment::MethodSummary& s : summaries)
         failed += s.failed;
     if (failed == 0) return "";
-    return fmt::format(" {} cell{} failed and enter{} no number here.",
+    return fmt::format(" {} cell{} no score and no part in these numbers.",
                        failed,
-                       failed == 1 ? "" : "s",
-                       failed == 1 ? "s" : "");
+                       failed == 1 ? " has" : "s have");
 }
 
-/// A warning that names the methods of one sample a pixel that score above `sampled`; empty if
-/// there is none. They do so by luck or by width: what passes between the samples shows in neither.
-std::string sampled_warning(const std::vector<experiment::MethodSummary>& summaries) {
-    const auto sampled =
-        std::find_if(summaries.begin(), summaries.end(), [](const experiment::MethodSummary& s) {
-            return s.method == "sampled" && s.f_2px;
+/// The baseline that sees as much of a pixel as a method of one sample a pixel, by where its rows
+/// say that it samples.
+const char* baseline_of(const std::string& method, const std::vector<harness::Row>& rows) {
+    const auto of_method = [&](const harness::Row& row) { return row.method == method; };
+    const auto row = std::find_if(rows.begin(), rows.end(), of_method);
+    const bool has_corners =
+        row != rows.end() &&
+        (";" + row->params + ";").find(";samples=corner;") != std::string::npos;
+    return has_corners ? "exact_corner" : "sampled";
+}
+
+/// A warning that names the methods of one sample a pixel that score above `baseline`, which
+/// samples where they do; empty if there is none. They do so by luck or by width: what passes
+/// between the samples shows in neither.
+std::string sample_warning(const char* baseline,
+                           const std::vector<harness::Row>& rows,
+                           const std::vector<experiment::MethodSummary>& summaries) {
+    const auto exact =
+        std::find_if(summaries.begin(), summaries.end(), [&](const experiment::MethodSummary& s) {
+            return s.method == baseline && s.f_2px;
         });
-    if (sampled == summaries.end()) return "";
+    if (exact == summaries.end()) return "";
     std::string better;
     for (const experiment::MethodSummary& s : summaries) {
-        const bool is_better = s.f_2px && *s.f_2px > *sampled->f_2px;
+        const bool is_better = s.f_2px && *s.f_2px > *exact->f_2px;
         if (s.is_baseline || !is_better || !harness::takes_one_sample(s.method)) continue;
+        if (std::string_view(baseline_of(s.method, rows)) != baseline) continue;
         better += fmt::format(
             "{}{} (F {})", better.empty() ? "" : ", ", s.method, core::format_share(s.f_2px));
     }
     if (better.empty()) return "";
     return fmt::format(
-        "Warning: {} above `sampled` (F {}), one exact sample a pixel. Lines here pass between the "
+        "Warning: {} above `{}` (F {}), one exact sample a pixel. Lines here pass between the "
         "samples, where methods of one sample a pixel find them by luck or by drawing wide.",
         better,
-        core::format_share(sampled->f_2px));
+        baseline,
+        core::format_share(exact->f_2px));
+}
+
+/// What stands below the verdict's sentence, each a line of its own; may be empty.
+std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
+                                  const std::vector<experiment::MethodSummary>& summaries) {
+    return {sample_warning("sampled", rows, summaries),
+            sample_warning("exact_corner", rows, summaries),
+            draw::crosscheck_sentence(rows)};
 }
 
 /// As a Markdown list below a line of its own.
@@ -178,12 +232,13 @@ std::string verdict_details(const std::vector<harness::Row>& rows,
         return "No method was scored on any view, so there is no verdict." + failures(summaries);
     }
     const experiment::MethodSummary& best = *verdict.best;
-    return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}",
+    return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}{}",
                        core::format_share(best.f_2px),
                        best.views,
                        best.views == 1 ? "" : "s",
                        cost_of(verdict),
                        doubt(rows, verdict),
+                       by_part(summaries),
                        failures(summaries));
 }
 
@@ -219,9 +274,8 @@ std::string verdict_table(const std::vector<harness::Row>& rows,
     text += fmt::format("\n{}\n\n", kBaselineNote);
     for (const auto& [term, meaning] : definitions())
         text += fmt::format("{:<14}{}\n", term, meaning);
-    const std::string crosscheck = draw::crosscheck_sentence(rows);
     text += "\n" + sentence;
-    for (const std::string& line : {sampled_warning(summaries), crosscheck})
+    for (const std::string& line : warnings(rows, summaries))
         if (!line.empty()) text += "\n" + line;
     return text;
 }
@@ -237,7 +291,7 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
         columns.push_back({"recall " + column.heading, column.text});
     }
     std::string text = core::markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
-    for (const std::string& line : {sampled_warning(summaries), draw::crosscheck_sentence(rows)})
+    for (const std::string& line : warnings(rows, summaries))
         if (!line.empty()) text += "\n" + line + "\n";
     std::vector<TextColumn> statistics = statistics_columns(summaries);
     if (!statistics.empty()) {

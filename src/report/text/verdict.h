@@ -15,10 +15,10 @@ namespace ink::report {
 [[nodiscard]] std::string format_range(const std::optional<statistics::Interval>& range);
 
 /// The tables of a comparison for a terminal, at most 110 columns wide where names have up to 16
-/// characters: a line per method, the baselines `none`, `sampled` and `oracle` marked with a star;
-/// recalls per class, thresholds and tolerances below; what the words mean; and one sentence that
-/// names the method with the lowest error, what it costs against the cheapest, and whether its
-/// paired difference is significant.
+/// characters: a line per method, the baselines `none`, `sampled`, `exact_corner` and `oracle`
+/// marked with a star; recalls per class, thresholds and tolerances below; what the words mean; and
+/// one sentence that names the method with the lowest error, what it costs against the cheapest,
+/// and whether its paired difference is significant.
 ///
 /// `curves` give ODS, OIS and AP; without them those columns are left out. Ends without a line
 /// break. No rows give the sentence alone.

@@ -120,7 +120,7 @@ std::vector<StressRow> stress_rows(const StressCase& stress,
         harness::Row& row = evaluations[i].row;
         row.scene = stress.scene_views.scene.name;
         row.view = view.camera.name;
-        row.split = stress.scene_views.scene.split == scene::Split::train ? "train" : "heldout";
+        row.split = scene::split_name(stress.scene_views.scene.split);
         row.width = view.width_px;
         row.height = view.height_px;
         row.threads = frame.threads;

@@ -37,8 +37,8 @@ struct StressRow {
     StressCounts counts = {};
 };
 
-/// Draws and scores one case: the baselines `none`, `sampled`, `oracle` first, then a row per
-/// configuration.
+/// Draws and scores one case: the baselines `none`, `sampled`, `exact_corner`, `oracle` first,
+/// then a row per configuration.
 ///
 /// Nothing is timed and rows hold no times, so they are the same bytes on every machine. A method
 /// that throws is a row whose status says so. Only `threads` and `skips` of `measure` are read; of

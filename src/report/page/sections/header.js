@@ -50,9 +50,21 @@ function verdictSentences(view) {
         if (best.scenes === 1) words.push('One scene gives no interval: this may be chance. ');
         else if (best.scenes < 5) words.push(`An interval from ${best.scenes} scenes is a rough one. `);
     }
+    words.push(partWords(contestants));
     const front = paretoFront(contestants, s => s.ms, s => 1 - s.value).map(s => s.method);
     if (front.length > 1) words.push(`No method is both faster and better than these: ${front.join(', ')}.`);
-    return words;
+    return words.filter(Boolean);
+}
+
+/// The best method of each part of the suite, or which the only part is: on what the verdict holds.
+function partWords(contestants) {
+    const parts = ['train', 'heldout', 'real'].map(split => {
+        const own = contestants.filter(s => s[split] !== null);
+        return {split, best: own[d3.maxIndex(own, s => s[split])]};
+    }).filter(part => part.best);
+    if (parts.length === 1) return `All scenes here are of one part: ${splitTitle(parts[0].split)}. `;
+    return `Best by part: ${parts.map(({split, best}) =>
+        `${splitTitle(split)} ${best.method} ${formatShare(best[split])}`).join(', ')}. `;
 }
 
 function headerFacts(view) {

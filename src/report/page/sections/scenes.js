@@ -19,7 +19,7 @@ addSection({
         const worst = Math.max(0.1, 1 - d3.min(lines.flatMap(line => [...line.values.values()].filter(isNumber))));
         const columns = [
             {key: 'scene', title: 'scene', isText: true, value: line => line.scene},
-            {key: 'split', title: 'split', isText: true, value: line => line.split, text: line => (line.split === 'train' ? 'training' : 'held-out')},
+            {key: 'split', title: 'split', isText: true, value: line => line.split, text: line => splitTitle(line.split)},
             {key: 'truth_px', title: 'true px', value: line => line.truth_px, text: line => formatNumber(line.truth_px)},
             {key: 'mean', title: 'mean', value: line => line.mean, text: line => formatShare(line.mean)},
             ...methods.map(s => ({

@@ -12,8 +12,8 @@ addSection({
     id: 'stress',
     title: 'Stress',
     intro: 'One difficulty at a time. Each point pools the counts of two to four scenes, which stay the same along ' +
-        'an axis. The error is 1 − F at 2 px. Dashed lines: tuned settings, and the baseline “sampled”, one ' +
-        'exact sample a pixel.',
+        'an axis. The error is 1 − F at 2 px. Dashed lines: tuned settings, and the baselines “sampled” and ' +
+        '“exact_corner”, one exact sample a pixel.',
     isThere: view => view.run.has('stress_summary.csv'),
     uses: ['stress.*', 'sort.stress*'],
     draw(root, view) {

@@ -5,7 +5,7 @@ addSection({
     title: 'Verdict',
     intro: view => 'Counts of all views are pooled. F is the harmonic mean of precision and recall of one-to-one ' +
         'matches between drawn and true pixels. Bold: best of its column. Grey lines are baselines: none (an empty image), ' +
-        'sampled (one exact sample a pixel), oracle (the truth itself).',
+        'sampled (one exact sample a pixel, at its centre), exact_corner (one at its corner), oracle (the truth itself).',
     isThere: view => view.run.rows.length > 0,
     uses: ['sort.verdict'],
     draw(root, view) {
@@ -20,6 +20,7 @@ addSection({
              text: line => formatRange(line.range), help: 'Scenes are drawn anew with replacement, each with all its views'},
             shareColumn('train', 'training', line => line.train, {help: 'Over the training scenes'}),
             shareColumn('heldout', 'held-out', line => line.heldout, {help: 'Over scenes that no setting was tuned on'}),
+            shareColumn('real', 'real models', line => line.real, {help: 'Over model files; the other scenes are made by code'}),
             shareColumn('macro', 'mean of scenes', line => line.macro, {help: 'Every scene counts alike'}),
             shareColumn('f_1px', 'F at 1 px', line => line.f_1px),
             shareColumn('precision', 'precision', line => line.precision),
@@ -31,7 +32,7 @@ addSection({
             {key: 'bytes', title: 'B/px', value: line => line.bytes, text: line => line.bytes ?? NOTHING, best: 'low', help: 'Bytes a pixel of all buffers, depth included'},
             {key: 'views', title: 'views', value: line => line.views,
              text: line => (line.failed ? `${line.views} of ${line.views + line.failed}` : String(line.views))},
-        ].filter(column => !['train', 'heldout'].includes(column.key) || view.summaries.some(s => s[column.key] !== null));
+        ].filter(column => !['train', 'heldout', 'real'].includes(column.key) || view.summaries.some(s => s[column.key] !== null));
         makeTable(root, {
             name: 'verdict', columns, order: 'value.down', lines: view.summaries,
             lineClass: line => [line.isBaseline ? 'baseline' : '', line === view.best ? 'winner' : '',
@@ -40,15 +41,19 @@ addSection({
     },
 });
 
-/// Names the methods of one sample a pixel that score above `sampled`: by luck or by drawing wide.
+/// Names the methods of one sample a pixel that score above the baseline that samples where they
+/// do: by luck or by drawing wide.
 function drawSampledWarning(root, view) {
-    const sampled = view.summaries.find(line => line.info.name === 'sampled');
-    if (!sampled || !isNumber(sampled.value)) return;
-    const better = view.summaries.filter(line => !line.isBaseline && line.value > sampled.value &&
-        ['packed', 'full_buffers', 'ids'].includes(line.info.family));
-    if (!better.length) return;
-    root.append(warningBox('Above one exact sample a pixel.',
-        `Lines pass between the samples here. Methods of one sample a pixel find them by luck or by drawing wide. ` +
-        `sampled has ${formatShare(sampled.value)}.`,
-        better.map(line => `${line.info.name}: ${formatShare(line.value)}`)));
+    for (const name of ['sampled', 'exact_corner']) {
+        const exact = view.summaries.find(line => line.info.name === name);
+        if (!exact || !isNumber(exact.value)) continue;
+        const better = view.summaries.filter(line => !line.isBaseline && line.value > exact.value &&
+            ['packed', 'full_buffers', 'ids'].includes(line.info.family) &&
+            (line.info.params.samples === 'corner') === (name === 'exact_corner'));
+        if (!better.length) continue;
+        root.append(warningBox('Above one exact sample a pixel.',
+            `Lines pass between the samples here. Methods of one sample a pixel find them by luck or by drawing wide. ` +
+            `${name} has ${formatShare(exact.value)}.`,
+            better.map(line => `${line.info.name}: ${formatShare(line.value)}`)));
+    }
 }

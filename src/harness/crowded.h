@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "harness/evaluations.h"
+#include "harness/tracing.h"
+
+namespace ink::harness {
+
+/// A view of which a larger share of the truth is crowded (truth/label_image.h) is not scored: what
+/// is left of it says little of the view.
+inline constexpr double kMostCrowded = 0.2;
+
+/// Writes into `row` what strokes score at 2 px if crowded pixels count too. Where there are none,
+/// that is `at_2px`.
+void fill_crowded(const score::Strokes& strokes,
+                  const score::Score& at_2px,
+                  const ViewTruth& truth,
+                  Row& row);
+
+/// Gives the rows of a view that is too crowded the status "crowded: ..."; rows that failed keep
+/// theirs.
+void note_crowded(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
+
+}  // namespace ink::harness
