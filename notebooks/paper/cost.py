@@ -6,7 +6,7 @@ import numpy as np
 from paper import layout
 from paper.chart import Chart, Nothing
 from paper.methods import panels_by_family
-from paper.runs import BASELINES, extent, pooled
+from paper.runs import BASELINES, ONE_SAMPLE, extent, pooled
 from paper.style import FAINT, INK, MIST, PAPER
 
 _NO_TIMES = "the run was made without times (--no-times)"
@@ -69,9 +69,9 @@ def _error_time(style, summary, lines, height_in):
     high_t = np.maximum(lines["draw_ms_hi"].fillna(times), times).max()
     error_lo = (1 - lines["f_hi"].fillna(lines["f_2px"])).clip(lower=1e-4)
     error_hi = (1 - lines["f_lo"].fillna(lines["f_2px"])).clip(lower=1e-4)
-    has_floor = "sampled" in summary.index and summary.loc["sampled", "f_2px"] < 1
-    floor = 1 - summary.loc["sampled", "f_2px"] if has_floor else 1
-    low_e, high_e = min(error_lo.min(), floor), error_hi.max()
+    one_sample = {name: 1 - summary.loc[name, "f_2px"] for name in ONE_SAMPLE
+                  if name in summary.index and summary.loc[name, "f_2px"] < 1}
+    low_e, high_e = min([error_lo.min(), *one_sample.values()]), error_hi.max()
     if high_t < 1.5 * low_t:  # one method, or all alike: an axis needs some length
         low_t, high_t = low_t / 1.5, high_t * 1.5
     if high_e < 1.5 * low_e:
@@ -94,14 +94,14 @@ def _error_time(style, summary, lines, height_in):
             if np.isfinite(bar).all():
                 bars.append(bar)
                 ax.plot(*zip(*bar), color=tone, linewidth=0.7 * style.scale, alpha=0.4, zorder=2)
-    if has_floor:
-        ax.axhline(floor, color=FAINT, linestyle=":", linewidth=1)
+    for name, error in one_sample.items():
+        ax.axhline(error, color=FAINT, linestyle=ONE_SAMPLE[name][1], linewidth=1)
     entries = [(name, {"color": style.colour(members[0]), "marker": "o", "linestyle": ""})
                for name, members in style.families_of(lines.index).items()]
     entries.append(("Pareto front", {"color": MIST, "linewidth": 1.6 * style.scale}))
-    if has_floor:
-        entries.append(("sampled: one exact sample a pixel",
-                        {"color": FAINT, "linestyle": ":", "linewidth": 1}))
+    for name in one_sample:
+        label, dashes = ONE_SAMPLE[name]
+        entries.append((label, {"color": FAINT, "linestyle": dashes, "linewidth": 1}))
     layout.key(figure, style, entries)
     figure.draw_without_rendering()
     dots = [ax.transData.transform(points[m]) for m in lines.index]

@@ -4,13 +4,14 @@ import pandas as pd
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.runs import BASELINES, CLASSES, RECALL_GROUPS, counted, extent, pooled
+from paper.runs import (BASELINES, CLASSES, ONE_SAMPLE, RECALL_GROUPS, counted, extent,
+                        pooled)
 from paper.sheet import GRID_DPI, text_width_px
 from paper.style import CLASS_COLOURS, FAINT, FALSE_CAUSES, INK, MISSING_CAUSES, MIST
 
 
 def f_by_method(runs, style):
-    """F at 2 px with its interval, and on training and held-out scenes."""
+    """F at 2 px with its interval, and on training scenes, held-out ones and real models."""
     summary = runs.summary()
     methods = style.by_family(summary.index)
     figure, axes = layout.new_figure(style, layout.rows_height_in(style, len(methods)))
@@ -22,6 +23,9 @@ def f_by_method(runs, style):
         ax.plot(line["f_train"], i - 0.24, "|", color=FAINT, markersize=4 * style.scale)
         ax.plot(line["f_heldout"], i + 0.24, "x", color=INK, markersize=3 * style.scale,
                 markeredgewidth=0.8)
+        if "f_real" in line:
+            ax.plot(line["f_real"], i + 0.24, "+", color=INK, markersize=4 * style.scale,
+                    markeredgewidth=0.8)
         ax.plot(line["f_2px"], i, **style.look(method))
     layout.method_axis(ax, style, methods)
     ax.set_xlabel("F at 2 px, all views pooled")
@@ -33,10 +37,14 @@ def f_by_method(runs, style):
     if summary["f_heldout"].notna().any():
         entries.append(("held-out scenes", {"color": INK, "marker": "x", "linestyle": "",
                                             "markersize": 3 * style.scale}))
-    if "sampled" in summary.index:
-        ax.axvline(summary.loc["sampled", "f_2px"], color=FAINT, linestyle=":", linewidth=1)
-        entries.append(("sampled: one exact sample a pixel",
-                        {"color": FAINT, "linestyle": ":", "linewidth": 1}))
+    if "f_real" in summary and summary["f_real"].notna().any():
+        entries.append(("real models", {"color": INK, "marker": "+", "linestyle": "",
+                                        "markersize": 4 * style.scale}))
+    for name, (label, dashes) in ONE_SAMPLE.items():
+        if name not in summary.index:
+            continue
+        ax.axvline(summary.loc[name, "f_2px"], color=FAINT, linestyle=dashes, linewidth=1)
+        entries.append((label, {"color": FAINT, "linestyle": dashes, "linewidth": 1}))
     layout.key(figure, style, entries)
     best = summary.loc[methods, "f_2px"].sort_values(ascending=False)
     facts = ["best: " + "; ".join(

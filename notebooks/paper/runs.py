@@ -24,7 +24,11 @@ RECALL_GROUPS = {"contour": "contour", "boundary": "boundary", "crease": "crease
                  "intersection_above_crease": "intersection\u00a0\u2265\u00a0crease",
                  "intersection_below_crease": "intersection\u00a0<\u00a0crease",
                  "seam": "seam"}
-BASELINES = ["none", "sampled", "oracle"]
+BASELINES = ["none", "sampled", "exact_corner", "oracle"]
+
+# The baselines of one exact sample a pixel: what a legend says, and the dashes of their lines.
+ONE_SAMPLE = {"sampled": ("sampled: one exact sample at pixel centres", ":"),
+              "exact_corner": ("exact_corner: one exact sample at pixel corners", "--")}
 
 # Columns that no figure reads as numbers, so that a version 1.10 stays one.
 _TEXTS = ["method", "scene", "view", "params", "status", "version", "commit", "study"]

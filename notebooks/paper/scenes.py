@@ -9,16 +9,19 @@ from paper.style import BLUE, CLASS_COLOURS, FAINT, INK, MISSING
 _BEHIND = {"contour_sky_px": ("before the sky", "#009bcf"),
            "contour_other_px": ("before another object", "#bf7800"),
            "contour_self_px": ("before their own object", INK)}
+# The parts of a suite in their order, and what texts call them.
+SPLITS = ["train", "heldout", "real"]
+SPLIT_NAMES = {"train": "training scenes", "heldout": "held-out scenes", "real": "real models"}
 _MOST_DISAGREEMENT = 0.1  # %: views beyond have no score
 
 
 def _views(runs):
-    """One row a view at the largest size; scenes in order, training scenes first; their splits."""
+    """One row a view at the largest size; scenes by part; their splits."""
     rows = runs.table("rows.csv")
     views = views_of(rows)
     views = views[views["width"] == views["width"].max()]
     splits = views.groupby("scene", sort=False)["split"].first()
-    scenes = list(splits.sort_values(ascending=False, kind="stable").index)
+    scenes = list(splits.sort_values(key=lambda part: part.map(SPLITS.index), kind="stable").index)
     return views, scenes, splits
 
 
@@ -27,13 +30,14 @@ def _scene_axis(ax, style, scenes, splits):
     ax.set_ylim(len(scenes) - 0.4, -0.6)
     ax.grid(axis="y", visible=False)
     ax.tick_params(axis="y", length=0)
-    last_train = sum(splits[scene] == "train" for scene in scenes) - 0.5
-    if 0 <= last_train < len(scenes) - 1:
-        ax.axhline(last_train, color=FAINT, linewidth=0.8)
+    for i in range(1, len(scenes)):
+        if splits[scenes[i]] != splits[scenes[i - 1]]:
+            ax.axhline(i - 0.5, color=FAINT, linewidth=0.8)
 
 
 def _split_note(splits):
-    return "Above the rule: training scenes, below: held-out ones. " if splits.nunique() > 1 else ""
+    names = [SPLIT_NAMES[split] for split in SPLITS if (splits == split).any()]
+    return f"From the top, between rules: {', '.join(names)}. " if len(names) > 1 else ""
 
 
 def classes(runs, style):

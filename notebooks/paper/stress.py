@@ -6,7 +6,7 @@ import numpy as np
 from paper import layout
 from paper.chart import Chart, Nothing
 from paper.methods import heat_map
-from paper.runs import BASELINES, counted
+from paper.runs import BASELINES, ONE_SAMPLE, counted
 from paper.style import INK, MIST
 
 FLAT = 0.005      # an axis along which no method loses more is named, not drawn
@@ -15,7 +15,7 @@ _NAMED = 3        # lines a panel that have a name
 
 def _frame(runs):
     stress = runs.table("stress_summary.csv", "`inkbench stress` writes it")
-    one_sample = stress[stress["method"] == "sampled"]
+    one_sample = stress[stress["method"].isin(ONE_SAMPLE)]
     stress = stress[~stress["method"].isin(BASELINES)]
     if not len(stress):
         raise Nothing("the run has no method beside the baselines")
@@ -83,8 +83,10 @@ def curves(runs, style):
                                                "linewidth": 0.9 * style.scale})
             own_ends.append((own["value"].iloc[-1], own["f"].iloc[-1], method,
                              style.text_colour(method)))
-        most = one_sample[one_sample["axis"] == name].sort_values("value")
-        ax.plot(most["value"], most["f"], color=INK, linestyle=":", linewidth=1, zorder=1.5)
+        for method, most in one_sample[one_sample["axis"] == name].groupby("method"):
+            most = most.sort_values("value")
+            ax.plot(most["value"], most["f"], color=INK, linestyle=ONE_SAMPLE[method][1],
+                    linewidth=1, zorder=1.5)
         _scale(ax, along["value"])
         low = along["f"].min()
         ax.set_ylim(max(0, low - 0.05) if low > 0.5 else 0, 1.02)
@@ -95,7 +97,8 @@ def curves(runs, style):
     figure.supylabel("F at 2 px")
     entries = [(m, {**style.look(m, True), "markersize": 3 * style.scale})
                for m in loss.index] if few else [("another method", {"color": MIST})]
-    layout.key(figure, style, entries + [("sampled: one exact sample a pixel", {"color": INK, "linestyle": ":"})])
+    layout.key(figure, style, entries + [
+        (label, {"color": INK, "linestyle": dashes}) for label, dashes in ONE_SAMPLE.values()])
     layout.label_ends(figure, style, ends)
     facts = _faults(stress)
     if flat:

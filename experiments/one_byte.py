@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+"""Prints the tables of one_byte.md from runs of experiments/one_byte.toml.
+
+    experiments/one_byte.py RUN [RUN...]
+
+Markdown, F at 2 px of all views pooled, for each part of the suite that the runs have: methods with bytes and the
+median time of a frame, then settings of methods that were swept. `least` is the least F of a scene or model of the
+part `real`. Crowded views do not count. Exit code 2: a folder is no such run.
+"""
+
+import sys
+from pathlib import Path
+
+import pandas as pd
+
+PARTS = ("train", "heldout", "real")
+COUNTS = ["k_2px", "n_pred", "n_truth"]
+HIDDEN = {"none", "oracle"}
+
+
+def read_run(folder):
+    """The scored rows of a run folder, and its sweep with what the rows say of each cell."""
+    try:
+        rows = pd.read_csv(Path(folder) / "rows.csv")
+        swept = Path(folder) / "sweep.csv"
+        sweep = pd.read_csv(swept) if swept.exists() else pd.DataFrame(columns=["cell", "status"])
+    except (OSError, ValueError) as reason:
+        print(f"{folder}: {reason} (accepted: a folder that inkbench run wrote)", file=sys.stderr)
+        raise SystemExit(2) from None
+    rows = rows[(rows.status == "ok") & ~rows.method.isin(HIDDEN)]
+    facts = rows[["cell", "method", "scene", "split"]]
+    return rows, sweep[sweep.status == "ok"].merge(facts, on="cell")
+
+
+def pooled_f(lines):
+    """F of summed counts."""
+    sums = lines[COUNTS].sum()
+    return 2 * sums.k_2px / max(sums.n_pred + sums.n_truth, 1)
+
+
+def scores(lines, parts):
+    """F by part, and the least of a real model."""
+    texts = [f"{pooled_f(lines[lines.split == part]):.4f}" for part in parts]
+    if "real" in parts:
+        real = lines[lines.split == "real"]
+        least = min((pooled_f(of), scene) for scene, of in real.groupby("scene"))
+        texts.append(f"{least[0]:.3f} ({least[1]})")
+    return " | ".join(texts)
+
+
+def print_table(heads, lines):
+    """A table in Markdown; `lines` are pairs of its first cells and of the lines to score."""
+    parts = [part for part in PARTS if any(part in set(scored.split) for _, scored in lines)]
+    columns = list(parts) + (["least"] if "real" in parts else [])
+    print(f"| {' | '.join(heads + columns)} |\n|{'---|' * len(heads)}{'--:|' * len(columns)}")
+    for cells, scored in lines:
+        print(f"| {' | '.join(cells)} | {scores(scored, parts)} |")
+    print()
+
+
+def main():
+    if len(sys.argv) < 2:
+        print(__doc__.strip(), file=sys.stderr)
+        raise SystemExit(2)
+    runs = [read_run(folder) for folder in sys.argv[1:]]
+    rows, sweep = (pd.concat(tables, ignore_index=True) for tables in zip(*runs))
+
+    def of_method(method, of):
+        time = f"{of.draw_ns.median() / 1e6:.2f}" if of.draw_ns.notna().any() else "-"
+        size = f"{of.bytes_per_px.iloc[0]:.0f}" if of.bytes_per_px.notna().any() else "-"
+        return [f"`{method}`", size, time], of
+
+    print_table(["method", "B/px", "ms"],
+                [of_method(*group) for group in rows.groupby("method", sort=False)])
+    for method, of in sweep.groupby("method", sort=False):
+        swept = [name for name in sweep.columns
+                 if of[name].notna().any() and of[name].nunique() > 1 and is_parameter(name, sweep)]
+        settings = of[swept].astype(str).agg(", ".join, axis=1)
+        print_table([f"`{method}`: {', '.join(swept)}", "ms"],
+                    [([setting, f"{group.draw_ns.median() / 1e6:.2f}"], group)
+                     for setting, group in of.groupby(settings, sort=False)])
+
+
+def is_parameter(name, sweep):
+    """Whether a column of sweep.csv is a parameter: those stand between `status` and `f_2px`."""
+    columns = list(sweep.columns)
+    return columns.index("status") < columns.index(name) < columns.index("f_2px")
+
+
+if __name__ == "__main__":
+    main()
