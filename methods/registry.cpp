@@ -6,12 +6,14 @@
 #include "core/error.h"
 #include "methods/auto/auto.h"
 #include "methods/back_faces/back_faces.h"
+#include "methods/blurred_silhouette/blurred_silhouette.h"
 #include "methods/canny/canny.h"
 #include "methods/decaudin/decaudin.h"
 #include "methods/edge_hash/edge_hash.h"
 #include "methods/edge_list/edge_list.h"
 #include "methods/id_lookup/id_lookup.h"
 #include "methods/ids/ids.h"
+#include "methods/ids_depth/ids_depth.h"
 #include "methods/inverted_hull/inverted_hull.h"
 #include "methods/jump_flood/jump_flood.h"
 #include "methods/label8/label8.h"
@@ -21,6 +23,7 @@
 #include "methods/mote4/mote4.h"
 #include "methods/plane_distance/plane_distance.h"
 #include "methods/polygon_offset/polygon_offset.h"
+#include "methods/rim/rim.h"
 #include "methods/roberts/roberts.h"
 #include "methods/sobel/sobel.h"
 #include "methods/surface16/surface16.h"
@@ -59,10 +62,13 @@ const std::vector<method::MethodInfo>& registry() {
         sobel(),
         canny(),
         plane_distance(),
+        rim(),
         ids(),
+        ids_depth(),
         id_lookup(),
         inverted_hull(),
         jump_flood(),
+        blurred_silhouette(),
         label8(),
         surface8(),
         surface16(),
