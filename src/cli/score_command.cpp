@@ -1,147 +1,195 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "cli/commands.h"
-#include "draw/score_files.h"
+#include "cli/options/options.h"
+#include "cli/score_text.h"
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "draw/image_output.h"
 
 namespace ink::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr int kFTooLow = 1;
+constexpr int kImagesUnscored = 3;
+
 /// The command line of `score`.
 struct ScoreArguments {
+    fs::path prediction;
+    fs::path truth;
     draw::ScoreRequest request;
+    std::string polarity = "auto";
+    std::string intersections = "above_crease";
+    std::string picture;
+    std::string csv;
+    std::optional<double> fail_under;
+    bool is_inverted = false;
     bool no_thin = false;
     bool as_json = false;
 };
 
-/// null where there is no value: neither 0 nor NaN, which would slip into a mean.
-nlohmann::ordered_json number_or_null(std::optional<double> value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+draw::Polarity asked_polarity(const ScoreArguments& a) {
+    static const std::map<std::string, draw::Polarity> kPolarities = {
+        {"auto", draw::Polarity::automatic},
+        {"light", draw::Polarity::light_on_dark},
+        {"dark", draw::Polarity::dark_on_light}};
+    const auto found = kPolarities.find(a.polarity);
+    if (found == kPolarities.end()) {
+        throw core::Error(
+            "--polarity", "there is no polarity '" + a.polarity + "'", "auto, light, dark");
+    }
+    return a.is_inverted ? draw::Polarity::dark_on_light : found->second;
 }
 
-std::optional<double> mean_width(const score::Score& s) {
-    return s.mean_width_px > 0 ? std::optional(s.mean_width_px) : std::nullopt;
+/// Exit code 1 for an F below what was asked.
+void check_least_f(const ScoreArguments& a, double f) {
+    if (!a.fail_under || f >= *a.fail_under) return;
+    fmt::print(stderr, "inkbench: F = {:.4f} is below {}\n", f, *a.fail_under);
+    throw CLI::RuntimeError(kFTooLow);
 }
 
-std::string json_text(const score::Score& s) {
-    nlohmann::ordered_json json = {
-        {"k", s.k},
-        {"n_pred", s.n_pred},
-        {"n_truth", s.n_truth},
-        {"f", s.f()},
-        {"precision", number_or_null(s.precision())},
-        {"recall", number_or_null(s.recall())},
-        // Scripts rely on these keys, also where columns have other names.
-        {"surplus", s.unmatched_duplicates},
-        {"off_line", s.false_positives},
-        {"lost", s.unmatched_truth},
-        {"missing", s.false_negatives},
-        {"mean_width", number_or_null(mean_width(s))},
-        {"classes", nlohmann::ordered_json::object()},
+void print_doubts(const draw::FilesScore& scored) {
+    for (const std::string& doubt : scored.doubts)
+        fmt::print(stderr, "inkbench: {}\n", doubt);
+}
+
+void score_pair(const ScoreArguments& a) {
+    if (!a.picture.empty()) check_output_path(a.picture, {".png"});
+    const draw::FilesScore scored = draw::score_files(a.prediction, a.truth, a.request);
+    if (!a.picture.empty()) draw::write_drawing(draw::picture_of(scored), a.picture);
+    if (!a.csv.empty()) {
+        draw::FolderScore line{a.prediction.filename().string()};
+        line.score = scored.score;
+        core::write_whole_file(a.csv, folder_csv({line}));
+    }
+    fmt::print("{}", a.as_json ? score_json(scored) : score_table(a.prediction, a.truth, scored));
+    std::fflush(stdout);
+    print_doubts(scored);
+    check_least_f(a, scored.score.f());
+}
+
+void score_all(const ScoreArguments& a) {
+    const auto draw_picture = [&](const std::string& name, const draw::FilesScore& scored) {
+        print_doubts(scored);
+        if (a.picture.empty()) return;
+        const fs::path path = fs::path(a.picture) / (name + ".png");
+        std::error_code failure;
+        fs::create_directories(path.parent_path(), failure);
+        if (failure) {
+            throw core::Error(path.parent_path().string(),
+                              "this folder cannot be made: " + failure.message());
+        }
+        draw::write_drawing(draw::picture_of(scored), path);
     };
-    for (const score::ClassCount& c : s.classes) {
-        json["classes"][std::to_string(c.label)] = {{"k", c.k}, {"n_truth", c.n_truth}};
-    }
-    return json.dump(2) + "\n";
-}
-
-std::string four_places(std::optional<double> value) {
-    return value ? fmt::format("{:.4f}", *value) : "-";
-}
-
-std::string table_text(const draw::ScoreRequest& request, const score::Score& s) {
-    std::string text = fmt::format("{} against {}\n",
-                                   request.prediction.filename().string(),
-                                   request.truth.filename().string());
-    text += fmt::format("within {} px, edge response {} and above, {}\n\n",
-                        request.options.tolerance_px,
-                        request.options.threshold,
-                        request.options.thin ? "thinned" : "not thinned");
-    text += fmt::format("  F           {:.4f}\n", s.f());
-    text += fmt::format(
-        "  precision   {:>6}   {} predicted = {} matched + {} unmatched duplicates + {} false "
-        "positives\n",
-        four_places(s.precision()),
-        s.n_pred,
-        s.k,
-        s.unmatched_duplicates,
-        s.false_positives);
-    text += fmt::format(
-        "  recall      {:>6}   {} true = {} matched + {} unmatched truth + {} false negatives\n",
-        four_places(s.recall()),
-        s.n_truth,
-        s.k,
-        s.unmatched_truth,
-        s.false_negatives);
-    text += fmt::format("  mean width  {:>6} px\n",
-                        s.mean_width_px > 0 ? fmt::format("{:.2f}", s.mean_width_px) : "-");
-    if (s.classes.empty()) return text;
-    text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
-    for (const score::ClassCount& c : s.classes) {
-        text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
-                            draw::label_text(c.label),
-                            static_cast<double>(c.k) / static_cast<double>(c.n_truth),
-                            c.k,
-                            c.n_truth);
-    }
-    return text;
+    const auto scores = draw::score_folders(a.prediction, a.truth, a.request, draw_picture);
+    if (!a.csv.empty()) core::write_whole_file(a.csv, folder_csv(scores));
+    fmt::print("{}", a.as_json ? folder_json(scores) : folder_table(scores));
+    std::fflush(stdout);
+    const auto is_scored = [](const draw::FolderScore& each) { return each.is_scored(); };
+    check_least_f(a, draw::pooled(scores).f());
+    if (std::all_of(scores.begin(), scores.end(), is_scored)) return;
+    fmt::print(stderr, "inkbench: some images have no score\n");
+    throw CLI::RuntimeError(std::any_of(scores.begin(), scores.end(), is_scored) ? kImagesUnscored
+                                                                                 : kFTooLow);
 }
 
 void run_score(ScoreArguments a) {
     a.request.options.thin = !a.no_thin;
-    const draw::FilesScore result = draw::score_files(a.request);
-    fmt::print("{}", a.as_json ? json_text(result.score) : table_text(a.request, result.score));
-    for (const std::string& doubt : result.doubts)
-        fmt::print(stderr, "inkbench: {}\n", doubt);
+    a.request.polarity = asked_polarity(a);
+    a.request.intersections = score::parse_intersections(a.intersections, "--intersections");
+    if (a.fail_under && !(*a.fail_under >= 0 && *a.fail_under <= 1)) {
+        throw core::Error(
+            "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
+    }
+    if (!a.csv.empty()) check_output_path(a.csv, {".csv"});
+    const bool is_folder = fs::is_directory(a.prediction);
+    if (is_folder != fs::is_directory(a.truth)) {
+        throw core::Error(
+            (is_folder ? a.truth : a.prediction).string(),
+            "this is no folder, but " + (is_folder ? a.prediction : a.truth).string() + " is one",
+            "two files, or two folders");
+    }
+    return is_folder ? score_all(a) : score_pair(a);
+}
+
+void add_scoring_options(CLI::App& command, ScoreArguments& a) {
+    command
+        .add_option(
+            "--tol", a.request.options.tolerance_px, "Matched pixels are at most this far apart")
+        ->type_name("PX")
+        ->capture_default_str();
+    command
+        .add_option("--threshold",
+                    a.request.options.threshold,
+                    "Edge response of a predicted pixel, 1..255")
+        ->capture_default_str();
+    command
+        .add_option("--polarity",
+                    a.polarity,
+                    "Lines are light on dark, dark on light, or auto: dark where more than three "
+                    "quarters of the image are light")
+        ->capture_default_str();
+    command.add_flag("--invert", a.is_inverted, "The same as --polarity dark");
+    command.add_flag("--no-thin", a.no_thin, "Do not thin the prediction");
+    command
+        .add_option("--band",
+                    a.request.band_px,
+                    "Leave out this many pixels along the frame (default: what an EXR says, else "
+                    "0)")
+        ->type_name("PX");
+    command.add_option("--ignore",
+                       a.request.options.ignore_label,
+                       "Truth value, 1..255, that is neither required nor penalised (default: what "
+                       "an EXR says, else none)");
+    add_intersections_option(command, a.intersections);
 }
 
 }  // namespace
 
 void add_score_command(CLI::App& app) {
-    auto* command = app.add_subcommand("score", "Score an outline image against a truth image");
+    auto* command = app.add_subcommand(
+        "score", "Score an outline image against a truth image, or a folder of them");
     auto a = std::make_shared<ScoreArguments>();
-    command
-        ->add_option(
-            "prediction", a->request.prediction, "8-bit image: 0 no line .. 255 the strongest")
+    command->add_option("prediction", a->prediction, "8-bit outline image, or a folder of them")
         ->type_name("FILE")
         ->required();
     command
         ->add_option(
             "truth",
-            a->request.truth,
-            "8-bit image of classes, as inkbench truth -o writes it: 0 no line, every other value "
-            "a class. If it holds nothing but 0 and 1, or 0 and 255, its lines have no class")
+            a->truth,
+            "What inkbench truth -o writes: the .exr, or the 8-bit image of classes (0 no line, "
+            "every other value a class; if it holds nothing but 0 and 1, or 0 and 255, its lines "
+            "have no class). Or a folder of them, with the names of the predictions")
         ->type_name("FILE")
         ->required();
+    add_scoring_options(*command, *a);
     command
-        ->add_option(
-            "--tol", a->request.options.tolerance_px, "Matched pixels are at most this far apart")
-        ->type_name("PX")
-        ->capture_default_str();
+        ->add_option("--picture",
+                     a->picture,
+                     "PNG of what is right, missing and false; of folders: a folder for them")
+        ->type_name("FILE");
+    command->add_option("--csv", a->csv, "CSV with a line per image")->type_name("FILE");
     command
-        ->add_option("--threshold",
-                     a->request.options.threshold,
-                     "Edge response of a predicted pixel, 1..255")
-        ->capture_default_str();
-    command->add_flag("--invert", a->request.is_inverted, "The prediction has dark lines on light");
-    command->add_flag("--no-thin", a->no_thin, "Do not thin the prediction");
-    command
-        ->add_option(
-            "--band", a->request.options.band_px, "Leave out this many pixels along the frame")
-        ->type_name("PX")
-        ->capture_default_str();
-    command->add_option("--ignore",
-                        a->request.options.ignore_label,
-                        "Truth value, 1..255, that is neither required nor penalised");
+        ->add_option("--fail-under",
+                     a->fail_under,
+                     "Exit with 1 if F (of folders: pooled) is "
+                     "below this")
+        ->type_name("F");
     command->add_flag("--json", a->as_json, "Print JSON instead of a table");
     command->footer(
-        "Example: inkbench score pred.png truth.png --tol 1 --json\n"
-        "compare scores with --ignore 7 --band 6 and each method's own --threshold.\n"
-        "Exit codes: 0 done, 2 bad input.");
+        "Example: inkbench score pred.png truth.exr --tol 1 --json\n"
+        "compare scores with the ignore label and band of the .exr, and each method's own "
+        "--threshold.\n"
+        "Exit codes: 0 done, 1 F is below --fail-under or no image of a folder has a score, 2 bad "
+        "input, 3 some\nimages of a folder have no score.");
     command->callback([a] { run_score(*a); });
 }
 

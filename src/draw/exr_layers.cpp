@@ -10,6 +10,7 @@
 #include "core/provenance.h"
 #include "draw/error_image.h"
 #include "harness/cell.h"
+#include "harness/tracing.h"
 #include "image_io/exr_file.h"
 #include "truth/cracks.h"
 
@@ -113,6 +114,8 @@ void write_truth_exr(const harness::SceneViews& scene_views,
     file.attributes.push_back({"ink:weld_epsilon", options.weld_epsilon});
     file.attributes.push_back(
         {"ink:labels", "0 none 1 contour 2 boundary 3 crease 4 intersection 5 seam 7 ignore"});
+    file.attributes.push_back({"ink:ignore_label", static_cast<double>(truth::LineClass::ignore)});
+    file.attributes.push_back({"ink:band_px", static_cast<double>(harness::kBand_px)});
     image_io::write_exr(file, path);
 }
 

@@ -1,35 +1,49 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "draw/error_image.h"
+#include "draw/score_images.h"
 #include "score/score.h"
 
 namespace ink::draw {
 
-/// A prediction image to be scored against a truth image.
+/// How image files are scored.
 struct ScoreRequest {
-    std::filesystem::path prediction;  ///< 8-bit, 0 no line .. 255 the strongest
-    std::filesystem::path truth;       ///< 8-bit labels, 0 no line; taken as it is, never thinned
-    bool is_inverted = false;          ///< the prediction has dark lines on light
-    score::ScoreOptions options;
+    Polarity polarity = Polarity::automatic;
+    /// Which intersections count, where the truth is an EXR.
+    score::Intersections intersections = score::Intersections::above_crease;
+    /// Its ignore label and band are those of the truth file where the caller names none.
+    score::ScoreOptions options = {};
+    std::optional<int> band_px = {};  ///< instead of options.band_px; default: the file's, else 0
 };
 
-/// What came of it, and what makes it doubtful.
+/// What came of a prediction and a truth.
 struct FilesScore {
     score::Score score;
-    /// A sentence each, for people: most of the prediction counts as drawn (dark lines on light?);
-    /// the truth holds values that are no class (a coloured preview?).
+    score::ScoreOptions options;  ///< as they were used
+    bool is_inverted = false;     ///< the prediction was taken as dark lines on light
+    core::Image<std::uint8_t> labels;
+    edge::EdgeImage responses;
+    /// A sentence each, for people: most of the prediction counts as drawn; the truth holds values
+    /// that are no class.
     std::vector<std::string> doubts;
 };
 
-/// Reads both and scores them.
+/// Reads both files and scores them. The truth is taken as it is, never thinned.
 ///
 /// Throws core::Error, before any scoring, for options outside their range, files that are not
-/// 8-bit images, two sizes (both files and sizes are named) or a band that leaves nothing of the
-/// image.
-[[nodiscard]] FilesScore score_files(const ScoreRequest& request);
+/// what read_prediction and read_truth_labels take, two sizes (both files and sizes are named) or a
+/// band that leaves nothing of the image.
+[[nodiscard]] FilesScore score_files(const std::filesystem::path& prediction,
+                                     const std::filesystem::path& truth,
+                                     const ScoreRequest& request);
+
+/// What is right and wrong of it, in colour (error_image.h).
+[[nodiscard]] RgbImage picture_of(const FilesScore& scored);
 
 /// "1 contour"; the number alone where this project has no class of it.
 [[nodiscard]] std::string label_text(int label);

@@ -85,13 +85,13 @@ std::uint8_t luma(const std::uint8_t* rgb) {
         (rgb[0] * 19595U + rgb[1] * 38470U + rgb[2] * 7471U + 0x8000U) >> 16);
 }
 
-core::Image<std::uint8_t> to_gray(const std::vector<std::uint8_t>& samples,
-                                  const OIIO::ImageSpec& spec) {
-    core::Image<std::uint8_t> gray(spec.width, spec.height);
+GrayFile to_gray(const std::vector<std::uint8_t>& samples, const OIIO::ImageSpec& spec) {
+    GrayFile gray{core::Image<std::uint8_t>(spec.width, spec.height)};
     const auto channels = static_cast<std::size_t>(spec.nchannels);
-    for (std::size_t i = 0; i < gray.size(); ++i) {
+    for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
         const std::uint8_t* pixel = samples.data() + i * channels;
-        gray.data()[i] = channels < 3 ? pixel[0] : luma(pixel);
+        gray.pixels.data()[i] = channels < 3 ? pixel[0] : luma(pixel);
+        if (channels >= 3 && (pixel[0] != pixel[1] || pixel[1] != pixel[2])) gray.has_colour = true;
     }
     return gray;
 }
@@ -137,6 +137,10 @@ void write(const Samples& samples, const fs::path& path) {
 }  // namespace
 
 core::Image<std::uint8_t> read_gray(const fs::path& path) {
+    return read_gray_file(path).pixels;
+}
+
+GrayFile read_gray_file(const fs::path& path) {
     check_file(path);
     check_not_cut(path);
     OIIO::ImageSpec wishes;

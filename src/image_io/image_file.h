@@ -22,6 +22,15 @@ using Rgb = glm::u8vec3;
 /// larger than 2^27 pixels.
 [[nodiscard]] core::Image<std::uint8_t> read_gray(const std::filesystem::path& path);
 
+/// A file as grey, and whether it was more than that.
+struct GrayFile {
+    core::Image<std::uint8_t> pixels;
+    bool has_colour = false;  ///< a pixel's red, green and blue differ
+};
+
+/// As read_gray, for whoever must not take colours for grey.
+[[nodiscard]] GrayFile read_gray_file(const std::filesystem::path& path);
+
 /// Writes a PNG beside `path` and renames it, so that a half-written file is never seen.
 ///
 /// Throws core::Error with where = the path if it cannot be written or the image is empty; nothing

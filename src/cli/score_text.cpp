@@ -1,0 +1,180 @@
+#include "cli/score_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/text_table.h"
+#include "harness/tables/csv.h"
+
+namespace ink::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// null where there is no value: neither 0 nor NaN, which would slip into a mean.
+Json number_or_null(std::optional<double> value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+std::optional<double> mean_width(const score::Score& s) {
+    return s.mean_width_px > 0 ? std::optional(s.mean_width_px) : std::nullopt;
+}
+
+std::string four_places(std::optional<double> value) {
+    return value ? fmt::format("{:.4f}", *value) : "-";
+}
+
+Json counts_json(const score::Score& s) {
+    Json result = {
+        {"k", s.k},
+        {"n_pred", s.n_pred},
+        {"n_truth", s.n_truth},
+        {"f", s.f()},
+        {"precision", number_or_null(s.precision())},
+        {"recall", number_or_null(s.recall())},
+        // Scripts rely on these keys, also where columns have other names.
+        {"surplus", s.unmatched_duplicates},
+        {"off_line", s.false_positives},
+        {"lost", s.unmatched_truth},
+        {"missing", s.false_negatives},
+        {"mean_width", number_or_null(mean_width(s))},
+        {"classes", Json::object()},
+    };
+    for (const score::ClassCount& c : s.classes)
+        result["classes"][std::to_string(c.label)] = {{"k", c.k}, {"n_truth", c.n_truth}};
+    result["class_names"] = Json::object();
+    for (const score::ClassCount& c : s.classes)
+        result["class_names"][std::to_string(c.label)] = draw::label_text(c.label);
+    return result;
+}
+
+std::string polarity_of(const draw::FilesScore& scored) {
+    return scored.is_inverted ? "dark lines on light" : "light lines on dark";
+}
+
+}  // namespace
+
+std::string score_json(const draw::FilesScore& scored) {
+    Json result = counts_json(scored.score);
+    result["polarity"] = scored.is_inverted ? "dark" : "light";
+    result["band"] = scored.options.band_px;
+    result["ignore"] =
+        scored.options.ignore_label ? Json(*scored.options.ignore_label) : Json(nullptr);
+    return result.dump(2) + "\n";
+}
+
+std::string score_table(const std::filesystem::path& prediction,
+                        const std::filesystem::path& truth,
+                        const draw::FilesScore& scored) {
+    const score::Score& s = scored.score;
+    const score::ScoreOptions& options = scored.options;
+    std::string text =
+        fmt::format("{} against {}\n", prediction.filename().string(), truth.filename().string());
+    text += fmt::format("within {} px, {}, edge response {} and above, {}",
+                        options.tolerance_px,
+                        polarity_of(scored),
+                        options.threshold,
+                        options.thin ? "thinned" : "not thinned");
+    if (options.band_px > 0) text += fmt::format(", {} px of the frame left out", options.band_px);
+    if (options.ignore_label) text += fmt::format(", {} ignored", *options.ignore_label);
+    text += fmt::format("\n\n  F           {:.4f}\n", s.f());
+    text += fmt::format(
+        "  precision   {:>6}   {} predicted = {} matched + {} unmatched duplicates + {} false "
+        "positives\n",
+        four_places(s.precision()),
+        s.n_pred,
+        s.k,
+        s.unmatched_duplicates,
+        s.false_positives);
+    text += fmt::format(
+        "  recall      {:>6}   {} true = {} matched + {} unmatched truth + {} false negatives\n",
+        four_places(s.recall()),
+        s.n_truth,
+        s.k,
+        s.unmatched_truth,
+        s.false_negatives);
+    text += fmt::format("  mean width  {:>6} px\n",
+                        s.mean_width_px > 0 ? fmt::format("{:.2f}", s.mean_width_px) : "-");
+    if (s.classes.empty()) return text;
+    text += fmt::format("\n  {:<16} {:>6} {:>9} {:>9}\n", "class", "recall", "matched", "true");
+    for (const score::ClassCount& c : s.classes) {
+        text += fmt::format("  {:<16} {:>6.4f} {:>9} {:>9}\n",
+                            draw::label_text(c.label),
+                            static_cast<double>(c.k) / static_cast<double>(c.n_truth),
+                            c.k,
+                            c.n_truth);
+    }
+    return text;
+}
+
+std::string folder_table(const std::vector<draw::FolderScore>& scores) {
+    core::Cells cells{{"image", "F", "precision", "recall", "predicted", "true"}};
+    std::string unscored;
+    for (const draw::FolderScore& each : scores) {
+        if (!each.score) {
+            unscored += fmt::format("no score: {}: {}\n", each.name, each.status);
+            continue;
+        }
+        cells.push_back({each.name,
+                         four_places(each.score->f()),
+                         four_places(each.score->precision()),
+                         four_places(each.score->recall()),
+                         std::to_string(each.score->n_pred),
+                         std::to_string(each.score->n_truth)});
+    }
+    const score::CurveCount all = draw::pooled(scores);
+    cells.push_back({"all, pooled",
+                     four_places(all.f()),
+                     "",
+                     "",
+                     std::to_string(all.n_pred),
+                     std::to_string(all.n_truth)});
+    return core::aligned(cells) + unscored;
+}
+
+std::string folder_json(const std::vector<draw::FolderScore>& scores) {
+    Json result = {{"images", Json::object()}};
+    for (const draw::FolderScore& each : scores) {
+        Json image = each.score ? counts_json(*each.score) : Json::object();
+        image["status"] = each.status;
+        result["images"][each.name] = std::move(image);
+    }
+    const score::CurveCount all = draw::pooled(scores);
+    result["pooled"] = {
+        {"k", all.k}, {"n_pred", all.n_pred}, {"n_truth", all.n_truth}, {"f", all.f()}};
+    return result.dump(2) + "\n";
+}
+
+std::string folder_csv(const std::vector<draw::FolderScore>& scores) {
+    std::string text =
+        "image,status,f,precision,recall,k,n_pred,n_truth,unmatched_duplicates,false_positives,"
+        "unmatched_truth,false_negatives,mean_width_px\n";
+    const auto number = [](std::optional<double> value) {
+        return value ? fmt::format("{}", *value) : "";
+    };
+    for (const draw::FolderScore& each : scores) {
+        text += harness::csv_field(each.name) + "," + harness::csv_field(each.status);
+        if (!each.score) {
+            text += ",,,,,,,,,,,\n";
+            continue;
+        }
+        const score::Score& s = *each.score;
+        text += fmt::format(",{},{},{},{},{},{},{},{},{},{},{}\n",
+                            s.f(),
+                            number(s.precision()),
+                            number(s.recall()),
+                            s.k,
+                            s.n_pred,
+                            s.n_truth,
+                            s.unmatched_duplicates,
+                            s.false_positives,
+                            s.unmatched_truth,
+                            s.false_negatives,
+                            number(mean_width(s)));
+    }
+    return text;
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,81 @@
+#include "draw/score_folders.h"
+
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "core/error.h"
+
+namespace ink::draw {
+namespace {
+
+namespace fs = std::filesystem;
+using FilesByName = std::map<std::string, fs::path>;
+
+/// The files below `folder` with one of `endings` (all if none is named), by their relative path
+/// without ending. The first of two with one name stays.
+FilesByName files_below(const fs::path& folder, const std::vector<std::string>& endings) {
+    std::error_code failure;
+    std::set<fs::path> sorted;
+    for (auto entry = fs::recursive_directory_iterator(folder, failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file()) sorted.insert(entry->path());
+    }
+    if (failure) {
+        throw core::Error(folder.string(),
+                          "this folder cannot be read: " + failure.message(),
+                          "a folder of images");
+    }
+    FilesByName files;
+    for (const fs::path& path : sorted) {
+        bool is_asked = endings.empty();
+        for (const std::string& ending : endings)
+            is_asked = is_asked || path.extension() == ending;
+        if (is_asked)
+            files.emplace(path.lexically_relative(folder).replace_extension().string(), path);
+    }
+    return files;
+}
+
+}  // namespace
+
+std::vector<FolderScore> score_folders(
+    const fs::path& predictions,
+    const fs::path& truths,
+    const ScoreRequest& request,
+    const std::function<void(const std::string& name, const FilesScore&)>& on_scored) {
+    score::check(request.options);
+    // ".exr" sorts before ".png", so it is the one that stays.
+    const FilesByName truth_files = files_below(truths, {".exr", ".png"});
+    if (truth_files.empty())
+        throw core::Error(truths.string(), "there is no truth in it", "files of inkbench truth -o");
+    const FilesByName drawn = files_below(predictions, {});
+    std::vector<FolderScore> scores;
+    for (const auto& [name, truth] : truth_files) {
+        FolderScore& result = scores.emplace_back(FolderScore{name});
+        const auto prediction = drawn.find(name);
+        if (prediction == drawn.end()) {
+            result.status = "there is no image of this name in " + predictions.string();
+            continue;
+        }
+        try {
+            const FilesScore scored = score_files(prediction->second, truth, request);
+            result.score = scored.score;
+            on_scored(name, scored);
+        } catch (const core::Error& error) {
+            result.status = error.what();
+        }
+    }
+    return scores;
+}
+
+score::CurveCount pooled(const std::vector<FolderScore>& scores) {
+    score::CurveCount total;
+    for (const FolderScore& each : scores) {
+        if (each.score) total += {each.score->k, each.score->n_pred, each.score->n_truth};
+    }
+    return total;
+}
+
+}  // namespace ink::draw

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/score_files.h"
+
+namespace ink::draw {
+
+/// What came of one truth file of a folder.
+struct FolderScore {
+    std::string name;           ///< its path within the folder, without its ending
+    std::string status = "ok";  ///< or why it has no score
+    std::optional<score::Score> score = {};
+
+    [[nodiscard]] bool is_scored() const { return score.has_value(); }
+};
+
+/// Scores every truth (.png or .exr; .exr where both are there) below `truths` against the image of
+/// the same relative path, whatever its ending, below `predictions`, in alphabetical order.
+///
+/// A missing or bad prediction or truth is an entry with its status. `on_scored` gets the name and
+/// all of each that came out. Throws core::Error for folders that cannot be read, for one without
+/// any truth, and for options outside their range.
+[[nodiscard]] std::vector<FolderScore> score_folders(
+    const std::filesystem::path& predictions,
+    const std::filesystem::path& truths,
+    const ScoreRequest& request,
+    const std::function<void(const std::string& name, const FilesScore&)>& on_scored);
+
+/// Counts of all that were scored, pooled.
+[[nodiscard]] score::CurveCount pooled(const std::vector<FolderScore>& scores);
+
+}  // namespace ink::draw

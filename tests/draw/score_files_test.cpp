@@ -1,0 +1,154 @@
+#include "draw/score_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.h"
+#include "draw/score_folders.h"
+#include "image_io/exr_file.h"
+#include "image_io/image_file.h"
+
+namespace ink::draw {
+namespace {
+
+namespace fs = std::filesystem;
+using Gray = core::Image<std::uint8_t>;
+using testing::HasSubstr;
+
+/// A vertical line of `value` at column 8 on `ground`.
+Gray line_image(std::uint8_t value, std::uint8_t ground) {
+    Gray image(32, 24, ground);
+    for (int y = 0; y < 24; ++y)
+        image.at(8, y) = value;
+    return image;
+}
+
+class ScoreFiles : public testing::Test {
+  protected:
+    ScoreFiles() {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~ScoreFiles() override { fs::remove_all(folder_); }
+
+    fs::path write(const std::string& name, const Gray& image) const {
+        const fs::path path = folder_ / name;
+        fs::create_directories(path.parent_path());
+        image_io::write_png(image, path);
+        return path;
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) /
+                             testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(ScoreFiles, FindsDarkLinesOnLightByItself) {
+    const fs::path truth = write("truth.png", line_image(1, 0));
+    const fs::path light = write("light.png", line_image(255, 0));
+    const fs::path dark = write("dark.png", line_image(0, 255));
+    for (const auto& [path, is_inverted] : {std::pair(light, false), std::pair(dark, true)}) {
+        const FilesScore scored = score_files(path, truth, {});
+        EXPECT_EQ(scored.is_inverted, is_inverted) << path;
+        EXPECT_EQ(scored.score.f(), 1) << path;
+        EXPECT_TRUE(scored.doubts.empty());
+    }
+    EXPECT_LT(score_files(dark, truth, {.polarity = Polarity::light_on_dark}).score.f(), 1);
+}
+
+TEST_F(ScoreFiles, TakesAnImageOfOneValueAsItIs) {
+    const fs::path truth = write("truth.png", line_image(1, 0));
+    EXPECT_FALSE(score_files(write("white.png", Gray(32, 24, 255)), truth, {}).is_inverted);
+    EXPECT_FALSE(score_files(write("black.png", Gray(32, 24, 0)), truth, {}).is_inverted);
+}
+
+TEST_F(ScoreFiles, RefusesAColouredPreviewAsTruth) {
+    core::Image<image_io::Rgb> preview(32, 24, image_io::Rgb(255));
+    preview.at(3, 3) = image_io::Rgb(255, 0, 0);
+    image_io::write_png(preview, folder_ / "preview.png");
+    const fs::path drawn = write("drawn.png", line_image(255, 0));
+    try {
+        (void)score_files(drawn, folder_ / "preview.png", {});
+        FAIL() << "a preview was taken for a truth";
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("preview.png: it is in colour"));
+    }
+}
+
+/// An EXR as `truth -o` writes it, as far as the score reads it.
+fs::path write_exr_truth(const fs::path& path) {
+    core::Image<std::uint32_t> labels(32, 24, 0);
+    core::Image<std::uint32_t> below(32, 24, 0);
+    for (int y = 0; y < 24; ++y) {
+        labels.at(8, y) = 1;
+        labels.at(20, y) = 4;
+        below.at(20, y) = 1;
+    }
+    image_io::write_exr({{{"class.label", labels}, {"class.below_crease", below}},
+                         {{"ink:ignore_label", 7.0}, {"ink:band_px", 6.0}}},
+                        path);
+    return path;
+}
+
+TEST_F(ScoreFiles, TakesIgnoreAndBandFromAnExr) {
+    const fs::path truth = write_exr_truth(folder_ / "truth.exr");
+    const fs::path drawn = write("drawn.png", line_image(255, 0));
+    const FilesScore scored = score_files(drawn, truth, {});
+    EXPECT_EQ(scored.options.ignore_label, 7);
+    EXPECT_EQ(scored.options.band_px, 6);
+    EXPECT_EQ(scored.score.n_truth, 12) << "24 rows less the band; flat intersections are ignored";
+    EXPECT_EQ(scored.score.f(), 1);
+    const FilesScore all =
+        score_files(drawn, truth, {.intersections = score::Intersections::all, .band_px = 0});
+    EXPECT_EQ(all.options.band_px, 0) << "the caller's own";
+    EXPECT_EQ(all.score.n_truth, 48);
+}
+
+TEST_F(ScoreFiles, RefusesAnExrWithoutLabels) {
+    image_io::write_exr({{{"Y", core::Image<float>(4, 4, 1.0F)}}, {}}, folder_ / "other.exr");
+    const fs::path drawn = write("drawn.png", line_image(255, 0));
+    EXPECT_THROW((void)score_files(drawn, folder_ / "other.exr", {}), core::Error);
+}
+
+TEST_F(ScoreFiles, PictureShowsHitsMissesAndFalseLines) {
+    Gray labels = line_image(1, 0);
+    Gray drawn = line_image(255, 0);
+    for (int y = 0; y < 24; ++y)
+        labels.at(28, y) = 3;  // missing
+    for (int y = 0; y < 24; ++y)
+        drawn.at(18, y) = 255;  // false
+    const FilesScore scored =
+        score_files(write("drawn.png", drawn), write("truth.png", labels), {});
+    const RgbImage picture = picture_of(scored);
+    EXPECT_NE(picture.at(28, 12), picture.at(8, 12));
+    EXPECT_NE(picture.at(18, 12), picture.at(8, 12));
+    EXPECT_NE(picture.at(18, 12), picture.at(28, 12));
+    EXPECT_EQ(picture.at(2, 2), glm::u8vec3(255)) << "paper";
+}
+
+TEST_F(ScoreFiles, FoldersPairByNameAndSayWhatIsMissing) {
+    write("truth/a/front.png", line_image(1, 0));
+    write_exr_truth(folder_ / "truth/a/back.exr");
+    write("truth/b/front.png", line_image(1, 0));
+    write("truth/b/back.png", line_image(1, 0));
+    write("drawn/a/front.png", line_image(255, 0));
+    write("drawn/a/back.png", line_image(0, 255));
+    write("drawn/b/back.png", Gray(8, 8, 0));
+    std::vector<std::string> named;
+    const auto scores =
+        score_folders(folder_ / "drawn", folder_ / "truth", {}, [&](const auto& name, const auto&) {
+            named.push_back(name);
+        });
+    ASSERT_EQ(scores.size(), 4U);
+    EXPECT_THAT(named, testing::ElementsAre("a/back", "a/front"));
+    EXPECT_EQ(scores[0].score->f(), 1);
+    EXPECT_THAT(scores[2].status, HasSubstr("size")) << scores[2].name;
+    EXPECT_THAT(scores[3].status, HasSubstr("no image of this name")) << scores[3].name;
+    EXPECT_EQ(pooled(scores).n_truth, 12 + 24);
+    EXPECT_THROW((void)score_folders(folder_ / "drawn", folder_ / "nowhere", {}, {}), core::Error);
+}
+
+}  // namespace
+}  // namespace ink::draw
