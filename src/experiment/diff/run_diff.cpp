@@ -1,0 +1,167 @@
+#include "experiment/diff/run_diff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/provenance.h"
+#include "experiment/summary/summary.h"
+#include "statistics/bootstrap.h"
+
+namespace ink::experiment {
+namespace {
+
+using Counts = score::CurveCount;
+using harness::Row;
+
+const core::Provenance& provenance_of(const Row& row) {
+    return row.provenance ? *row.provenance : core::provenance();
+}
+
+/// What must be equal for two times to compare, and how it is called. The program's own version may
+/// differ: that is what two runs are compared for.
+std::vector<std::pair<std::string, std::string>> conditions_of(const Row& row) {
+    const core::Provenance& p = provenance_of(row);
+    return {{"processor", p.cpu},
+            {"instruction set", p.simd},
+            {"compiler", p.compiler},
+            {"build", p.flags}};
+}
+
+std::string times_obstacle(const std::vector<CellPair>& pairs) {
+    for (const CellPair& pair : pairs) {
+        if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
+        const auto a = conditions_of(*pair.a);
+        const auto b = conditions_of(*pair.b);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            if (a[i].second != b[i].second) {
+                return fmt::format("the {} differs: {}, {}", a[i].first, a[i].second, b[i].second);
+            }
+        }
+    }
+    return "";
+}
+
+bool has_other_counts(const Row& a, const Row& b) {
+    return a.k_2px != b.k_2px || a.n_pred != b.n_pred || a.n_truth != b.n_truth;
+}
+
+/// F of both runs and the interval of their difference, scenes resampled for both together.
+void compare_scores(const std::vector<CellPair>& pairs, std::uint64_t seed, MethodDiff& diff) {
+    std::map<std::string, std::pair<Counts, Counts>> by_scene;
+    for (const CellPair& pair : pairs) {
+        if (!pair.a->is_scored() || !pair.b->is_scored()) continue;
+        auto& [a, b] = by_scene[pair.a->scene];
+        a += counts_2px(*pair.a);
+        b += counts_2px(*pair.b);
+    }
+    if (by_scene.empty()) return;
+    std::vector<Counts> of_a;
+    std::vector<Counts> of_b;
+    Counts sum_a;
+    Counts sum_b;
+    for (const auto& [scene, counts] : by_scene) {
+        sum_a += of_a.emplace_back(counts.first);
+        sum_b += of_b.emplace_back(counts.second);
+    }
+    diff.f_a = sum_a.f();
+    diff.f_b = sum_b.f();
+    diff.difference = *diff.f_b - *diff.f_a;
+    diff.range = statistics::paired_interval(of_b, of_a, {.seed = seed});
+}
+
+std::optional<double> time_ratio(const std::vector<CellPair>& pairs) {
+    double sum = 0;
+    int count = 0;
+    for (const CellPair& pair : pairs) {
+        if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
+        if (*pair.a->draw_ns_min <= 0 || *pair.b->draw_ns_min <= 0) continue;
+        sum += std::log(static_cast<double>(*pair.b->draw_ns_min) /
+                        static_cast<double>(*pair.a->draw_ns_min));
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    return std::exp(sum / count);
+}
+
+MethodDiff diff_of(const std::vector<CellPair>& pairs, bool times_compare, std::uint64_t seed) {
+    MethodDiff diff;
+    diff.method = pairs.front().a->method;
+    diff.settings = changed_parameters(pairs.front().a->params, pairs.front().b->params);
+    diff.cells = static_cast<int>(pairs.size());
+    for (const CellPair& pair : pairs) {
+        diff.changed_images += pair.a->image_hash != pair.b->image_hash ? 1 : 0;
+        diff.lost += pair.a->is_scored() && !pair.b->is_scored() ? 1 : 0;
+        diff.won += !pair.a->is_scored() && pair.b->is_scored() ? 1 : 0;
+        const bool are_scored = pair.a->is_scored() && pair.b->is_scored();
+        diff.changed_scores += are_scored && has_other_counts(*pair.a, *pair.b) ? 1 : 0;
+    }
+    compare_scores(pairs, seed, diff);
+    if (times_compare) diff.time_ratio = time_ratio(pairs);
+    return diff;
+}
+
+int count_changed_truths(const std::vector<CellPair>& pairs) {
+    std::set<harness::Place> changed;
+    for (const CellPair& pair : pairs) {
+        if (pair.a->is_scored() && pair.b->is_scored() && pair.a->truth_px != pair.b->truth_px)
+            changed.insert(harness::place_of(*pair.a));
+    }
+    return static_cast<int>(changed.size());
+}
+
+/// Changes first, then the larger difference; the order of the first run else.
+bool comes_before(const MethodDiff& a, const MethodDiff& b) {
+    const auto rank = [](const MethodDiff& diff) {
+        const int kind = diff.changed_images > 0 ? 0 : diff.is_same() ? 2 : 1;
+        return std::pair(kind, -std::abs(diff.difference.value_or(0)));
+    };
+    return rank(a) < rank(b);
+}
+
+}  // namespace
+
+bool MethodDiff::is_worse() const {
+    if (lost > 0) return true;
+    if (!difference || *difference >= 0) return false;
+    return !range || range->high < 0;
+}
+
+bool RunDiff::is_same() const {
+    return asked.empty() && cells.gone.empty() && cells.added.empty() && changed_truths == 0 &&
+           std::all_of(
+               methods.begin(), methods.end(), [](const MethodDiff& m) { return m.is_same(); });
+}
+
+bool RunDiff::is_worse() const {
+    return std::any_of(
+               methods.begin(), methods.end(), [](const MethodDiff& m) { return m.is_worse(); }) ||
+           std::any_of(cells.gone.begin(), cells.gone.end(), [](const Row* row) {
+               return row->is_scored();
+           });
+}
+
+RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed) {
+    RunDiff diff;
+    diff.asked = asked_changes(a.record.asked, b.record.asked);
+    diff.cells = pair_cells(a.tables.rows, b.tables.rows);
+    diff.times_obstacle = times_obstacle(diff.cells.paired);
+    diff.changed_truths = count_changed_truths(diff.cells.paired);
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, std::vector<CellPair>> groups;
+    for (const CellPair& pair : diff.cells.paired) {
+        const std::pair key(pair.a->method, changed_parameters(pair.a->params, pair.b->params));
+        std::vector<CellPair>& group = groups[key];
+        if (group.empty()) order.push_back(key);
+        group.push_back(pair);
+    }
+    for (const auto& key : order)
+        diff.methods.push_back(diff_of(groups[key], diff.times_obstacle.empty(), seed));
+    std::stable_sort(diff.methods.begin(), diff.methods.end(), comes_before);
+    return diff;
+}
+
+}  // namespace ink::experiment

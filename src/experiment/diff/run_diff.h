@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/diff/cell_pairs.h"
+#include "experiment/run_data.h"
+#include "statistics/spread.h"
+
+namespace ink::experiment {
+
+/// What changed of one method between two runs, over the cells that both have.
+struct MethodDiff {
+    std::string method;
+    std::string settings;  ///< parameters that were asked differently, "threshold 20 -> 25"; or ""
+    int cells = 0;         ///< that both runs have
+    int changed_images = 0;                 ///< of those, whose image has another hash
+    int changed_scores = 0;                 ///< of those, whose counts at 2 px differ
+    int lost = 0;                           ///< of those, scored in the first run alone
+    int won = 0;                            ///< of those, scored in the second run alone
+    std::optional<double> f_a = {};         ///< at 2 px, pooled over the cells that both scored
+    std::optional<double> f_b = {};         ///< the same of the second run
+    std::optional<double> difference = {};  ///< f_b less f_a
+    std::optional<statistics::Interval> range = {};  ///< of that; 95 %, paired cluster bootstrap
+    /// Drawing times, second over first: geometric mean over cells; nothing where they do not
+    /// compare.
+    std::optional<double> time_ratio = {};
+
+    [[nodiscard]] bool is_same() const {
+        return settings.empty() && changed_images + changed_scores + lost + won == 0;
+    }
+    /// Whether the second run is worse: a score is lost, or F fell by more than the choice of
+    /// scenes explains (by anything where one scene gives no interval).
+    [[nodiscard]] bool is_worse() const;
+};
+
+/// A value of what was asked, in two runs; "-" where a run has none.
+struct AskedChange {
+    std::string key;  ///< "methods.mote4.threshold"
+    std::string a;
+    std::string b;
+};
+
+/// Two runs beside each other.
+struct RunDiff {
+    /// Methods with changes first: those with changed images, then by the size of the difference.
+    std::vector<MethodDiff> methods;
+    std::vector<AskedChange> asked;
+    CellPairs cells;         ///< borrows the rows of both runs
+    int changed_truths = 0;  ///< views on which the truth has another number of pixels
+    /// Why times do not compare, "the processor differs: ..."; "" where they do.
+    std::string times_obstacle;
+
+    /// Whether something besides times differs.
+    [[nodiscard]] bool is_same() const;
+    /// Whether a method is worse, or a scored cell is gone.
+    [[nodiscard]] bool is_worse() const;
+};
+
+/// What `b` changed against `a`, over their rows of the study `compare`; `seed` draws the
+/// intervals. Borrows both runs.
+[[nodiscard]] RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed);
+
+/// The values that two TOML documents have differently, in alphabetical order of their keys.
+/// Throws core::Error (where = "run.toml") for text that is no TOML.
+[[nodiscard]] std::vector<AskedChange> asked_changes(const std::string& a, const std::string& b);
+
+}  // namespace ink::experiment
