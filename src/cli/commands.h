@@ -10,6 +10,7 @@ namespace ink::cli {
 
 void add_bound_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
+void add_diff_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_truth_command(CLI::App& app);
 void add_score_command(CLI::App& app);
@@ -19,6 +20,7 @@ void add_completions_command(CLI::App& app);
 void add_help_command(CLI::App& app);
 void add_list_command(CLI::App& app);
 void add_merge_command(CLI::App& app);
+void add_new_method_command(CLI::App& app);
 void add_run_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_timedemo_command(CLI::App& app);

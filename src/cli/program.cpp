@@ -84,8 +84,10 @@ std::unique_ptr<CLI::App> make_program() {
     add_stress_command(*app);
     add_run_command(*app);
     add_report_command(*app);
+    add_diff_command(*app);
     add_merge_command(*app);
     add_bound_command(*app);
+    add_new_method_command(*app);
     add_list_command(*app);
     add_completions_command(*app);
     add_help_command(*app);

@@ -31,8 +31,8 @@ struct ViewRequest {
     int height_px = 720;
     std::optional<int> orbit_count;  ///< this many round the scene, instead of its own views
     /// How views round a scene are framed; any of these asks for such views, three unless said.
-    std::optional<Fit> fit = {};            ///< default: the sphere
-    std::optional<double> margin = {};      ///< of the frame's size on either side, of Fit::box; .04
+    std::optional<Fit> fit = {};        ///< default: the sphere
+    std::optional<double> margin = {};  ///< of the frame's size on either side, of Fit::box; .04
     std::vector<std::string> objects = {};  ///< the instances that are framed; none: all
     /// A model's own cameras, as they stand at the moment that is drawn (an error if it has none).
     bool file_cameras = false;

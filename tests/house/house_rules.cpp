@@ -13,7 +13,9 @@ std::set<std::string> methods_in(const SourceTree& tree) {
     std::set<std::string> methods;
     for (const std::string& folder : tree.folders) {
         const std::string prefix = "methods/";
-        if (starts_with(folder, prefix) && folder.find('/', prefix.size()) == std::string::npos) {
+        // One that begins with _ is a template.
+        if (starts_with(folder, prefix) && folder[prefix.size()] != '_' &&
+            folder.find('/', prefix.size()) == std::string::npos) {
             methods.insert(folder.substr(prefix.size()));
         }
     }

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "cli/options/options.h"
+#include "core/error.h"
+#include "experiment/diff/run_diff.h"
+#include "report/text/diff_text.h"
+
+namespace ink::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kWorse = 1;
+
+struct DiffArgs {
+    std::string before;
+    std::string after;
+    bool is_json = false;
+    bool fail_if_worse = false;
+};
+
+template <class T>
+json or_null(const std::optional<T>& value) {
+    return value ? json(*value) : json(nullptr);
+}
+
+json cells_json(const std::vector<const harness::Row*>& rows) {
+    json cells = json::array();
+    for (const harness::Row* row : rows) {
+        cells.push_back({{"method", row->method},
+                         {"scene", row->scene},
+                         {"view", row->view},
+                         {"width", row->width},
+                         {"height", row->height},
+                         {"params", row->params}});
+    }
+    return cells;
+}
+
+json diff_json(const experiment::RunDiff& diff) {
+    json methods = json::array();
+    for (const experiment::MethodDiff& method : diff.methods) {
+        methods.push_back({{"method", method.method},
+                           {"settings", method.settings},
+                           {"cells", method.cells},
+                           {"changed_images", method.changed_images},
+                           {"changed_scores", method.changed_scores},
+                           {"lost", method.lost},
+                           {"won", method.won},
+                           {"f_before", or_null(method.f_a)},
+                           {"f_after", or_null(method.f_b)},
+                           {"difference", or_null(method.difference)},
+                           {"lo", method.range ? json(method.range->low) : json(nullptr)},
+                           {"hi", method.range ? json(method.range->high) : json(nullptr)},
+                           {"time_ratio", or_null(method.time_ratio)},
+                           {"worse", method.is_worse()}});
+    }
+    json asked = json::array();
+    for (const experiment::AskedChange& change : diff.asked)
+        asked.push_back({{"key", change.key}, {"before", change.a}, {"after", change.b}});
+    return {{"same", diff.is_same()},
+            {"worse", diff.is_worse()},
+            {"asked", asked},
+            {"new", cells_json(diff.cells.added)},
+            {"gone", cells_json(diff.cells.gone)},
+            {"changed_truths", diff.changed_truths},
+            {"times_obstacle", diff.times_obstacle},
+            {"methods", methods}};
+}
+
+/// Throws core::Error unless the run has rows to pair.
+void check_rows(const experiment::RunData& run) {
+    if (!run.tables.rows.empty()) return;
+    throw core::Error(
+        run.folder.string(),
+        "there are no rows of a comparison in it (it is a run of kind '" + run.record.kind + "')",
+        "a run of inkbench compare or inkbench run");
+}
+
+}  // namespace
+
+void add_diff_command(CLI::App& app) {
+    auto args = std::make_shared<DiffArgs>();
+    auto* command = app.add_subcommand("diff", "Say what one run changed against another");
+    command->add_option("before", args->before, "Folder of a run")->type_name("DIR")->required();
+    command->add_option("after", args->after, "Folder of the run to compare with it")
+        ->type_name("DIR")
+        ->required();
+    command->add_flag("--fail-if-worse",
+                      args->fail_if_worse,
+                      "Exit with 1 if a method's F fell (its 95 % interval below 0), or a scored "
+                      "cell has no score or is gone");
+    command->add_flag("--json", args->is_json, "Print the result as JSON");
+    command->footer(
+        "Cells are paired by method, scene, view, size and parameters. `inkbench report BEFORE "
+        "AFTER\n-o FILE.html` shows the same as a page, with images.\n"
+        "Example: inkbench diff inkbench-out/monday inkbench-out/tuesday --fail-if-worse\n"
+        "Exit codes: 0 done, 1 worse (with --fail-if-worse), 2 bad input.");
+    command->callback([args] {
+        const experiment::RunData before = experiment::read_run(args->before);
+        const experiment::RunData after = experiment::read_run(args->after);
+        check_rows(before);
+        check_rows(after);
+        const experiment::RunDiff diff =
+            experiment::diff_runs(before, after, before.tables.rows.front().seed);
+        if (args->is_json)
+            fmt::print("{}\n", diff_json(diff).dump(2));
+        else
+            fmt::print("{}", report::diff_text(diff));
+        std::fflush(stdout);
+        if (args->fail_if_worse && diff.is_worse()) throw CLI::RuntimeError(kWorse);
+    });
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,135 @@
+#include "cli/new_method.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "core/error.h"
+#include "core/whole_file.h"
+#include "methods/registry.h"
+
+namespace ink::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTemplateName = "my_method";
+constexpr const char* kTemplateClass = "MyMethod";
+
+void check_method_name(const std::string& name) {
+    const bool is_word = !name.empty() && std::islower(static_cast<unsigned char>(name[0])) != 0 &&
+                         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                             return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_';
+                         });
+    if (!is_word || name == kTemplateName) {
+        throw core::Error("inkbench new-method",
+                          "a method cannot be called '" + name + "'",
+                          "small letters, digits and underscores, a letter first");
+    }
+    for (const method::MethodInfo& info : methods::registry()) {
+        if (info.name == name)
+            throw core::Error("inkbench new-method", "there is a method '" + name + "' already");
+    }
+}
+
+std::string source_text(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        throw core::Error(path.string(),
+                          "it cannot be read, so this is no source tree of Inkbench",
+                          "run it in the source tree, or name the tree with --root");
+    }
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// "two_sums" as "TwoSums".
+std::string class_name(const std::string& name) {
+    std::string text;
+    bool is_first = true;
+    for (const char c : name) {
+        if (c == '_') {
+            is_first = true;
+            continue;
+        }
+        text += is_first ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+        is_first = false;
+    }
+    return text;
+}
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// Puts `line` among the lines that begin with `start`, before the first that sorts behind it.
+void insert_sorted(std::string& text,
+                   const std::string& start,
+                   const std::string& line,
+                   const fs::path& file) {
+    std::size_t place = std::string::npos;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string here = text.substr(at, end - at);
+        if (here.starts_with(start)) {
+            place = end + 1;
+            if (here > line) {
+                place = at;
+                break;
+            }
+        }
+        at = end + 1;
+    }
+    if (place == std::string::npos)
+        throw core::Error(file.string(), "it has no line that begins with '" + start + "'");
+    text.insert(place, line + "\n");
+}
+
+/// Puts `line` before the first line that holds `mark`.
+void insert_before(std::string& text,
+                   const std::string& mark,
+                   const std::string& line,
+                   const fs::path& file) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string::npos)
+        throw core::Error(file.string(), "it has no line with '" + mark + "'");
+    text.insert(at == 0 ? 0 : text.rfind('\n', at) + 1, line + "\n");
+}
+
+}  // namespace
+
+std::vector<fs::path> add_new_method(const fs::path& root, const std::string& name) {
+    check_method_name(name);
+    const fs::path folder = fs::path("methods") / name;
+    if (fs::exists(root / folder))
+        throw core::Error((root / folder).string(), "this folder is there already");
+    // All is read and changed before anything is written.
+    std::map<fs::path, std::string> files;
+    for (const char* ending : {".h", ".cpp"}) {
+        const fs::path from = root / "methods/_template" / (std::string(kTemplateName) + ending);
+        const std::string text = replace_all(source_text(from), kTemplateClass, class_name(name));
+        files[folder / (name + ending)] = replace_all(text, kTemplateName, name);
+    }
+    const fs::path registry = "methods/registry.cpp";
+    std::string& lines = files[registry] = source_text(root / registry);
+    const std::string header = name + "/" + name;
+    insert_sorted(lines, "#include \"methods/", "#include \"methods/" + header + ".h\"", registry);
+    insert_before(lines, "auto_method(),", "        " + name + "(),", registry);
+    const fs::path list = "methods/CMakeLists.txt";
+    std::string& sources = files[list] = source_text(root / list);
+    insert_before(sources, "auto/auto.cpp", "        " + header + ".cpp", list);
+
+    std::vector<fs::path> changed;
+    fs::create_directories(root / folder);
+    for (const auto& [path, text] : files) {
+        core::write_whole_file(root / path, text);
+        changed.push_back(path);
+    }
+    return changed;
+}
+
+}  // namespace ink::cli
