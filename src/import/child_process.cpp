@@ -52,10 +52,13 @@ class FileDescriptor {
 /// A running child, killed and reaped when it goes out of scope.
 class Child {
   public:
-    explicit Child(pid_t pid) : pid_(pid) {}
+    Child(pid_t pid, bool leads_group) : pid_(pid), group_(leads_group ? pid : 0) {}
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
-    ~Child() { kill_and_reap(); }
+    ~Child() {
+        kill_and_reap();
+        if (group_ > 0) kill(-group_, SIGKILL);  // what it left behind
+    }
 
     /// The wait status if it has ended; never blocks.
     std::optional<int> ended() {
@@ -72,6 +75,7 @@ class Child {
 
     void kill_and_reap() {
         if (pid_ < 0) return;
+        if (group_ > 0) kill(-group_, SIGKILL);
         kill(pid_, SIGKILL);
         while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
         }
@@ -80,6 +84,7 @@ class Child {
 
   private:
     pid_t pid_;
+    pid_t group_;  ///< 0: it leads none
 };
 
 /// All that the forked child needs, computed before the fork: other threads may hold any lock.
@@ -90,7 +95,10 @@ struct Launch {
     int output_fd;
     pid_t parent;
     rlim_t memory_bytes;
+    rlim_t file_bytes;
     rlim_t cpu_s;
+    bool keeps_errors;
+    bool leads_group;
 };
 
 void limit(__rlimit_resource what, rlim_t most) {
@@ -107,13 +115,14 @@ void limit(__rlimit_resource what, rlim_t most) {
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (launch.leads_group) setpgid(0, 0);
     if (getppid() != launch.parent) _exit(kExecFailed);  // it died before we asked to be told
 
     dup2(launch.null_fd, STDIN_FILENO);
     dup2(launch.output_fd, STDOUT_FILENO);
-    dup2(launch.null_fd, STDERR_FILENO);
+    dup2(launch.keeps_errors ? launch.output_fd : launch.null_fd, STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
+    limit(RLIMIT_FSIZE, launch.file_bytes);
     limit(RLIMIT_CPU, launch.cpu_s);
     if (kLimitAddressSpace) limit(RLIMIT_AS, launch.memory_bytes);
     execv(launch.program, launch.arguments);
@@ -167,7 +176,7 @@ std::optional<int> await_end(Child& child, Clock::time_point deadline) {
 }  // namespace
 
 ChildOutcome run_child(const std::filesystem::path& program,
-                       const std::string& argument,
+                       const std::vector<std::string>& arguments,
                        const ChildLimits& limits) {
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0) return {ChildEnd::not_started, errno, {}};
@@ -176,25 +185,32 @@ ChildOutcome run_child(const std::filesystem::path& program,
     const FileDescriptor null = above_standard(open("/dev/null", O_RDWR | O_CLOEXEC));
     if (null.number() < 0) return {ChildEnd::not_started, errno, {}};
 
-    std::string program_text = program.string();
-    std::string argument_text = argument;
-    char* const arguments[] = {program_text.data(), argument_text.data(), nullptr};
+    std::vector<std::string> texts = {program.string()};
+    texts.insert(texts.end(), arguments.begin(), arguments.end());
+    std::vector<char*> words;
+    for (std::string& text : texts)
+        words.push_back(text.data());
+    words.push_back(nullptr);
     const double wall_s = std::clamp(limits.wall_s, 0.0, 1e6);
-    const Launch launch{.program = program_text.c_str(),
-                        .arguments = arguments,
+    const Launch launch{.program = words.front(),
+                        .arguments = words.data(),
                         .null_fd = null.number(),
                         .output_fd = to_parent.number(),
                         .parent = getpid(),
                         .memory_bytes = limits.memory_bytes,
+                        .file_bytes = limits.file_bytes,
                         // A backstop only, for the day on which the parent is stopped itself.
-                        .cpu_s = static_cast<rlim_t>(std::ceil(wall_s)) + 1};
+                        .cpu_s = static_cast<rlim_t>(std::ceil(wall_s * limits.threads)) + 1,
+                        .keeps_errors = limits.keeps_errors,
+                        .leads_group = limits.leads_group};
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::chrono::duration<double>(wall_s));
     const pid_t pid = fork();
     if (pid < 0) return {ChildEnd::not_started, errno, {}};
     if (pid == 0) become_child(launch);
 
-    Child child(pid);
+    if (limits.leads_group) setpgid(pid, pid);  // whoever comes first
+    Child child(pid, limits.leads_group);
     to_parent.reset();
     ChildOutcome outcome;
     outcome.end = drain(from_child.number(), deadline, limits.output_bytes, outcome.output);

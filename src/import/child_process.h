@@ -14,6 +14,10 @@ struct ChildLimits {
     std::uint64_t memory_bytes = 8ULL
                                  << 30;  ///< of address space (not held under AddressSanitizer)
     std::uint64_t output_bytes = 2ULL << 30;
+    std::uint64_t file_bytes = 0;  ///< of any file that it writes; 0: it writes none
+    bool keeps_errors = false;     ///< its error output counts as output; else it is discarded
+    int threads = 1;               ///< that it may keep busy: so many times wall_s of CPU time
+    bool leads_group = false;      ///< it is killed with all that it started
 };
 
 /// How a child process came to its end.
@@ -32,13 +36,13 @@ struct ChildOutcome {
     std::vector<std::byte> output;
 };
 
-/// Runs `program argument` to its end and returns what it wrote to its standard output.
+/// Runs `program arguments...` to its end and returns what it wrote to its standard output.
 ///
-/// The child has no input, its error output is discarded, it cannot write files or dump core, it
-/// dies when this process dies, and it is always reaped, also when an exception leaves this
-/// function. No shell is involved. Safe to call from several threads.
+/// The child has no input, it cannot write larger files than its limits say or dump core, it dies
+/// when this process dies, and it is always reaped, also when an exception leaves this function.
+/// No shell is involved. Safe to call from several threads.
 [[nodiscard]] ChildOutcome run_child(const std::filesystem::path& program,
-                                     const std::string& argument,
+                                     const std::vector<std::string>& arguments,
                                      const ChildLimits& limits);
 
 }  // namespace ink::import

@@ -227,8 +227,11 @@ scene::Scene import_scene(const std::filesystem::path& path, const ImportLimits&
     const Complaint complain(path);
     const FileClaims claims = claims_of(path, complain);
     const std::filesystem::path child = find_child(limits);
-    ChildOutcome outcome =
-        run_child(child, path.string(), {limits.wall_s, limits.memory_bytes, limits.output_bytes});
+    ChildOutcome outcome = run_child(child,
+                                     {path.string()},
+                                     {.wall_s = limits.wall_s,
+                                      .memory_bytes = limits.memory_bytes,
+                                      .output_bytes = limits.output_bytes});
     ImportReply reply = reply_of(outcome, complain, limits);
     outcome.output = {};
     if (reply.status == ImportStatus::out_of_memory) {
