@@ -7,22 +7,13 @@
 #include "core/error.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
+#include "score/polarity.h"
 #include "truth/line_class.h"
 
 namespace ink::draw {
 namespace {
 
 using Gray = core::Image<std::uint8_t>;
-
-/// Lines cover a small part of any image: where nearly all of it is light, the lines are dark.
-bool has_dark_lines(const Gray& image) {
-    constexpr double kLeastLight = 0.75;
-    const auto light =
-        std::count_if(image.data(), image.data() + image.size(), [](int v) { return v >= 128; });
-    const auto [least, most] = std::minmax_element(image.data(), image.data() + image.size());
-    return *least != *most &&
-           static_cast<double>(light) > kLeastLight * static_cast<double>(image.size());
-}
 
 /// The channel called `name`, or null.
 const core::Image<std::uint32_t>* find_channel(const image_io::ExrFile& file,
@@ -75,12 +66,8 @@ Prediction read_prediction(const std::filesystem::path& path, Polarity polarity)
     Prediction prediction{image_io::read_gray(path)};
     Gray& image = prediction.responses;
     prediction.is_inverted = polarity == Polarity::dark_on_light ||
-                             (polarity == Polarity::automatic && has_dark_lines(image));
-    if (prediction.is_inverted) {
-        std::transform(image.data(), image.data() + image.size(), image.data(), [](int v) {
-            return static_cast<std::uint8_t>(255 - v);
-        });
-    }
+                             (polarity == Polarity::automatic && score::has_dark_lines(image));
+    if (prediction.is_inverted) score::invert(image);
     return prediction;
 }
 
