@@ -52,10 +52,12 @@ def error_time(runs, style):
     rows = runs.table_if_any("rows.csv")
     where = "" if rows is None else f"Over {extent(rows)}" + (
         f", {', '.join(rows['cpu'].dropna().unique())}. " if "cpu" in rows else ". ")
+    outside = [m for m in methods if style.is_outside(m)]
+    clocks = f"Times of {', '.join(outside)} are by their own clock. " if outside else ""
     return Chart(figure, "Error against time, each method at its own settings. Bars: quartiles of "
                  "the time over views, 95 % interval of the error. The grey stair is the Pareto "
                  "front: methods on it are beaten by none in both. Points that lie on each other are "
-                 "rings of growing size. " + where + runs.source("summary.csv"), facts)
+                 "rings of growing size. " + clocks + where + runs.source("summary.csv"), facts)
 
 
 def _error_time(style, summary, lines, height_in):

@@ -174,6 +174,10 @@ class Style:
             self._place(method) % 5]
         return mixed(self.colour(method), towards, share)
 
+    def is_outside(self, method):
+        """Whether its images come from elsewhere and its times are by its own clock."""
+        return self._fact(method, "role") == "entrant"
+
     def look(self, method, is_shaded=False):
         """Keywords of `plot` that tell a method from others; shaded where a family has a panel."""
         tone = self.shade(method) if is_shaded else self.colour(method)

@@ -14,6 +14,8 @@ void add_diff_command(CLI::App& app);
 void add_draw_command(CLI::App& app);
 void add_truth_command(CLI::App& app);
 void add_score_command(CLI::App& app);
+void add_entrant_test_command(CLI::App& app);
+void add_export_command(CLI::App& app);
 void add_explain_command(CLI::App& app);
 void add_figures_command(CLI::App& app);
 void add_completions_command(CLI::App& app);

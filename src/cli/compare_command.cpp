@@ -9,6 +9,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
+#include "experiment/entrants/entrant.h"
 #include "harness/cell.h"
 
 namespace ink::cli {
@@ -34,6 +35,8 @@ struct CompareArgs {
     std::vector<std::string> methods;
     std::vector<std::string> settings;
     std::vector<std::string> presets;
+    std::vector<std::string> entrants;
+    double entrant_s = 60;
     ViewOptions views;
     RunFolderOptions folder{.out = "inkbench-out"};
     CacheOptions cache;
@@ -88,6 +91,10 @@ experiment::Experiment experiment_of(const CompareArgs& args) {
         if (!methods.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = args.settings;
     experiment.presets = args.presets;
+    experiment.entrants = args.entrants;
+    experiment.entrant_s = args.entrant_s;
+    for (const std::string& entrant : args.entrants)
+        (void)experiment::parse_entrant(entrant);  // refused before anything is loaded
     experiment.view_request = view_request(args.views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.threads = {checked_threads(args.threads)};
@@ -139,6 +146,7 @@ void add_compare_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
     add_preset_option(*command, args->presets, "beside the methods");
+    add_entrant_options(*command, args->entrants, args->entrant_s);
     add_view_options(*command, args->views);
     add_run_folder_options(*command, args->folder);
     command->add_flag("--quick",

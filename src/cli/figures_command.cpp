@@ -13,6 +13,7 @@
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
+#include "experiment/entrants/entrant.h"
 #include "harness/cell.h"
 
 namespace ink::cli {
@@ -27,6 +28,8 @@ struct FiguresArgs {
     SceneOptions scenes;  ///< run folders too, where they stand by themselves
     std::vector<std::string> methods;
     std::vector<std::string> settings;
+    std::vector<std::string> entrants;
+    double entrant_s = 60;
     ViewOptions views;
     std::string out = "inkbench-figures";
     bool is_forced = false;
@@ -132,6 +135,10 @@ experiment::Experiment experiment_of(const FiguresArgs& args) {
     for (const harness::MethodConfig& config : harness::make_configs(methods, args.settings))
         if (!methods.empty()) experiment.methods.push_back(config.info->name);
     experiment.settings = args.settings;
+    experiment.entrants = args.entrants;
+    experiment.entrant_s = args.entrant_s;
+    for (const std::string& entrant : args.entrants)
+        (void)experiment::parse_entrant(entrant);
     experiment.view_request = view_request(args.views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.threads = {checked_threads(args.threads)};
@@ -227,6 +234,7 @@ void add_figures_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_script_options(*command, *args);
     add_set_option(*command, args->settings);
+    add_entrant_options(*command, args->entrants, args->entrant_s);
     add_view_options(*command, args->views);
     add_out_folder_option(*command,
                           args->out,

@@ -87,6 +87,8 @@ std::unique_ptr<CLI::App> make_program() {
     add_diff_command(*app);
     add_merge_command(*app);
     add_bound_command(*app);
+    add_export_command(*app);
+    add_entrant_test_command(*app);
     add_new_method_command(*app);
     add_list_command(*app);
     add_completions_command(*app);

@@ -8,6 +8,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "experiment/entrants/entrant.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
@@ -116,9 +117,26 @@ Experiment with_overrides(Experiment experiment, const ExperimentOverrides& over
 std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
     std::vector<harness::MethodConfig> configs = harness::make_configs(
         fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
+    for (const std::string& text : experiment.entrants) {
+        configs.push_back(entrant_config(parse_entrant(text), {.wall_s = experiment.entrant_s}));
+        const auto is_namesake = [&](const harness::MethodConfig& other) {
+            return other.info->name == configs.back().info->name;
+        };
+        if (std::count_if(configs.begin(), configs.end(), is_namesake) > 1) {
+            throw core::Error("--entrant",
+                              fmt::format("'{}' is there twice", configs.back().info->name),
+                              "names of their own");
+        }
+    }
     for (const std::string& setting : experiment.settings)
         apply(setting, configs);
     harness::follow_crease(experiment.crease_deg, configs);
+    return configs;
+}
+
+std::vector<harness::MethodConfig> timed_configs_of(const Experiment& experiment) {
+    std::vector<harness::MethodConfig> configs = configs_of(experiment);
+    std::erase_if(configs, [](const harness::MethodConfig& config) { return config.is_outside; });
     return configs;
 }
 

@@ -53,6 +53,8 @@ struct Experiment {
     std::uint64_t seed = 0;
     std::vector<std::string> methods;    ///< registered names, each once; none: all
     std::vector<std::string> presets;    ///< preset files whose methods take part too
+    std::vector<std::string> entrants;   ///< NAME=PATH, methods from outside that take part too
+    double entrant_s = 60;               ///< that a program from outside may take for a view
     std::vector<ImageSize> sizes;        ///< one at least
     std::vector<int> threads = {1};      ///< of the methods
     std::vector<std::string> scenes;     ///< built-in scenes or model files; compare, animation
@@ -104,10 +106,13 @@ struct ExperimentOverrides {
 [[nodiscard]] Experiment with_overrides(Experiment experiment,
                                         const ExperimentOverrides& overrides);
 
-/// The methods that take part, presets last, with the settings that each knows, and the truth's
-/// crease angle where they follow it (harness::follow_crease). Throws core::Error for a preset that
-/// cannot be read.
+/// The methods that take part, presets and entrants last, with the settings that each knows, and
+/// the truth's crease angle where they follow it (harness::follow_crease). Throws core::Error for a
+/// preset that cannot be read.
 [[nodiscard]] std::vector<harness::MethodConfig> configs_of(const Experiment& experiment);
+
+/// The same without methods from outside, which have no frames of a sequence and no times of ours.
+[[nodiscard]] std::vector<harness::MethodConfig> timed_configs_of(const Experiment& experiment);
 
 /// Every combination of a grid as a configuration, on top of what `config` has; the last key turns
 /// fastest. Combinations that come out equal appear once.

@@ -122,7 +122,7 @@ void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& 
 
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
     const auto stage = std::make_shared<Stage>();
-    stage->configs = configs_of(experiment);
+    stage->configs = timed_configs_of(experiment);
     stage->trace = trace;
     plan.add_table(harness::rows_table());
     plan.add_table(studies::motion_table());

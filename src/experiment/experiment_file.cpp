@@ -7,6 +7,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "experiment/entrants/entrant.h"
 #include "experiment/experiment.h"
 #include "experiment/toml_reader.h"
 #include "methods/registry.h"
@@ -71,6 +72,16 @@ void read_methods(TomlReader& grid, Experiment& experiment) {
     }
 }
 
+/// "NAME=PATH" each; their paths are read as they stand.
+void read_entrants(TomlReader& grid, Experiment& experiment) {
+    const auto entrants = grid.texts("entrants");
+    if (!entrants) return;
+    for (const TomlText& entrant : *entrants) {
+        at_line(grid.where_line(entrant.line), [&] { (void)parse_entrant(entrant.text); });
+        experiment.entrants.push_back(entrant.text);
+    }
+}
+
 void read_sizes(TomlReader& grid, Experiment& experiment) {
     const std::vector<TomlText> usual = {{"640x360", 0}};
     for (const TomlText& size : grid.texts("sizes").value_or(usual)) {
@@ -92,6 +103,10 @@ void read_threads(TomlReader& grid, Experiment& experiment) {
 
 void read_grid(TomlReader& grid, Experiment& experiment) {
     std::vector<std::string> known = {"methods", "sizes"};
+    if (experiment.kind == ExperimentKind::compare) {
+        known.emplace_back("entrants");
+        read_entrants(grid, experiment);
+    }
     read_methods(grid, experiment);
     read_sizes(grid, experiment);
     if (experiment.kind != ExperimentKind::stress) {

@@ -51,7 +51,7 @@ void plan_scaling(const Experiment& experiment, Plan& plan) {
     plan.add_table(harness::rows_table());
     plan.add_table(studies::scaling_table());
     const auto configs =
-        std::make_shared<const std::vector<harness::MethodConfig>>(configs_of(experiment));
+        std::make_shared<const std::vector<harness::MethodConfig>>(timed_configs_of(experiment));
     studies::ScalingOptions options;
     options.threads = experiment.threads.front();
     const std::vector<studies::ScalingSphere> spheres = studies::scaling_spheres();
@@ -74,7 +74,7 @@ void plan_skips(const Experiment& experiment, Plan& plan) {
     plan.add_table(harness::rows_table());
     plan.add_table(studies::skips_table());
     const auto configs =
-        std::make_shared<const std::vector<harness::MethodConfig>>(configs_of(experiment));
+        std::make_shared<const std::vector<harness::MethodConfig>>(timed_configs_of(experiment));
     studies::SkipStudyOptions options;
     options.width_px = experiment.sizes.front().width_px;
     options.height_px = experiment.sizes.front().height_px;

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "harness/outside_method.h"
 
 namespace ink::harness {
 namespace {
@@ -150,6 +151,10 @@ Row PreparedMethod::row() const {
         row.status = failure_;
         return row;
     }
+    if (config_.is_outside) {
+        row.clock = "own";
+        return row;
+    }
     row.prepare_ns = prepare_ns_;
     row.pose_ns = pose_ns_;
     row.bytes_per_px = method_->bytes_per_px();
@@ -187,6 +192,10 @@ std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>
                 times[i] = {{}, failure, {}};
                 is_done[i] = true;
                 continue;
+            }
+            if (const auto* outside = dynamic_cast<OutsideMethod*>(&methods[i]->method())) {
+                if (outside->draw_ns()) times[i].draw_ns.push_back(*outside->draw_ns());
+                is_done[i] = true;
             }
             if (round == 0) continue;
             times[i].draw_ns.push_back(ns);

@@ -100,7 +100,8 @@ class PreparedMethod {
 /// slows all alike; the first round warms up, gives the images and is not counted.
 ///
 /// `images[i]` and the result's [i] are method i's. A method that throws, or whose images
-/// differ between rounds, gets a failure and is left out of later rounds; the others go on.
+/// differ between rounds, gets a failure and is left out of later rounds; the others go on. A
+/// method from outside draws once, and its time is its own (OutsideMethod).
 [[nodiscard]] std::vector<DrawTimes> draw_in_turns(
     std::vector<std::unique_ptr<PreparedMethod>>& methods,
     const scene::View& view,

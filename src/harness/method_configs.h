@@ -16,6 +16,7 @@ struct MethodConfig {
     core::ParamValues settings;  ///< what the user set; the rest is default
     /// Keeps `info` where it is a row of no registry, but a preset of the user's.
     std::shared_ptr<const method::MethodInfo> owned = nullptr;
+    bool is_outside = false;  ///< its images and times come from elsewhere (OutsideMethod)
 };
 
 /// "a, b,c" as its parts without the blanks round them, empty ones left out.

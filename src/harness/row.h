@@ -75,6 +75,8 @@ struct Row {
     std::optional<std::int64_t> draw_ns_q75;  ///< upper quartile
     std::optional<std::int64_t> draw_ns_min;
     int draw_n = 0;  ///< repetitions
+    /// Whose clock the times are by: inkbench, or own for a method from outside.
+    std::string clock = "inkbench";
     std::optional<int> bytes_per_px;
     std::optional<CostFacts> cost = {};  ///< what predicted_ns is made from
     std::optional<std::int64_t> predicted_ns =

@@ -13,6 +13,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+/// Where a row was made: on the processor called `cpu`.
+std::shared_ptr<const core::Provenance> made_on(const std::string& cpu) {
+    core::Provenance provenance;
+    provenance.cpu = cpu;
+    return std::make_shared<core::Provenance>(provenance);
+}
+
 /// `k` of 100 true pixels found with 100 drawn.
 harness::Row row_of(const std::string& method, int scene, std::int64_t k) {
     harness::Row row;
@@ -27,7 +34,7 @@ harness::Row row_of(const std::string& method, int scene, std::int64_t k) {
     row.f_2px = static_cast<double>(k) / 100;
     row.image_hash = method + row.scene + std::to_string(k);
     row.draw_ns_min = 1000;
-    row.provenance = std::make_shared<core::Provenance>(core::Provenance{.cpu = "one"});
+    row.provenance = made_on("one");
     return row;
 }
 
@@ -136,7 +143,7 @@ TEST(DiffRuns, TimesCompareOnOneMachineAndBuildAlone) {
     const RunData before = twelve_scenes();
     RunData after = twelve_scenes();
     for (harness::Row& row : after.tables.rows)
-        row.provenance = std::make_shared<core::Provenance>(core::Provenance{.cpu = "two"});
+        row.provenance = made_on("two");
     const RunDiff diff = diff_runs(before, after, 1);
     EXPECT_THAT(diff.times_obstacle, HasSubstr("processor differs: one, two"));
     EXPECT_FALSE(diff.methods[0].time_ratio);

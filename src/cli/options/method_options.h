@@ -42,6 +42,9 @@ void add_set_option(CLI::App& command,
 /// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
 void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);
 
+/// Adds --entrant NAME=PATH, which may be given again, and --entrant-seconds.
+void add_entrant_options(CLI::App& command, std::vector<std::string>& entrants, double& seconds);
+
 /// Adds --no-skip, which may be given again; `skip_list` reads the texts.
 void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts);
 

@@ -133,6 +133,8 @@ void summarise_scores(const Rows& rows, MethodSummary& summary) {
 }
 
 void summarise_costs(const Rows& rows, MethodSummary& summary) {
+    summary.has_own_clock = std::any_of(
+        rows.begin(), rows.end(), [](const harness::Row* row) { return row->clock == "own"; });
     std::vector<double> draw_ms =
         values_of(rows, [](const harness::Row& row) { return row.draw_ns; });
     for (double& value : draw_ms)
@@ -204,6 +206,7 @@ Verdict find_verdict(const std::vector<MethodSummary>& summaries) {
         } else if (verdict.runner_up == nullptr || *s.f_2px > *verdict.runner_up->f_2px) {
             verdict.runner_up = &s;
         }
+        if (s.has_own_clock) continue;
         const bool is_cheaper =
             verdict.cheapest == nullptr || s.draw_ms < verdict.cheapest->draw_ms;
         if (s.draw_ms && is_cheaper) verdict.cheapest = &s;

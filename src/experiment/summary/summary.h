@@ -18,6 +18,7 @@ namespace ink::experiment {
 struct MethodSummary {
     std::string method;
     bool is_baseline = false;
+    bool has_own_clock = false;   ///< from outside: its times are not measured here
     int views = 0;                ///< rows without failure
     int failed = 0;               ///< rows with one
     std::optional<double> f_2px;  ///< of the counts pooled over its views
@@ -63,7 +64,7 @@ void add_curves(const std::vector<statistics::CellCurve>& curves,
     const std::vector<const harness::Row*>& rows);
 
 /// Which method wins and which is cheapest, of those that are no baselines; null if none was scored
-/// (or, for `cheapest`, timed). They point into the summaries.
+/// (or, for `cheapest`, timed by this program's clock). They point into the summaries.
 struct Verdict {
     const MethodSummary* best = nullptr;
     const MethodSummary* runner_up = nullptr;

@@ -7,6 +7,7 @@
 
 #include "experiment/summary/summary.h"
 #include "harness/tables/table_of.h"
+#include "harness/view_images.h"
 
 namespace ink::experiment {
 namespace {
@@ -26,6 +27,11 @@ std::string remedy_of(const harness::Row& row) {
     if (row.status.starts_with("crowded")) {
         return "a larger --size, or a view in which lines lie farther apart; f_2px_with_crowded of "
                "its rows counts the crowded pixels too";
+    }
+    if (row.clock == "own") {
+        return fmt::format("inkbench entrant-test tries a program; a folder has {}/{}.png",
+                           harness::file_name(row.scene),
+                           harness::file_name(row.view));
     }
     return fmt::format("inkbench draw {} --view {} --method {} -o alone.png draws it alone",
                        row.scene,

@@ -33,7 +33,8 @@ const TableOf<MethodLine>& table() {
             "A line per method of the run, baselines first: what the registry says of it.");
         using M = MethodLine;
         table.add({"method", "", "as in rows.csv"}, &M::name);
-        table.add({"role", "", "method, floor, one_sample or exact"}, &M::role);
+        table.add({"role", "", "method, entrant (from outside), floor, one_sample or exact"},
+                  &M::role);
         table.add({"family", "", "methods of one family share a colour"}, &M::family);
         table.add({"marker", "", "of its points in charts"}, &M::marker);
         table.add(
@@ -82,11 +83,11 @@ std::string tunables_of(const method::MethodInfo& method) {
 MethodLine line_of(const MethodConfig& config) {
     const method::MethodInfo& info = *config.info;
     return {.name = info.name,
-            .role = "method",
+            .role = config.is_outside ? "entrant" : "method",
             .family = std::string(name_of(info.family)),
             .marker = std::string(name_of(info.marker)),
             .tunables = tunables_of(info),
-            .bytes_per_px = info.bytes_per_px(config.settings),
+            .bytes_per_px = config.is_outside ? std::nullopt : info.bytes_per_px(config.settings),
             .preset_of = info.preset_of,
             .source = info.source,
             .params = join_params(info.complete(config.settings))};

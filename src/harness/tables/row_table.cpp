@@ -139,6 +139,9 @@ void add_times(RowTable& table) {
     row.add({"draw_ns_min", "ns", "least", true}, &Row::draw_ns_min);
     row.part_if([](const Row& r) { return r.draw_n != 0; })
         .add({"draw_n", "", "timed frames", true}, &Row::draw_n);
+    row.add(
+        {"clock", "", "whose clock the times are by: inkbench, or own for a method from outside"},
+        &Row::clock);
 }
 
 void add_truth(RowTable& table) {

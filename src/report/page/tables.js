@@ -91,7 +91,8 @@ class Run {
         for (const line of this.table('methods.csv').lines) {
             listed.set(line.method, {
                 name: line.method,
-                isBaseline: line.role !== 'method',
+                isBaseline: line.role !== 'method' && line.role !== 'entrant',
+                hasOwnClock: line.role === 'entrant',
                 family: line.family || 'other',
                 marker: line.marker || 'circle',
                 presetOf: line.preset_of || '',

@@ -12,7 +12,7 @@ TextColumn share_column(std::string heading,
 
 TextColumn name_column() {
     return {"method", [](const experiment::MethodSummary& s) {
-                return s.method + (s.is_baseline ? " *" : "");
+                return s.method + (s.is_baseline ? " *" : s.has_own_clock ? " +" : "");
             }};
 }
 

@@ -20,7 +20,8 @@ struct TextColumn {
 [[nodiscard]] TextColumn share_column(std::string heading,
                                       std::optional<double> experiment::MethodSummary::*field);
 
-/// The method's name, whole, so that it can be copied; a baseline's with a star.
+/// The method's name, whole, so that it can be copied; a baseline's with a star, that of a
+/// method from outside with a plus.
 [[nodiscard]] TextColumn name_column();
 
 /// `columns` of `summaries`.

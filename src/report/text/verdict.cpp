@@ -79,6 +79,15 @@ constexpr const char* kBaselineNote =
     "* baselines, not methods: `none` draws nothing, `sampled` is one exact sample a pixel,\n  "
     "`exact_corner` one at its corner, `oracle` is the truth itself.";
 
+constexpr const char* kOwnClockNote =
+    "+ from outside: images made elsewhere, times by their own clock";
+
+/// Whether a method from outside takes part.
+bool has_own_clock(const std::vector<experiment::MethodSummary>& summaries) {
+    return std::any_of(
+        summaries.begin(), summaries.end(), [](const auto& s) { return s.has_own_clock; });
+}
+
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
 std::string cost_of(const experiment::Verdict& verdict) {
     const experiment::MethodSummary& best = *verdict.best;
@@ -87,6 +96,7 @@ std::string cost_of(const experiment::Verdict& verdict) {
     const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
     if (verdict.runner_up == nullptr) return cost + ".";
     if (cheapest == &best) return cost + ", which is also the cheapest.";
+    if (best.has_own_clock || cheapest == nullptr) return cost + " by its own clock.";
     return fmt::format("{}, {:.1f} times as long as the cheapest, {} ({} ms, F {}).",
                        cost,
                        *best.draw_ms / *cheapest->draw_ms,
@@ -271,7 +281,9 @@ std::string verdict_table(const std::vector<harness::Row>& rows,
     };
     add("recall of", class_columns(summaries));
     add("F at other thresholds and tolerances", statistics_columns(summaries));
-    text += fmt::format("\n{}\n\n", kBaselineNote);
+    text += fmt::format("\n{}\n", kBaselineNote);
+    if (has_own_clock(summaries)) text += fmt::format("{}\n", kOwnClockNote);
+    text += "\n";
     for (const auto& [term, meaning] : definitions())
         text += fmt::format("{:<14}{}\n", term, meaning);
     text += "\n" + sentence;

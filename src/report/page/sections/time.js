@@ -24,7 +24,8 @@ addSection({
         makeChart(root, {
             id: 'error-time',
             title: `${isError ? measure.error : measure.title} against ${isBytes ? 'bytes a pixel' : 'time of a frame'}`,
-            note: sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : null,
+            note: [sweep.length && !isBytes ? 'Small points: other settings of a method, over the views of the sweep.' : '',
+                   ownClockNote(view)].filter(Boolean).join(' ') || null,
             height: width => Math.max(380, Math.min(600, width * 0.52)),
             controls: [
                 choiceButtons('Horizontal axis', [['ms', 'Time'], ['bytes', 'Bytes']], state.get('time.x'), x => state.set({'time.x': x})),
@@ -40,6 +41,12 @@ addSection({
         });
     },
 });
+
+/// Names the methods from outside, whose times are not measured by this program; '' for none.
+function ownClockNote(view) {
+    const names = view.contestants.filter(s => s.info.hasOwnClock).map(s => s.info.name);
+    return names.length ? `Times by their own clock: ${names.join(', ')}.` : '';
+}
 
 function timeLines(summaries) {
     return summaries.map(s => ({...s, setting: '', isSetting: false}));

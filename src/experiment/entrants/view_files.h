@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace ink::experiment {
+
+/// Files of one view for a program outside.
+struct ViewFiles {
+    std::filesystem::path obj;      ///< the mesh as drawn
+    std::filesystem::path glb;      ///< the same
+    std::filesystem::path buffers;  ///< EXR of depth, normals and ids
+    std::filesystem::path ids;      ///< PNG of object ids
+};
+
+/// All that a program needs to draw `view` as JSON: scene, view, size, camera (eye, target, up,
+/// field of view, near and far), matrices by rows, the conventions in words, and the files' names.
+[[nodiscard]] std::string view_json(const scene::Scene& scene,
+                                    const scene::View& view,
+                                    const ViewFiles& files);
+
+/// Makes a folder and those above it. Throws core::Error (where = the folder) if it cannot be.
+void make_folder(const std::filesystem::path& folder);
+
+/// Writes the meshes of a scene to `folder`: mesh.obj and mesh.glb. Makes the folder.
+[[nodiscard]] ViewFiles write_meshes(const scene::Scene& scene,
+                                     const std::filesystem::path& folder);
+
+/// Writes camera.json, buffers.exr and ids.png of a view to `folder`. `meshes` says where the
+/// meshes are; camera.json names all files relative to `folder`. Makes the folder. Throws
+/// core::Error for what cannot be written.
+void write_view(const scene::Scene& scene,
+                const scene::View& view,
+                const ViewFiles& meshes,
+                double crease_rad,
+                const std::filesystem::path& folder);
+
+}  // namespace ink::experiment
