@@ -77,15 +77,15 @@ void add_preset_option(CLI::App& command, std::vector<std::string>& presets, con
 }
 
 void add_entrant_options(CLI::App& command, std::vector<std::string>& entrants, double& seconds) {
-    add_repeatable_option(command,
-                          "--entrant",
-                          entrants,
-                          "A method from outside: a folder with SCENE/VIEW.png (and times.csv), or a "
-                          "program that is called as PROGRAM view.json out.png; may be given again "
-                          "(see methods/README.md)",
-                          "NAME=PATH");
-    command
-        .add_option("--entrant-seconds", seconds, "Longest time of such a program for one view")
+    add_repeatable_option(
+        command,
+        "--entrant",
+        entrants,
+        "A method from outside: a folder with SCENE/VIEW.png (and times.csv), or a "
+        "program that is called as PROGRAM view.json out.png; may be given again "
+        "(see methods/README.md)",
+        "NAME=PATH");
+    command.add_option("--entrant-seconds", seconds, "Longest time of such a program for one view")
         ->check(CLI::Range(0.01, 86400.0))
         ->capture_default_str();
 }
