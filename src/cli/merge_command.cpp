@@ -12,6 +12,7 @@ struct MergeArgs {
     std::vector<std::string> folders;
     std::string out;
     bool is_json = false;
+    bool is_partial = false;
 };
 
 }  // namespace
@@ -24,14 +25,17 @@ void add_merge_command(CLI::App& app) {
         ->type_name("DIR")
         ->required();
     add_out_folder_option(*command, args->out, "Folder of the joined run")->required();
+    command->add_flag("--partial",
+                      args->is_partial,
+                      "Take what is there: tables and page of a run that is not finished");
     command->add_flag("--json", args->is_json, "Print the result as JSON");
     command->footer(
         "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"
         "Exit codes: 0 done; 1 the run is invalid or nothing has a score; 2 bad input: shards "
         "missing, twice, or of another run; 3 some views have no score.");
     command->callback([args] {
-        const experiment::RunOutcome outcome =
-            experiment::merge_shards({args->folders.begin(), args->folders.end()}, args->out);
+        const experiment::RunOutcome outcome = experiment::merge_shards(
+            {args->folders.begin(), args->folders.end()}, args->out, args->is_partial);
         conclude(outcome, args->out, args->is_json);
     });
 }

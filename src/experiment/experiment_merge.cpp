@@ -54,6 +54,8 @@ class Gathering {
                           "all shards, each run to its end");
     }
 
+    /// Keys of the blocks that no folder has.
+    [[nodiscard]] const std::vector<std::string>& missing() const { return missing_; }
     [[nodiscard]] const RunRecord& record() const { return *record_; }
     [[nodiscard]] const fs::path& first() const { return first_; }
     [[nodiscard]] const std::map<std::size_t, fs::path>& blocks() const { return from_; }
@@ -88,14 +90,16 @@ class Gathering {
 
 }  // namespace
 
-RunOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& out) {
+RunOutcome merge_shards(const std::vector<fs::path>& folders,
+                        const fs::path& out,
+                        bool is_partial) {
     if (folders.empty()) {
         throw core::Error("merge", "there are no folders to merge", "one folder of a shard each");
     }
     Gathering gathering;
     for (const fs::path& folder : folders)
         gathering.add(folder);
-    gathering.check_complete(out);
+    if (!is_partial) gathering.check_complete(out);
     const BlockStore store(out);
     store.make_folder();
     const FolderLock lock(out, false);
@@ -107,7 +111,7 @@ RunOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& ou
                       out / "methods.csv",
                       fs::copy_options::overwrite_existing);
     }
-    return write_run(store, gathering.record(), {});
+    return write_run(store, gathering.record(), gathering.missing());
 }
 
 }  // namespace ink::experiment

@@ -49,9 +49,11 @@ struct RunOutcome {
 
 /// Writes to `out` the run folder of the shards in `folders`: the bytes that one run would write.
 /// Throws core::Error that names the folder if one holds no shard, or one of another run, if blocks
-/// are missing, or in two folders.
+/// are missing, or in two folders. With `is_partial` blocks may be missing: the tables then hold
+/// what is there, and run.toml lists the rest.
 [[nodiscard]] RunOutcome merge_shards(const std::vector<std::filesystem::path>& folders,
-                                      const std::filesystem::path& out);
+                                      const std::filesystem::path& out,
+                                      bool is_partial = false);
 
 /// Writes tables, images and run.toml of the blocks that are in `store`, then lets the blocks go if
 /// all are there and the run is valid: in this order, so that a kill in between costs nothing.

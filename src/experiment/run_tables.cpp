@@ -1,7 +1,11 @@
 #include "experiment/run_tables.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "experiment/run_data.h"
 #include "experiment/summary/cost_model.h"
@@ -9,6 +13,7 @@
 #include "experiment/summary/stress_summary.h"
 #include "experiment/summary/summary_csv.h"
 #include "experiment/summary/unscored.h"
+#include "harness/tables/csv_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -23,6 +28,27 @@ std::string joined(const RecordedTable& table,
     return text;
 }
 
+/// Leaves out lines about cells that rows.csv does not have: of a run that is not finished, the
+/// block of a cell's settings may be done, and that of the cell itself not.
+void drop_lines_without_cell(std::map<std::string, std::string>& texts) {
+    if (!texts.contains("rows.csv")) return;
+    const harness::CsvTable rows = harness::split_csv(texts.at("rows.csv"), "rows.csv");
+    const std::size_t cell = rows.find("cell");
+    std::set<std::string> cells;
+    for (const auto& record : rows.records)
+        cells.insert(record[cell]);
+    for (auto& [name, text] : texts) {
+        const harness::CsvTable table = harness::split_csv(text, name);
+        const std::size_t column = table.find("cell");
+        if (name == "rows.csv" || column == table.columns.size()) continue;
+        std::string kept = text.substr(0, text.find('\n') + 1);
+        for (const auto& record : table.records) {
+            if (cells.contains(record[column])) kept += fmt::format("{}\n", fmt::join(record, ","));
+        }
+        text = std::move(kept);
+    }
+}
+
 }  // namespace
 
 std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockStore& store) {
@@ -31,6 +57,7 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
     for (const RecordedTable& table : record.tables)
         texts[table.name] = joined(table, store, blocks);
 
+    if (blocks.size() < static_cast<std::size_t>(record.blocks)) drop_lines_without_cell(texts);
     RunTables data = parse_tables(texts, store.folder().string());
     const CostFit fit = record.times ? predict_costs(data.rows, data.sweep) : CostFit{};
     if (fit.cells > 0) write_costs(data, texts);

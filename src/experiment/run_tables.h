@@ -18,7 +18,8 @@ struct FinishedTable {
 /// The tables of the finished blocks of a run, in plan order: their lines, with the times that the
 /// cost model predicts from all of them, and summary.csv, differences.csv or stress_summary.csv
 /// where the run has what they are made from. A function of the blocks alone: whoever computed
-/// which, the bytes are the same. Blocks that are missing leave their lines out.
+/// which, the bytes are the same. Blocks that are missing leave their lines out, and those of other
+/// tables about cells that rows.csv lacks then.
 [[nodiscard]] std::vector<FinishedTable> finished_tables(const RunRecord& record,
                                                          const BlockStore& store);
 

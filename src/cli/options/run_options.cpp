@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/run_result.h"
+#include "cli/run_status.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "experiment/experiment_plan.h"
@@ -51,6 +52,9 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
                      options.no_times,
                      "Leave columns of times empty: the same bytes on every run");
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
+    command.add_flag("--status",
+                     options.is_status,
+                     "Say how far the run has come, with its shares in DIR.parts/I-of-N");
     add_quiet_option(command);
     command.add_flag("--json", options.is_json, "Print the result as JSON");
 }
@@ -65,7 +69,8 @@ experiment::KeptImages kept_images(const std::string& word) {
 }
 
 std::string run_command_text(const CLI::App& command) {
-    return recorded_command(command, {"--out", "--shard", "--force", "--json", "--dry-run"});
+    return recorded_command(command,
+                            {"--out", "--shard", "--force", "--json", "--dry-run", "--status"});
 }
 
 void run_to_end(experiment::Experiment experiment,
@@ -81,6 +86,10 @@ void run_to_end(experiment::Experiment experiment,
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
     if (options.is_dry) {
         list_blocks(plan, run.shard);
+        return;
+    }
+    if (options.is_status) {
+        fmt::print("{}", run_status(plan, run.out));
         return;
     }
     const experiment::RunOutcome outcome = run_experiment(plan, run);

@@ -9,10 +9,10 @@ namespace ink::experiment {
 
 /// Files of one view for a program outside.
 struct ViewFiles {
-    std::filesystem::path obj;      ///< the mesh as drawn
-    std::filesystem::path glb;      ///< the same
-    std::filesystem::path buffers;  ///< EXR of depth, normals and ids
-    std::filesystem::path ids;      ///< PNG of object ids
+    std::filesystem::path obj = {};      ///< the mesh as drawn
+    std::filesystem::path glb = {};      ///< the same
+    std::filesystem::path buffers = {};  ///< EXR of depth, normals and ids
+    std::filesystem::path ids = {};      ///< PNG of object ids
 };
 
 /// All that a program needs to draw `view` as JSON: scene, view, size, camera (eye, target, up,

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/program/page_data.h"
+#include "tests/program/run_program.h"
+
+// A run in shares, before all of them are done.
+
+namespace ink::program {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* kExperiment = R"(name = "tiny"
+kind = "compare"
+[grid]
+scenes = ["cube", "rocket", "letters"]
+views = 1
+methods = ["mote4", "ids"]
+sizes = ["96x54"]
+[measure]
+repetitions = 1
+times = false
+[sweep.mote4]
+threshold = [3, 6, 12]
+)";
+
+TEST(Shares, StatusCountsBlocksOfTheRunAndOfEachShare) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
+                HasSubstr("tiny: 0 of 6 blocks are done"));
+    ASSERT_EQ(
+        desk.run({"run", "tiny.toml", "--shard", "2/2", "--out", "out.parts/2-of-2"}).exit_code, 0);
+    const std::string half = desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out;
+    EXPECT_THAT(half, AllOf(HasSubstr("of 6 blocks are done"), HasSubstr("out.parts/2-of-2: ")));
+    ASSERT_EQ(
+        desk.run({"run", "tiny.toml", "--shard", "1/2", "--out", "out.parts/1-of-2"}).exit_code, 0);
+    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
+                HasSubstr("tiny: 6 of 6 blocks are done"));
+    ASSERT_EQ(desk.run({"merge", "out.parts/1-of-2", "out.parts/2-of-2", "--out", "out"}).exit_code,
+              0);
+    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
+                HasSubstr("tiny: finished"));
+}
+
+TEST(Shares, PartialTablesHoldWhatIsThereAndNothingElse) {
+    const Desk desk;
+    desk.write("tiny.toml", kExperiment);
+    for (const char* share : {"1/2", "2/2"}) {
+        const std::string folder = std::string("part") + share[0];
+        ASSERT_EQ(desk.run({"run", "tiny.toml", "--shard", share, "--out", folder}).exit_code, 0);
+        EXPECT_EQ(desk.run({"merge", folder, "--out", "whole" + folder}).exit_code, 2)
+            << "a share is missing";
+        const std::string out = "some" + folder;
+        const Outcome outcome = desk.run({"merge", folder, "--partial", "--out", out});
+        EXPECT_THAT(outcome.err, HasSubstr("of 6 parts are missing"));
+        std::set<std::string> cells;
+        for (const auto& row : parse_csv(desk.read(out + "/rows.csv")))
+            cells.insert(row.at("cell"));
+        EXPECT_FALSE(cells.empty());
+        for (const auto& line : parse_csv(desk.read(out + "/sweep.csv")))
+            EXPECT_TRUE(cells.contains(line.at("cell"))) << "a setting without its cell";
+    }
+}
+
+}  // namespace
+}  // namespace ink::program
