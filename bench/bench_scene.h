@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,12 @@ struct ImageSize {
 
 /// The meshes that everything is timed on: `sphere` (made here, 69 thousand triangles), and where
 /// the shared models are beside the project `bunny` (69 thousand), `bunny_x16` (the same,
-/// subdivided twice: 1.1 million) and `dragon` (871 thousand).
+/// subdivided twice: 1.1 million) and `dragon` (871 thousand). What add_model was given comes last.
 [[nodiscard]] std::vector<std::string> mesh_names();
+
+/// Adds a model file to the meshes, by its name without extension. Throws core::Error if there is
+/// no such file.
+void add_model(const std::filesystem::path& path);
 
 /// The mesh called `name` as a scene of one instance; made at its first use and kept.
 [[nodiscard]] const scene::Scene& bench_scene(const std::string& name);
@@ -39,5 +44,16 @@ struct ImageSize {
 [[nodiscard]] std::array<scene::View, 2> bench_views(const scene::Scene& scene,
                                                      const ImageSize& size = {
                                                          "1080p", kWidth_px, kHeight_px});
+
+/// The meshes that are held against the prototype of `bench/limits.py`: the same, and `sphere_x16`
+/// (made here, 1.1 million triangles), which is closed.
+[[nodiscard]] std::vector<std::string> limit_mesh_names();
+
+/// Writes them to a folder as OBJ, which the prototype reads. Throws core::Error if it cannot.
+void write_limit_meshes(const std::filesystem::path& folder);
+
+/// What the prototype sees: from (0.8, 0.55, 2.6) radii of the ball round the middle of the mesh's
+/// box, which nearly fills the height of kWidth_px x kHeight_px.
+[[nodiscard]] scene::View limit_view(const scene::Scene& scene);
 
 }  // namespace ink::bench

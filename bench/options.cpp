@@ -38,6 +38,10 @@ Options parse_options(int argc, char** argv) {
             options.simd = *simd;
         } else if (const auto draws = value_of(word, "--draws=")) {
             options.draws = parse_count(*draws);
+        } else if (const auto model = value_of(word, "--model=")) {
+            options.models.push_back(*model);
+        } else if (const auto folder = value_of(word, "--write-meshes=")) {
+            options.mesh_folder = *folder;
         } else {
             options.library_words.push_back(word);
         }
