@@ -124,23 +124,29 @@ class LimitFrame {
     void draw() {
         if (key_.stage >= Stage::fill) {
             LimitSink sink(key_.stage == Stage::edges, out_);
-            benchmark::DoNotOptimize(pass_.draw(format_, input_, sink));
+            skips_ = pass_.draw(format_, input_, sink).skips;
             return;
         }
         const raster::TileGrid grid{view_.width_px, view_.height_px, format_.halo_px};
+        const auto solids = raster::view_solids(input_);
         const raster::MeshJob job{format_,
                                   input_,
                                   grid,
                                   raster::ViewTransform(view_),
-                                  raster::view_solids(input_),
-                                  raster::front_to_back(input_),
+                                  solids,
+                                  raster::front_to_back(input_, solids),
                                   true,
                                   {}};
         if (key_.stage <= Stage::transform) return project(job);
-        run_.process(job, 0, job.order.size());
+        run_.process(job, 0, job.order.clusters.size());
         if (key_.stage == Stage::setup) set_up(job);
     }
 
+    /// Of a whole pass: triangles in lists of tiles or in clusters that were looked at, and those
+    /// of them that were found hidden.
+    [[nodiscard]] raster::SkipCount hidden() const {
+        return skips_[static_cast<std::size_t>(raster::Skip::occlusion_culling)];
+    }
     [[nodiscard]] std::string hash() const { return core::image_hash(out_); }
 
   private:
@@ -148,7 +154,7 @@ class LimitFrame {
         const raster::LaneMesh& mesh = *input_.mesh;
         const raster::ImageSides sides(job.transform, view_);
         std::vector<std::uint32_t> seen;
-        for (const std::uint32_t index : job.order) {
+        for (const std::uint32_t index : job.order.clusters) {
             const scene::Cluster& cluster = mesh.clusters().clusters[index];
             if (sides.has_outside(cluster.bounds)) continue;
             const bool drops = job.drops_backs(job.solids[cluster.solid].hides_backs);
@@ -158,7 +164,9 @@ class LimitFrame {
         benchmark::DoNotOptimize(seen.data());
         if (key_.stage == Stage::cull) return;
         for (std::size_t i = 0; i < seen.size(); ++i) {
-            if (i + 1 < seen.size()) mesh.prefetch(seen[i + 1]);
+            for (std::size_t part = 0; part < raster::LaneMesh::kPrefetchParts; ++part) {
+                if (i + 1 < seen.size()) mesh.prefetch(seen[i + 1], part);
+            }
             const std::size_t stride =
                 raster::lane_padded(mesh.clusters().clusters[seen[i]].vertex_count);
             lanes_.records = {reinterpret_cast<std::byte*>(records_.data()), stride};
@@ -200,6 +208,7 @@ class LimitFrame {
     std::vector<std::uint8_t> in_clusters_;
     edge::EdgeImage out_;
     raster::MeshPass pass_;
+    raster::SkipCounts skips_{};
     raster::MeshRun run_;
     raster::ClusterLanes lanes_;
     raster::AlignedArray<float> records_ = [] {
@@ -217,6 +226,8 @@ void time_limit(benchmark::State& state, const LimitKey& key) {
     for (auto _ : state)
         frame->draw();
     state.SetLabel(frame->hash());
+    state.counters["listed"] = static_cast<double>(frame->hidden().of);
+    state.counters["hidden"] = static_cast<double>(frame->hidden().skipped);
     state.counters["triangles"] = static_cast<double>(scene::triangle_count(bench_scene(key.mesh)));
 }
 

@@ -60,11 +60,16 @@ class LaneMesh {
         return at<std::int32_t>(cluster, before * padded(cluster));
     }
 
-    /// Asks for a cluster's block ahead of its use.
-    void prefetch(std::size_t cluster) const {
-        const std::size_t end = first_byte_[cluster + 1];
-        for (std::size_t byte = first_byte_[cluster]; byte < end; byte += kLineBytes)
-            hwy::Prefetch(bytes_.data() + byte);
+    /// Asks for a part of a cluster's block ahead of its use: 0 .. kPrefetchParts - 1, one at a
+    /// time, because only so many lines can be on their way. (Inlined by force: GCC takes a
+    /// function that does nothing else for one without effect, and leaves out its calls.)
+    static constexpr std::size_t kPrefetchParts = 3;
+    HWY_INLINE void prefetch(std::size_t cluster, std::size_t part) const {
+        const std::size_t begin = first_byte_[cluster] / kLineBytes;
+        const std::size_t count = first_byte_[cluster + 1] / kLineBytes - begin;
+        const std::size_t end = begin + count * (part + 1) / kPrefetchParts;
+        for (std::size_t line = begin + count * part / kPrefetchParts; line < end; ++line)
+            hwy::Prefetch(bytes_.data() + line * kLineBytes);
     }
 
     /// Which of its cluster's triangles it is, of what corners() has; above its index may stand one

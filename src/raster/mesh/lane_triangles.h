@@ -44,6 +44,7 @@ struct LaneSlot {
     std::uint8_t q[2] = {2, 2};
     std::uint8_t values[2] = {3, 3};
     std::uint8_t corners = 3;     ///< the array that its triangles' corners begin in
+    bool is_late = false;         ///< as ClusterOrder has it
     std::uint32_t constants = 0;  ///< where they begin, in numbers from its records
     float q_most = 0;             ///< of its vertices, biased
     PixelRect bounds;             ///< of the centres its triangles may cover

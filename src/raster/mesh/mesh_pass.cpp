@@ -75,12 +75,13 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     if (view.width_px == 0 || view.height_px == 0) return result;
 
     const TileGrid grid{view.width_px, view.height_px, format.halo_px};
+    const std::vector<SolidView> solids = view_solids(input);
     const MeshJob job{format,
                       input,
                       grid,
                       ViewTransform(view),
-                      view_solids(input),
-                      front_to_back(input),
+                      solids,
+                      front_to_back(input, solids),
                       lanes_can_draw(format),
                       LaneDepthBias(input.offset,
                                     QuantisedDepth(format.depth, view.camera.near, view.camera.far),
@@ -89,7 +90,7 @@ MeshResult MeshPass::draw(const PassFormat& format, const MeshInput& input, Tile
     FrontDepth& front = scratch_->front;
     // In two goes where that pays: the nearest clusters and their pixels, then those of the others
     // that these do not hide.
-    const std::size_t clusters = job.order.size();
+    const std::size_t clusters = job.order.clusters.size();
     const std::size_t nearest = front_clusters(format, input, grid, job.solids);
     const std::size_t fronts = nearest == 0 ? 0 : run_count(nearest, input.threads);
     const std::size_t others = run_count(clusters - nearest, input.threads);

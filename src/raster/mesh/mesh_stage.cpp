@@ -37,14 +37,22 @@ void MeshRun::process(const MeshJob& job,
                       const FrontDepth* front) {
     start(job);
     const LaneMesh& mesh = *job.input.mesh;
+    shown_.clear();
     for (std::size_t i = first; i < last; ++i) {
-        if (i + 3 < last) hwy::Prefetch(&mesh.clusters().clusters[job.order[i + 3]]);
-        if (i + 1 < last && job.uses_lanes) mesh.prefetch(job.order[i + 1]);
-        add_cluster(job, job.order[i], front);
+        constexpr std::size_t kAhead = 8;
+        if (i + kAhead < last)
+            hwy::Prefetch(&mesh.clusters().clusters[job.order.clusters[i + kAhead]]);
+        if (may_show(job, job.order.clusters[i], front)) shown_.push_back(job.order.clusters[i]);
+    }
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+        ahead_ = job.uses_lanes && i + 1 < shown_.size() ? shown_[i + 1] : kNone;
+        add_cluster(job, shown_[i]);
     }
 }
 
-void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDepth* front) {
+/// Whether a cluster lies in the image, is not turned away where that does not show, and is not
+/// known to be hidden; counts what is not.
+bool MeshRun::may_show(const MeshJob& job, std::size_t index, const FrontDepth* front) {
     const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
     const SkipSet& skips = job.input.skips;
     SkipCount& frustum = count_of(skips_, Skip::frustum_culling);
@@ -53,20 +61,26 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index, const FrontDept
     ++backs.of;
     if (skips.has(Skip::frustum_culling) && sides_.has_outside(cluster.bounds)) {
         ++frustum.skipped;
-        return;
+        return false;
     }
-    const bool hides_backs = job.solids[cluster.solid].hides_backs;
-    if (job.drops_backs(hides_backs) && skips.has(Skip::back_face_culling) &&
+    if (job.drops_backs(job.solids[cluster.solid].hides_backs) &&
+        skips.has(Skip::back_face_culling) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
-        return;
+        return false;
     }
     if (front != nullptr && front->hides(cluster.bounds)) {
         SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
         hidden.of += cluster.triangle_count;
         hidden.skipped += cluster.triangle_count;
-        return;
+        return false;
     }
+    return true;
+}
+
+void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
+    const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
+    const bool hides_backs = job.solids[cluster.solid].hides_backs;
     if (job.uses_lanes && add_in_lanes(job, index, hides_backs)) return;
     add_scalar(job, index, hides_backs);
 }
@@ -113,6 +127,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
         kNumber;
     records_.reserve(first_byte + kMost);
     LaneRecords& records = lanes_.records;
+    prefetch_ahead(job, 0);
     records = {records_.data() + first_byte, stride};
     if (!project_cluster(mesh, index, job.transform, job.input.view.camera.near, lanes_))
         return false;
@@ -125,11 +140,13 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
         lanes_.q_least = static_cast<float>(std::max(steps.least, 1.0));
         lanes_.q_most = static_cast<float>(std::max(steps.greatest, 1.0));
     }
+    prefetch_ahead(job, 1);
     const CullJob cull{.image = job.image(),
                        .drops_backs = job.drops_backs(hides_backs),
                        .drops_fronts = job.input.cull == Cull::front,
                        .drops_no_sample = skips.has(Skip::no_sample)};
     cull_cluster(mesh, index, lanes_, cull, culled_);
+    prefetch_ahead(job, 2);
     if (culled_.has_large) return false;
     SkipCount& no_sample = count_of(skips_, Skip::no_sample);
     no_sample.of += cluster.triangle_count;
@@ -161,6 +178,7 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    (lanes_.x1 >> kSubpixelBits) + 1,
                    (lanes_.y1 >> kSubpixelBits) + 1};
     slot.q_most = biased(job, slot.q_most);
+    slot.is_late = job.order.is_late[index] != 0;
     const std::size_t corners = arrays * stride;
     slot.corners = static_cast<std::uint8_t>(arrays);
     slot.constants = static_cast<std::uint32_t>(corners + lane_padded(culled_.count));

@@ -25,7 +25,7 @@ struct MeshJob {
     const TileGrid& grid;
     ViewTransform transform;
     std::vector<SolidView> solids;
-    std::vector<std::uint32_t> order;  ///< of the clusters: roughly from front to back
+    ClusterOrder order;  ///< roughly from front to back
     bool uses_lanes = false;
     LaneDepthBias depth_bias;
 
@@ -69,7 +69,12 @@ class MeshRun {
   private:
     [[nodiscard]] Batch& scalar() { return scalar_batches_.front(); }
     void start(const MeshJob& job);
-    void add_cluster(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
+    [[nodiscard]] bool may_show(const MeshJob& job, std::size_t cluster, const FrontDepth* front);
+    void add_cluster(const MeshJob& job, std::size_t cluster);
+    /// Asks for a part of the next cluster: all at once, it would be waited for.
+    HWY_INLINE void prefetch_ahead(const MeshJob& job, std::size_t part) const {
+        if (ahead_ != kNone) job.input.mesh->prefetch(ahead_, part);
+    }
     [[nodiscard]] bool add_in_lanes(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void add_scalar(const MeshJob& job, std::size_t cluster, bool hides_backs);
     void settle_sides(const MeshJob& job, std::size_t cluster, const CullJob& cull);
@@ -84,7 +89,11 @@ class MeshRun {
     void bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object);
     void bin_scalar(const MeshJob& job, std::size_t from, std::uint64_t object);
 
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
     ImageSides sides_;
+    std::vector<std::uint32_t> shown_;  ///< clusters that are not passed over
+    std::size_t ahead_ = kNone;         ///< the cluster after the one that is done now
     ClusterLanes lanes_;
     CullResult culled_;
     std::vector<LaneSlot> slots_;

@@ -59,6 +59,7 @@ void MeshTileWorker::draw_front(int tile) {
     rows_ = DrawnRows::all(buffer_);
     buffer_.touch();
     coarse_.start(buffer_);
+    is_late_ = false;
     for (auto run = runs_.begin(); run != end; ++run)
         draw_list(*run, run->of(tile));
     coarse_.refresh();
@@ -76,6 +77,7 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         rows_ = DrawnRows::all(buffer_);
         coarse_.start(buffer_);
         coarse_.refresh();
+        is_late_ = true;  // as good as that
         for (std::size_t i = fronts_; i < runs_.size(); ++i)
             draw_list(runs_[i], runs_[i].of(tile));
         finish(nullptr, sink);
@@ -114,6 +116,7 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         buffer_.touch();
     }
     coarse_.start(buffer_);
+    is_late_ = false;
     for (const MeshRun& run : runs_)
         draw_list(run, run.of(tile));
     finish(spares ? &needed_ : nullptr, sink);
@@ -193,13 +196,13 @@ void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t
         std::size_t count = 1;
         if ((list[0] & kScalarTriangle) != 0) {
             draw_lanes(source);
-            look_again(source);
+            look_again(source, false);
             draw_scalar(*run.scalar_batches(), list[0] & ~kScalarTriangle);
         } else {
             while (count < list.size() && list[count] >> 8 == slot)
                 ++count;
+            look_again(source, source.slots[slot].is_late);
             if (count < list.size()) prefetch(source, list[count]);
-            look_again(source);
             if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
                 hidden.skipped += count;
             } else {
@@ -219,10 +222,13 @@ void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) con
     if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
 }
 
-/// Reads the coarse depth again if it is time: between clusters only, and with all before them
-/// drawn, so that what is found hidden does not depend on how clusters were shared out.
-void MeshTileWorker::look_again(const LaneSource& source) {
-    if (!tests_hidden_ || !coarse_.wants_refresh()) return;
+/// Reads the coarse depth again if it is time, and before the first late cluster: between clusters
+/// only, and with all before them drawn, so that what is found hidden does not depend on how
+/// clusters were shared out.
+void MeshTileWorker::look_again(const LaneSource& source, bool is_late) {
+    const bool is_first_late = is_late && !is_late_;
+    is_late_ = is_late_ || is_late;
+    if (!tests_hidden_ || !(is_first_late || coarse_.wants_refresh())) return;
     draw_lanes(source);
     coarse_.refresh();
 }

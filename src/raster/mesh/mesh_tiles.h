@@ -45,7 +45,7 @@ class MeshTileWorker {
     [[nodiscard]] bool find_needed();
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
     void prefetch(const LaneSource& source, std::uint32_t entry) const;
-    void look_again(const LaneSource& source);
+    void look_again(const LaneSource& source, bool is_late);
     [[nodiscard]] bool is_hidden(const PixelRect& bounds, float q_most) const {
         return tests_hidden_ && coarse_.hides(bounds, q_most);
     }
@@ -57,6 +57,7 @@ class MeshTileWorker {
     const std::vector<MeshRun>& runs_;
     std::size_t fronts_;
     FrontDepth& front_;
+    bool is_late_ = false;  ///< all of the tile that faces the eye is drawn
     FillTile fill_;
     PassInput near_far_;
     TileBuffer buffer_;

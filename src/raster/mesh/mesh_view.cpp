@@ -33,7 +33,8 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     return views;
 }
 
-std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
+ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>& solids) {
+    ClusterOrder result;
     constexpr std::size_t kSteps = 32;
     const auto& clusters = input.mesh->clusters().clusters;
     const glm::dvec3 eye = input.view.camera.eye_world;
@@ -42,22 +43,28 @@ std::vector<std::uint32_t> front_to_back(const MeshInput& input) {
         const glm::dvec3 way = clusters[i].bounds.center_world - eye;
         distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
     }
-    std::vector<std::uint32_t> order(clusters.size());
-    if (order.empty()) return order;
+    std::vector<std::uint32_t>& order = result.clusters;
+    order.resize(clusters.size());
+    result.is_late.resize(clusters.size());
+    if (order.empty()) return result;
     const auto [nearest, farthest] = std::minmax_element(distances.begin(), distances.end());
     const double origin = *nearest;
     const double scale = *farthest > origin ? (kSteps - 1) / (*farthest - origin) : 0;
     std::vector<std::uint8_t> steps(clusters.size());
-    std::array<std::uint32_t, kSteps + 1> first{};
+    std::array<std::uint32_t, 2 * kSteps + 1> first{};
     for (std::size_t i = 0; i < clusters.size(); ++i) {
         steps[i] = static_cast<std::uint8_t>((distances[i] - origin) * scale);
+        // Where the solid hides its backs it is not drawn at all.
+        const bool may_be_seen = !solids[clusters[i].solid].hides_backs;
+        result.is_late[i] = may_be_seen && scene::is_turned_away(clusters[i], eye) ? 1 : 0;
+        if (result.is_late[i] != 0) steps[i] = static_cast<std::uint8_t>(steps[i] + kSteps);
         ++first[steps[i] + 1U];
     }
-    for (std::size_t step = 0; step < kSteps; ++step)
+    for (std::size_t step = 0; step + 1 < first.size(); ++step)
         first[step + 1] += first[step];
     for (std::size_t i = 0; i < clusters.size(); ++i)
         order[first[steps[i]]++] = static_cast<std::uint32_t>(i);
-    return order;
+    return result;
 }
 
 ImageSides::ImageSides(const ViewTransform& transform, const scene::View& view)

@@ -17,9 +17,16 @@ struct SolidView {
 /// Looks at every solid once.
 [[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
 
-/// The order in which clusters are drawn: by the distance of their centres in coarse steps, as they
-/// come within one. What lies behind is then mostly found hidden, and neighbours stay together.
-[[nodiscard]] std::vector<std::uint32_t> front_to_back(const MeshInput& input);
+/// The order in which clusters are drawn: those that face the eye before those that are turned away
+/// but may be seen, each by the distance of their centres in coarse steps, as they come within one.
+/// What lies behind is then mostly found hidden, and neighbours stay together.
+struct ClusterOrder {
+    std::vector<std::uint32_t> clusters;
+    /// Per cluster, not in this order, 1 where it comes late: turned away, and not passed over.
+    std::vector<std::uint8_t> is_late;
+};
+[[nodiscard]] ClusterOrder front_to_back(const MeshInput& input,
+                                         const std::vector<SolidView>& solids);
 
 /// The near plane and the sides of an image, a pixel outside it: what is snapped may move by a
 /// part of one.
