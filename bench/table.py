@@ -200,13 +200,14 @@ def footing(run):
     context = run.context
     facts = []
     if run.repetitions:
-        facts.append(f"least of {min(run.repetitions.values())} or more interleaved repetitions")
+        facts.append(f"Least of {min(run.repetitions.values())} or more interleaved repetitions")
     for key, before in (("cpu", ""), ("simd", ""), ("commit", "commit ")):
         if key in context:
             facts.append(before + context[key])
     if "date" in context:
         facts.append(context["date"][:10])
-    return "1920x1080, one pinned thread by default; bold is missed. " + ", ".join(facts) + "."
+    return ("1920x1080, one pinned thread by default; bold is missed; \\* was measured on another "
+            "machine. " + ", ".join(facts) + ".")
 
 
 def put_in_block(name, text, path):

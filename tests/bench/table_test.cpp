@@ -66,7 +66,7 @@ TEST(SpeedTable, GivesRatiosOfLeastTimes) {
     EXPECT_EQ(row(table, "u8 four"),
               "| u8 four-neighbour Laplacian, scale, clip | a copy of as many bytes, OpenCV | >= 9 "
               "x OpenCV | 1.25 of copy; 10.0 x OpenCV | met |");
-    EXPECT_THAT(table, HasSubstr("least of 2 or more interleaved repetitions, made up"));
+    EXPECT_THAT(table, HasSubstr("Least of 2 or more interleaved repetitions, made up"));
 }
 
 TEST(SpeedTable, MarksWhatIsMissed) {
