@@ -129,6 +129,33 @@ TEST(FrontDepth, ThreadsAndTargetsNeitherChangeTheImageNorTheCounts) {
     }
 }
 
+TEST(FrontToBack, WhatIsTurnedAwayOfAnOpenSurfaceComesLast) {
+    const TwoSheets sheets;
+    MeshInput input;
+    input.mesh = &sheets.mesh;
+    input.view = sheets.view;
+    const auto& clusters = sheets.mesh.clusters();
+    // From behind both sheets show their backs; from here neither does.
+    const std::vector<SolidView> open(clusters.solids.size());
+    const auto late = [&](const std::vector<SolidView>& solids) {
+        const ClusterOrder order = front_to_back(input, solids);
+        EXPECT_EQ(order.clusters.size(), clusters.clusters.size());
+        bool is_late = false;
+        std::size_t count = 0;
+        for (const std::uint32_t cluster : order.clusters) {
+            EXPECT_GE(order.is_late[cluster] != 0, is_late) << "one that faces the eye after it";
+            is_late = order.is_late[cluster] != 0;
+            count += order.is_late[cluster];
+        }
+        return count;
+    };
+    EXPECT_EQ(late(open), 0U);
+    input.view.camera.eye_world = {0.125, 0.25, -40};
+    EXPECT_EQ(late(open), clusters.clusters.size());
+    const std::vector<SolidView> hides_backs(open.size(), SolidView{true});
+    EXPECT_EQ(late(hides_backs), 0U) << "passed over anyway";
+}
+
 /// A ball that lies wholly behind what is drawn, and ones that do not.
 TEST(FrontDepth, HidesABallOnlyWhereItKnowsWhatStandsBeforeIt) {
     const TwoSheets sheets;
