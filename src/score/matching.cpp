@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "score/bit_matcher.h"
 
 namespace ink::score {
 namespace {
@@ -210,6 +211,7 @@ std::int64_t maximum_matching(const CandidateGraph& graph) {
 }
 
 MatchCounts match_pixels(const PixelList& left, const PixelList& right, const Disk& disk) {
+    if (BitMatcher::takes(disk)) return match_bits(left, right, disk);
     if (left.size() > right.size()) {
         MatchCounts counts = match_pixels(right, left, disk);
         std::swap(counts.left_reached, counts.right_reached);

@@ -8,14 +8,20 @@
 #include <utility>
 
 #include "core/error.h"
+#include "edge/bit_mask.h"
+#include "score/bit_matcher.h"
 #include "tests/score/images.h"
 
 namespace {
 
+using ink::score::BitMatcher;
+using ink::score::candidate_graph;
 using ink::score::Disk;
 using ink::score::match_pixels;
 using ink::score::MatchCounts;
+using ink::score::maximum_matching;
 using ink::score::PixelList;
+using ink::score::within_reach;
 
 using Points = std::vector<std::pair<int, int>>;
 
@@ -176,6 +182,39 @@ TEST(Matching, OfNothingIsNothing) {
 TEST(Matching, RefusesMorePairsThanMemoryHolds) {
     const Image full(400, 400, 255);
     EXPECT_THROW(static_cast<void>(match(full, full, 64)), ink::core::Error);
+}
+
+TEST(BitMatcher, EqualsTheGraphAsSetsChange) {
+    std::mt19937 random(14);
+    constexpr int kWidth_px = 150, kHeight_px = 40;  // words that are cut, and one between others
+    for (const double tolerance_px : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+        const Disk disk(tolerance_px);
+        ASSERT_TRUE(BitMatcher::takes(disk));
+        BitMatcher matcher(kWidth_px, kHeight_px, disk);
+        Image left(kWidth_px, kHeight_px), right(kWidth_px, kHeight_px);
+        for (int round = 0; round < 30; ++round) {
+            Image& changed = round % 5 == 4 ? right : left;
+            const Image flips = random_image(kWidth_px, kHeight_px, 0.04, 1, random);
+            for (std::size_t i = 0; i < flips.size(); ++i)
+                changed.data()[i] ^= flips.data()[i];
+            ink::edge::BitMask left_bits(left), right_bits(right);
+            matcher.set_left(left_bits.words());
+            matcher.set_right(right_bits.words());
+            const PixelList a(left), b(right);
+            ASSERT_EQ(matcher.match(), maximum_matching(candidate_graph(a, b, disk)))
+                << tolerance_px << " px, round " << round;
+            const auto reached = [](const std::vector<std::uint8_t>& is_reached) {
+                return std::count(is_reached.begin(), is_reached.end(), 1);
+            };
+            ASSERT_EQ(matcher.left_reached(), reached(within_reach(a, b, disk)));
+            ASSERT_EQ(matcher.right_reached(), reached(within_reach(b, a, disk)));
+        }
+    }
+}
+
+TEST(BitMatcher, TakesDisksOfARadiusUpToEight) {
+    EXPECT_TRUE(BitMatcher::takes(Disk(8)));
+    EXPECT_FALSE(BitMatcher::takes(Disk(9.5)));
 }
 
 TEST(DiskOfTolerance, HoldsTheOffsetsWithinIt) {

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "score/matching.h"
+#include "score/pixel_list.h"
+
+namespace ink::score {
+
+/// Matches two sets of pixels one to one, and again after they changed, without a list of pairs.
+///
+/// Sets are masks with a bit a pixel, in words laid out as edge::BitMask has them. Who may be
+/// matched with whom is read off the bits round a pixel: 64 pixels that have a partner at one
+/// offset are matched at once, and breadth-first augmenting paths (Berge) find the rest, so the
+/// size is exact. A set that is replaced keeps the pairs whose pixels stayed: the next matching
+/// begins there, and sets that differ in little cost little.
+class BitMatcher {
+  public:
+    /// Whether a disk has few enough places: any of a radius up to 8.
+    [[nodiscard]] static bool takes(const Disk& disk);
+
+    /// Of two empty sets, on an image of this size; `disk` must be one that it takes.
+    BitMatcher(int width_px, int height_px, const Disk& disk);
+
+    /// Words that a set of this size has.
+    [[nodiscard]] std::size_t word_count() const { return word_count_; }
+
+    /// Replaces a set. `words` has word_count() words; bits outside the image are 0.
+    void set_left(std::span<const std::uint64_t> words) { replace(left_, right_, words); }
+    void set_right(std::span<const std::uint64_t> words) { replace(right_, left_, words); }
+
+    /// Makes the matching as large as it can be, and returns its size.
+    [[nodiscard]] std::int64_t match();
+    /// Pixels of one set that have one of the other in reach.
+    [[nodiscard]] std::int64_t left_reached() const { return count_reached(left_, right_); }
+    [[nodiscard]] std::int64_t right_reached() const { return count_reached(right_, left_); }
+
+  private:
+    using Bits = std::uint64_t;
+    /// A pixel: the number of its bit in the words.
+    using Place = std::uint32_t;
+
+    struct Side {
+        std::vector<Bits> set;
+        std::vector<Bits> free;                ///< those of them without a mate
+        std::unique_ptr<std::uint8_t[]> mate;  ///< the offset to it, of those that have one
+    };
+    /// A row of the disk.
+    struct Row {
+        std::ptrdiff_t first = 0;  ///< from a pixel's place to the row's first
+        Bits mask = 0;             ///< as many bits as the row has pixels
+        std::uint8_t offset = 0;   ///< the number of the first pixel's offset
+    };
+
+    void replace(Side& side, Side& other, std::span<const Bits> words);
+    void match_at_once();
+    void augment(Side& from, Side& to);
+    [[nodiscard]] bool search(Place root, const Side& to, Place& end);
+    void flip(Place root, Place end, Side& from, Side& to);
+    [[nodiscard]] std::int64_t count_reached(const Side& side, const Side& other) const;
+
+    std::size_t word_count_;
+    std::size_t head_;  ///< words before those of a set, so that a row above the first is there
+    std::vector<Row> rows_;
+    std::vector<std::ptrdiff_t> steps_;      ///< of each offset, row by row: the last is -the first
+    std::vector<std::uint8_t> by_distance_;  ///< the offsets, the nearest first
+    Side left_;
+    Side right_;
+    std::int64_t size_ = 0;
+
+    // The searches: who may still be reached, from which offset others were, and in which order.
+    std::vector<Bits> open_;
+    std::unique_ptr<std::uint8_t[]> parent_;
+    std::vector<Place> queue_;
+    std::vector<Place> reached_;
+};
+
+/// match_pixels() for a disk that a BitMatcher takes.
+[[nodiscard]] MatchCounts match_bits(const PixelList& left,
+                                     const PixelList& right,
+                                     const Disk& disk);
+
+}  // namespace ink::score
