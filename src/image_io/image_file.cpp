@@ -120,8 +120,10 @@ std::vector<std::uint8_t> encode(const Samples& samples, const std::string& wher
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create("picture.png", &memory);
     if (!output) throw core::Error(where, "no PNG writer: " + one_line(OIIO::geterror()));
-    const OIIO::ImageSpec spec(
+    OIIO::ImageSpec spec(
         samples.width_px, samples.height_px, samples.channels, OIIO::TypeDesc::UINT8);
+    // Lines on nothing shrink at the lowest level, too, and a run writes thousands of images.
+    spec.attribute("png:compressionLevel", 1);
     if (!output->open("picture.png", spec) ||
         !output->write_image(OIIO::TypeDesc::UINT8, samples.data) || !output->close()) {
         throw core::Error(where, "cannot be encoded: " + one_line(output->geterror()));
