@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <mutex>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -32,19 +33,37 @@ class CodeSink : public raster::TileSink {
     core::Image<std::uint8_t>& codes_;
 };
 
-/// OpenCV's own threads while it lives; as many as before afterwards.
+/// OpenCV's own threads while one of these lives; as many as before after the last. Methods that
+/// draw at the same time use the same number of threads.
 class OpenCvThreads {
   public:
-    explicit OpenCvThreads(int threads) : before_(cv::getNumThreads()) {
+    explicit OpenCvThreads(int threads) {
+        Use& use = shared();
+        const std::lock_guard lock(use.mutex);
+        if (use.users++ > 0) return;
+        use.before = cv::getNumThreads();
         // 0: none at all. More than the machine has, and oneTBB would warn on stderr.
         cv::setNumThreads(threads == 1 ? 0 : std::min(threads, core::hardware_threads()));
     }
-    ~OpenCvThreads() { cv::setNumThreads(before_); }
+    ~OpenCvThreads() {
+        Use& use = shared();
+        const std::lock_guard lock(use.mutex);
+        if (--use.users == 0) cv::setNumThreads(use.before);
+    }
     OpenCvThreads(const OpenCvThreads&) = delete;
     OpenCvThreads& operator=(const OpenCvThreads&) = delete;
 
   private:
-    int before_;
+    /// OpenCV has one number for the whole program, hence one of this, too.
+    struct Use {
+        std::mutex mutex;
+        int users = 0;
+        int before = 0;
+    };
+    static Use& shared() {
+        static Use use;
+        return use;
+    }
 };
 
 buffers::CodeLayout layout(const Canny::Params& params) {

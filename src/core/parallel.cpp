@@ -5,35 +5,66 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace ink::core {
 namespace {
 
-/// The arena for so many threads, made once: a new one would have to wake its workers for every
-/// loop, which is long beside a frame of a millisecond. Never destroyed: workers outlive main.
-tbb::task_arena& arena_of(int threads) {
+/// Where a thread works: on which lane, and beside how many others.
+struct Post {
+    int lane = 0;
+    const std::atomic<int>* busy_lanes = nullptr;  ///< nothing outside of lanes
+};
+
+Post& this_post() {
+    static thread_local Post post;
+    return post;
+}
+
+/// Puts the thread on a post while it lives.
+class PostGuard {
+  public:
+    explicit PostGuard(Post post) : before_(std::exchange(this_post(), post)) {}
+    ~PostGuard() { this_post() = before_; }
+    PostGuard(const PostGuard&) = delete;
+    PostGuard& operator=(const PostGuard&) = delete;
+
+  private:
+    Post before_;
+};
+
+/// A lane's arena for so many threads, made once: a new one would have to wake its workers for
+/// every loop, which is long beside a frame of a millisecond. Never destroyed: workers outlive
+/// main.
+tbb::task_arena& arena_of(int threads, int lane) {
     static std::mutex mutex;
-    static auto& arenas = *new std::map<int, tbb::task_arena>();
+    static auto& arenas = *new std::map<std::pair<int, int>, tbb::task_arena>();
     const std::lock_guard lock(mutex);
-    return arenas.try_emplace(threads, threads).first->second;
+    return arenas.try_emplace({threads, lane}, threads).first->second;
 }
 
 }  // namespace
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
     assert(threads >= 1);
+    // More threads than the machine has would only wait, and oneTBB warns of it on stderr.
+    if (threads > 1 && count > 1) threads = std::min(threads, share_of_threads());
     if (threads == 1 || count <= 1) {
         for (std::size_t i = 0; i < count; ++i)
             body(i);
         return;
     }
-    // More threads than the machine has would only wait, and oneTBB warns of it on stderr.
-    arena_of(std::min(threads, hardware_threads())).execute([&] {
+    const Post post = this_post();
+    arena_of(threads, post.lane).execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+            const PostGuard guard(post);
             for (std::size_t i = range.begin(); i != range.end(); ++i)
                 body(i);
         });
@@ -42,6 +73,40 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
 
 int hardware_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void run_lanes(int count, const std::function<void(int)>& body) {
+    assert(count >= 1 && this_post().busy_lanes == nullptr);
+    if (count == 1) return body(0);
+    std::atomic<int> busy_lanes = count;
+    std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
+    std::vector<std::thread> threads;
+    for (int lane = 0; lane < count; ++lane) {
+        threads.emplace_back([&, lane] {
+            const PostGuard guard({lane, &busy_lanes});
+            try {
+                body(lane);
+            } catch (...) {
+                failures[static_cast<std::size_t>(lane)] = std::current_exception();
+            }
+            --busy_lanes;
+        });
+    }
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const std::exception_ptr& failure : failures)
+        if (failure) std::rethrow_exception(failure);
+}
+
+int this_lane() {
+    return this_post().lane;
+}
+
+int share_of_threads() {
+    const std::atomic<int>* busy_lanes = this_post().busy_lanes;
+    return busy_lanes == nullptr
+               ? hardware_threads()
+               : std::max(1, hardware_threads() / std::max(1, busy_lanes->load()));
 }
 
 }  // namespace ink::core

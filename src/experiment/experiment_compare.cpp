@@ -256,7 +256,8 @@ void plan_settings(const std::shared_ptr<ViewBench>& bench,
              cells,
              work_s(*bench, at, {cells, prepared, false}),
              false,
-             [bench, at, part, swept] { return run_settings(*bench, at, part, swept); }});
+             [bench, at, part, swept] { return run_settings(*bench, at, part, swept); },
+             at.scene});
     }
 }
 
@@ -284,7 +285,8 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                            cells,
                            work_s(*bench, at, {cells, at.is_first_view ? cells : 0, true}),
                            false,
-                           [bench, at] { return run_methods(*bench, at); }});
+                           [bench, at] { return run_methods(*bench, at); },
+                           at.scene});
     for (std::size_t m = 0; m < bench->configs().size(); ++m) {
         const std::vector<harness::MethodConfig> settings =
             settings_of(*bench, bench->configs()[m], nth_view);
@@ -314,6 +316,7 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
     const auto bench = std::make_shared<ViewBench>(experiment, trace);
     const std::vector<std::string> swept = parameters_swept(*bench);
     add_tables(*bench, swept, plan);
+    plan.timed_threads = *std::max_element(experiment.threads.begin(), experiment.threads.end());
     for (std::size_t s = 0; s < bench->scenes().size(); ++s) {
         for (std::size_t z = 0; z < experiment.sizes.size(); ++z) {
             for (std::size_t v = 0; v < bench->view_count(s, experiment.sizes[z]); ++v) {

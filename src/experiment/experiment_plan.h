@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,13 @@ struct BlockResult {
 struct Block {
     std::string key;  ///< what it is, for people; no two of a plan are equal
     int cells = 0;    ///< images it will score, baselines and settings counted
-    double work = 0;  ///< seconds it may take on one core of 2022, to weigh blocks by
+    double work = 0;  ///< its part of a run of seconds on two cores of 2022, to weigh blocks by
     /// Ctrl-C may cut it short; it is then done again.
     bool may_be_cut = false;
     std::function<BlockResult()> run;
+    /// Blocks of one group share what they make ready: they run one after the other, beside those
+    /// of other groups. A block without a group has the machine to itself.
+    std::optional<std::size_t> group = std::nullopt;
 };
 
 /// An experiment taken apart: the order of blocks is the order of lines in every table.
@@ -46,6 +50,7 @@ struct Plan {
     std::string asked;     ///< TOML: what is asked, down to every parameter
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads: summaries mean something
+    int timed_threads = 1;  ///< the most that a timed drawing of a group uses
     std::vector<PlannedTable> tables;
     std::map<std::string, std::string> files;  ///< what is known before any block: methods.csv
     std::vector<Block> blocks;

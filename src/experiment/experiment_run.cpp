@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <numeric>
 
 #include "core/error.h"
-#include "core/progress.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
+#include "experiment/block_work.h"
 #include "experiment/folder_lock.h"
 #include "experiment/run_tables.h"
 #include "harness/interrupt.h"
@@ -22,113 +21,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostShards = 100'000;
-
-std::string duration_text(double seconds) {
-    if (seconds < 90) return fmt::format("{:.0f} s", std::max(1.0, seconds));
-    if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
-    return fmt::format("{:.1f} h", seconds / 3600);
-}
-
-/// The blocks of a run: which are wanted, which are there.
-class Work {
-  public:
-    Work(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted)
-        : plan_(plan), store_(store), wanted_(std::move(wanted)) {
-        for (const std::size_t i : wanted_) {
-            const auto kept = store_.read(i);
-            if (!kept) {
-                missing_.push_back(i);
-                continue;
-            }
-            note(i, kept->seconds);
-        }
-    }
-
-    [[nodiscard]] std::string heading(const Shard& shard) const {
-        const auto cells_in = [&](const std::vector<std::size_t>& blocks) {
-            return std::accumulate(blocks.begin(), blocks.end(), 0, [&](int sum, std::size_t i) {
-                return sum + plan_.blocks[i].cells;
-            });
-        };
-        const int cells = cells_in(wanted_);
-        std::string text =
-            fmt::format("{}: {} cells in {} blocks", plan_.name, cells, wanted_.size());
-        if (!shard.is_all()) {
-            text += fmt::format(" (shard {}/{} of {} cells)", shard.i, shard.n, plan_.cells());
-        }
-        if (missing_.size() < wanted_.size())
-            text += fmt::format(", {} cells done", cells - cells_in(missing_));
-        if (!missing_.empty()) text += ", " + estimate();
-        return text;
-    }
-
-    /// "about 3 min ...", and what it goes by.
-    [[nodiscard]] std::string estimate() const {
-        double left = 0;
-        for (const std::size_t i : missing_)
-            left += plan_.blocks[i].work;
-        if (known_work_ <= 0) {
-            return fmt::format("about {} by the size of scenes and images, on two idle cores",
-                               duration_text(left));
-        }
-        return fmt::format("about {} by the {} finished blocks",
-                           duration_text(left * known_s_ / known_work_),
-                           wanted_.size() - missing_.size());
-    }
-
-    /// Computes what is missing; false if an end was asked for before all was there.
-    bool run(const std::function<void(const std::string&)>& say) {
-        core::Progress progress(plan_.name, static_cast<int>(wanted_.size()));
-        bool has_said = known_work_ > 0;
-        const auto start = Clock::now();
-        while (!missing_.empty()) {
-            if (harness::is_interrupted()) return false;
-            const std::size_t i = missing_.front();
-            const Block& block = plan_.blocks[i];
-            progress.report(static_cast<int>(wanted_.size() - missing_.size()), block.key);
-            const auto begin = Clock::now();
-            const BlockResult result = block.run();
-            if (block.may_be_cut && harness::is_interrupted()) return false;
-            const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-            store_.write(i, {block.key, seconds, result.faults}, result);
-            missing_.erase(missing_.begin());
-            note(i, seconds);
-            const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-            if (!has_said && elapsed_s > kFirstWord_s && !missing_.empty()) {
-                has_said = true;
-                say(fmt::format("still {}", estimate()));
-            }
-        }
-        return true;
-    }
-
-    /// Keys of the blocks of the whole plan that are not there.
-    [[nodiscard]] std::vector<std::string> missing_of_plan() const {
-        std::vector<std::string> missing;
-        const std::vector<std::size_t> there = store_.indices();
-        for (std::size_t i = 0; i < plan_.blocks.size(); ++i) {
-            if (!std::binary_search(there.begin(), there.end(), i))
-                missing.push_back(plan_.blocks[i].key);
-        }
-        return missing;
-    }
-
-  private:
-    /// After so long it is worth saying how fast this machine is.
-    static constexpr double kFirstWord_s = 10;
-
-    void note(std::size_t i, double seconds) {
-        known_work_ += plan_.blocks[i].work;
-        known_s_ += seconds;
-    }
-
-    const Plan& plan_;
-    const BlockStore& store_;
-    std::vector<std::size_t> wanted_;
-    std::vector<std::size_t> missing_;
-    double known_work_ = 0;
-    double known_s_ = 0;
-};
 
 /// A folder that holds results, but none that this program could tell apart.
 bool holds_unknown_results(const fs::path& folder) {
@@ -246,7 +138,7 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
         return outcome;
     }
     store.make_folder();
-    Work work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
+    BlockWork work(plan, store, shard_blocks(plan, options.shard.i, options.shard.n));
     {
         RunRecord begun = mine;
         begun.missing_blocks = work.missing_of_plan();
@@ -255,7 +147,7 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     }
     write_files(plan, options.out);
     options.say(work.heading(options.shard));
-    const bool is_done = work.run(options.say);
+    const bool is_done = work.run(options.lanes, options.say);
     RunOutcome outcome;
     if (options.shard.is_all()) {
         outcome = write_run(store, mine, work.missing_of_plan());

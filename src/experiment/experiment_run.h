@@ -6,18 +6,11 @@
 #include <vector>
 
 #include "experiment/block_store.h"
+#include "experiment/block_work.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/run_record.h"
 
 namespace ink::experiment {
-
-/// Which share of the blocks is computed.
-struct Shard {
-    int i = 1;  ///< 1..n
-    int n = 1;
-
-    [[nodiscard]] bool is_all() const { return n == 1; }
-};
 
 /// "2/4"; throws core::Error (where = "--shard") for anything else.
 [[nodiscard]] Shard parse_shard(const std::string& text);
@@ -25,6 +18,9 @@ struct Shard {
 struct RunOptions {
     std::filesystem::path out;
     Shard shard = {};
+    /// Scenes that are worked on at a time, at most; 0: one on every core, or on as many as a timed
+    /// drawing takes. Rows do not depend on it, times aside.
+    int lanes = 0;
     bool is_forced = false;  ///< a run that is in `out`, this one or another, is thrown away
     std::function<void(const std::string&)> say = [](const std::string&) {};  ///< takes a line
 };

@@ -6,20 +6,25 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parallel.h"
 #include "harness/skip_switches.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
 namespace {
 
-/// Triangles times methods that are ready together: a method prepares 600 bytes a triangle in the
-/// mean, and 2 GB beside the truth of a large scene keep a comparison of all methods below 4.
-constexpr std::size_t kTrianglesAtOnce = 3'000'000;
+/// Triangles times methods that are ready together on a lane: a method prepares 600 bytes a
+/// triangle in the mean, and twice 1 GB beside the truths of large scenes keep a comparison of all
+/// methods below 4 on two cores.
+constexpr std::size_t kTrianglesAtOnce = 1'500'000;
 
 }  // namespace
 
 ViewBench::ViewBench(const Experiment& experiment, harness::TraceOptions trace)
-    : experiment_(experiment), trace_(std::move(trace)), configs_(configs_of(experiment)) {
+    : experiment_(experiment),
+      trace_(std::move(trace)),
+      configs_(configs_of(experiment)),
+      desks_(static_cast<std::size_t>(core::hardware_threads())) {
     trace_.crosscheck = experiment.crosscheck;
     skips_ = harness::without_skips(harness::skips_of_repeated_drawings(),
                                     fmt::format("{}", fmt::join(experiment.skips_off, ",")));
@@ -56,17 +61,16 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
 }
 
 const harness::TracedView& ViewBench::traced(std::size_t scene, const scene::View& view) {
-    turn_to(scene);
-    if (traced_view_ != &view) {
-        traced_ = harness::trace_with_facts(*model_, scenes_[scene], view, trace_);
-        traced_view_ = &view;
+    Desk& desk = desk_of(scene);
+    if (desk.traced_view != &view) {
+        desk.traced = harness::trace_with_facts(*desk.model, scenes_[scene], view, trace_);
+        desk.traced_view = &view;
     }
-    return traced_;
+    return desk.traced;
 }
 
 harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
-    turn_to(scene);
-    return *predictor_;
+    return *desk_of(scene).predictor;
 }
 
 std::size_t ViewBench::most_at_once(std::size_t scene) const {
@@ -76,16 +80,16 @@ std::size_t ViewBench::most_at_once(std::size_t scene) const {
 
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,
                                                                           std::size_t first) {
-    turn_to(scene);
-    if (!methods_.empty() && first == first_method_) return methods_;
-    methods_.clear();
+    Desk& desk = desk_of(scene);
+    if (!desk.methods.empty() && first == desk.first_method) return desk.methods;
+    desk.methods.clear();
     const std::size_t end = first + std::min(configs_.size() - first, most_at_once(scene));
-    methods_ = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
-                         configs_.begin() + static_cast<std::ptrdiff_t>(end)},
-                        scene,
-                        Preparation::own);
-    first_method_ = first;
-    return methods_;
+    desk.methods = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
+                             configs_.begin() + static_cast<std::ptrdiff_t>(end)},
+                            scene,
+                            Preparation::own);
+    desk.first_method = first;
+    return desk.methods;
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
@@ -100,13 +104,16 @@ std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
     return methods;
 }
 
-void ViewBench::turn_to(std::size_t scene) {
-    if (model_ && scene_ == scene) return;
-    scene_ = scene;
-    methods_.clear();
-    traced_view_ = nullptr;
-    model_ = std::make_unique<truth::SceneModel>(scenes_[scene], trace_.truth);
-    predictor_ = std::make_unique<harness::MissPredictor>(scenes_[scene]);
+ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {
+    Desk& desk = desks_[static_cast<std::size_t>(core::this_lane())];
+    if (desk.model && desk.scene == scene) return desk;
+    desk = Desk{};  // what was there goes before more is made
+    truth::TruthOptions options = trace_.truth;
+    options.threads = std::min(options.threads, core::share_of_threads());
+    desk.scene = scene;
+    desk.model = std::make_unique<truth::SceneModel>(scenes_[scene], options);
+    desk.predictor = std::make_unique<harness::MissPredictor>(scenes_[scene]);
+    return desk;
 }
 
 }  // namespace ink::experiment

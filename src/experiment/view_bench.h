@@ -18,8 +18,9 @@ enum class Preparation {
     shared  ///< those that would prepare the same share it: many settings cost little more than one
 };
 
-/// The scenes of an experiment, and what is kept of the one that is being worked on from block to
-/// block: its model, its methods made ready, the truth of the last view.
+/// The scenes of an experiment, and what is kept of the one that a lane (core::run_lanes) works on
+/// from block to block: its model, its methods made ready, the truth of the last view. Several
+/// lanes may use it at a time, each for a scene of its own.
 class ViewBench {
   public:
     /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_scenes
@@ -52,7 +53,19 @@ class ViewBench {
         Preparation preparation) const;
 
   private:
-    void turn_to(std::size_t scene);
+    /// What is kept of one scene.
+    struct Desk {
+        std::size_t scene = 0;
+        std::unique_ptr<truth::SceneModel> model = {};
+        std::unique_ptr<harness::MissPredictor> predictor = {};
+        std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
+        std::size_t first_method = 0;
+        const scene::View* traced_view = nullptr;
+        harness::TracedView traced = {};
+    };
+
+    /// The desk of this lane, with the scene on it.
+    Desk& desk_of(std::size_t scene);
 
     Experiment experiment_;
     harness::TraceOptions trace_;
@@ -60,13 +73,7 @@ class ViewBench {
     raster::SkipSet skips_;
     std::vector<scene::Scene> scenes_;
     std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;
-    std::size_t scene_ = 0;
-    std::unique_ptr<truth::SceneModel> model_;
-    std::unique_ptr<harness::MissPredictor> predictor_;
-    std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
-    std::size_t first_method_ = 0;
-    const scene::View* traced_view_ = nullptr;
-    harness::TracedView traced_;
+    std::vector<Desk> desks_;  ///< by lane
 };
 
 }  // namespace ink::experiment

@@ -51,6 +51,13 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     command.add_flag("--no-times",
                      options.no_times,
                      "Leave columns of times empty: the same bytes on every run");
+    command
+        .add_option("--lanes",
+                    options.lanes,
+                    "Scenes worked on at a time, at most; 1 leaves other cores idle while a method "
+                    "is timed (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
     command.add_flag("--status",
                      options.is_status,
@@ -69,8 +76,8 @@ experiment::KeptImages kept_images(const std::string& word) {
 }
 
 std::string run_command_text(const CLI::App& command) {
-    return recorded_command(command,
-                            {"--out", "--shard", "--force", "--json", "--dry-run", "--status"});
+    return recorded_command(
+        command, {"--out", "--shard", "--force", "--json", "--dry-run", "--status", "--lanes"});
 }
 
 void run_to_end(experiment::Experiment experiment,
@@ -82,6 +89,7 @@ void run_to_end(experiment::Experiment experiment,
     run.out = options.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
                                   : std::filesystem::path(options.out);
     run.is_forced = options.is_forced;
+    run.lanes = options.lanes;
     if (!core::progress_display().is_quiet) run.say = say;
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
     if (options.is_dry) {

@@ -13,13 +13,15 @@ struct RunFolderOptions {
     std::string out = {};
     std::string shard = "1/1";
     bool is_forced = false;
+    int lanes = 0;  ///< 0: as many as the machine has cores for
     bool no_times = false;
     bool is_json = false;
     bool is_dry = false;
     bool is_status = false;
 };
 
-/// Adds --out, --shard, --force, --no-times, --quiet, --json, --dry-run and --status to a command.
+/// Adds --out, --shard, --force, --no-times, --lanes, --quiet, --json, --dry-run and --status to a
+/// command.
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 
 /// "none", "first" or "all"; throws core::Error (where = "--images") for another word.
@@ -30,8 +32,8 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 [[nodiscard]] std::string run_command_text(const CLI::App& command);
 
 /// Computes an experiment into its folder and shows what came of it, as conclude() does; lists the
-/// blocks alone if --dry-run asks for that, or how far it has come for --status. Ends the program by CLI::RuntimeError where its exit
-/// code is not 0.
+/// blocks alone if --dry-run asks for that, or how far it has come for --status. Ends the program
+/// by CLI::RuntimeError where its exit code is not 0.
 void run_to_end(experiment::Experiment experiment,
                 const RunFolderOptions& options,
                 const CacheOptions& cache);
