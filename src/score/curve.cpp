@@ -127,8 +127,10 @@ class CurveCounter {
         if (!matcher_) return match_counts(counted_pixels(drawn, lists_, options_), lists_);
         CurveCount result{.n_truth = static_cast<std::int64_t>(lists_.truth.size())};
         for (std::size_t i = 0; i < drawn.words().size(); ++i) {
-            drawn.words()[i] &= countable_.words()[i];
-            result.n_pred += std::popcount(drawn.words()[i]);
+            std::uint64_t& word = drawn.words()[i];
+            if (word == 0) continue;
+            word &= countable_.words()[i];
+            result.n_pred += std::popcount(word);
         }
         matcher_->set_left(drawn.words());
         result.k = matcher_->match();
