@@ -18,6 +18,12 @@ namespace {
 /// methods below 4 on two cores.
 constexpr std::size_t kTrianglesAtOnce = 1'500'000;
 
+/// Triangles times results of preparation that are kept to be shared: a hundred bytes each. No more
+/// results than methods and settings ask for, and no fewer than one method does.
+constexpr std::size_t kTrianglesKept = 6'000'000;
+constexpr std::size_t kLeastKept = 6;
+constexpr std::size_t kMostKept = 64;
+
 }  // namespace
 
 ViewBench::ViewBench(const Experiment& experiment, harness::TraceOptions trace)
@@ -93,9 +99,8 @@ std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::s
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
-    const std::vector<harness::MethodConfig>& configs,
-    std::size_t scene,
-    Preparation preparation) const {
+    const std::vector<harness::MethodConfig>& configs, std::size_t scene, Preparation preparation) {
+    const scene::SharedWork::Use use(*desk_of(scene).shared);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
     const std::vector<std::unique_ptr<harness::PreparedMethod>> none;
     for (const harness::MethodConfig& config : configs)
@@ -113,6 +118,10 @@ ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {
     desk.scene = scene;
     desk.model = std::make_unique<truth::SceneModel>(scenes_[scene], options);
     desk.predictor = std::make_unique<harness::MissPredictor>(scenes_[scene]);
+    const std::size_t kept =
+        kTrianglesKept / std::max<std::size_t>(1, triangle_count(scenes_[scene]));
+    desk.shared = std::make_unique<scene::SharedWork>(scenes_[scene],
+                                                      std::clamp(kept, kLeastKept, kMostKept));
     return desk;
 }
 

@@ -9,6 +9,7 @@
 #include "experiment/experiment.h"
 #include "harness/miss_prediction.h"
 #include "harness/view_cells.h"
+#include "scene/shared_work.h"
 
 namespace ink::experiment {
 
@@ -46,11 +47,12 @@ class ViewBench {
     /// scene. Those last asked for are at hand.
     std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene,
                                                                    std::size_t first);
-    /// Some methods made ready for the scene; they are not kept.
+    /// Some methods made ready for the scene; they are not kept. What several work out alike is
+    /// made once (scene::SharedWork); each has a copy of its own.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
         const std::vector<harness::MethodConfig>& configs,
         std::size_t scene,
-        Preparation preparation) const;
+        Preparation preparation);
 
   private:
     /// What is kept of one scene.
@@ -58,6 +60,7 @@ class ViewBench {
         std::size_t scene = 0;
         std::unique_ptr<truth::SceneModel> model = {};
         std::unique_ptr<harness::MissPredictor> predictor = {};
+        std::unique_ptr<scene::SharedWork> shared = {};
         std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
         std::size_t first_method = 0;
         const scene::View* traced_view = nullptr;

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "harness/outside_method.h"
+#include "scene/shared_work.h"
 
 namespace ink::harness {
 namespace {
@@ -21,6 +22,14 @@ std::int64_t time_ns(Work work) {
     const auto start = Clock::now();
     work();
     return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count();
+}
+
+/// Nanoseconds that a stage of making ready took, or would have taken if nothing had been shared.
+template <class Work>
+std::int64_t stage_ns(Work work) {
+    const std::int64_t saved_before_ns = scene::SharedWork::saved_ns();
+    const std::int64_t ns = time_ns(work);
+    return ns + scene::SharedWork::saved_ns() - saved_before_ns;
 }
 
 /// Nearest rank, so that a quantile is always a time that was measured.
@@ -136,9 +145,9 @@ PreparedMethod::PreparedMethod(const MethodConfig& config,
         const auto same = std::find_if(others.begin(), others.end(), [&](const auto& other) {
             return other->failure().empty() && method_->prepare_like(other->method(), scene);
         });
-        prepare_ns_ =
-            same != others.end() ? (*same)->prepare_ns_ : time_ns([&] { method_->prepare(scene); });
-        pose_ns_ = time_ns([&] { method_->pose(scene); });
+        prepare_ns_ = same != others.end() ? (*same)->prepare_ns_
+                                           : stage_ns([&] { method_->prepare(scene); });
+        pose_ns_ = stage_ns([&] { method_->pose(scene); });
     });
 }
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 
 #include "scene/face_graph.h"
+#include "scene/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -241,9 +243,7 @@ class Grower {
     glm::dvec3 n_sum_{0};
 };
 
-}  // namespace
-
-Clusters make_clusters(const Surface& surface) {
+Clusters grow_clusters(const Surface& surface) {
     Clusters clusters;
     const FaceGraph graph = make_face_graph(surface);
     for (std::size_t s = 0; s < graph.is_closed.size(); ++s)
@@ -255,6 +255,15 @@ Clusters make_clusters(const Surface& surface) {
     Grower(surface, graph, clusters).grow_all();
     refresh(surface, clusters);
     return clusters;
+}
+
+}  // namespace
+
+Clusters make_clusters(const Surface& surface) {
+    SharedWork* work = SharedWork::current();
+    const std::string name = work == nullptr ? "" : work->name_of(surface);
+    if (name.empty()) return grow_clusters(surface);
+    return work->get("clusters of " + name, [&] { return grow_clusters(surface); });
 }
 
 }  // namespace ink::scene

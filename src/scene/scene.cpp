@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "scene/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -135,7 +136,9 @@ void check_scene(const Scene& scene) {
     }
 }
 
-std::uint64_t scene_hash(const Scene& scene) {
+namespace {
+
+std::uint64_t hash_of(const Scene& scene) {
     core::Hasher hasher;
     for (const Mesh& mesh : scene.meshes) {
         hasher.items(std::span(mesh.positions)).items(std::span(mesh.normals));
@@ -145,6 +148,12 @@ std::uint64_t scene_hash(const Scene& scene) {
         hasher.value(instance.mesh).value(instance.world_from_object);
     }
     return hasher.result();
+}
+
+}  // namespace
+
+std::uint64_t scene_hash(const Scene& scene) {
+    return shared(scene, "hash", [&] { return hash_of(scene); });
 }
 
 std::vector<Camera> orbit_cameras(const Sphere& bounds, int count, double width_over_height) {

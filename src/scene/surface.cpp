@@ -1,5 +1,7 @@
 #include "scene/surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +12,7 @@
 #include "core/disjoint_sets.h"
 #include "scene/predicates.h"
 #include "scene/rounding.h"
+#include "scene/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -216,13 +219,7 @@ Surface file_surface(const Scene& scene, double crease_rad) {
     return surface;
 }
 
-}  // namespace
-
-Surface flatten(const Scene& scene) {
-    return mesh_surface(scene, false);
-}
-
-Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
+Surface surface_of(const Scene& scene, NormalSource source, double crease_rad) {
     switch (source) {
         case NormalSource::file:
             return file_surface(scene, crease_rad);
@@ -232,6 +229,18 @@ Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
             return facet_surface(scene);
     }
     return {};
+}
+
+}  // namespace
+
+Surface flatten(const Scene& scene) {
+    return shared(scene, kSurfaceName, [&] { return mesh_surface(scene, false); });
+}
+
+Surface flatten(const Scene& scene, NormalSource source, double crease_rad) {
+    const std::string name =
+        fmt::format("{} {} {}", kSurfaceName, static_cast<int>(source), crease_rad);
+    return shared(scene, name, [&] { return surface_of(scene, source, crease_rad); });
 }
 
 std::vector<std::int8_t> facings(const Surface& surface, const glm::dvec3& eye_world) {

@@ -1,5 +1,7 @@
 #include "scene/topology.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -11,6 +13,7 @@
 #include "core/hash.h"
 #include "scene/near_points.h"
 #include "scene/predicates.h"
+#include "scene/shared_work.h"
 
 namespace ink::scene {
 namespace {
@@ -271,9 +274,7 @@ glm::dvec3 inward(const Topology& topology, const Edge& edge, const Face& face) 
     return to_opposite - along * glm::dot(along, to_opposite);
 }
 
-}  // namespace
-
-Topology weld(const Scene& scene, const WeldOptions& options) {
+Topology weld_anew(const Scene& scene, const WeldOptions& options) {
     Topology topology;
     Moves moves = options.epsilon > 0 ? Moves(scene, options.epsilon) : Moves();
     topology.counts.joined_vertices = moves.joined();
@@ -281,6 +282,13 @@ Topology weld(const Scene& scene, const WeldOptions& options) {
     build_edges(topology);
     count_edges(topology);
     return topology;
+}
+
+}  // namespace
+
+Topology weld(const Scene& scene, const WeldOptions& options) {
+    return shared(
+        scene, fmt::format("weld {}", options.epsilon), [&] { return weld_anew(scene, options); });
 }
 
 std::uint32_t opposite_vertex(const Face& face, const Edge& edge) {
