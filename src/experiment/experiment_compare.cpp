@@ -136,7 +136,7 @@ struct SettingsPart {
     std::vector<harness::MethodConfig> settings;
     /// A grid asks for errors over many settings: they share what they prepare. A method's own
     /// sweep is timed against other methods: each setting has memory of its own, as these have.
-    Preparation preparation = Preparation::own;
+    Preparation preparation = Preparation::copied;
 };
 
 /// Settings of one method: lines of sweep.csv, without baselines.
@@ -227,7 +227,7 @@ Preparation preparation_of(const Experiment& experiment, const std::string& meth
         std::any_of(experiment.grids.begin(), experiment.grids.end(), [&](const SettingGrid& grid) {
             return grid.method == method;
         });
-    return has_grid ? Preparation::shared : Preparation::own;
+    return has_grid ? Preparation::shared : Preparation::copied;
 }
 
 /// The blocks of one method's settings on a place, so many at once.

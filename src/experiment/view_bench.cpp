@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "core/parallel.h"
@@ -93,14 +94,16 @@ std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::s
     desk.methods = prepared({configs_.begin() + static_cast<std::ptrdiff_t>(first),
                              configs_.begin() + static_cast<std::ptrdiff_t>(end)},
                             scene,
-                            Preparation::own);
+                            // Those that do not stay ready are made ready again for every view.
+                            end - first < configs_.size() ? Preparation::copied : Preparation::own);
     desk.first_method = first;
     return desk.methods;
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
     const std::vector<harness::MethodConfig>& configs, std::size_t scene, Preparation preparation) {
-    const scene::SharedWork::Use use(*desk_of(scene).shared);
+    std::optional<scene::SharedWork::Use> use;
+    if (preparation != Preparation::own) use.emplace(*desk_of(scene).shared);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
     const std::vector<std::unique_ptr<harness::PreparedMethod>> none;
     for (const harness::MethodConfig& config : configs)

@@ -13,9 +13,11 @@
 
 namespace ink::experiment {
 
-/// How several settings of a method are made ready.
+/// How several methods or settings are made ready.
 enum class Preparation {
-    own,    ///< each by itself, so that each is timed with memory of its own, as other methods are
+    own,     ///< each by itself, from nothing: what preparing costs is measured
+    copied,  ///< what several work out alike is made once (scene::SharedWork), and each has a copy,
+             ///< so that each is timed with memory of its own, as other methods are
     shared  ///< those that would prepare the same share it: many settings cost little more than one
 };
 
@@ -47,8 +49,7 @@ class ViewBench {
     /// scene. Those last asked for are at hand.
     std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene,
                                                                    std::size_t first);
-    /// Some methods made ready for the scene; they are not kept. What several work out alike is
-    /// made once (scene::SharedWork); each has a copy of its own.
+    /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
         const std::vector<harness::MethodConfig>& configs,
         std::size_t scene,

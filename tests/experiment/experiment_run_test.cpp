@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <fstream>
+#include <mutex>
 #include <set>
 #include <sstream>
 
@@ -168,6 +171,48 @@ TEST_F(ExperimentRun, RefusesResultsThatItCannotTellApart) {
     EXPECT_THAT(error_of([&] { (void)run_experiment(counting_plan(1, runs_), into("a")); }),
                 testing::AllOf(HasSubstr("without a run.toml"), HasSubstr("--force")));
     EXPECT_EQ(text_of(folder_ / "a" / "rows.csv"), "method\n");
+}
+
+TEST_F(ExperimentRun, RunsAGroupInOrderAndBlocksWithoutOneAlone) {
+    Plan plan = counting_plan(9, runs_);
+    std::mutex mutex;
+    std::vector<std::size_t> begun;
+    std::atomic<int> busy = 0;
+    bool was_alone = true;
+    for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
+        Block& block = plan.blocks[i];
+        if (i < 8) block.group = i % 4;
+        block.run = [&, i, compute = block.run] {
+            ++busy;
+            BlockResult result = compute();
+            {
+                const std::lock_guard lock(mutex);
+                begun.push_back(i);
+                if (i == 8) was_alone = busy == 1 && begun.size() == 9;
+            }
+            --busy;
+            return result;
+        };
+    }
+    EXPECT_EQ(run_experiment(plan, into("a")).record.state, RunState::finished);
+    EXPECT_TRUE(was_alone);
+    ASSERT_EQ(begun.size(), 9U);
+    for (std::size_t group = 0; group < 4; ++group)
+        EXPECT_LT(std::find(begun.begin(), begun.end(), group),
+                  std::find(begun.begin(), begun.end(), group + 4));
+    RunOptions one_lane = into("b");
+    one_lane.lanes = 1;
+    EXPECT_EQ(run_experiment(plan, one_lane).record.state, RunState::finished);
+    EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), text_of(folder_ / "b" / "t.csv"));
+    EXPECT_EQ(text_of_asked(folder_ / "a"), text_of_asked(folder_ / "b"));
+}
+
+TEST_F(ExperimentRun, EndsAllLanesWhenABlockThrows) {
+    Plan plan = counting_plan(6, runs_);
+    for (std::size_t i = 0; i < plan.blocks.size(); ++i)
+        plan.blocks[i].group = i;
+    plan.blocks[5].run = []() -> BlockResult { throw core::Error("block 5", "broken", "whole"); };
+    EXPECT_THAT(error_of([&] { (void)run_experiment(plan, into("a")); }), HasSubstr("broken"));
 }
 
 TEST_F(ExperimentRun, RecordsWhatIsMissingWhenItIsCutShort) {

@@ -1,11 +1,14 @@
 #include "buffers/codes/smooth_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
 #include "scene/rounding.h"
+#include "scene/shared_work.h"
 #include "scene/surface.h"
 
 namespace ink::buffers {
@@ -30,9 +33,7 @@ struct PlaceHash {
     std::size_t operator()(const glm::dvec3& p) const { return core::Hasher().value(p).result(); }
 };
 
-}  // namespace
-
-SmoothMesh make_smooth_mesh(const scene::Scene& scene, const PatchOptions& options) {
+SmoothMesh cut_into_patches(const scene::Scene& scene, const PatchOptions& options) {
     SmoothMesh mesh;
     mesh.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
     const scene::Topology& topology = mesh.topology;
@@ -64,6 +65,14 @@ SmoothMesh make_smooth_mesh(const scene::Scene& scene, const PatchOptions& optio
     mesh.fan_of.resize(std::size_t{3} * count);
     mesh.fan_count = number_sets(fans, mesh.fan_of);
     return mesh;
+}
+
+}  // namespace
+
+SmoothMesh make_smooth_mesh(const scene::Scene& scene, const PatchOptions& options) {
+    const std::string name =
+        fmt::format("smooth mesh {} {}", options.crease_rad, options.weld_epsilon);
+    return scene::shared(scene, name, [&] { return cut_into_patches(scene, options); });
 }
 
 std::vector<std::uint32_t> faces_of_triangles(const scene::Scene& scene,

@@ -1,11 +1,15 @@
 #include "buffers/codes/surface_codes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string>
 
 #include "scene/animation.h"
+#include "scene/shared_work.h"
 
 namespace ink::buffers {
 
@@ -17,7 +21,10 @@ void SurfaceCodes::prepare(const scene::Scene& scene) {
         face_of_ = faces_of_triangles(resting, mesh_.topology);
     } else {
         mesh_ = make_smooth_mesh(scene, options_.patches);
-        face_of_ = faces_of_triangles(scene, mesh_.topology);
+        const std::string name =
+            fmt::format("faces of triangles {}", options_.patches.weld_epsilon);
+        face_of_ =
+            scene::shared(scene, name, [&] { return faces_of_triangles(scene, mesh_.topology); });
     }
 }
 
