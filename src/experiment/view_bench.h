@@ -9,7 +9,7 @@
 #include "experiment/experiment.h"
 #include "harness/miss_prediction.h"
 #include "harness/view_cells.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::experiment {
 

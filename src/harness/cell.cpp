@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "harness/outside_method.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::harness {
 namespace {

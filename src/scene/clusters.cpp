@@ -7,7 +7,7 @@
 #include <string>
 
 #include "scene/face_graph.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {

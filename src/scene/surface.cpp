@@ -12,7 +12,7 @@
 #include "core/disjoint_sets.h"
 #include "scene/predicates.h"
 #include "scene/rounding.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {

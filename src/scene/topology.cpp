@@ -13,7 +13,7 @@
 #include "core/hash.h"
 #include "scene/near_points.h"
 #include "scene/predicates.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
 namespace {

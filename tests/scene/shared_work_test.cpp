@@ -1,4 +1,4 @@
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 #include <gtest/gtest.h>
 

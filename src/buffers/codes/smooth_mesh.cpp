@@ -8,7 +8,7 @@
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
 #include "scene/rounding.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 #include "scene/surface.h"
 
 namespace ink::buffers {

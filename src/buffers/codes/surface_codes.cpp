@@ -9,7 +9,7 @@
 #include <string>
 
 #include "scene/animation.h"
-#include "scene/shared_work.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::buffers {
 
