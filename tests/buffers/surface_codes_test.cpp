@@ -13,6 +13,7 @@
 #include <map>
 #include <random>
 
+#include "buffers/codes/surface_distance.h"
 #include "buffers/codes/surface_graph.h"
 
 namespace ink::buffers {
@@ -145,7 +146,8 @@ TEST_P(RandomMesh, ATriangleThatRepeatsAFaceHasItsCode) {
 TEST_P(RandomMesh, DistancesDifferByNoMoreThanWaysCost) {
     const SmoothMesh mesh = make_smooth_mesh(scene_, options().patches);
     for (const double turn_rad : {0.02, 0.5}) {
-        const SurfaceGraph graph(mesh, {.turn_rad = turn_rad, .length_world = {}});
+        SurfaceGraph graph(mesh, {.turn_rad = turn_rad, .length_world = {}});
+        if (GetParam() % 3 == 0) steepen_short_slits(mesh, graph);
         const std::vector<std::int32_t> distances =
             surface_distance(mesh, graph, GetParam() % 2 ? End::first : End::side, 10);
         for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
@@ -245,6 +247,36 @@ TEST(SurfaceCodes, LiftingPartsWhatDistanceAloneDoesNot) {
     EXPECT_GT(edges, 100U);
     EXPECT_GT(parted, edges * 9 / 10);
     EXPECT_LT(parted_alone, parted);
+}
+
+/// Creases of random meshes that have one patch on both sides.
+std::size_t count_inner_creases(const SmoothMesh& mesh) {
+    return static_cast<std::size_t>(
+        std::count_if(mesh.borders.begin(), mesh.borders.end(), [&](const FacePair& pair) {
+            return mesh.patch_of[pair.face0] == mesh.patch_of[pair.face1];
+        }));
+}
+
+TEST(SurfaceCodes, SteepWaysPartCreasesTooShortForOthers) {
+    std::size_t creases = 0, parted = 0, parted_before = 0;
+    for (int seed = 0; seed < 60; ++seed) {
+        const scene::Scene scene = scene_of(random_mesh(seed));
+        const SmoothMesh mesh = make_smooth_mesh(scene, options().patches);
+        // Triangles far below the length of a step: without steep ways all is level.
+        SurfaceGraph graph(mesh,
+                           {.turn_rad = options().turn_rad,
+                            .length_world = std::vector<float>(mesh.face_count(), 5.0F)});
+        SlitCount before, after;
+        (void)surface_distance(mesh, graph, End::first, 10, &before);
+        steepen_short_slits(mesh, graph);
+        (void)surface_distance(mesh, graph, End::first, 10, &after);
+        creases += count_inner_creases(mesh);
+        parted_before += before.parted;
+        parted += after.parted;
+    }
+    EXPECT_GT(creases, 100U);
+    EXPECT_LT(parted_before, creases / 10);
+    EXPECT_GT(parted, creases * 3 / 4);
 }
 
 TEST(SurfaceCodes, NeighboursOverCreasesDiffer) {

@@ -4,23 +4,19 @@
 #include <cstdint>
 #include <vector>
 
+#include "buffers/codes/touching_boundaries.h"
 #include "buffers/surface_ids.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
 
-/// Two faces at an edge.
-struct FacePair {
-    std::uint32_t face0 = 0;
-    std::uint32_t face1 = 0;
-    std::uint32_t edge = 0;  ///< into Topology::edges
-};
-
 /// A welded scene cut into smooth patches, and each patch's corners into fans.
 ///
-/// A patch is what faces of one object reach over edges of two that bend by less than a crease. A
-/// fan is what corners at one vertex reach over such edges: the faces of a patch that touch there.
+/// A patch is what faces of one object reach over edges that bend by less than a crease: edges of
+/// two faces; edges of more, where two go on over it with each other alone; and boundaries that lie
+/// on each other. A fan is what corners at one vertex reach over edges that they share: the faces
+/// of a patch that touch there.
 struct SmoothMesh {
     static constexpr std::uint32_t kNone = 0xffffffffU;
 
@@ -33,6 +29,8 @@ struct SmoothMesh {
         across;  ///< per corner i: the face smoothly beyond edges[i], or kNone
     /// Pairs of faces that a line parts: at creases, seams, and edges of more than two faces.
     std::vector<FacePair> borders;
+    /// Pairs of faces of a patch that touch along an edge which they do not share (T-junctions).
+    std::vector<FacePair> touching;
 
     [[nodiscard]] std::size_t face_count() const { return patch_of.size(); }
     /// Which corner of a face lies at one of its vertices.
@@ -46,7 +44,7 @@ struct SmoothMesh {
 [[nodiscard]] SmoothMesh make_smooth_mesh(const scene::Scene& scene, const PatchOptions& options);
 
 /// Per triangle of the scene the face that it is, or that it repeats, or that lies beside it where
-/// welding left no area of it; kNone where nothing does.
+/// welding left no area of it, or of all round it; kNone where nothing does.
 [[nodiscard]] std::vector<std::uint32_t> faces_of_triangles(const scene::Scene& scene,
                                                             const scene::Topology& topology);
 

@@ -12,6 +12,13 @@
 #include "scene/sharing/shared_work.h"
 
 namespace ink::buffers {
+namespace {
+
+/// How much longer the steps of a second code are: where both can find a line, the first has, and
+/// what the second adds should be certain. From 1, 2, 3 and 4 on the training scenes.
+constexpr float kSecondLength = 2;
+
+}  // namespace
 
 void SurfaceCodes::prepare(const scene::Scene& scene) {
     if (scene.animation) {
@@ -52,9 +59,21 @@ std::vector<std::uint32_t> SurfaceCodes::codes(std::span<const float> length_wor
         for (std::size_t f = 0; f < mesh_.face_count(); ++f)
             costs.length_world[f] = length_world[mesh_.topology.faces[f].triangle];
     }
-    const SurfaceGraph graph(mesh_, costs);
-    add(surface_distance(mesh_, graph, End::first, options_.rounds, &slits_), false);
-    if (options_.bytes == 2) add(surface_distance(mesh_, graph, End::side, options_.rounds), true);
+    for (int byte = 0; byte < options_.bytes; ++byte) {
+        const bool is_second = byte == 1;
+        if (is_second) {
+            for (float& length : costs.length_world)
+                length *= kSecondLength;
+        }
+        SurfaceGraph graph(mesh_, costs);
+        if (options_.rounds > 0) steepen_short_slits(mesh_, graph);
+        add(surface_distance(mesh_,
+                             graph,
+                             is_second ? End::side : End::first,
+                             options_.rounds,
+                             is_second ? nullptr : &slits_),
+            is_second);
+    }
     return codes;
 }
 

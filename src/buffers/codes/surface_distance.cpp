@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "core/disjoint_sets.h"
 
@@ -32,11 +33,16 @@ std::vector<std::uint32_t> farthest_faces(const SmoothMesh& mesh,
     return farthest;
 }
 
+/// Times that one side of a crease is lifted at most. Where creases stand so close that they can
+/// not all be parted, lifting one undoes another for ever.
+constexpr int kMostLifts = 3;
+
 /// A crease inside a patch, as its two sides.
 struct Slit {
-    std::uint32_t low = 0;  ///< the face whose chain has the lower number
-    std::uint32_t high = 0;
+    std::uint32_t down = 0;    ///< of the chain of the lower number, until sides are chosen
+    std::uint32_t up = 0;      ///< this side is lifted
     std::uint64_t chains = 0;  ///< those two numbers
+    int lifts = 0;             ///< so far
 };
 
 /// Whether there is a way between two faces that costs less than some steps: then no distance parts
@@ -75,14 +81,20 @@ class NearTest {
     std::vector<std::pair<std::int32_t, std::uint32_t>> due_;
 };
 
-/// The creases inside patches that can be parted, those with the same chains of faces beside them
-/// together. A chain is what is joined along creases over fans, so that a long crease is lifted on
-/// one side alone.
-std::vector<Slit> find_slits(const SmoothMesh& mesh, const SurfaceGraph& graph) {
+/// The creases inside patches.
+std::vector<FacePair> inner_creases(const SmoothMesh& mesh) {
     std::vector<FacePair> inner;
     for (const FacePair& pair : mesh.borders) {
         if (mesh.patch_of[pair.face0] == mesh.patch_of[pair.face1]) inner.push_back(pair);
     }
+    return inner;
+}
+
+/// Those of them that can be parted, those with the same chains of faces beside them together. A
+/// chain is what is joined along creases over fans, so that a long crease is lifted on one side
+/// alone.
+std::vector<Slit> find_slits(const SmoothMesh& mesh, const SurfaceGraph& graph) {
+    const std::vector<FacePair> inner = inner_creases(mesh);
     if (inner.empty()) return {};
     core::DisjointSets chains(graph.node_count());
     for (const FacePair& pair : inner) {
@@ -110,35 +122,48 @@ std::vector<Slit> find_slits(const SmoothMesh& mesh, const SurfaceGraph& graph) 
 }
 
 bool is_parted(const Slit& slit, const std::vector<std::int32_t>& distances) {
-    const std::int32_t low = distances[slit.low] / kStep, high = distances[slit.high] / kStep;
-    return low - high >= 2 || high - low >= 2;
+    const std::int32_t down = distances[slit.down] / kStep, up = distances[slit.up] / kStep;
+    return down - up >= 2 || up - down >= 2;
 }
 
-/// Lifts one side of what is not parted yet. `keys` are distances below 0: lifting lowers them.
-/// Returns whether there was anything to do.
+std::ptrdiff_t count_parted(const std::vector<Slit>& slits,
+                            const std::vector<std::int32_t>& distances) {
+    return std::count_if(
+        slits.begin(), slits.end(), [&](const Slit& s) { return is_parted(s, distances); });
+}
+
+/// Which side of each slit is to be lifted: that whose chain leads over the other, all along; where
+/// both sides are one chain, the higher.
+void choose_sides(std::vector<Slit>& slits, const std::vector<std::int32_t>& distances) {
+    const auto lead = [&](const Slit& slit) {
+        return std::int64_t{distances[slit.up]} - distances[slit.down];
+    };
+    for (auto run = slits.begin(); run != slits.end();) {
+        const auto end =
+            std::find_if(run, slits.end(), [&](const Slit& s) { return s.chains != run->chains; });
+        std::int64_t whole_lead = 0;
+        for (auto slit = run; slit != end; ++slit)
+            whole_lead += lead(*slit);
+        const bool is_own_chain = run->chains >> 32 == (run->chains & 0xffffffffU);
+        for (; run != end; ++run)
+            if ((is_own_chain ? lead(*run) : whole_lead) < 0) std::swap(run->up, run->down);
+    }
+}
+
+/// Lifts what is not parted yet. `keys` are distances below 0: lifting lowers them. Returns whether
+/// there was anything to do.
 bool lift(const SurfaceGraph& graph,
-          const std::vector<Slit>& slits,
+          std::vector<Slit>& slits,
           std::vector<std::int32_t>& distances) {
     std::vector<std::uint32_t> lifted;
     std::vector<std::int32_t> keys(distances.size());
     std::transform(
         distances.begin(), distances.end(), keys.begin(), [](std::int32_t d) { return -d; });
-    for (auto run = slits.begin(); run != slits.end();) {
-        const auto end =
-            std::find_if(run, slits.end(), [&](const Slit& s) { return s.chains != run->chains; });
-        std::int64_t lead = 0;  // of the high chain over the low one, all along
-        for (auto slit = run; slit != end; ++slit)
-            lead += distances[slit->high] - distances[slit->low];
-        const bool is_own_chain = run->chains >> 32 == (run->chains & 0xffffffffU);
-        for (; run != end; ++run) {
-            if (is_parted(*run, distances)) continue;
-            const bool lifts_high =
-                is_own_chain ? distances[run->high] >= distances[run->low] : lead >= 0;
-            const std::uint32_t up = lifts_high ? run->high : run->low;
-            const std::uint32_t down = lifts_high ? run->low : run->high;
-            lifted.push_back(up);
-            keys[up] = std::min(keys[up], -(distances[down] + 2 * kStep));
-        }
+    for (Slit& slit : slits) {
+        if (is_parted(slit, distances) || slit.lifts == kMostLifts) continue;
+        ++slit.lifts;
+        lifted.push_back(slit.up);
+        keys[slit.up] = std::min(keys[slit.up], -(distances[slit.down] + 2 * kStep));
     }
     if (lifted.empty()) return false;
     std::sort(lifted.begin(), lifted.end());
@@ -149,7 +174,38 @@ bool lift(const SurfaceGraph& graph,
     return true;
 }
 
+/// Lifts in rounds, and keeps what parts most.
+void part_slits(const SurfaceGraph& graph,
+                int rounds,
+                std::vector<Slit>& slits,
+                std::vector<std::int32_t>& distances) {
+    choose_sides(slits, distances);
+    std::vector<std::int32_t> best = distances;
+    std::ptrdiff_t most = count_parted(slits, distances);
+    for (int round = 0; round < rounds && lift(graph, slits, distances); ++round) {
+        const std::ptrdiff_t parted = count_parted(slits, distances);
+        if (parted <= most) continue;
+        most = parted;
+        best = distances;
+    }
+    distances = std::move(best);
+}
+
 }  // namespace
+
+void steepen_short_slits(const SmoothMesh& mesh, SurfaceGraph& graph) {
+    std::vector<std::uint32_t> ends;
+    NearTest is_near(graph);
+    for (const FacePair& pair : inner_creases(mesh)) {
+        if (!is_near(pair.face0, pair.face1, 2 * kStep)) continue;
+        const scene::Edge& edge = mesh.topology.edges[pair.edge];
+        for (const std::uint32_t vertex : {edge.a, edge.b}) {
+            const std::uint32_t fan = mesh.fan_of[mesh.corner_at(pair.face0, vertex)];
+            if (graph.is_slit_end(fan)) ends.push_back(fan);
+        }
+    }
+    graph.steepen(ends);
+}
 
 std::vector<std::int32_t> surface_distance(
     const SmoothMesh& mesh, const SurfaceGraph& graph, End end, int rounds, SlitCount* slits) {
@@ -164,13 +220,11 @@ std::vector<std::int32_t> surface_distance(
             distances[i] = std::min(distances[i], opposite[i]);
         distances = distances_from(graph, farthest_faces(mesh, distances));
     }
-    const std::vector<Slit> inner = find_slits(mesh, graph);
-    for (int round = 0; round < rounds && lift(graph, inner, distances); ++round) {
-    }
+    std::vector<Slit> inner = find_slits(mesh, graph);
+    part_slits(graph, rounds, inner, distances);
     if (slits) {
         slits->edges = inner.size();
-        slits->parted = static_cast<std::size_t>(std::count_if(
-            inner.begin(), inner.end(), [&](const Slit& s) { return is_parted(s, distances); }));
+        slits->parted = static_cast<std::size_t>(count_parted(inner, distances));
     }
     distances.resize(mesh.face_count());
     return distances;

@@ -19,13 +19,17 @@ enum class End {
     side,   ///< what lies farthest from the first end and from what is farthest from that
 };
 
+/// Makes ways steep round the ends of creases that are too short to be parted: there, and two faces
+/// round, every way costs a whole step.
+void steepen_short_slits(const SmoothMesh& mesh, SurfaceGraph& graph);
+
 /// Per face how far it lies from an end of its patch, in units of kStep.
 ///
 /// Across a crease inside a patch, where
 /// the distance may be the same on both sides, one side is lifted: by as little as parts them by
 /// two steps, and all round it by as much as its ways allow. In rounds, since what is lifted may
-/// come level with something else; `rounds` 0 lifts nothing. Between the ends of a way distances
-/// never differ by more than its cost.
+/// come level with something else; the round that parts most counts, and `rounds` 0 lifts nothing.
+/// Between the ends of a way distances never differ by more than its cost.
 [[nodiscard]] std::vector<std::int32_t> surface_distance(const SmoothMesh& mesh,
                                                          const SurfaceGraph& graph,
                                                          End end,

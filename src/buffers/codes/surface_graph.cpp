@@ -61,10 +61,29 @@ void SurfaceGraph::list_corners() {
         fan_corners_[next[mesh_.fan_of[corner]]++] = corner;
 }
 
+void SurfaceGraph::steepen(const std::vector<std::uint32_t>& fans) {
+    std::vector<std::uint8_t> is_met(mesh_.fan_count, 0), is_steep(face_count(), 0);
+    for (const std::uint32_t fan : fans)
+        is_met[fan] = 1;
+    for (int ring = 0; ring < 2; ++ring) {
+        for (std::uint32_t corner = 0; corner < mesh_.fan_of.size(); ++corner)
+            if (is_met[mesh_.fan_of[corner]] != 0) is_steep[corner / 3] = 1;
+        for (std::uint32_t corner = 0; corner < mesh_.fan_of.size(); ++corner)
+            if (is_steep[corner / 3] != 0) is_met[mesh_.fan_of[corner]] = 1;
+    }
+    for (std::uint32_t corner = 0; corner < mesh_.fan_of.size(); ++corner) {
+        if (is_steep[corner / 3] == 0) continue;
+        half_costs_[corner] = kStep / 2;
+        const std::uint32_t g = mesh_.across[corner];
+        if (g != SmoothMesh::kNone && is_steep[g] != 0) edge_costs_[corner] = kStep;
+    }
+}
+
 void SurfaceGraph::set_costs(const StepCosts& costs) {
     const scene::Topology& topology = mesh_.topology;
     const std::vector<glm::dvec3> normals = patch_normals(mesh_);
     const std::vector<double> spreads = fan_spreads(mesh_, normals);
+    list_touching(costs, normals);
     // Angles as distances between unit vectors, which every machine computes alike.
     const double turn = 2 * std::sin(costs.turn_rad / 2);
     const double half_turn = 2 * std::sin(costs.turn_rad / 4);  // from the mean of a fan
@@ -97,6 +116,28 @@ void SurfaceGraph::set_costs(const StepCosts& costs) {
                     edge_costs_[3 * g + k] = edge_costs_[corner];
             }
         }
+    }
+}
+
+void SurfaceGraph::list_touching(const StepCosts& costs, const std::vector<glm::dvec3>& normals) {
+    if (mesh_.touching.empty()) return;
+    const double turn = 2 * std::sin(costs.turn_rad / 2);
+    touching_first_.assign(face_count() + 1, 0);
+    for (const FacePair& pair : mesh_.touching) {
+        ++touching_first_[pair.face0 + 1];
+        ++touching_first_[pair.face1 + 1];
+    }
+    for (std::size_t f = 0; f < face_count(); ++f)
+        touching_first_[f + 1] += touching_first_[f];
+    touching_.resize(touching_first_.back());
+    std::vector<std::uint32_t> next(touching_first_.begin(), touching_first_.end() - 1);
+    for (const auto& [f, g, edge] : mesh_.touching) {
+        // Normals know of no such edges: either side may be the front.
+        const double bend =
+            std::min(glm::length(normals[f] - normals[g]), glm::length(normals[f] + normals[g]));
+        const std::int32_t cost = whole_cost(bend / turn);
+        touching_[next[f]++] = {g, cost};
+        touching_[next[g]++] = {f, cost};
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,10 @@ class SurfaceGraph {
     [[nodiscard]] std::size_t node_count() const { return face_count() + mesh_.fan_count; }
     [[nodiscard]] bool is_slit_end(std::uint32_t fan) const { return is_slit_end_[fan] != 0; }
 
+    /// Makes every way cost a whole step round these fans: in the faces that touch there, and in
+    /// those that touch these.
+    void steepen(const std::vector<std::uint32_t>& fans);
+
     /// Calls visit(node, cost) for every way from a node, cost 0..kStep.
     template <class Visit>
     void for_each_way(std::uint32_t node, Visit visit) const {
@@ -47,12 +52,22 @@ class SurfaceGraph {
             if (mesh_.across[corner] != SmoothMesh::kNone)
                 visit(mesh_.across[corner], edge_costs_[corner]);
         }
+        if (touching_first_.empty()) return;
+        for (std::uint32_t i = touching_first_[node]; i < touching_first_[node + 1]; ++i)
+            visit(touching_[i].face, touching_[i].cost);
     }
 
   private:
+    /// A way over an edge that two faces do not share.
+    struct Touching {
+        std::uint32_t face = 0;
+        std::int32_t cost = 0;
+    };
+
     void find_slit_ends();
     void list_corners();
     void set_costs(const StepCosts& costs);
+    void list_touching(const StepCosts& costs, const std::vector<glm::dvec3>& normals);
 
     const SmoothMesh& mesh_;
     std::vector<std::uint8_t> is_slit_end_;   ///< per fan
@@ -60,6 +75,9 @@ class SurfaceGraph {
     std::vector<std::uint32_t> fan_corners_;  ///< ascending in each fan
     std::vector<std::int32_t> half_costs_;  ///< per corner: face to fan or back, kStep / 2 at most
     std::vector<std::int32_t> edge_costs_;  ///< per corner: over the edge that begins there
+    std::vector<std::uint32_t>
+        touching_first_;  ///< per face, into touching_, and the end; or empty
+    std::vector<Touching> touching_;
 };
 
 /// Lowers `keys`, one per node, to what can be reached: key of another node plus the cost of the
