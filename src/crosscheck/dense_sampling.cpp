@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "crosscheck/edge_probes.h"
+#include "crosscheck/explanation.h"
 #include "crosscheck/fine_grid.h"
 #include "crosscheck/known_lines.h"
 #include "crosscheck/sample_cells.h"
@@ -58,7 +59,7 @@ class Looking {
         EdgeProbes probes = probe_edges(cells_, rays_, options_.threads);
         counts_ += probes.counts;
         points_ = std::move(probes.points);
-        const KnownLines edges(cells_, rays_, points_);
+        const KnownLines edges(cells_, mesh_, points_);
         judge_ways(edges, probes.ways);
         judge_lattice(edges);
         refine(&edges);
@@ -66,43 +67,67 @@ class Looking {
 
     /// Marks the cells of ways that begin beside an edge and first cross something unknown, and
     /// adds what it is. What comes after a known line is seen from there.
-    void judge_ways(const KnownLines& edges, const std::vector<Way>& ways) {
-        take(in_chunks(ways.size(), [&](std::size_t i, Part& part) {
-            const Way& way = ways[i];
-            if (edges.explain_first(way.from, way.to, part.counts.rays) ||
-                edges.explain(way.from, way.to, part.counts.rays))
-                return;
-            const glm::dvec2 middle = 0.5 * (way.from.p_px + way.to.p_px);
-            for (const glm::dvec2& p : {way.from.p_px, middle, way.to.p_px})
-                part.cells.push_back(cells_.cell_of(p));
-            Crossings found{part.points, part.counts};
-            add_crossings(rays_, way.from, way.to, cells_.cell_of(middle), kWay_px, found);
+    void judge_ways(const KnownLines& edges, const std::vector<Way>& all) {
+        take(in_chunks(all.size(), [&](std::size_t begin, std::size_t end, Part& part) {
+            using enum Explanation::Reach;
+            std::vector<Way> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  all.begin() + static_cast<std::ptrdiff_t>(end));
+            for (const auto reach : {first_line, whole})
+                keep_unexplained(edges, reach, ways, part);
+            for (const Way& way : ways) {
+                const glm::dvec2 middle = 0.5 * (way.from.p_px + way.to.p_px);
+                for (const glm::dvec2& p : {way.from.p_px, middle, way.to.p_px})
+                    part.cells.push_back(cells_.cell_of(p));
+                Crossings found{part.points, part.counts};
+                add_crossings(rays_, way.from, way.to, cells_.cell_of(middle), kWay_px, found);
+            }
         }));
     }
 
     /// Marks the cells beside neighbouring corners that the edges do not explain, even once these
     /// have been looked at exactly.
     void judge_lattice(const KnownLines& edges) {
-        const std::vector<LatticeWay>& ways = cells_.open_ways();
-        take(in_chunks(ways.size(), [&](std::size_t i, Part& part) {
-            const LatticeWay& way = ways[i];
-            if (edges.explain(way.a, way.b, part.counts.rays)) return;
-            const Sample a{way.a.p_px, rays_.look(way.a.p_px)};
-            const Sample b{way.b.p_px, rays_.look(way.b.p_px)};
-            part.counts.rays += 2;
-            if (edges.explain(a, b, part.counts.rays)) return;
-            part.cells.insert(part.cells.end(), way.cells.begin(), way.cells.end());
+        const std::vector<LatticeWay>& all = cells_.open_ways();
+        take(in_chunks(all.size(), [&](std::size_t begin, std::size_t end, Part& part) {
+            std::vector<LatticeWay> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                         all.begin() + static_cast<std::ptrdiff_t>(end));
+            keep_unexplained(edges, Explanation::Reach::whole, ways, part);
+            std::vector<Sample> ends;
+            for (const LatticeWay& way : ways)
+                ends.insert(ends.end(), {way.from, way.to});
+            look_at_all(rays_, ends);
+            part.counts.rays += ends.size();
+            for (std::size_t i = 0; i < ways.size(); ++i) {
+                ways[i].from = ends[2 * i];
+                ways[i].to = ends[2 * i + 1];
+            }
+            keep_unexplained(edges, Explanation::Reach::whole, ways, part);
+            for (const LatticeWay& way : ways)
+                part.cells.insert(part.cells.end(), way.cells.begin(), way.cells.end());
         }));
     }
 
-    /// Calls `body(i, part)` for each i, with a part for each chunk.
+    /// Takes away the ways that the edges explain.
+    template <class W>
+    void keep_unexplained(const KnownLines& edges,
+                          Explanation::Reach reach,
+                          std::vector<W>& ways,
+                          Part& part) const {
+        const std::vector<Way> plain(ways.begin(), ways.end());
+        const auto is_explained = explain_all(edges, rays_, plain, reach, part.counts.rays);
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            if (is_explained[i] == 0) ways[kept++] = ways[i];
+        }
+        ways.resize(kept);
+    }
+
+    /// Calls `body(begin, end, part)` for each chunk, with a part of its own.
     template <class Body>
     std::vector<Part> in_chunks(std::size_t count, const Body& body) const {
         std::vector<Part> parts((count + kChunk - 1) / kChunk);
         core::parallel_for(parts.size(), options_.threads, [&](std::size_t chunk) {
-            const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-            for (std::size_t i = chunk * kChunk; i < end; ++i)
-                body(i, parts[chunk]);
+            body(chunk * kChunk, std::min(count, (chunk + 1) * kChunk), parts[chunk]);
         });
         return parts;
     }

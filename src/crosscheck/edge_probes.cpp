@@ -18,33 +18,65 @@ constexpr double kBeside_px = 0.5;     ///< how far to either side of a visible 
 constexpr double kShortest_px = 1e-6;  ///< an edge that points at the eye has no sides
 constexpr std::size_t kChunk = 256;
 
-/// The two samples at one place of an edge.
+/// One place of an edge: the samples at both sides of it, and those farther off where it shows a
+/// line and is one of every other.
 struct Probe {
     glm::dvec2 p_px{0};
     Sample left, right;
     bool is_line = false;
+    Sample far_left, far_right;
 };
 
-/// Looks along one edge after another.
+/// An edge on the image and which of its places are not hidden.
+struct ProbedEdge {
+    std::uint32_t edge = kNothing;
+    ScreenSegment line;
+    glm::dvec2 aside{0};  ///< unit
+    int count = 0;        ///< of places
+    double spacing_px = 0;
+    std::size_t first = 0;  ///< into the places that are not hidden
+
+    [[nodiscard]] double part(int i) const { return (i + 0.5) / count; }
+};
+
+/// Looks along one edge after another. First at all that is not hidden, many places together, as
+/// that is quicker; then it goes along.
 class Prober {
   public:
     Prober(const SampleCells& cells, const SightRays& rays, EdgeProbes& out)
         : cells_(cells), rays_(rays), mesh_(rays.mesh()), out_(out) {}
 
-    void follow(std::uint32_t edge) {
-        edge_ = edge;
-        if (!project_edge(mesh_, mesh_.topology().edges[edge], line_)) return;
-        const glm::dvec2 along = line_.b - line_.a;
+    void add(std::uint32_t edge) {
+        ProbedEdge probed;
+        probed.edge = edge;
+        if (!project_edge(mesh_, mesh_.topology().edges[edge], probed.line)) return;
+        const glm::dvec2 along = probed.line.b - probed.line.a;
         const double length = glm::length(along);
         if (!(length > kShortest_px)) return;
-        aside_ = glm::dvec2(-along.y, along.x) / length;
-        count_ = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
-        spacing_px_ = length / count_;
+        probed.aside = glm::dvec2(-along.y, along.x) / length;
+        probed.count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
+        probed.spacing_px = length / probed.count;
+        probed.first = is_hidden_.size();
+        edges_.push_back(probed);
+        for (int i = 0; i < probed.count; ++i) {
+            const double s = probed.part(i);
+            is_hidden_.push_back(cells_.is_hidden(probed.line.at(s), probed.line.q_at(s)));
+        }
+    }
+
+    void follow_all() {
+        look_ahead();
+        for (const ProbedEdge& edge : edges_)
+            follow(edge);
+    }
+
+  private:
+    void follow(const ProbedEdge& edge) {
+        edge_ = &edge;
         std::optional<Probe> last;
-        for (int i = 0; i < count_; ++i) {
-            const bool is_hidden = cells_.is_hidden(line_.at(part(i)), line_.q_at(part(i)));
+        for (int i = 0; i < edge.count; ++i) {
             // Where it comes out or goes under, the hidden place next to it is looked at too.
-            if (is_hidden && !(last && last->is_line)) {
+            if (is_hidden(edge, i) && !(last && last->is_line)) {
                 last.reset();
                 continue;
             }
@@ -55,26 +87,88 @@ class Prober {
         }
     }
 
-  private:
-    [[nodiscard]] double part(int i) const { return (i + 0.5) / count_; }
+    [[nodiscard]] bool is_hidden(const ProbedEdge& edge, int i) const {
+        return is_hidden_[edge.first + static_cast<std::size_t>(i)];
+    }
 
-    Sample look_at(const glm::dvec2& p_px) {
-        ++out_.counts.rays;
-        return {p_px, rays_.look(p_px)};
+    /// Takes the samples of all places that are not hidden.
+    void look_ahead() {
+        probe_of_.resize(is_hidden_.size());
+        std::vector<Sample> samples;
+        for (const ProbedEdge& edge : edges_) {
+            for (int i = 0; i < edge.count; ++i) {
+                if (is_hidden(edge, i)) continue;
+                probe_of_[edge.first + static_cast<std::size_t>(i)] = probes_.size();
+                probes_.push_back(aimed(edge, i));
+                samples.push_back(probes_.back().left);
+                samples.push_back(probes_.back().right);
+            }
+        }
+        look_at_all(rays_, samples);
+        for (std::size_t i = 0; i < probes_.size(); ++i) {
+            probes_[i].left = samples[2 * i];
+            probes_[i].right = samples[2 * i + 1];
+        }
+        look_aside();
+    }
+
+    /// Takes those farther off.
+    void look_aside() {
+        std::vector<Probe*> lines;
+        std::vector<Sample> samples;
+        for (const ProbedEdge& edge : edges_) {
+            for (int i = 0; i < edge.count; ++i) {
+                if (is_hidden(edge, i)) continue;
+                Probe& probe = probes_[probe_of_[edge.first + static_cast<std::size_t>(i)]];
+                probe.is_line = !is_joined(mesh_, probe.left, probe.right);
+                if (!probe.is_line || i % 2 != 0) continue;
+                lines.push_back(&probe);
+                samples.push_back(probe.far_left);
+                samples.push_back(probe.far_right);
+            }
+        }
+        look_at_all(rays_, samples);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            lines[i]->far_left = samples[2 * i];
+            lines[i]->far_right = samples[2 * i + 1];
+        }
+    }
+
+    /// A place that has not been looked at yet.
+    static Probe aimed(const ProbedEdge& edge, int i) {
+        Probe probe;
+        probe.p_px = edge.line.at(edge.part(i));
+        probe.left.p_px = probe.p_px - kAside_px * edge.aside;
+        probe.right.p_px = probe.p_px + kAside_px * edge.aside;
+        probe.far_left.p_px = probe.p_px - kBeside_px * edge.aside;
+        probe.far_right.p_px = probe.p_px + kBeside_px * edge.aside;
+        return probe;
+    }
+
+    /// The same of one place that is hidden.
+    [[nodiscard]] Probe look_at_hidden(int i) const {
+        Probe probe = aimed(*edge_, i);
+        probe.left.sight = rays_.look(probe.left.p_px);
+        probe.right.sight = rays_.look(probe.right.p_px);
+        probe.is_line = !is_joined(mesh_, probe.left, probe.right);
+        if (probe.is_line && i % 2 == 0) {
+            probe.far_left.sight = rays_.look(probe.far_left.p_px);
+            probe.far_right.sight = rays_.look(probe.far_right.p_px);
+        }
+        return probe;
     }
 
     Probe look(int i) {
-        Probe probe;
-        probe.p_px = line_.at(part(i));
-        probe.left = look_at(probe.p_px - kAside_px * aside_);
-        probe.right = look_at(probe.p_px + kAside_px * aside_);
+        const std::size_t place = edge_->first + static_cast<std::size_t>(i);
+        const Probe probe = is_hidden_[place] ? look_at_hidden(i) : probes_[probe_of_[place]];
+        out_.counts.rays += 2;
         ++out_.counts.probes;
-        if (is_joined(mesh_, probe.left, probe.right)) return probe;
-        probe.is_line = true;
+        if (!probe.is_line) return probe;
         add_points(probe);
         if (i % 2 == 0) {
-            add_way(probe.left, look_at(probe.p_px - kBeside_px * aside_));
-            add_way(probe.right, look_at(probe.p_px + kBeside_px * aside_));
+            out_.counts.rays += 2;
+            add_way(probe.left, probe.far_left);
+            add_way(probe.right, probe.far_right);
         }
         return probe;
     }
@@ -93,9 +187,10 @@ class Prober {
         const glm::ivec2 cell = cells_.cell_of(probe.p_px);
         for (int i = 0; i < between.count; ++i) {
             const NamedLine& line = between.lines[i];
-            const bool is_other = line.edge != edge_ && line.edge != kNothing;
+            const bool is_other = line.edge != edge_->edge && line.edge != kNothing;
             out_.points.push_back(
-                {cell, {probe.p_px.x, probe.p_px.y, line.line_class, is_other ? 0 : spacing_px_}});
+                {cell,
+                 {probe.p_px.x, probe.p_px.y, line.line_class, is_other ? 0 : edge_->spacing_px}});
         }
     }
 
@@ -107,11 +202,11 @@ class Prober {
     const SightRays& rays_;
     const ClipMesh& mesh_;
     EdgeProbes& out_;
-    std::uint32_t edge_ = kNothing;
-    ScreenSegment line_;
-    glm::dvec2 aside_{0};
-    int count_ = 0;
-    double spacing_px_ = 0;
+    std::vector<ProbedEdge> edges_;
+    std::vector<bool> is_hidden_;        ///< per place
+    std::vector<std::size_t> probe_of_;  ///< per place that is not hidden, into probes_
+    std::vector<Probe> probes_;
+    const ProbedEdge* edge_ = nullptr;
 };
 
 }  // namespace
@@ -125,8 +220,9 @@ EdgeProbes probe_edges(const SampleCells& cells, const SightRays& rays, int thre
         const std::size_t end = std::min(count, (chunk + 1) * kChunk);
         for (std::size_t e = chunk * kChunk; e < end; ++e) {
             const auto edge = static_cast<std::uint32_t>(e);
-            if (mesh.is_feature(edge)) prober.follow(edge);
+            if (mesh.is_feature(edge)) prober.add(edge);
         }
+        prober.follow_all();
     });
     EdgeProbes all;
     for (const EdgeProbes& part : parts) {

@@ -8,11 +8,6 @@
 
 namespace ink::crosscheck {
 
-/// A straight way across the image whose ends are not joined: something lies between.
-struct Way {
-    Sample from, to;
-};
-
 /// What looking across the feature edges found.
 struct EdgeProbes {
     std::vector<CellPoint> points;  ///< one for each line at each place that shows one

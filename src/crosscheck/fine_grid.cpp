@@ -1,5 +1,9 @@
 #include "crosscheck/fine_grid.h"
 
+#include <algorithm>
+
+#include "crosscheck/explanation.h"
+
 namespace ink::crosscheck {
 namespace {
 
@@ -24,32 +28,43 @@ void FineGrid::look(const glm::ivec2& cell, const glm::dvec2& corner_px) {
 }
 
 void FineGrid::add_points(std::vector<CellPoint>& points) {
+    std::vector<Way> ways;
     for (int y = 0; y < k_; ++y) {
         for (int x = 0; x < k_; ++x) {
-            add_between(at(x, y), at(x + 1, y), points);
-            add_between(at(x, y), at(x, y + 1), points);
+            ways.push_back({at(x, y), at(x + 1, y)});
+            ways.push_back({at(x, y), at(x, y + 1)});
         }
+    }
+    const std::vector<char> is_plain = judge(ways);
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (is_plain[i] == 0) add_between(ways[i], points);
     }
 }
 
 bool FineGrid::is_crossed(glm::ivec2 begin, glm::ivec2 step) {
+    std::vector<Way> ways;
     for (int i = 0; i < k_; ++i) {
         const glm::ivec2 a = begin + step * i, b = a + step;
-        if (!is_plain(at(a.x, a.y), at(b.x, b.y))) return true;
+        ways.push_back({at(a.x, a.y), at(b.x, b.y)});
     }
-    return false;
+    const std::vector<char> is_plain = judge(ways);
+    return std::find(is_plain.begin(), is_plain.end(), 0) != is_plain.end();
 }
 
-bool FineGrid::is_plain(const Sample& a, const Sample& b) {
-    if (known_ != nullptr) return known_->explain(a, b, counts.rays);
-    return is_joined(rays_.mesh(), a, b);
+std::vector<char> FineGrid::judge(std::span<const Way> ways) {
+    if (known_ != nullptr)
+        return explain_all(*known_, rays_, ways, Explanation::Reach::whole, counts.rays);
+    std::vector<char> is_plain(ways.size());
+    std::transform(ways.begin(), ways.end(), is_plain.begin(), [&](const Way& way) {
+        return is_joined(rays_.mesh(), way.from, way.to);
+    });
+    return is_plain;
 }
 
-void FineGrid::add_between(const Sample& a, const Sample& b, std::vector<CellPoint>& points) {
-    if (is_plain(a, b)) return;
+void FineGrid::add_between(const Way& way, std::vector<CellPoint>& points) {
     found_.clear();
     Crossings found{found_, counts};
-    add_crossings(rays_, a, b, cell_, 1.0 / k_, found);
+    add_crossings(rays_, way.from, way.to, cell_, 1.0 / k_, found);
     for (const CellPoint& p : found_) {
         const bool is_known =
             known_ != nullptr &&

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "crosscheck/crossings_between.h"
@@ -31,8 +32,9 @@ class FineGrid {
 
   private:
     [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (k_ + 1) + x]; }
-    [[nodiscard]] bool is_plain(const Sample& a, const Sample& b);
-    void add_between(const Sample& a, const Sample& b, std::vector<CellPoint>& points);
+    /// For each way 1 if nothing but known lines lies between its ends.
+    [[nodiscard]] std::vector<char> judge(std::span<const Way> ways);
+    void add_between(const Way& way, std::vector<CellPoint>& points);
 
     const SightRays& rays_;
     const KnownLines* known_;

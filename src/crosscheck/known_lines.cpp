@@ -8,15 +8,14 @@ namespace {
 
 constexpr double kFound_px = 0.2;         ///< points along an edge lie at most 3/8 px apart
 constexpr double kBeside_px = 1.0 / 512;  ///< before and behind a line
-constexpr int kMostLines = 8;             ///< that one way may cross and be explained
 
 }  // namespace
 
 KnownLines::KnownLines(const SampleCells& cells,
-                       const SightRays& rays,
+                       const ClipMesh& mesh,
                        std::span<const CellPoint> points)
     : cells_(cells),
-      rays_(rays),
+      mesh_(mesh),
       first_(static_cast<std::size_t>(cells.columns()) * cells.rows() + 1, 0),
       points_(points.size()) {
     for (const CellPoint& p : points)
@@ -46,54 +45,25 @@ bool KnownLines::has_near(const glm::dvec2& p_px,
     return false;
 }
 
-bool KnownLines::explain(const Sample& from, const Sample& to, std::size_t& rays) const {
-    return explain(from, to, kMostLines, rays);
+bool KnownLines::Meeting::is_stuck() const {
+    return !is_last() && before + 2 * kBeside_px <= 0;
 }
 
-bool KnownLines::explain(const Sample& from,
-                         const Sample& to,
-                         int most_lines,
-                         std::size_t& rays) const {
-    if (is_joined(rays_.mesh(), from, to)) return true;
-    if (most_lines == 0) return false;
-    for (const auto& [begin, end] : {std::pair(from, to), std::pair(to, from)}) {
-        const Passage line = pass(begin, end, rays);
-        if (!line.is_known) continue;
-        if (line.is_last) return true;
-        ++rays;
-        const Sample next{line.next_px, rays_.look(line.next_px)};
-        if (explain(next, end, most_lines - 1, rays)) return true;
-    }
-    return false;
-}
-
-bool KnownLines::explain_first(const Sample& from, const Sample& to, std::size_t& rays) const {
-    return pass(from, to, rays).is_known;
-}
-
-KnownLines::Passage KnownLines::pass(const Sample& from,
-                                     const Sample& to,
-                                     std::size_t& rays) const {
+KnownLines::Meeting KnownLines::first_known(const Sample& from, const Sample& to) const {
     if (from.sight.face == kNothing) return {};
-    const ClipMesh& mesh = rays_.mesh();
-    const auto way = walking::walk(mesh, from, to.p_px, walking::Stop::at_feature);
+    const auto way = walking::walk(mesh_, from, to.p_px, walking::Stop::at_feature);
     if (way.met.line_class == truth::LineClass::none) return {};
-    if (way.met.w < mesh.view().camera.near) return {};
-    const glm::dvec2 end_px = mesh.px(way.met.p_world);
+    if (way.met.w < mesh_.view().camera.near) return {};
+    const glm::dvec2 end_px = mesh_.px(way.met.p_world);
     if (!has_near(end_px, way.met.line_class, kFound_px)) return {};
     const glm::dvec2 d = glm::normalize(to.p_px - from.p_px);
-    const double before = glm::dot(end_px - from.p_px, d) - kBeside_px;
-    const double behind = glm::dot(to.p_px - end_px, d) - kBeside_px;
-    // The edge is what ends the surface only if the surface is seen up to it.
-    if (before > 0) {
-        const glm::dvec2 before_px = end_px - kBeside_px * d;
-        ++rays;
-        if (!is_joined(mesh, from, {before_px, rays_.look(before_px)})) return {};
-    }
-    // From behind an edge the same must not be met again and again.
-    const bool is_last = behind <= 0;
-    if (!is_last && before + 2 * kBeside_px <= 0) return {};
-    return {true, is_last, end_px + kBeside_px * d};
+    Meeting line;
+    line.is_known = true;
+    line.before = glm::dot(end_px - from.p_px, d) - kBeside_px;
+    line.behind = glm::dot(to.p_px - end_px, d) - kBeside_px;
+    line.before_px = end_px - kBeside_px * d;
+    line.next_px = end_px + kBeside_px * d;
+    return line;
 }
 
 }  // namespace ink::crosscheck

@@ -16,40 +16,36 @@ struct CellPoint {
     SampledPoint point;
 };
 
-/// Lines found so far, and whether they say why two samples differ. Read by many threads.
+/// Lines found so far. Read by many threads.
 class KnownLines {
   public:
-    /// Sorts the points into cells. Borrows cells and rays.
-    KnownLines(const SampleCells& cells, const SightRays& rays, std::span<const CellPoint> points);
+    /// Sorts the points into cells. Borrows cells and mesh.
+    KnownLines(const SampleCells& cells, const ClipMesh& mesh, std::span<const CellPoint> points);
 
     /// Whether there is a point of the class within `reach_px` (at most 1) of `p_px`.
     [[nodiscard]] bool has_near(const glm::dvec2& p_px,
                                 truth::LineClass line_class,
                                 double reach_px) const;
 
-    /// Whether the way from one sample to another crosses known lines alone: it is followed over
-    /// the surface to the first feature edge, which must be a known line, and from what is seen
-    /// just beyond that on to the next; from the other end where that fails. Adds to `rays` what it
-    /// looked at.
-    [[nodiscard]] bool explain(const Sample& from, const Sample& to, std::size_t& rays) const;
-    /// Whether the first line that the way crosses is known, whatever comes after it.
-    [[nodiscard]] bool explain_first(const Sample& from, const Sample& to, std::size_t& rays) const;
+    /// Where a way first meets a known line.
+    struct Meeting {
+        bool is_known = false;
+        double before = 0;  ///< px of the way that lie well before the line
+        double behind = 0;  ///< and well behind it
+        glm::dvec2 before_px{0}, next_px{0};
+
+        [[nodiscard]] bool is_last() const { return behind <= 0; }
+        /// From behind an edge the same must not be met again and again.
+        [[nodiscard]] bool is_stuck() const;
+    };
+    /// Follows the surface from the one sample towards the other, to the first feature edge.
+    [[nodiscard]] Meeting first_known(const Sample& from, const Sample& to) const;
+
+    [[nodiscard]] const ClipMesh& mesh() const { return mesh_; }
 
   private:
-    /// Two points of a way, close before and behind a known line.
-    struct Passage {
-        bool is_known = false;
-        bool is_last = false;  ///< the way ends there
-        glm::dvec2 next_px{0};
-    };
-    [[nodiscard]] Passage pass(const Sample& from, const Sample& to, std::size_t& rays) const;
-    [[nodiscard]] bool explain(const Sample& from,
-                               const Sample& to,
-                               int most_lines,
-                               std::size_t& rays) const;
-
     const SampleCells& cells_;
-    const SightRays& rays_;
+    const ClipMesh& mesh_;
     std::vector<std::size_t> first_;
     std::vector<SampledPoint> points_;
 };

@@ -1,6 +1,7 @@
 #include "crosscheck/mesh_walk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -121,6 +122,20 @@ bool is_defect(const ClipMesh& mesh, const Walk& there, const Walk& back) {
 }
 
 }  // namespace
+
+void look_at_all(const SightRays& rays, std::span<Sample> samples) {
+    constexpr std::size_t kBatch = 64;
+    std::array<glm::dvec2, kBatch> points_px;
+    std::array<Sight, kBatch> sights;
+    for (std::size_t begin = 0; begin < samples.size(); begin += kBatch) {
+        const std::size_t count = std::min(kBatch, samples.size() - begin);
+        for (std::size_t i = 0; i < count; ++i)
+            points_px[i] = samples[begin + i].p_px;
+        rays.look_at({points_px.data(), count}, {sights.data(), count});
+        for (std::size_t i = 0; i < count; ++i)
+            samples[begin + i].sight = sights[i];
+    }
+}
 
 double walking::slant_of(const glm::dvec2& normal) {
     const double length = std::abs(normal.x) + std::abs(normal.y);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <span>
 
 #include "crosscheck/clip_mesh.h"
 #include "crosscheck/sight_rays.h"
@@ -13,6 +14,14 @@ struct Sample {
     glm::dvec2 p_px{0};
     Sight sight;
 };
+
+/// A straight way across the image.
+struct Way {
+    Sample from, to;
+};
+
+/// Looks at the places of all samples and sets what is seen there.
+void look_at_all(const SightRays& rays, std::span<Sample> samples);
 
 /// Ways over the mesh, as the cross-check goes them.
 namespace walking {

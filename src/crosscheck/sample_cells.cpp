@@ -80,7 +80,7 @@ void SampleCells::compare_row(int y,
         const Sample a = corner(x, y), b = corner(to_x, to_y);
         if (is_joined(mesh_, a, b)) return;
         is_open[static_cast<std::size_t>(y) * (columns_ + 1) + x] |= bit;
-        open.push_back({a, b, {glm::ivec2(x, y), other}});
+        open.push_back({{a, b}, {glm::ivec2(x, y), other}});
     };
     for (int x = 0; x <= columns_; ++x) {
         if (x < columns_) test(x, x + 1, y, 1, {x, y - 1});

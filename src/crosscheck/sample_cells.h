@@ -17,8 +17,7 @@ enum class CellState : std::uint8_t {
 };
 
 /// A way between two corners of the lattice that are not joined, and the cells on both sides of it.
-struct LatticeWay {
-    Sample a, b;
+struct LatticeWay : Way {
     std::array<glm::ivec2, 2> cells;
 };
 

@@ -21,11 +21,62 @@ constexpr float kSlack = 1 + 1e-4F;
 /// One look on its way through the tree.
 struct Look {
     truth::embree::Context context;  // first: the filter casts its address back
-    const ClipMesh* mesh;
-    glm::dvec2 p_px;
-    double near;
+    const ClipMesh* mesh = nullptr;
+    glm::dvec2 p_px{0};
+    double near = 0;
     Foremost foremost;
 };
+
+/// What Embree offers to one ray of a packet: the faces near the front, in its order.
+struct Offers {
+    static constexpr std::size_t kMost = 6;
+    std::array<std::uint32_t, kMost> faces{};
+    std::array<float, kMost> distances{};
+    std::size_t count = 0;
+    bool is_full = false;  ///< some have found no place
+
+    void add(std::uint32_t face, float distance) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (distances[i] > distance * kSlack) continue;
+            faces[kept] = faces[i];
+            distances[kept++] = distances[i];
+        }
+        is_full = is_full || kept == kMost;
+        if (kept == kMost) return;
+        faces[kept] = face;
+        distances[kept] = distance;
+        count = kept + 1;
+    }
+};
+
+/// The same for rays that go together; a ray's id says which is its.
+struct Packet {
+    truth::embree::Context context;  // first, as above
+    std::array<Offers, EmbreeRays::kPacket> offers;
+};
+
+using Valid = std::array<int, EmbreeRays::kPacket>;
+
+/// The direction of unit depth along the view direction, so that distances along a ray are w.
+glm::dvec2 direction_to(const ClipMesh& mesh, const glm::dvec2& p_px) {
+    const double focal_px = mesh.projection().focal_px();
+    return {(p_px.x - mesh.view().width_px / 2.0) / focal_px,
+            (mesh.view().height_px / 2.0 - p_px.y) / focal_px};
+}
+
+/// One ray of a packet, from near to infinity.
+void aim(RTCRayHit16& query, Valid& valid, std::size_t i, const glm::dvec2& direction, float near) {
+    valid[i] = -1;
+    query.ray.dir_x[i] = static_cast<float>(direction.x);
+    query.ray.dir_y[i] = static_cast<float>(direction.y);
+    query.ray.dir_z[i] = -1;
+    query.ray.tnear[i] = near;
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.mask[i] = 0xffffffffU;
+    query.ray.id[i] = static_cast<unsigned int>(i);
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+}
 
 /// The face that holds the point where Embree's rounding named a neighbour: found over the edges
 /// that the point passes, as long as the surface goes on there. kNothing if it passes an end.
@@ -68,6 +119,18 @@ void take(const RTCFilterFunctionNArguments* args) {
     RTCRayN_tfar(args->ray, args->N, 0) *= kSlack;
 }
 
+/// Keeps what the rays of a packet are offered, and has Embree go on a little behind it.
+void keep(const RTCFilterFunctionNArguments* args) {
+    auto& packet = *reinterpret_cast<Packet*>(args->context);
+    for (unsigned int lane = 0; lane < args->N; ++lane) {
+        if (args->valid[lane] == 0) continue;
+        float& distance = RTCRayN_tfar(args->ray, args->N, lane);
+        packet.offers[RTCRayN_id(args->ray, args->N, lane)].add(
+            RTCHitN_primID(args->hit, args->N, lane), distance);
+        distance *= kSlack;
+    }
+}
+
 float* new_vertices(RTCGeometry geometry, std::size_t count) {
     return static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), count));
@@ -82,7 +145,8 @@ std::uint32_t* new_indices(RTCGeometry geometry, std::size_t count) {
 
 void Foremost::add(const ClipMesh& mesh, const Sight& sight) {
     if (!may_take(sight.w)) return;
-    const bool is_level = seen_.face != kNothing && mesh.is_level(nearest_.face, sight.face);
+    const bool is_level = seen_.face != kNothing && nearest_.w <= sight.w * kAlmost &&
+                          mesh.is_level(nearest_.face, sight.face);
     if (is_level) {
         seen_.face = std::min(seen_.face, sight.face);
     } else if (sight.w < nearest_.w) {
@@ -135,6 +199,10 @@ EmbreeRays::EmbreeRays(const ClipMesh& mesh, int threads)
 
 EmbreeRays::~EmbreeRays() = default;
 
+float EmbreeRays::near() const {
+    return static_cast<float>(mesh().view().camera.near * scale_) / kSlack;
+}
+
 Sight EmbreeRays::look(const glm::dvec2& p_px) const {
     Look look;
     truth::embree::init_context(look.context);
@@ -142,46 +210,73 @@ Sight EmbreeRays::look(const glm::dvec2& p_px) const {
     look.p_px = p_px;
     look.near = mesh().view().camera.near;
 
-    // Unit depth along the view direction, so that distances along the ray are w.
-    const double focal_px = mesh().projection().focal_px();
+    const glm::dvec2 direction = direction_to(mesh(), p_px);
     RTCRayHit query{};
-    query.ray.dir_x = static_cast<float>((p_px.x - mesh().view().width_px / 2.0) / focal_px);
-    query.ray.dir_y = static_cast<float>((mesh().view().height_px / 2.0 - p_px.y) / focal_px);
+    query.ray.dir_x = static_cast<float>(direction.x);
+    query.ray.dir_y = static_cast<float>(direction.y);
     query.ray.dir_z = -1;
-    query.ray.tnear = static_cast<float>(look.near * scale_) / kSlack;
+    query.ray.tnear = near();
     query.ray.tfar = std::numeric_limits<float>::infinity();
     query.ray.mask = 0xffffffffU;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     truth::embree::intersect(handles_->scene, look.context, &take, query);
-
     return look.foremost.seen();
+}
+
+void SightRays::look_at(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const {
+    for (std::size_t i = 0; i < points_px.size(); ++i)
+        sights[i] = look(points_px[i]);
+}
+
+void EmbreeRays::look_at(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const {
+    for (std::size_t begin = 0; begin < points_px.size(); begin += kPacket) {
+        const std::size_t count = std::min<std::size_t>(kPacket, points_px.size() - begin);
+        look_at_packet(points_px.subspan(begin, count), sights.subspan(begin, count));
+    }
+}
+
+void EmbreeRays::look_at_packet(std::span<const glm::dvec2> points_px,
+                                std::span<Sight> sights) const {
+    Packet packet;
+    truth::embree::init_context(packet.context);
+    alignas(64) Valid valid{};
+    alignas(64) RTCRayHit16 query{};
+    for (std::size_t i = 0; i < points_px.size(); ++i)
+        aim(query, valid, i, direction_to(mesh(), points_px[i]), near());
+    truth::embree::intersect_16(valid.data(), handles_->scene, packet.context, &keep, query);
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        const Offers& offers = packet.offers[i];
+        Foremost foremost;
+        bool is_sure = !offers.is_full;
+        for (std::size_t k = 0; k < offers.count && is_sure; ++k) {
+            const LocalFace local = mesh().local_face(offers.faces[k], points_px[i]);
+            const double w = ClipMesh::holds(local, 0) ? ClipMesh::depth(local) : 0;
+            is_sure = w >= mesh().view().camera.near;
+            foremost.add(mesh(), {offers.faces[k], w});
+        }
+        // What misses the point or is too near may have hidden others from Embree.
+        sights[i] = is_sure ? foremost.seen() : look(points_px[i]);
+    }
 }
 
 void EmbreeRays::look_along(const glm::dvec2& first_px, std::span<Sight> sights) const {
     truth::embree::Context context;
     truth::embree::init_context(context);
-    const double focal_px = mesh().projection().focal_px();
-    const scene::View& view = mesh().view();
-    alignas(64) std::array<int, kPacket> valid{};
+    const auto point_px = [&](std::size_t i) {
+        return first_px + glm::dvec2(static_cast<double>(i), 0);
+    };
+    alignas(64) Valid valid{};
     alignas(64) RTCRayHit16 query{};
-    for (int i = 0; i < kPacket; ++i) {
-        valid[i] = i < static_cast<int>(sights.size()) ? -1 : 0;
-        query.ray.dir_x[i] = static_cast<float>((first_px.x + i - view.width_px / 2.0) / focal_px);
-        query.ray.dir_y[i] = static_cast<float>((view.height_px / 2.0 - first_px.y) / focal_px);
-        query.ray.dir_z[i] = -1;
-        query.ray.tnear[i] = static_cast<float>(view.camera.near * scale_) / kSlack;
-        query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-        query.ray.mask[i] = 0xffffffffU;
-        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    }
+    for (std::size_t i = 0; i < sights.size(); ++i)
+        aim(query, valid, i, direction_to(mesh(), point_px(i)), near());
     truth::embree::intersect_16(valid.data(), handles_->scene, context, nullptr, query);
     for (std::size_t i = 0; i < sights.size(); ++i) {
         sights[i] = {};
         if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        const glm::dvec2 p_px = first_px + glm::dvec2(static_cast<double>(i), 0);
+        const glm::dvec2 p_px = point_px(i);
         const LocalFace local = mesh().local_face(query.hit.primID[i], p_px);
         const double w = ClipMesh::holds(local, 0) ? ClipMesh::depth(local) : 0;
-        sights[i] = w < view.camera.near ? look(p_px) : Sight{query.hit.primID[i], w};
+        sights[i] = w < mesh().view().camera.near ? look(p_px) : Sight{query.hit.primID[i], w};
     }
 }
 

@@ -27,7 +27,7 @@ class Foremost {
     [[nodiscard]] const Sight& seen() const { return seen_; }
 
   private:
-    static constexpr double kAlmost = 1 + 1e-5;  ///< farther behind, no face lies in that plane
+    static constexpr double kAlmost = 1 + 1e-5;  ///< farther off, no face lies in that plane
     Sight nearest_{kNothing, std::numeric_limits<double>::infinity()};
     Sight seen_;
 };
@@ -43,6 +43,9 @@ class SightRays {
     /// The nearest triangle that holds the point and is not in front of the near plane there; of
     /// those in one plane with it, as far as rounding can tell, the lowest. Thread-safe.
     [[nodiscard]] virtual Sight look(const glm::dvec2& p_px) const = 0;
+    /// The same at each of some points: quicker where those that follow each other lie close by.
+    /// `sights` has one entry per point.
+    virtual void look_at(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const;
 
     [[nodiscard]] const ClipMesh& mesh() const { return mesh_; }
 
@@ -59,6 +62,7 @@ class EmbreeRays final : public SightRays {
     ~EmbreeRays() override;
 
     [[nodiscard]] Sight look(const glm::dvec2& p_px) const override;
+    void look_at(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const override;
 
     static constexpr int kPacket = 16;
     /// Looks at `sights.size()` (at most kPacket) points, 1 px apart along a row from `first_px`
@@ -67,6 +71,9 @@ class EmbreeRays final : public SightRays {
     void look_along(const glm::dvec2& first_px, std::span<Sight> sights) const;
 
   private:
+    void look_at_packet(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const;
+    [[nodiscard]] float near() const;
+
     struct Handles;
     std::unique_ptr<Handles> handles_;
     double scale_ = 1;  ///< a power of two that brings the scene near 1

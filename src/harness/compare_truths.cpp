@@ -7,12 +7,14 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/parallel.h"
 #include "crosscheck/line_probe.h"
 
 namespace ink::harness {
 namespace {
 
 constexpr double kSpacing_px = 1.0 / 8;
+constexpr std::size_t kChunk = 1024;  ///< samples or points a task
 
 std::size_t class_index(truth::LineClass c) {
     return std::find(truth::kLineClasses.begin(), truth::kLineClasses.end(), c) -
@@ -40,19 +42,22 @@ class PixelLists {
         }
     }
     void finish() {
-        std::sort(entries_.begin(), entries_.end());
         first_.assign(static_cast<std::size_t>(width_) * height_ + 1, 0);
         for (const auto& [pixel, item] : entries_)
             ++first_[pixel + 1];
         for (std::size_t i = 1; i < first_.size(); ++i)
             first_[i] += first_[i - 1];
+        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+        items_.resize(entries_.size());
+        for (const auto& [pixel, item] : entries_)
+            items_[next[pixel]++] = item;
     }
     /// Whether `accepts(item)` for one of those in the pixel of `p`.
     template <class Accepts>
     [[nodiscard]] bool any(const glm::dvec2& p, Accepts accepts) const {
         const std::size_t pixel = static_cast<std::size_t>(row(p.y)) * width_ + column(p.x);
         for (std::size_t i = first_[pixel]; i < first_[pixel + 1]; ++i) {
-            if (accepts(entries_[i].second)) return true;
+            if (accepts(items_[i])) return true;
         }
         return false;
     }
@@ -68,7 +73,8 @@ class PixelLists {
     int width_;
     int height_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;
-    std::vector<std::size_t> first_;
+    std::vector<std::uint32_t> items_;  ///< by pixel
+    std::vector<std::size_t> first_;    ///< of each pixel, into them
 };
 
 double distance_to(const truth::Curve& curve, const glm::dvec2& p) {
@@ -102,9 +108,35 @@ void add_curve(const truth::Curve& curve, std::uint32_t item, PixelLists& lists)
     }
 }
 
+/// A curve as samples, each for its share of the length.
+struct Sampling {
+    glm::dvec2 a, b;
+    double length = 0;
+    int count = 1;
+
+    explicit Sampling(const truth::Curve& curve)
+        : a(begin_of(curve)), b(end_of(curve)), length(glm::length(b - a)) {
+        count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
+    }
+    [[nodiscard]] glm::dvec2 at(int i) const { return glm::mix(a, b, (i + 0.5) / count); }
+};
+
+/// Calls `is_covered(i)` for each i, on many threads, and returns what it said.
+template <class IsCovered>
+std::vector<char> ask_all(std::size_t count, int threads, const IsCovered& is_covered) {
+    std::vector<char> answers(count);
+    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
+        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+        for (std::size_t i = chunk * kChunk; i < end; ++i)
+            answers[i] = is_covered(i);
+    });
+    return answers;
+}
+
 void hold_curves(std::span<const truth::Curve> curves,
                  const crosscheck::SampledLines& crosscheck,
                  const scene::View& view,
+                 int threads,
                  Agreement& result) {
     PixelLists lists(view);
     for (std::uint32_t i = 0; i < crosscheck.points.size(); ++i) {
@@ -112,28 +144,37 @@ void hold_curves(std::span<const truth::Curve> curves,
         lists.add(p - kAgreement_px, p + kAgreement_px, i);
     }
     lists.finish();
+    struct Place {
+        std::size_t curve;
+        glm::dvec2 p_px;
+        double length_px;
+    };
+    std::vector<Place> places;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-        const truth::Curve& curve = curves[c];
-        const std::size_t index = class_index(curve.line_class);
-        if (index == truth::kLineClasses.size()) continue;
-        const glm::dvec2 a = begin_of(curve), b = end_of(curve);
-        const double length = glm::length(b - a);
-        const int count = std::max(1, static_cast<int>(std::ceil(length / kSpacing_px)));
-        for (int i = 0; i < count; ++i) {
-            const glm::dvec2 p = glm::mix(a, b, (i + 0.5) / count);
-            if (is_on_frame(p, view)) continue;
-            const bool is_covered = lists.any(p, [&](std::uint32_t item) {
-                const crosscheck::SampledPoint& q = crosscheck.points[item];
-                return q.line_class == curve.line_class &&
-                       glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
-            });
-            result.by_class[index].truth_px += length / count;
-            if (is_covered) {
-                result.by_class[index].truth_covered_px += length / count;
-            } else {
-                result.disagreements.push_back(
-                    {p.x, p.y, length / count, curve.line_class, true, c});
-            }
+        if (class_index(curves[c].line_class) == truth::kLineClasses.size()) continue;
+        const Sampling samples(curves[c]);
+        for (int i = 0; i < samples.count; ++i) {
+            const glm::dvec2 p = samples.at(i);
+            if (!is_on_frame(p, view)) places.push_back({c, p, samples.length / samples.count});
+        }
+    }
+    const auto is_covered = ask_all(places.size(), threads, [&](std::size_t i) {
+        return lists.any(places[i].p_px, [&](std::uint32_t item) {
+            const crosscheck::SampledPoint& q = crosscheck.points[item];
+            return q.line_class == curves[places[i].curve].line_class &&
+                   glm::length(places[i].p_px - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
+        });
+    });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        const truth::LineClass line_class = curves[place.curve].line_class;
+        ClassAgreement& agreement = result.by_class[class_index(line_class)];
+        agreement.truth_px += place.length_px;
+        if (is_covered[i] != 0) {
+            agreement.truth_covered_px += place.length_px;
+        } else {
+            result.disagreements.push_back(
+                {place.p_px.x, place.p_px.y, place.length_px, line_class, true, place.curve});
         }
     }
 }
@@ -141,22 +182,28 @@ void hold_curves(std::span<const truth::Curve> curves,
 void hold_points(std::span<const truth::Curve> curves,
                  const crosscheck::SampledLines& crosscheck,
                  const scene::View& view,
+                 int threads,
                  Agreement& result) {
     PixelLists lists(view);
     for (std::uint32_t i = 0; i < curves.size(); ++i)
         add_curve(curves[i], i, lists);
     lists.finish();
-    for (const crosscheck::SampledPoint& point : crosscheck.points) {
-        const std::size_t index = class_index(point.line_class);
-        const glm::dvec2 p(point.x_px, point.y_px);
-        if (is_on_frame(p, view)) continue;
-        const bool is_covered = lists.any(p, [&](std::uint32_t item) {
-            return curves[item].line_class == point.line_class &&
+    const auto& points = crosscheck.points;
+    const auto is_covered = ask_all(points.size(), threads, [&](std::size_t i) {
+        const glm::dvec2 p(points[i].x_px, points[i].y_px);
+        return lists.any(p, [&](std::uint32_t item) {
+            return curves[item].line_class == points[i].line_class &&
                    distance_to(curves[item], p) <= kAgreement_px;
         });
-        result.by_class[index].crosscheck_px += point.length_px;
-        if (is_covered) {
-            result.by_class[index].crosscheck_covered_px += point.length_px;
+    });
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const crosscheck::SampledPoint& point = points[i];
+        const glm::dvec2 p(point.x_px, point.y_px);
+        if (is_on_frame(p, view)) continue;
+        ClassAgreement& agreement = result.by_class[class_index(point.line_class)];
+        agreement.crosscheck_px += point.length_px;
+        if (is_covered[i] != 0) {
+            agreement.crosscheck_covered_px += point.length_px;
         } else {
             result.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
         }
@@ -220,10 +267,11 @@ double Agreement::abstained_share() const {
 
 Agreement compare_truths(std::span<const truth::Curve> curves,
                          const crosscheck::SampledLines& crosscheck,
-                         const scene::View& view) {
+                         const scene::View& view,
+                         int threads) {
     Agreement result;
-    hold_curves(curves, crosscheck, view, result);
-    hold_points(curves, crosscheck, view, result);
+    hold_curves(curves, crosscheck, view, threads, result);
+    hold_points(curves, crosscheck, view, threads, result);
     return result;
 }
 

@@ -71,10 +71,12 @@ struct Agreement {
 /// Curves are taken every 1/8 px, each sample standing for its share of the curve's length; a
 /// sample, or a point, is covered if the other has its class within kAgreement_px. Lines within
 /// kFrame_px of the frame are left out: which side of it they lie on is a matter of rounding.
-/// Every disagreement counts as confirmed until `judge_disagreements` has been asked.
+/// Every disagreement counts as confirmed until `judge_disagreements` has been asked. The same for
+/// every thread count.
 [[nodiscard]] Agreement compare_truths(std::span<const truth::Curve> curves,
                                        const crosscheck::SampledLines& crosscheck,
-                                       const scene::View& view);
+                                       const scene::View& view,
+                                       int threads = 1);
 
 /// Asks the third construction (crosscheck/line_probe.h) about every disagreement. What it does not
 /// confirm is moved to the abstained lengths.

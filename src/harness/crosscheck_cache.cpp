@@ -84,7 +84,7 @@ Crosscheck look(truth::SceneModel& scene, const scene::View& view, const truth::
     const crosscheck::SampledLines crosscheck =
         crosscheck::sample_lines(scene.model().topology, view, options);
     Crosscheck check;
-    check.agreement = compare_truths(truth.curves, crosscheck, view);
+    check.agreement = compare_truths(truth.curves, crosscheck, view, options.threads);
     judge_disagreements(scene.model().topology, view, options, check.agreement);
     check.counts = crosscheck.counts;
     check.look_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
