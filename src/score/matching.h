@@ -45,8 +45,8 @@ struct MatchCounts {
     std::int64_t right_reached = 0;
 };
 
-/// Matches two sets of pixels one to one within `disk`: by a BitMatcher if it takes the disk, else by
-/// a candidate_graph(). Symmetric: swapped sets give the same numbers.
+/// Matches two sets of pixels one to one within `disk`: by a BitMatcher if it takes the disk, else
+/// by a candidate_graph(). Symmetric: swapped sets give the same numbers.
 [[nodiscard]] MatchCounts match_pixels(const PixelList& left,
                                        const PixelList& right,
                                        const Disk& disk);
