@@ -8,6 +8,7 @@
 #include "cli/options/method_options.h"
 #include "core/error.h"
 #include "experiment/entrants/entrant.h"
+#include "experiment/experiment.h"
 #include "harness/cell.h"
 #include "harness/suite.h"
 #include "harness/tracing.h"
