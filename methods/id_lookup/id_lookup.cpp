@@ -108,7 +108,7 @@ class SideLookup {
     const raster::Tile& tile_;
 };
 
-/// Hands each tile's classes to `write(row, kinds, tile)`; null where there is no line.
+/// Hands each row of each tile to `write(tile, y, kinds)`; see IdLookup::draw_classes.
 template <class Write>
 class LookupSink : public raster::TileSink {
   public:
@@ -228,9 +228,17 @@ void IdLookup::pose(const scene::Scene& scene) {
     if (scene::scene_hash(scene) != posed_hash_) look_up(scene);
 }
 
-raster::MeshResult IdLookup::draw_ids(const method::Frame& frame,
-                                      bool may_keep_still,
-                                      raster::TileSink& sink) {
+template <class Write>
+raster::MeshResult IdLookup::draw_classes(const method::Frame& frame,
+                                          bool may_keep_still,
+                                          std::pair<int, int> size_px,
+                                          Write write) {
+    inputs_.see(frame);
+    screen_.see(mesh_,
+                inputs_.view(),
+                {.crease_rad = glm::radians(params_.crease_deg), .most_steps = params_.steps},
+                frame.threads);
+    LookupSink sink(screen_, params_.samples, size_px, std::move(write));
     raster::MeshInput input = inputs_.mesh_input(frame);
     input.constants = mesh_.face_of_triangle;
     input.sky_code = {kNoNeighbour};
@@ -243,24 +251,17 @@ raster::MeshResult IdLookup::draw_ids(const method::Frame& frame,
 void IdLookup::draw(const method::Frame& frame, edge::EdgeImage& out) {
     skip_counts_ = {};
     if (inputs_.is_empty()) return out.fill(0);
-    inputs_.see(frame);
-    screen_.see(mesh_,
-                inputs_.view(),
-                {.crease_rad = glm::radians(params_.crease_deg), .most_steps = params_.steps},
-                frame.threads);
-    LookupSink sink(screen_,
-                    params_.samples,
-                    {out.width_px(), out.height_px()},
-                    [&](const raster::Tile& tile, int y, const LineKind* kinds) {
-                        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
-                        if (kinds == nullptr) {
-                            std::fill_n(to, tile.width_px, std::uint8_t{0});
-                            return;
-                        }
-                        for (int x = 0; x < tile.width_px; ++x)
-                            to[x] = kinds[x] == LineKind::none ? 0 : 255;
-                    });
-    const raster::MeshResult result = draw_ids(frame, true, sink);
+    const auto write = [&](const raster::Tile& tile, int y, const LineKind* kinds) {
+        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
+        if (kinds == nullptr) {
+            std::fill_n(to, tile.width_px, std::uint8_t{0});
+            return;
+        }
+        for (int x = 0; x < tile.width_px; ++x)
+            to[x] = kinds[x] == LineKind::none ? 0 : 255;
+    };
+    const raster::MeshResult result =
+        draw_classes(frame, true, {out.width_px(), out.height_px()}, write);
     inputs_.finish(result, out);
     skip_counts_ = result.skips;
 }
@@ -268,19 +269,11 @@ void IdLookup::draw(const method::Frame& frame, edge::EdgeImage& out) {
 core::Image<LineKind> IdLookup::classes(const method::Frame& frame) {
     core::Image<LineKind> image(frame.view.width_px, frame.view.height_px, LineKind::none);
     if (inputs_.is_empty()) return image;
-    inputs_.see(frame);
-    screen_.see(mesh_,
-                inputs_.view(),
-                {.crease_rad = glm::radians(params_.crease_deg), .most_steps = params_.steps},
-                frame.threads);
-    LookupSink sink(screen_,
-                    params_.samples,
-                    {image.width_px(), image.height_px()},
-                    [&](const raster::Tile& tile, int y, const LineKind* kinds) {
-                        if (kinds == nullptr) return;
-                        std::copy_n(kinds, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
-                    });
-    (void)draw_ids(frame, false, sink);
+    const auto write = [&](const raster::Tile& tile, int y, const LineKind* kinds) {
+        if (kinds == nullptr) return;
+        std::copy_n(kinds, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
+    };
+    (void)draw_classes(frame, false, {image.width_px(), image.height_px()}, write);
     inputs_.forget_image();
     return image;
 }

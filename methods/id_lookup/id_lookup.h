@@ -35,9 +35,13 @@ class IdLookup : public method::Method {
 
   private:
     void look_up(const scene::Scene& scene);
-    [[nodiscard]] raster::MeshResult draw_ids(const method::Frame& frame,
-                                              bool may_keep_still,
-                                              raster::TileSink& sink);
+    /// Draws ids and hands each row of each tile to `write(tile, y, kinds)`; `kinds` is null where
+    /// no pixel of it is a line.
+    template <class Write>
+    [[nodiscard]] raster::MeshResult draw_classes(const method::Frame& frame,
+                                                  bool may_keep_still,
+                                                  std::pair<int, int> size_px,
+                                                  Write write);
 
     Params params_;
     raster::PassFormat format_;

@@ -66,7 +66,7 @@ class IdSink : public raster::TileSink {
             }
             std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
             mark_differences(at.id, tile.width_px, to);
-            if (params_.side == Ids::Side::nearer) keep_own(at, tile.width_px, to);
+            if (params_.side == buffers::BorderSide::nearer) keep_own(at, tile.width_px, to);
         }
     }
 
@@ -131,12 +131,7 @@ std::vector<core::ParamValues> sweep() {
 
 core::ParamTable<Ids::Params> Ids::table() {
     core::ParamTable<Params> table;
-    return buffers::add_id_params(table)
-        .choice(&Params::side,
-                "side",
-                {"nearer", "both"},
-                "Where a border's line lies: one pixel on the nearer surface, or both sides of it. "
-                "With corner samples it lies in the pixel between, and this has no meaning.")
+    return buffers::add_side_param(buffers::add_id_params(table))
         .choice(&Params::depth_format,
                 "depth_format",
                 {"q32", "z24", "z16"},
@@ -151,12 +146,8 @@ core::ParamTable<Ids::Params> Ids::table() {
 Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}
 
 void Ids::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (ids_.is_empty()) return out.fill(0);
     IdSink sink(params_, out);
-    const raster::MeshResult result = ids_.draw(frame, true, sink);
-    ids_.finish(result, out);
-    skip_counts_ = result.skips;
+    skip_counts_ = ids_.draw_lines(frame, sink, out);
 }
 
 method::Cost Ids::cost() const {
@@ -166,7 +157,7 @@ method::Cost Ids::cost() const {
     if (params_.samples == buffers::Samples::corner) {
         // Three differences, joined; no depth.
         cost.filter.operations = 3 + 2 + 1;
-    } else if (params_.side == Side::nearer) {
+    } else if (params_.side == buffers::BorderSide::nearer) {
         cost.filter.bytes_read += 4;
     }
     return cost;

@@ -8,12 +8,8 @@ namespace ink::methods {
 /// a pixel's four corners.
 class Ids : public method::Method {
   public:
-    enum class Side {
-        nearer,  ///< one pixel wide, on the surface that is in front
-        both,    ///< two: each pixel that has another id beside it
-    };
     struct Params : buffers::IdParams {
-        Side side = Side::nearer;
+        buffers::BorderSide side = buffers::BorderSide::nearer;
         int threshold = 128;  ///< it draws 0 and 255 alone
     };
     [[nodiscard]] static core::ParamTable<Params> table();

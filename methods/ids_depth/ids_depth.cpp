@@ -54,8 +54,8 @@ class BorderSink : public raster::TileSink {
                    across.has_border(-1, depth_step_) || across.has_border(-down, depth_step_);
         }
         const auto asks = [&](std::ptrdiff_t step) {
-            return params_.side == IdsDepth::Side::both ? at.has_border(step, depth_step_)
-                                                        : at.owns_border(step, depth_step_);
+            return params_.side == buffers::BorderSide::both ? at.has_border(step, depth_step_)
+                                                             : at.owns_border(step, depth_step_);
         };
         return asks(1) || asks(-1) || asks(down) || asks(-down);
     }
@@ -92,12 +92,7 @@ std::vector<core::ParamValues> sweep() {
 
 core::ParamTable<IdsDepth::Params> IdsDepth::table() {
     core::ParamTable<Params> table;
-    return buffers::add_id_params(table)
-        .choice(&Params::side,
-                "side",
-                {"nearer", "both"},
-                "Where a border's line lies: one pixel on the nearer surface, or both sides of it. "
-                "With corner samples it lies in the pixel between, and this has no meaning.")
+    return buffers::add_side_param(buffers::add_id_params(table))
         .number(&Params::depth_step,
                 "depth_step",
                 {0, 1},
@@ -113,12 +108,8 @@ core::ParamTable<IdsDepth::Params> IdsDepth::table() {
 IdsDepth::IdsDepth(const Params& params) : params_(params), ids_(params, 1) {}
 
 void IdsDepth::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (ids_.is_empty()) return out.fill(0);
     BorderSink sink(params_, out);
-    const raster::MeshResult result = ids_.draw(frame, true, sink);
-    ids_.finish(result, out);
-    skip_counts_ = result.skips;
+    skip_counts_ = ids_.draw_lines(frame, sink, out);
 }
 
 method::Cost IdsDepth::cost() const {

@@ -8,12 +8,8 @@ namespace ink::methods {
 /// and of three.js draw where they have an id buffer.
 class IdsDepth : public method::Method {
   public:
-    enum class Side {
-        nearer,  ///< one pixel wide, on the surface that is in front
-        both,    ///< two: both pixels of a border
-    };
     struct Params : buffers::IdParams {
-        Side side = Side::nearer;
+        buffers::BorderSide side = buffers::BorderSide::nearer;
         double depth_step = 0.05;  // found: see the page
         int threshold = 128;       ///< it draws 0 and 255 alone
     };

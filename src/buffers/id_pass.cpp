@@ -100,6 +100,18 @@ raster::MeshResult IdPass::draw(const method::Frame& frame,
     return pass_.draw(format_, input, sink);
 }
 
+raster::SkipCounts IdPass::draw_lines(const method::Frame& frame,
+                                      raster::TileSink& sink,
+                                      edge::EdgeImage& out) {
+    if (is_empty()) {
+        out.fill(0);
+        return {};
+    }
+    const raster::MeshResult result = draw(frame, true, sink);
+    finish(result, out);
+    return result.skips;
+}
+
 method::Layer IdPass::layer(const method::Frame& frame) {
     method::Layer layer{"ids", {frame.view.width_px, frame.view.height_px}};
     if (is_empty()) return layer;

@@ -40,6 +40,23 @@ core::ParamTable<P>& add_id_params(core::ParamTable<P>& table) {
     return add_samples_param(table);
 }
 
+/// Which pixels show a border between two ids.
+enum class BorderSide {
+    nearer,  ///< one pixel wide, on the surface that is in front
+    both,    ///< two: each pixel that has another id beside it
+};
+
+/// Appends the row `side` to a table whose struct has such a member.
+template <class P>
+core::ParamTable<P>& add_side_param(core::ParamTable<P>& table) {
+    return table.choice(
+        &P::side,
+        "side",
+        {"nearer", "both"},
+        "Where a border's line lies: one pixel on the nearer surface, or both sides of it. "
+        "With corner samples it lies in the pixel between, and this has no meaning.");
+}
+
 /// A scene drawn as ids: the pass's constant, nothing interpolated.
 ///
 /// prepare, pose, then draw for every frame. After a draw that may keep still tiles, `finish`
@@ -58,6 +75,12 @@ class IdPass {
     [[nodiscard]] raster::MeshResult draw(const method::Frame& frame,
                                           bool may_keep_still,
                                           raster::TileSink& sink);
+    /// The frame of a method that draws all its lines from the tiles it is handed: still tiles are
+    /// kept, an empty scene gives an image of zeros. `sink` writes to `out`. Returns what was
+    /// skipped.
+    raster::SkipCounts draw_lines(const method::Frame& frame,
+                                  raster::TileSink& sink,
+                                  edge::EdgeImage& out);
     /// `ids`: a colour for every id, sky black; of pixel corners, that of the upper left one. Drawn
     /// anew.
     [[nodiscard]] method::Layer layer(const method::Frame& frame);
