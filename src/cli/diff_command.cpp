@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/json_values.h"
 #include "cli/options/options.h"
 #include "core/error.h"
 #include "experiment/diff/run_diff.h"
@@ -22,11 +23,6 @@ struct DiffArgs {
     bool is_json = false;
     bool fail_if_worse = false;
 };
-
-template <class T>
-json or_null(const std::optional<T>& value) {
-    return value ? json(*value) : json(nullptr);
-}
 
 json cells_json(const std::vector<const harness::Row*>& rows) {
     json cells = json::array();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/json_values.h"
 #include "cli/options/options.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
@@ -28,25 +29,20 @@ using nlohmann::json;
 constexpr int kInvalid = 1;  ///< also where no cell has a score
 constexpr int kUnscored = 3;
 
-template <class T>
-json json_of(const std::optional<T>& value) {
-    return value ? json(*value) : json(nullptr);
-}
-
 json methods_json(const std::vector<harness::Row>& rows) {
     json methods = json::array();
     for (const experiment::MethodSummary& s : experiment::summarise(rows)) {
         methods.push_back({{"method", s.method},
                            {"views", s.views},
                            {"failed", s.failed},
-                           {"f_2px", json_of(s.f_2px)},
-                           {"f_train", json_of(s.f_train)},
-                           {"f_heldout", json_of(s.f_heldout)},
-                           {"f_real", json_of(s.f_real)},
-                           {"f_1px", json_of(s.f_1px)},
-                           {"precision_2px", json_of(s.precision)},
-                           {"recall_2px", json_of(s.recall)},
-                           {"draw_ms", json_of(s.draw_ms)}});
+                           {"f_2px", or_null(s.f_2px)},
+                           {"f_train", or_null(s.f_train)},
+                           {"f_heldout", or_null(s.f_heldout)},
+                           {"f_real", or_null(s.f_real)},
+                           {"f_1px", or_null(s.f_1px)},
+                           {"precision_2px", or_null(s.precision)},
+                           {"recall_2px", or_null(s.recall)},
+                           {"draw_ms", or_null(s.draw_ms)}});
     }
     return methods;
 }

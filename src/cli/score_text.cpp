@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/json_values.h"
 #include "core/text_table.h"
 #include "harness/tables/csv.h"
 
@@ -12,11 +13,6 @@ namespace ink::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// null where there is no value: neither 0 nor NaN, which would slip into a mean.
-Json number_or_null(std::optional<double> value) {
-    return value ? Json(*value) : Json(nullptr);
-}
 
 std::optional<double> mean_width(const score::Score& s) {
     return s.mean_width_px > 0 ? std::optional(s.mean_width_px) : std::nullopt;
@@ -32,14 +28,14 @@ Json counts_json(const score::Score& s) {
         {"n_pred", s.n_pred},
         {"n_truth", s.n_truth},
         {"f", s.f()},
-        {"precision", number_or_null(s.precision())},
-        {"recall", number_or_null(s.recall())},
+        {"precision", or_null(s.precision())},
+        {"recall", or_null(s.recall())},
         // Scripts rely on these keys, also where columns have other names.
         {"surplus", s.unmatched_duplicates},
         {"off_line", s.false_positives},
         {"lost", s.unmatched_truth},
         {"missing", s.false_negatives},
-        {"mean_width", number_or_null(mean_width(s))},
+        {"mean_width", or_null(mean_width(s))},
         {"classes", Json::object()},
     };
     for (const score::ClassCount& c : s.classes)
