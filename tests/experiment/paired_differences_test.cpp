@@ -89,13 +89,41 @@ TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
     EXPECT_NEAR(differences[0].range->low, -differences[2].range->high, 1e-12);
 }
 
+TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
+    std::vector<harness::Row> rows;
+    for (int scene = 0; scene < 20; ++scene) {
+        for (int method = 0; method < 12; ++method) {
+            const int chance = (scene * 7 + method * 5 + scene * method * 3) % 11;
+            rows.push_back(
+                row_of("m" + std::to_string(method), std::to_string(scene), 60 + chance));
+        }
+        rows.push_back(row_of("good", std::to_string(scene), 90 + scene % 3));
+    }
+    int led_alone = 0, led_together = 0;
+    for (const PairedDifference& paired : all_paired_differences(rows)) {
+        ASSERT_TRUE(paired.range && paired.range_of_all);
+        if (paired.a == "good") EXPECT_TRUE(paired.is_significant());
+        if (paired.a == "good" || paired.b == "good") continue;
+        led_alone += paired.range->low > 0 ? 1 : 0;
+        led_together += paired.is_significant() ? 1 : 0;
+    }
+    EXPECT_GT(led_alone, 0) << "chance is to give some";
+    EXPECT_EQ(led_together, 0);
+}
+
+TEST(AllPairedDifferences, OfTwoMethodsNeedNoCorrection) {
+    std::vector<harness::Row> rows = twelve_scenes();
+    std::erase_if(rows, [](const harness::Row& row) { return row.method == "moody"; });
+    for (const PairedDifference& paired : all_paired_differences(rows))
+        EXPECT_FALSE(paired.range_of_all);
+}
+
 TEST(DifferencesCsv, HasALineAPairAndEmptyFieldsWithoutAnInterval) {
-    EXPECT_EQ(differences_csv({}), "method,other,difference,lo,hi\n");
-    EXPECT_EQ(differences_csv({{"a", "b", 0.25, statistics::Interval{0.125, 0.5}},
-                               {"b", "a", -0.25, std::nullopt}}),
-              "method,other,difference,lo,hi\n"
-              "a,b,0.25,0.125,0.5\n"
-              "b,a,-0.25,,\n");
+    const std::string heading = "method,other,difference,lo,hi,lo_of_all,hi_of_all\n";
+    EXPECT_EQ(differences_csv({}), heading);
+    const statistics::Interval range{0.125, 0.5}, of_all{0.0625, 0.75};
+    EXPECT_EQ(differences_csv({{"a", "b", 0.25, range, of_all}, {"b", "a", -0.25, std::nullopt}}),
+              heading + "a,b,0.25,0.125,0.5,0.0625,0.75\n" + "b,a,-0.25,,,,\n");
 }
 
 }  // namespace

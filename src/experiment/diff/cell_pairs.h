@@ -3,19 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "experiment/summary/row_pairs.h"
 #include "harness/row.h"
 
 namespace ink::experiment {
 
-/// One cell in two runs: the same method on the same view.
-struct CellPair {
-    const harness::Row* a = nullptr;
-    const harness::Row* b = nullptr;
-};
-
-/// The cells of two runs, paired.
+/// The cells of two runs, paired: the same method on the same view.
 struct CellPairs {
-    std::vector<CellPair> paired;            ///< in the order of the first run
+    std::vector<RowPair> paired;             ///< in the order of the first run
     std::vector<const harness::Row*> gone;   ///< of the first run alone
     std::vector<const harness::Row*> added;  ///< of the second run alone
 };

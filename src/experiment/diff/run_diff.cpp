@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "core/provenance.h"
@@ -14,7 +13,6 @@
 namespace ink::experiment {
 namespace {
 
-using Counts = score::CurveCount;
 using harness::Row;
 
 const core::Provenance& provenance_of(const Row& row) {
@@ -31,8 +29,8 @@ std::vector<std::pair<std::string, std::string>> conditions_of(const Row& row) {
             {"build", p.flags}};
 }
 
-std::string times_obstacle(const std::vector<CellPair>& pairs) {
-    for (const CellPair& pair : pairs) {
+std::string times_obstacle(const std::vector<RowPair>& pairs) {
+    for (const RowPair& pair : pairs) {
         if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
         const auto a = conditions_of(*pair.a);
         const auto b = conditions_of(*pair.b);
@@ -50,33 +48,19 @@ bool has_other_counts(const Row& a, const Row& b) {
 }
 
 /// F of both runs and the interval of their difference, scenes resampled for both together.
-void compare_scores(const std::vector<CellPair>& pairs, std::uint64_t seed, MethodDiff& diff) {
-    std::map<std::string, std::pair<Counts, Counts>> by_scene;
-    for (const CellPair& pair : pairs) {
-        if (!pair.a->is_scored() || !pair.b->is_scored()) continue;
-        auto& [a, b] = by_scene[pair.a->scene];
-        a += counts_2px(*pair.a);
-        b += counts_2px(*pair.b);
-    }
-    if (by_scene.empty()) return;
-    std::vector<Counts> of_a;
-    std::vector<Counts> of_b;
-    Counts sum_a;
-    Counts sum_b;
-    for (const auto& [scene, counts] : by_scene) {
-        sum_a += of_a.emplace_back(counts.first);
-        sum_b += of_b.emplace_back(counts.second);
-    }
-    diff.f_a = sum_a.f();
-    diff.f_b = sum_b.f();
+void compare_scores(const std::vector<RowPair>& pairs, std::uint64_t seed, MethodDiff& diff) {
+    const PairedScenes scenes = paired_scenes(pairs);
+    if (scenes.is_empty()) return;
+    diff.f_a = scenes.f_a();
+    diff.f_b = scenes.f_b();
     diff.difference = *diff.f_b - *diff.f_a;
-    diff.range = statistics::paired_interval(of_b, of_a, {.seed = seed});
+    diff.range = statistics::paired_interval(scenes.b, scenes.a, {.seed = seed});
 }
 
-std::optional<double> time_ratio(const std::vector<CellPair>& pairs) {
+std::optional<double> time_ratio(const std::vector<RowPair>& pairs) {
     double sum = 0;
     int count = 0;
-    for (const CellPair& pair : pairs) {
+    for (const RowPair& pair : pairs) {
         if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
         if (*pair.a->draw_ns_min <= 0 || *pair.b->draw_ns_min <= 0) continue;
         sum += std::log(static_cast<double>(*pair.b->draw_ns_min) /
@@ -87,12 +71,12 @@ std::optional<double> time_ratio(const std::vector<CellPair>& pairs) {
     return std::exp(sum / count);
 }
 
-MethodDiff diff_of(const std::vector<CellPair>& pairs, bool times_compare, std::uint64_t seed) {
+MethodDiff diff_of(const std::vector<RowPair>& pairs, bool times_compare, std::uint64_t seed) {
     MethodDiff diff;
     diff.method = pairs.front().a->method;
     diff.settings = changed_parameters(pairs.front().a->params, pairs.front().b->params);
     diff.cells = static_cast<int>(pairs.size());
-    for (const CellPair& pair : pairs) {
+    for (const RowPair& pair : pairs) {
         diff.changed_images += pair.a->image_hash != pair.b->image_hash ? 1 : 0;
         diff.lost += pair.a->is_scored() && !pair.b->is_scored() ? 1 : 0;
         diff.won += !pair.a->is_scored() && pair.b->is_scored() ? 1 : 0;
@@ -104,9 +88,9 @@ MethodDiff diff_of(const std::vector<CellPair>& pairs, bool times_compare, std::
     return diff;
 }
 
-int count_changed_truths(const std::vector<CellPair>& pairs) {
+int count_changed_truths(const std::vector<RowPair>& pairs) {
     std::set<harness::Place> changed;
-    for (const CellPair& pair : pairs) {
+    for (const RowPair& pair : pairs) {
         if (pair.a->is_scored() && pair.b->is_scored() && pair.a->truth_px != pair.b->truth_px)
             changed.insert(harness::place_of(*pair.a));
     }
@@ -151,10 +135,10 @@ RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed) {
     diff.times_obstacle = times_obstacle(diff.cells.paired);
     diff.changed_truths = count_changed_truths(diff.cells.paired);
     std::vector<std::pair<std::string, std::string>> order;
-    std::map<std::pair<std::string, std::string>, std::vector<CellPair>> groups;
-    for (const CellPair& pair : diff.cells.paired) {
+    std::map<std::pair<std::string, std::string>, std::vector<RowPair>> groups;
+    for (const RowPair& pair : diff.cells.paired) {
         const std::pair key(pair.a->method, changed_parameters(pair.a->params, pair.b->params));
-        std::vector<CellPair>& group = groups[key];
+        std::vector<RowPair>& group = groups[key];
         if (group.empty()) order.push_back(key);
         group.push_back(pair);
     }

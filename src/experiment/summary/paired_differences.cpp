@@ -5,16 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "core/text_table.h"
+#include "experiment/summary/row_pairs.h"
 #include "experiment/summary/summary.h"
 #include "harness/tables/csv.h"
 #include "statistics/bootstrap.h"
+#include "statistics/simultaneous.h"
 
 namespace ink::experiment {
 namespace {
-
-using Counts = score::CurveCount;
 
 constexpr int kDigits = 3;
 
@@ -22,6 +24,11 @@ constexpr int kDigits = 3;
 std::string format_signed(double value, int digits) {
     const std::string share = fmt::format("{:.{}f}", std::abs(value), digits);
     return fmt::format("{}{}", value < 0 ? '-' : '+', share[0] == '0' ? share.substr(1) : share);
+}
+
+/// Both ends as two fields of a line, empty without an interval.
+std::string range_fields(const std::optional<statistics::Interval>& range) {
+    return range ? fmt::format("{},{}", range->low, range->high) : ",";
 }
 
 /// Whether an interval that ends near 0 still says, so rounded, on which side of 0 it lies.
@@ -34,36 +41,88 @@ std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<ha
                                                             const std::string& method) {
     std::map<harness::Place, const harness::Row*> found;
     for (const harness::Row& row : rows) {
-        if (row.method == method && row.is_ok() && row.f_2px)
-            found.emplace(harness::place_of(row), &row);
+        if (row.method == method && row.is_scored()) found.emplace(harness::place_of(row), &row);
     }
     return found;
 }
 
-/// Counts of two methods, summed over the views of each scene that both have.
-struct PairedClusters {
-    std::vector<Counts> a;
-    std::vector<Counts> b;
-};
-
-PairedClusters pair_up(const std::vector<harness::Row>& rows,
-                       const std::string& a,
-                       const std::string& b) {
+/// The rows of two methods, view by view.
+PairedScenes pair_up(const std::vector<harness::Row>& rows,
+                     const std::string& a,
+                     const std::string& b) {
     const auto of_b = rows_by_place(rows, b);
-    std::map<std::string, std::pair<Counts, Counts>> by_scene;
+    std::vector<RowPair> pairs;
     for (const auto& [where, row] : rows_by_place(rows, a)) {
         const auto other = of_b.find(where);
-        if (other == of_b.end()) continue;
-        auto& [sum_a, sum_b] = by_scene[row->scene];
-        sum_a += counts_2px(*row);
-        sum_b += counts_2px(*other->second);
+        if (other != of_b.end()) pairs.push_back({row, other->second});
     }
-    PairedClusters clusters;
-    for (const auto& [scene, sums] : by_scene) {
-        clusters.a.push_back(sums.first);
-        clusters.b.push_back(sums.second);
+    return paired_scenes(pairs);
+}
+
+PairedDifference difference_of(const std::string& a,
+                               const std::string& b,
+                               const PairedScenes& scenes,
+                               std::uint64_t seed) {
+    return {a,
+            b,
+            scenes.f_a() - scenes.f_b(),
+            statistics::paired_interval(scenes.a, scenes.b, {.seed = seed})};
+}
+
+/// Sets the intervals that hold together. `scenes` has the scenes of each difference.
+void add_ranges_of_all(std::vector<PairedScenes>& scenes,
+                       std::uint64_t seed,
+                       std::vector<PairedDifference>& differences) {
+    std::map<std::string, std::size_t> index;
+    for (const PairedScenes& paired : scenes)
+        for (const std::string& name : paired.names)
+            index.try_emplace(name);
+    std::size_t count = 0;
+    for (auto& [name, i] : index)
+        i = count++;
+    std::vector<statistics::PairedCounts> pairs;
+    for (PairedScenes& paired : scenes) {
+        std::vector<std::size_t> clusters;
+        for (const std::string& name : paired.names)
+            clusters.push_back(index.at(name));
+        pairs.push_back({std::move(paired.a), std::move(paired.b), std::move(clusters)});
     }
-    return clusters;
+    const auto ranges = statistics::simultaneous_intervals(pairs, count, {.seed = seed});
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        differences[i].range_of_all = ranges[i];
+}
+
+/// Methods with a score, without baselines.
+std::vector<std::string> methods_best_first(const std::vector<harness::Row>& rows) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
+    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
+        return *a.f_2px > *b.f_2px;
+    });
+    std::vector<std::string> names;
+    for (const MethodSummary& summary : summaries)
+        names.push_back(summary.method);
+    return names;
+}
+
+std::vector<PairedDifference> differences_between(const std::vector<harness::Row>& rows,
+                                                  const std::vector<std::string>& all_a,
+                                                  const std::vector<std::string>& all_b) {
+    std::vector<PairedDifference> differences;
+    std::vector<PairedScenes> scenes;
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const std::string& a : all_a) {
+        for (const std::string& b : all_b) {
+            if (a == b) continue;
+            PairedScenes paired = pair_up(rows, a, b);
+            if (paired.is_empty()) continue;
+            differences.push_back(difference_of(a, b, paired, rows.front().seed));
+            scenes.push_back(std::move(paired));
+            pairs.insert(std::minmax(a, b));
+        }
+    }
+    if (pairs.size() > 1) add_ranges_of_all(scenes, rows.front().seed, differences);
+    return differences;
 }
 
 }  // namespace
@@ -71,36 +130,19 @@ PairedClusters pair_up(const std::vector<harness::Row>& rows,
 std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
                                                      const std::string& a,
                                                      const std::string& b) {
-    const PairedClusters clusters = pair_up(rows, a, b);
-    if (clusters.a.empty()) return std::nullopt;
-    Counts sum_a;
-    Counts sum_b;
-    for (std::size_t i = 0; i < clusters.a.size(); ++i) {
-        sum_a += clusters.a[i];
-        sum_b += clusters.b[i];
-    }
-    return PairedDifference{
-        a,
-        b,
-        sum_a.f() - sum_b.f(),
-        statistics::paired_interval(clusters.a, clusters.b, {.seed = rows.front().seed})};
+    const PairedScenes scenes = pair_up(rows, a, b);
+    if (scenes.is_empty()) return std::nullopt;
+    return difference_of(a, b, scenes, rows.front().seed);
+}
+
+std::vector<PairedDifference> paired_differences_from(const std::vector<harness::Row>& rows,
+                                                      const std::string& a) {
+    return differences_between(rows, {a}, methods_best_first(rows));
 }
 
 std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows) {
-    std::vector<MethodSummary> summaries = summarise(rows);
-    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
-    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
-        return *a.f_2px > *b.f_2px;
-    });
-    std::vector<PairedDifference> differences;
-    for (const MethodSummary& a : summaries) {
-        for (const MethodSummary& b : summaries) {
-            if (a.method == b.method) continue;
-            if (auto paired = paired_difference_of(rows, a.method, b.method))
-                differences.push_back(std::move(*paired));
-        }
-    }
-    return differences;
+    const std::vector<std::string> methods = methods_best_first(rows);
+    return differences_between(rows, methods, methods);
 }
 
 const harness::TableInfo& differences_table() {
@@ -115,7 +157,12 @@ const harness::TableInfo& differences_table() {
           "-1..1",
           "lower end of its 95 % interval, scenes resampled for both together; empty with one "
           "scene"},
-         {"hi", "-1..1", "upper end"}}};
+         {"hi", "-1..1", "upper end"},
+         {"lo_of_all",
+          "-1..1",
+          "lower end of the interval that holds with 95 % together with those of all other lines; "
+          "empty with two methods"},
+         {"hi_of_all", "-1..1", "upper end"}}};
     return kTable;
 }
 
@@ -126,19 +173,20 @@ std::string differences_csv(const std::vector<PairedDifference>& differences) {
                             harness::csv_field(each.a),
                             harness::csv_field(each.b),
                             each.difference,
-                            each.range ? fmt::format("{}", each.range->low) : "",
-                            each.range ? fmt::format("{}", each.range->high) : "");
+                            range_fields(each.range),
+                            range_fields(each.range_of_all));
     }
     return text;
 }
 
 std::string format_paired_difference(const PairedDifference& paired) {
-    if (!paired.range) return format_signed(paired.difference, kDigits);
-    const int digits = says_side(*paired.range, kDigits) ? kDigits : kDigits + 1;
+    const auto& range = paired.range_of_all ? paired.range_of_all : paired.range;
+    if (!range) return format_signed(paired.difference, kDigits);
+    const int digits = says_side(*range, kDigits) ? kDigits : kDigits + 1;
     return fmt::format("{} [{}, {}]",
                        format_signed(paired.difference, digits),
-                       format_signed(paired.range->low, digits),
-                       format_signed(paired.range->high, digits));
+                       format_signed(range->low, digits),
+                       format_signed(range->high, digits));
 }
 
 }  // namespace ink::experiment

@@ -17,10 +17,14 @@ struct PairedDifference {
     double difference = 0;  ///< F of a less F of b
     std::optional<statistics::Interval>
         range;  ///< 95 %, paired cluster bootstrap; nothing with one scene
+    /// The same for all pairs that were looked at together; nothing if this is the only one.
+    std::optional<statistics::Interval> range_of_all = {};
 
-    /// Whether the interval leaves out 0: chance in the choice of scenes does not explain it.
+    /// Whether the interval leaves out 0, that of all pairs if there are many: chance in the choice
+    /// of scenes, and of the pair, does not explain it.
     [[nodiscard]] bool is_significant() const {
-        return range && (range->low > 0 || range->high < 0);
+        const auto& decisive = range_of_all ? range_of_all : range;
+        return decisive && (decisive->low > 0 || decisive->high < 0);
     }
 };
 
@@ -28,11 +32,16 @@ struct PairedDifference {
 [[nodiscard]] std::optional<PairedDifference> paired_difference_of(
     const std::vector<harness::Row>& rows, const std::string& a, const std::string& b);
 
+/// The paired differences of `a` over every other method (baselines left out), the best first.
+/// `range_of_all` holds for all of them together: `a` against many.
+[[nodiscard]] std::vector<PairedDifference> paired_differences_from(
+    const std::vector<harness::Row>& rows, const std::string& a);
+
 /// The paired differences of every ordered pair of methods (baselines left out), the best method
 /// first: the lines of a matrix. Pairs without a view in common are left out.
 ///
-/// Intervals are each 95 %; over many pairs some leave out 0 by chance alone (no correction is
-/// made).
+/// `range` holds by itself, and over many pairs some such leave out 0 by chance; `range_of_all` are
+/// the intervals that hold all together (statistics/simultaneous.h).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
     const std::vector<harness::Row>& rows);
 
@@ -40,7 +49,8 @@ struct PairedDifference {
 [[nodiscard]] const harness::TableInfo& differences_table();
 [[nodiscard]] std::string differences_csv(const std::vector<PairedDifference>& differences);
 
-/// "+.012 [+.002, +.021]"; the difference alone where there is no interval.
+/// "+.012 [+.002, +.021]", the interval that of all pairs if there are many; the difference alone
+/// where there is none.
 [[nodiscard]] std::string format_paired_difference(const PairedDifference& paired);
 
 }  // namespace ink::experiment

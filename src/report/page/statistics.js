@@ -130,34 +130,76 @@ function pooledInterval(rows, measure) {
     });
 }
 
-/// By how much the measure of rows `a` exceeds that of rows `b`, over the views that both have, with
-/// its 95 % interval; null if they have none in common.
-function pairedDifference(a, b, measure) {
+/// Rows `a` and `b` over the views that both have, summed by scene; `difference` is that of the
+/// measure over the scenes it is given (names, any of them several times). Null without such a view.
+function pairUp(a, b, measure) {
     const keyOf = row => `${row.scene}\n${row.view}`;
     const ofB = new Map(b.filter(isScored).map(row => [keyOf(row), row]));
     const pairs = a.filter(row => isScored(row) && ofB.has(keyOf(row)));
     if (pairs.length === 0) return null;
-    const sums = [...groupBy(pairs, row => row.scene).values()].map(rows => [
+    const sums = new Map([...groupBy(pairs, row => row.scene)].map(([scene, rows]) => [scene, [
         ...summed(rows, measure),
         ...summed(rows.map(row => ofB.get(keyOf(row))), measure),
-    ]);
+    ]]));
     const difference = drawn => {
         const total = [0, 0, 0, 0];
-        for (const scene of drawn)
-            for (let i = 0; i < 4; ++i) total[i] += sums[scene][i];
+        for (const scene of drawn) {
+            const sum = sums.get(scene);
+            if (sum) for (let i = 0; i < 4; ++i) total[i] += sum[i];
+        }
         const ofA = ratio(total.slice(0, 2), measure, true);
         const ofOther = ratio(total.slice(2), measure, true);
         return ofA === null || ofOther === null ? null : ofA - ofOther;
     };
-    const value = difference(sums.keys());
-    if (value === null) return null;
-    return {value, range: bootstrap(sums.length, difference), views: pairs.length,
-            scenes: sums.length};
+    return {scenes: [...sums.keys()], views: pairs.length, difference};
 }
 
-/// Whether chance in the choice of scenes does not explain a difference.
+function differenceOf(pair) {
+    const value = pair && pair.difference(pair.scenes);
+    if (value === null) return null;
+    const range = bootstrap(pair.scenes.length, drawn => pair.difference(Array.from(drawn, i => pair.scenes[i])));
+    return {value, range, views: pair.views, scenes: pair.scenes.length};
+}
+
+/// By how much the measure of rows `a` exceeds that of rows `b`, over the views that both have, with
+/// its 95 % interval; null if they have none in common.
+function pairedDifference(a, b, measure) {
+    return differenceOf(pairUp(a, b, measure));
+}
+
+/// The same of each of several lists of rows over `b`. Each has `rangeOfAll` too: the intervals that
+/// hold all together in 95 % of cases, found as statistics/simultaneous.h says.
+function pairedDifferences(lists, b, measure) {
+    const pairs = lists.map(a => pairUp(a, b, measure));
+    const differences = pairs.map(differenceOf);
+    const asked = differences.map((d, i) => ({d, pair: pairs[i]})).filter(({d}) => d && d.range);
+    if (asked.length < 2) return differences;
+    const scenes = [...new Set(asked.flatMap(({pair}) => pair.scenes))];
+    const random = randomNumbers(scenes.length);
+    for (const one of asked) one.values = [];
+    for (let i = 0; i < RESAMPLES; ++i) {
+        const drawn = scenes.map(() => scenes[random() % scenes.length]);
+        for (const one of asked) one.values.push(one.pair.difference(drawn));
+    }
+    const largest = new Float64Array(RESAMPLES);
+    for (const one of asked) {
+        const known = one.values.filter(value => value !== null);
+        const mean = known.reduce((sum, value) => sum + value, 0) / known.length;
+        one.error = Math.sqrt(known.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, known.length - 1));
+        if (!(one.error > 0)) continue;
+        one.values.forEach((value, i) => {
+            if (value !== null) largest[i] = Math.max(largest[i], Math.abs(value - one.d.value) / one.error);
+        });
+    }
+    const reach = quantile(largest.sort(), 0.95);
+    for (const {d, error} of asked) d.rangeOfAll = {low: d.value - reach * error, high: d.value + reach * error};
+    return differences;
+}
+
+/// Whether chance in the choice of scenes, and of the pair where many were looked at, does not
+/// explain a difference.
 function isSignificant(difference) {
-    const range = difference && difference.range;
+    const range = difference && (difference.rangeOfAll || difference.range);
     return Boolean(range && (range.low > 0 || range.high < 0));
 }
 

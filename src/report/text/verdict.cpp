@@ -109,21 +109,28 @@ std::string cost_of(const experiment::Verdict& verdict) {
 /// tell.
 std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdict& verdict) {
     if (verdict.runner_up == nullptr) return "";
+    const auto all = experiment::paired_differences_from(rows, verdict.best->method);
     const auto paired =
-        experiment::paired_difference_of(rows, verdict.best->method, verdict.runner_up->method);
-    if (!paired || !paired->range) return "";
+        std::find_if(all.begin(), all.end(), [&](const experiment::PairedDifference& d) {
+            return d.b == verdict.runner_up->method;
+        });
+    if (paired == all.end() || !paired->range) return "";
+    const std::string of_all =
+        paired->range_of_all ? fmt::format(" (95 % for all {} others together)", all.size()) : "";
     const std::string other = fmt::format(
         "{} (F {})", verdict.runner_up->method, core::format_share(verdict.runner_up->f_2px));
     if (paired->is_significant()) {
-        return fmt::format(" Its paired difference to {} is {}: significant.",
+        return fmt::format(" Its paired difference to {} is {}{}: significant.",
                            other,
-                           experiment::format_paired_difference(*paired));
+                           experiment::format_paired_difference(*paired),
+                           of_all);
     }
     return fmt::format(
-        " These scenes cannot tell it from {}: the paired difference is {}, and the 95 % interval "
+        " These scenes cannot tell it from {}: the paired difference is {}{}, and the 95 % interval "
         "holds 0.",
         other,
-        experiment::format_paired_difference(*paired));
+        experiment::format_paired_difference(*paired),
+        of_all);
 }
 
 /// On which parts of the suite the verdict holds: the best method of each part, or which the only
@@ -315,8 +322,8 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
         paired_difference_cells(experiment::all_paired_differences(rows));
     if (!differences.empty()) {
         text +=
-            "\nBy how much F of a line's method exceeds that of a column's, with 95 % intervals "
-            "(scenes resampled, both methods on the same ones):\n\n" +
+            "\nBy how much F of a line's method exceeds that of a column's, with intervals that hold "
+            "all together with 95 % (scenes resampled, all methods on the same ones):\n\n" +
             core::markdown(differences);
     }
     text += '\n';

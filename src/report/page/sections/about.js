@@ -35,7 +35,8 @@ function aboutTerms() {
             'times with replacement, each with all its views, because views of one scene are hard or easy ' +
             'together. One scene gives no interval.'],
         ['paired difference', 'two methods compared on the same views, scenes drawn anew for both together. Of ' +
-            'twenty 95 % intervals, one misses by chance.'],
+            'twenty 95 % intervals, one misses by chance; so where one method is held against many, an interval that ' +
+            'holds for all of them together decides (the maximum-t method of Westfall and Young, 1993).'],
         ['draw ms', 'the median time of one frame; over several views their median. Bars along the time axis are ' +
             'quartiles over views.'],
         ['baselines', 'four rows that are not methods. none: an empty image. sampled: one exact sample a ' +

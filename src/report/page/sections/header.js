@@ -41,11 +41,15 @@ function verdictSentences(view) {
         (best.ms ? `, ${formatMs(best.ms)} ms a frame. ` : '. ')];
     const second = ranked[1];
     if (second) {
-        const difference = pairedDifference(best.rows, second.rows, measure);
+        const others = ranked.filter(s => s !== best);
+        const difference = pairedDifferences(others.map(s => s.rows), best.rows, measure)[others.indexOf(second)];
         if (difference && difference.range) {
+            const range = difference.rangeOfAll || difference.range;
+            const interval = `95 % interval ${formatSignedRange({low: -range.high, high: -range.low}, 4)}` +
+                (difference.rangeOfAll ? ` for all ${others.length} others together` : '');
             words.push(isSignificant(difference)
-                ? `It is ahead of ${second.method} by ${formatSigned(difference.value, 4)} (95 % interval ${formatSignedRange(difference.range, 4)}). `
-                : `Statistical tie with ${second.method}: difference ${formatSigned(difference.value, 4)}, 95 % interval ${formatSignedRange(difference.range, 4)}. `);
+                ? `It is ahead of ${second.method} by ${formatSigned(-difference.value, 4)} (${interval}). `
+                : `Statistical tie with ${second.method}: difference ${formatSigned(-difference.value, 4)}, ${interval}. `);
         }
         if (best.scenes === 1) words.push('One scene gives no interval: this may be chance. ');
         else if (best.scenes < 5) words.push(`An interval from ${best.scenes} scenes is a rough one. `);

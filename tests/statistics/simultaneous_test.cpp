@@ -1,0 +1,84 @@
+#include "statistics/simultaneous.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace ink::statistics {
+namespace {
+
+/// A pair over all clusters in which `k_of(cluster)` of 1000 pixels are matched, against 500.
+template <class MatchedOf>
+PairedCounts pair_of(std::size_t clusters, MatchedOf k_of) {
+    PairedCounts pair;
+    for (std::size_t i = 0; i < clusters; ++i) {
+        pair.a.push_back({k_of(i), 1000, 1000});
+        pair.b.push_back({500, 1000, 1000});
+        pair.cluster.push_back(i);
+    }
+    return pair;
+}
+
+TEST(SimultaneousIntervals, AreNothingWithoutTwoClusters) {
+    const std::vector<PairedCounts> pairs = {pair_of(1, [](std::size_t) { return 400; })};
+    EXPECT_EQ(simultaneous_intervals(pairs, 1, {})[0], std::nullopt);
+    EXPECT_EQ(simultaneous_intervals(pairs, 5, {})[0], std::nullopt) << "the pair has one of five";
+    EXPECT_TRUE(simultaneous_intervals({}, 5, {}).empty());
+}
+
+TEST(SimultaneousIntervals, OfAPairWhoseClustersAllDifferByTheSameAreThatDifference) {
+    const std::vector<PairedCounts> pairs = {pair_of(9, [](std::size_t) { return 600; })};
+    const auto interval = simultaneous_intervals(pairs, 9, {})[0];
+    ASSERT_TRUE(interval);
+    EXPECT_NEAR(interval->low, 0.1, 1e-12);
+    EXPECT_NEAR(interval->high, 0.1, 1e-12);
+}
+
+TEST(SimultaneousIntervals, AreWiderThanThoseOfEachPairAlone) {
+    std::mt19937_64 random(1);
+    std::vector<PairedCounts> pairs;
+    for (int p = 0; p < 30; ++p) {
+        pairs.push_back(pair_of(
+            20, [&](std::size_t) { return 400 + static_cast<std::int64_t>(random() % 200); }));
+    }
+    const auto together = simultaneous_intervals(pairs, 20, {});
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        const auto alone = paired_interval(pairs[p].a, pairs[p].b, {});
+        ASSERT_TRUE(together[p] && alone);
+        EXPECT_LT(together[p]->low, alone->low);
+        EXPECT_GT(together[p]->high, alone->high);
+    }
+}
+
+/// The law that they are made for: with 30 methods that are really alike, some lead by chance in
+/// most experiments if each interval stands alone, and in about one of twenty if all hold together.
+TEST(SimultaneousIntervals, SeldomSeeALeadWhereThereIsNone) {
+    constexpr int kExperiments = 100;
+    int alone_wrong = 0, together_wrong = 0;
+    for (int e = 0; e < kExperiments; ++e) {
+        std::mt19937_64 random(static_cast<std::uint64_t>(e) + 100);
+        std::vector<PairedCounts> pairs;
+        for (int p = 0; p < 30; ++p) {
+            pairs.push_back(pair_of(
+                40, [&](std::size_t) { return 450 + static_cast<std::int64_t>(random() % 101); }));
+        }
+        const auto leads = [](const std::optional<Interval>& interval) {
+            return interval && (interval->low > 0 || interval->high < 0);
+        };
+        bool is_alone_wrong = false, is_together_wrong = false;
+        const BootstrapOptions options{.resamples = 200, .seed = static_cast<std::uint64_t>(e)};
+        const auto together = simultaneous_intervals(pairs, 40, options);
+        for (std::size_t p = 0; p < pairs.size(); ++p) {
+            is_together_wrong = is_together_wrong || leads(together[p]);
+            is_alone_wrong =
+                is_alone_wrong || leads(paired_interval(pairs[p].a, pairs[p].b, options));
+        }
+        alone_wrong += is_alone_wrong ? 1 : 0;
+        together_wrong += is_together_wrong ? 1 : 0;
+    }
+    EXPECT_GT(alone_wrong, kExperiments / 2);
+    EXPECT_LT(together_wrong, kExperiments / 5);
+}
+
+}  // namespace
+}  // namespace ink::statistics
