@@ -10,6 +10,7 @@
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
 #include "experiment/entrants/view_files.h"
+#include "harness/out_folder.h"
 #include "harness/tables/csv.h"
 #include "harness/tracing.h"
 #include "harness/view_images.h"
@@ -88,7 +89,7 @@ void run_export(const ExportArgs& args) {
     apply(args.settings, trace);
     trace.cache = cache_folder(args.cache);
     const auto scenes = harness::load_scenes(names, view_request(args.views));
-    experiment::make_folder(args.out);
+    harness::make_out_folder(args.out);
     std::string table = "scene,view,width,height,folder\n";
     for (const harness::SceneViews& scene_views : scenes)
         table += export_scene(args, scene_views, trace);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -35,13 +34,11 @@ void check_method_name(const std::string& name) {
 }
 
 std::string source_text(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) {
-        throw core::Error(path.string(),
-                          "it cannot be read, so this is no source tree of Inkbench",
-                          "run it in the source tree, or name the tree with --root");
-    }
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    auto text = core::read_whole_file(path);
+    if (text) return *std::move(text);
+    throw core::Error(path.string(),
+                      "it cannot be read, so this is no source tree of Inkbench",
+                      "run it in the source tree, or name the tree with --root");
 }
 
 /// "two_sums" as "TwoSums".

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "draw/image_output.h"
+#include "harness/out_folder.h"
 
 namespace ink::cli {
 namespace {
@@ -81,12 +82,7 @@ void score_all(const ScoreArguments& a) {
         print_doubts(scored);
         if (a.picture.empty()) return;
         const fs::path path = fs::path(a.picture) / (name + ".png");
-        std::error_code failure;
-        fs::create_directories(path.parent_path(), failure);
-        if (failure) {
-            throw core::Error(path.parent_path().string(),
-                              "this folder cannot be made: " + failure.message());
-        }
+        harness::make_out_folder(path.parent_path());
         draw::write_drawing(draw::picture_of(scored), path);
     };
     const auto scores = draw::score_folders(a.prediction, a.truth, a.request, draw_picture);

@@ -4,6 +4,8 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <system_error>
 
@@ -24,6 +26,16 @@ int write_new(const std::filesystem::path& path, std::string_view bytes) {
 }
 
 }  // namespace
+
+std::optional<std::string> read_whole_file(const std::filesystem::path& path) {
+    std::error_code failure;
+    if (std::filesystem::is_directory(path, failure)) return std::nullopt;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return std::nullopt;
+    std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (stream.bad()) return std::nullopt;
+    return bytes;
+}
 
 void write_whole_file(const std::filesystem::path& path, std::string_view bytes) {
     std::random_device random;

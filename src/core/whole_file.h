@@ -1,9 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace ink::core {
+
+/// The bytes of a file; nothing for what is no file, or cannot be read.
+[[nodiscard]] std::optional<std::string> read_whole_file(const std::filesystem::path& path);
 
 /// Writes `bytes` to a file beside `path` and renames it to `path`, so that nobody sees half of it,
 /// also when several processes write the same file.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -13,6 +12,7 @@
 #include "core/hash.h"
 #include "core/whole_file.h"
 #include "experiment/toml_reader.h"
+#include "harness/out_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -22,12 +22,6 @@ namespace fs = std::filesystem;
 constexpr const char* kRecord = "block.toml";
 constexpr const char* kUnfinished = ".part";
 constexpr const char* kImages = "images";
-
-std::optional<std::string> read_text(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return std::nullopt;
-    return std::string{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// Runs `work`; what the file system objects to becomes an Error that names `place`.
 template <class Work>
@@ -63,7 +57,7 @@ bool has_tables(const toml::table& record, const fs::path& place) {
     const toml::table* tables = record["tables"].as_table();
     if (tables == nullptr) return false;
     return std::all_of(tables->begin(), tables->end(), [&](const auto& table) {
-        const auto lines = read_text(place / table.first.str());
+        const auto lines = core::read_whole_file(place / table.first.str());
         return lines && core::Hasher().text(*lines).hex() == table.second.value_or(std::string());
     });
 }
@@ -77,12 +71,7 @@ fs::path BlockStore::place_of(std::size_t index) const {
 }
 
 void BlockStore::make_folder() const {
-    std::error_code failure;
-    fs::create_directories(blocks_, failure);
-    if (failure || !fs::is_directory(blocks_)) {
-        throw core::Error(
-            folder_.string(), "this folder cannot be made", "a writable place for --out");
-    }
+    harness::make_out_folder(blocks_);
 }
 
 void BlockStore::write(std::size_t index, const KeptBlock& block, const BlockResult& result) const {
@@ -112,7 +101,7 @@ void BlockStore::write(std::size_t index, const KeptBlock& block, const BlockRes
 
 std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
     const fs::path file = place_of(index) / kRecord;
-    const auto text = read_text(file);
+    const auto text = core::read_whole_file(file);
     if (!text) return std::nullopt;
     const toml::table root = parse_toml(*text, file);
     if (!has_tables(root, place_of(index))) return std::nullopt;
@@ -127,7 +116,7 @@ std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
 }
 
 std::string BlockStore::lines(std::size_t index, const std::string& table) const {
-    return read_text(place_of(index) / table).value_or("");
+    return core::read_whole_file(place_of(index) / table).value_or("");
 }
 
 std::vector<std::size_t> BlockStore::indices() const {

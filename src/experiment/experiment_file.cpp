@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "experiment/entrants/entrant.h"
 #include "experiment/experiment.h"
 #include "experiment/toml_reader.h"
@@ -281,13 +280,9 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
 }
 
 Experiment read_experiment(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) {
-        throw core::Error(file.string(), "it cannot be read", "an experiment's TOML file");
-    }
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
-    return parse_experiment(text, file);
+    const auto text = core::read_whole_file(file);
+    if (!text) throw core::Error(file.string(), "it cannot be read", "an experiment's TOML file");
+    return parse_experiment(*text, file);
 }
 
 }  // namespace ink::experiment

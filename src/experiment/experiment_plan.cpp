@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <numeric>
@@ -12,6 +11,7 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/provenance.h"
+#include "core/whole_file.h"
 #include "experiment/asked.h"
 #include "harness/tables/methods_table.h"
 
@@ -27,11 +27,7 @@ std::string build_text() {
 
 /// A model file may change while its name stays.
 void add_file(const std::string& scene, core::Hasher& hasher) {
-    std::ifstream stream(scene, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(scene)) return;
-    const std::string bytes{std::istreambuf_iterator<char>(stream),
-                            std::istreambuf_iterator<char>()};
-    hasher.text(bytes);
+    if (const auto bytes = core::read_whole_file(scene)) hasher.text(*bytes);
 }
 
 /// All that the rows depend on: what is asked for, down to every parameter, and who answers.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -119,11 +118,9 @@ RunRecord record_of(const Plan& plan) {
 
 std::optional<RunRecord> read_record(const fs::path& folder) {
     const fs::path file = folder / kFile;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return std::nullopt;
-    const std::string text{std::istreambuf_iterator<char>(stream),
-                           std::istreambuf_iterator<char>()};
-    const toml::table root = parse_toml(text, file);
+    const auto text = core::read_whole_file(file);
+    if (!text) return std::nullopt;
+    const toml::table root = parse_toml(*text, file);
     RunRecord record;
     record.name = root["name"].value_or(std::string());
     record.kind = root["kind"].value_or(std::string());

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 
 #include "core/error.h"
@@ -123,10 +122,8 @@ Crosscheck cached_crosscheck(truth::SceneModel& scene,
     if (cache_dir.empty()) return look(scene, view, truth);
     const std::string key = truth::truth_key(scene.scene(), view, scene.options());
     const std::filesystem::path path = cache_dir / (key + ".crosscheck");
-    std::ifstream file(path, std::ios::binary);
-    if (file) {
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        if (auto check = decode_check(bytes, key)) return std::move(*check);
+    if (const auto bytes = core::read_whole_file(path)) {
+        if (auto check = decode_check(*bytes, key)) return std::move(*check);
     }
     Crosscheck check = look(scene, view, truth);
     try {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <set>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "methods/presets.h"
 #include "methods/tuned.h"
 
@@ -116,11 +116,10 @@ void follow_crease(double crease_deg, std::vector<MethodConfig>& configs) {
 }
 
 MethodConfig preset_config(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
+    const auto text = core::read_whole_file(file);
+    if (!text) throw core::Error(file.string(), "cannot be read", "a preset as TOML");
     const std::vector<method::MethodInfo>& bases = methods::registry();
-    const methods::Preset preset = methods::parse_preset(text, file.string(), bases);
+    const methods::Preset preset = methods::parse_preset(*text, file.string(), bases);
     const bool is_taken = std::any_of(
         bases.begin(), bases.end(), [&](const auto& info) { return info.name == preset.name; });
     if (is_taken && !is_shipped(preset.name)) {

@@ -1,5 +1,8 @@
 #include "harness/out_folder.h"
 
+#include <string>
+#include <system_error>
+
 #include "core/error.h"
 
 namespace ink::harness {
@@ -9,7 +12,9 @@ void make_out_folder(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, failure);
     if (failure || !std::filesystem::is_directory(folder)) {
         throw core::Error(
-            folder.string(), "this folder cannot be made", "a writable place for --out");
+            folder.string(),
+            "this folder cannot be made" + (failure ? ": " + failure.message() : std::string()),
+            "a place that can be written");
     }
 }
 

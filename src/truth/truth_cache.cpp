@@ -1,7 +1,5 @@
 #include "truth/truth_cache.h"
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -17,11 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<Truth> load(const fs::path& path, const std::string& key, const scene::View& view) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    const std::vector<char> chars{std::istreambuf_iterator<char>(file), {}};
+    const auto bytes = core::read_whole_file(path);
+    if (!bytes) return std::nullopt;
     auto truth =
-        decode_truth({reinterpret_cast<const std::uint8_t*>(chars.data()), chars.size()}, key);
+        decode_truth({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, key);
     const bool fits = truth && truth->labels.width_px() == view.width_px &&
                       truth->labels.height_px() == view.height_px;
     return fits ? std::move(truth) : std::nullopt;

@@ -97,8 +97,7 @@ TuneLog::TuneLog(std::filesystem::path path, const std::string& key) : path_(std
 }
 
 void TuneLog::read(const std::string& key) {
-    std::ifstream file(path_, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = core::read_whole_file(path_).value_or("");
     bool is_first = true;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = text.find('\n', begin);

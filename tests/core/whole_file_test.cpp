@@ -47,5 +47,19 @@ TEST_F(WholeFile, WhereItCannotStandIsAnErrorAndNothingIsLeft) {
     EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(WholeFile, IsReadAsItWasWritten) {
+    const fs::path path = folder_ / "a.bin";
+    const std::string bytes("\0\r\n\x1a", 4);
+    write_whole_file(path, bytes);
+    EXPECT_EQ(read_whole_file(path), bytes);
+    write_whole_file(path, "");
+    EXPECT_EQ(read_whole_file(path), "");
+}
+
+TEST_F(WholeFile, WhatIsNoFileIsNothing) {
+    EXPECT_EQ(read_whole_file(folder_ / "nowhere"), std::nullopt);
+    EXPECT_EQ(read_whole_file(folder_), std::nullopt);
+}
+
 }  // namespace
 }  // namespace ink::core

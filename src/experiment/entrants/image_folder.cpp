@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/whole_file.h"
 #include "harness/tables/csv_table.h"
 #include "harness/view_images.h"
 #include "image_io/image_file.h"
@@ -25,16 +25,13 @@ using Times = std::map<std::pair<std::string, std::string>, std::int64_t>;
 
 constexpr double kNsPerMs = 1e6;
 
-std::string read_bytes(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 /// Times by scene and view; none without the file.
 Times read_times(const fs::path& file) {
     Times times;
     if (!fs::exists(file)) return times;
-    const harness::CsvTable table = harness::split_csv(read_bytes(file), file.string());
+    const auto text = core::read_whole_file(file);
+    if (!text) throw core::Error(file.string(), "it cannot be read", "times as CSV");
+    const harness::CsvTable table = harness::split_csv(*text, file.string());
     const std::size_t scene = table.find("scene");
     const std::size_t view = table.find("view");
     const std::size_t draw_ms = table.find("draw_ms");
@@ -87,12 +84,13 @@ std::string folder_hash(const fs::path& folder) {
     }
     core::Hasher hasher;
     for (const fs::path& file : files)
-        hasher.text(file.lexically_relative(folder).string()).text(read_bytes(file));
+        hasher.text(file.lexically_relative(folder).string())
+            .text(core::read_whole_file(file).value_or(""));
     return hasher.hex();
 }
 
 std::string file_hash(const fs::path& file) {
-    return core::Hasher().text(read_bytes(file)).hex();
+    return core::Hasher().text(core::read_whole_file(file).value_or("")).hex();
 }
 
 }  // namespace ink::experiment

@@ -5,12 +5,11 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <system_error>
 
-#include "core/error.h"
 #include "core/whole_file.h"
 #include "experiment/entrants/mesh_files.h"
 #include "experiment/entrants/view_buffers.h"
+#include "harness/out_folder.h"
 
 namespace ink::experiment {
 namespace {
@@ -94,18 +93,8 @@ std::string view_json(const scene::Scene& scene, const scene::View& view, const 
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) {
-        throw core::Error(folder.string(),
-                          "this folder cannot be made: " + failure.message(),
-                          "a place that can be written");
-    }
-}
-
 ViewFiles write_meshes(const scene::Scene& scene, const fs::path& folder) {
-    make_folder(folder);
+    harness::make_out_folder(folder);
     ViewFiles files{folder / "mesh.obj", folder / "mesh.glb"};
     write_obj(scene, files.obj);
     write_glb(scene, files.glb);
@@ -117,7 +106,7 @@ void write_view(const scene::Scene& scene,
                 const ViewFiles& meshes,
                 double crease_rad,
                 const fs::path& folder) {
-    make_folder(folder);
+    harness::make_out_folder(folder);
     const ViewBuffers buffers = view_buffers(scene, view, crease_rad);
     write_buffers_exr(buffers, folder / "buffers.exr");
     write_object_ids(buffers, folder / "ids.png");

@@ -21,9 +21,6 @@ struct ViewFiles {
                                     const scene::View& view,
                                     const ViewFiles& files);
 
-/// Makes a folder and those above it. Throws core::Error (where = the folder) if it cannot be.
-void make_folder(const std::filesystem::path& folder);
-
 /// Writes the meshes of a scene to `folder`: mesh.obj and mesh.glb. Makes the folder.
 [[nodiscard]] ViewFiles write_meshes(const scene::Scene& scene,
                                      const std::filesystem::path& folder);
