@@ -65,7 +65,7 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
 void add_bound_command(CLI::App& app) {
     auto args = std::make_shared<BoundArgs>();
     auto* command = app.add_subcommand(
-        "bound", "Compute an upper bound on the score of any four weights of a packed code");
+        "bound", "Estimate the best score that any four weights of a packed code could have");
     add_scene_options(
         *command, args->scenes, "Built-in scenes or model files (default: the catalogue)");
     add_method_options(

@@ -46,7 +46,8 @@ struct LinearBoundOptions {
     std::vector<LinearWeights> starts = {};
 };
 
-/// The most that any weights of a domain reach, enclosed from both sides.
+/// The most that any weights of a domain reach by the model's rule, enclosed from both sides. As a
+/// limit of what the scorer measures it is an estimate, see linear_bound().
 struct LinearBound {
     double f_upper = 1;  ///< no weights of the domain come above this
     double f_found = 0;  ///< `weights` do this

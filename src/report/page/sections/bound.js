@@ -3,8 +3,8 @@
 addSection({
     id: 'bound',
     title: 'The best that any weights could reach',
-    intro: 'A packed code adds depth and normal with four weights. F upper: no weights can exceed it. F found: ' +
-        'some weights reach it. F of the method: its own score. F model: its weights, scored by the bound’s more ' +
+    intro: 'A packed code adds depth and normal with four weights. F upper: an estimate of ' +
+        'what no weights exceed (how much ink thinning leaves is measured). F found: some weights reach it. F of the method: its own score. F model: its weights, scored by the bound’s more ' +
         'lenient rule, which forgives extra pixels and lines that share one drawn pixel.',
     isThere: view => view.run.has('bound.csv'),
     uses: ['sort.bound'],
