@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
-
-#include "core/whole_file.h"
 
 namespace ink::import {
 namespace {
@@ -212,7 +212,8 @@ std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file) {
 std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
                                              scene::Animation& motion) {
     const glm::dmat4 world_from_file = motion.nodes.front().parent_from_node;
-    const std::string bytes = core::read_whole_file(path).value_or("");
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
     std::vector<ImportedCamera> cameras = read_3ds_cameras(std::as_bytes(std::span(bytes)));
     const std::vector<CameraKeys> all_keys = read_3ds_camera_keys(std::as_bytes(std::span(bytes)));
     for (ImportedCamera& camera : cameras) {
