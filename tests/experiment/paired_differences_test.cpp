@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace ink::experiment {
 namespace {
 
@@ -91,9 +93,10 @@ TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
 
 TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
     std::vector<harness::Row> rows;
+    std::mt19937 random(1);
     for (int scene = 0; scene < 20; ++scene) {
         for (int method = 0; method < 12; ++method) {
-            const int chance = (scene * 7 + method * 5 + scene * method * 3) % 11;
+            const int chance = static_cast<int>(random() % 11);
             rows.push_back(
                 row_of("m" + std::to_string(method), std::to_string(scene), 60 + chance));
         }
@@ -102,7 +105,7 @@ TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
     int led_alone = 0, led_together = 0;
     for (const PairedDifference& paired : all_paired_differences(rows)) {
         ASSERT_TRUE(paired.range && paired.range_of_all);
-        if (paired.a == "good") EXPECT_TRUE(paired.is_significant());
+        EXPECT_TRUE(paired.a != "good" || paired.is_significant());
         if (paired.a == "good" || paired.b == "good") continue;
         led_alone += paired.range->low > 0 ? 1 : 0;
         led_together += paired.is_significant() ? 1 : 0;
