@@ -218,4 +218,16 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
     return without_contacts(topology, all, options.tolerances);
 }
 
+std::span<const Continuation> continuations_of(std::span<const Continuation> all,
+                                               std::uint32_t edge) {
+    const auto begin =
+        std::lower_bound(all.begin(), all.end(), edge, [](const Continuation& c, std::uint32_t e) {
+            return c.edge < e;
+        });
+    auto end = begin;
+    while (end != all.end() && end->edge == edge)
+        ++end;
+    return {begin, end};
+}
+
 }  // namespace ink::truth

@@ -42,4 +42,8 @@ struct ContinuationOptions {
 [[nodiscard]] std::vector<Continuation> find_continuations(const scene::Topology& topology,
                                                            const ContinuationOptions& options);
 
+/// Those of one edge, from all of a topology.
+[[nodiscard]] std::span<const Continuation> continuations_of(std::span<const Continuation> all,
+                                                             std::uint32_t edge);
+
 }  // namespace ink::truth

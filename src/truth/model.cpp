@@ -86,15 +86,7 @@ std::size_t count_defects(const Model& model) {
 }  // namespace
 
 std::span<const Continuation> Model::continuations_of(std::uint32_t edge) const {
-    const auto begin =
-        std::lower_bound(continuations.begin(),
-                         continuations.end(),
-                         edge,
-                         [](const Continuation& c, std::uint32_t e) { return c.edge < e; });
-    auto end = begin;
-    while (end != continuations.end() && end->edge == edge)
-        ++end;
-    return {begin, end};
+    return truth::continuations_of(continuations, edge);
 }
 
 LineClass Model::class_across(const scene::Edge& edge,
@@ -122,9 +114,8 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
-    mark_slit_crossings(model.topology,
-                        {model.tolerances, model.crease_rad, options.threads},
-                        model.crossings.segments);
+    mark_slit_crossings(
+        model.topology, model.continuations, model.tolerances, model.crossings.segments);
     model.is_touched.assign(model.topology.edges.size(), 0);
     for (const Contact& contact : model.crossings.contacts)
         model.is_touched[contact.edge] = 1;

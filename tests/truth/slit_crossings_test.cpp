@@ -26,7 +26,9 @@ std::size_t kept(const std::vector<scene::Mesh>& meshes, double tolerance, bool 
     auto crossings = find_crossings(topology, {}).segments;
     EXPECT_GT(crossings.size(), 0U);
     const std::vector<double> tolerances(meshes.size(), tolerance);
-    mark_slit_crossings(topology, {tolerances, 40 * std::numbers::pi / 180, 1}, crossings);
+    const auto continuations =
+        find_continuations(topology, {tolerances, 40 * std::numbers::pi / 180, 1});
+    mark_slit_crossings(topology, continuations, tolerances, crossings);
     return static_cast<std::size_t>(
         std::count_if(crossings.begin(), crossings.end(), [](const Crossing& crossing) {
             return std::isinf(crossing.slit_world);
@@ -52,6 +54,28 @@ TEST(SlitCrossings, PiecesThatOverlapByLessThanTheToleranceAreOneSurface) {
     EXPECT_EQ(kept({left, right}, 2e-3), 0U);
     EXPECT_EQ(kept({left, right}, 2e-4), 1U) << "wider than the tolerance";
     EXPECT_EQ(kept({left, right}, 2e-3, false), 1U) << "two objects";
+}
+
+TEST(SlitCrossings, PiecesThatOverlapByMoreAndMoreAreOneSurfaceForAPart) {
+    // They cross in x = z = 0. Each passes that by 0.0005 at y = -1 and by 0.0085 at y = 1.
+    scene::Mesh both = triangle({0.0005F, -1, 0.00005F}, {-2, 0, -0.2F}, {0.0085F, 1, 0.00085F});
+    add_triangle(both, {-0.0005F, -1, 0.00005F}, {2, 0, -0.2F}, {-0.0085F, 1, 0.00085F});
+    const scene::Topology topology = scene::weld(scene_of({both}));
+    auto crossings = find_crossings(topology, {}).segments;
+    ASSERT_EQ(crossings.size(), 1U);
+    const std::vector<double> tolerances(1, 1e-3);
+    const auto continuations =
+        find_continuations(topology, {tolerances, 40 * std::numbers::pi / 180, 1});
+    mark_slit_crossings(topology, continuations, tolerances, crossings);
+    ASSERT_EQ(crossings.size(), 2U);
+    const bool is_first = !std::isinf(crossings[0].slit_world);
+    const Crossing& slit = crossings[is_first ? 0 : 1];
+    const Crossing& rest = crossings[is_first ? 1 : 0];
+    EXPECT_TRUE(std::isinf(rest.slit_world));
+    // Two tolerances from a border at y = -0.625.
+    EXPECT_NEAR(slit.slit_world, 2e-3, 1e-6);
+    EXPECT_NEAR(std::max(slit.begin_world.y, slit.end_world.y), -0.625, 0.01);
+    EXPECT_NEAR(std::min(rest.begin_world.y, rest.end_world.y), -0.625, 0.01);
 }
 
 TEST(SlitCrossings, ACreaseIsKept) {

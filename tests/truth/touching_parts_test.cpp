@@ -77,6 +77,21 @@ TEST(TouchingParts, ADecalIsASeamWhereObjectsDiffer) {
     expect_the_same_in_every_pose(scene_of({both}), view_from({1, -2, 6}, {0, 0, 0}));
 }
 
+TEST(TouchingParts, TheFootOfAWallIsSeenWhereItsPlaneAndTheFloorBothGoOn) {
+    // Lawn before the wall, floor behind it, and the floor's side below: behind the lawn the wall
+    // goes on downwards, and behind the wall the lawn goes on into the floor. Neither is seen.
+    const scene::Mesh lawn = quad({-2, 0, -1}, {-2, 0, 1}, {0, 0, 1}, {0, 0, -1});
+    scene::Mesh slab = quad({0, 0, -1}, {0, 0, 1}, {2, 0, 1}, {2, 0, -1});
+    add_quad(slab, {0, -1, -1}, {0, -1, 1}, {0, 0, 1}, {0, 0, -1});
+    const scene::Mesh wall = quad({0, 0, -0.8F}, {0, 0, 0.8F}, {0, 1, 0.8F}, {0, 1, -0.8F});
+    const scene::Scene scene = scene_of({lawn, slab, wall});
+    const scene::View view = view_from({-6, 3, 0}, {0, 0, 0});
+    const Truth truth = trace(scene, view);
+    const double foot_px = kFocal_px * 1.6 / std::sqrt(45.0);
+    EXPECT_NEAR(seen_length(scene, truth, {0, 0, -0.8F}, {0, 0, 0.8F}), foot_px, 0.01);
+    expect_the_same_in_every_pose(scene, view);
+}
+
 TEST(TouchingParts, SolidsThatStandOnAndBesideEachOther) {
     const scene::Scene scene = scene_of({box({-3, -1.1F, -2}, {3, -0.7F, 2}),
                                          box({-1.3F, -0.7F, -0.6F}, {0.1F, 0.4F, 0.7F}),

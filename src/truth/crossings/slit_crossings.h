@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/topology.h"
@@ -9,13 +10,16 @@
 namespace ink::truth {
 
 /// Marks the crossings that are defects as a boundary is one (section 5 of the design) where the
-/// image is too coarse to show them: two faces of one object that overlap by no more than its weld
-/// tolerance where both have a border, as the pieces of a cracked surface do, and lie to different
-/// sides of it, flatter than a crease. All of such a crossing lies within two tolerances of one
-/// border of either face: `slit_world` is how far from the farther one. One that only ends at
+/// image is too coarse to show them: two faces of one object cross within two of its weld tolerances of a border
+/// of either, beyond which the surface goes on (continuation.h), as the pieces of a cracked surface
+/// do that overlap. `slit_world` is how far from that border. A crossing that does so along a part
+/// of it, for pieces gape and overlap by more and less, is split there. One that only ends at
 /// borders runs through the faces and is left as it is.
+///
+/// `continuations` are those of the topology; `tolerances` has one entry per object.
 void mark_slit_crossings(const scene::Topology& topology,
-                         const ContinuationOptions& options,
+                         std::span<const Continuation> continuations,
+                         std::span<const double> tolerances,
                          std::vector<Crossing>& crossings);
 
 }  // namespace ink::truth

@@ -185,8 +185,10 @@ LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineCl
     const Sheet& right = bundle.right();
     if (!left.is_own && !right.is_own) return LineClass::none;
     if (!left.is_there() || !right.is_there() || (left.is_own && right.is_own)) return own_class;
-    return left.is_own ? class_against(eye, bundle, left, right, own_class)
-                       : class_against(eye, bundle, right, left, own_class);
+    // What continues an own face beyond its border lies behind the touching one: it is not seen.
+    const LineClass by_own_faces = eye.edge_class[edge];
+    return left.is_own ? class_against(eye, bundle, left, right, by_own_faces)
+                       : class_against(eye, bundle, right, left, by_own_faces);
 }
 
 }  // namespace ink::truth

@@ -20,7 +20,8 @@ namespace ink::truth {
 ///   edge inside and own faces go on behind it, they pierce it there: an intersection at any angle,
 ///   as between any two faces, unless it lies in the plane of an own one. Else, if the two bend by
 ///   less than a crease, the surface goes on: a seam between two objects, and within one nothing.
-///   Else the edge keeps its own class if that is a contour or a boundary (a box on a floor), or a
+///   Else the edge keeps the class that its own faces give it if that is a contour or a boundary (a
+///   box on a floor; what goes on beyond a border is hidden there and does not count), or a
 ///   crease whose other face coincides with the touching one; what is left is an intersection.
 /// Where no own face is seen the edge is hidden, though no face stands before it: the foot of a
 /// wall seen through the floor it stands on, or the outline of a tile under a coincident one.
