@@ -65,10 +65,14 @@ bool goes_on(const SightRays& rays, const MetEdge& end, const Sample& beyond, Sa
     if (end.line_class != truth::LineClass::boundary) return is_touched(mesh, end, beyond);
     const double px_per_unit = mesh.projection().focal_px() / end.w;
     const double tolerance = mesh.tolerance(end.face, end.w);
-    const Closeness close{tolerance, 4.0 / 512 / px_per_unit};
+    const auto touches = [&](std::uint32_t face) {
+        return mesh.goes_on(end.face, face, end.p_world, {tolerance, tolerance});
+    };
+    // Small triangles may lie between the sample and the end: the surface is followed back to it.
     const auto continues = [&](const Sample& sample) {
-        return sample.sight.face != kNothing &&
-               mesh.goes_on(end.face, sample.sight.face, end.p_world, close);
+        if (sample.sight.face == kNothing) return false;
+        if (touches(sample.sight.face)) return true;
+        return touches(walk(mesh, sample, mesh.px(end.p_world), Stop::at_end).face);
     };
     if (continues(beyond)) return true;
     next.p_px = mesh.px(end.p_world) + end.outward * (2 * tolerance * px_per_unit + 1.0 / 512);
@@ -215,22 +219,35 @@ bool add_overlap(const ClipMesh& mesh,
     return false;
 }
 
-/// Whether a border of the face passes the point within two weld tolerances.
-bool has_border_at(const ClipMesh& mesh, std::uint32_t face, const glm::dvec3& p_world, double w) {
+/// Whether a border of the face passes the point within two weld tolerances, and `other` goes on
+/// beyond it.
+bool ends_on(const ClipMesh& mesh,
+             std::uint32_t face,
+             std::uint32_t other,
+             const glm::dvec3& p_world,
+             double w) {
     const scene::Face& f = mesh.topology().faces[face];
     const auto& p = mesh.topology().p_world;
+    const double tolerance = mesh.tolerance(face, w);
     for (std::size_t i = 0; i < 3; ++i) {
         if (mesh.topology().edges[f.edges[i]].face_count != 1) continue;
         const glm::dvec3 a = p[f.vertices[i]], along = p[f.vertices[(i + 1) % 3]] - a;
         const double t =
             std::clamp(glm::dot(p_world - a, along) / glm::dot(along, along), 0.0, 1.0);
-        if (glm::length(p_world - (a + t * along)) <= 2 * mesh.tolerance(face, w)) return true;
+        const glm::dvec3 border = a + t * along;
+        if (glm::length(p_world - border) > 2 * tolerance) continue;
+        const glm::dvec3 d = p[f.vertices[(i + 2) % 3]] - a;
+        const glm::dvec3 inward =
+            glm::normalize(d - along * (glm::dot(d, along) / glm::dot(along, along)));
+        const glm::dvec3 beyond = border - 2 * tolerance * inward;
+        if (mesh.goes_on(face, other, beyond, {2 * tolerance, tolerance})) return true;
     }
     return false;
 }
 
 /// Whether two pieces of a cracked surface cross where they overlap by no more than the tolerance:
-/// the border of either lies there, and their planes are flatter to each other than a crease.
+/// the border of one lies there, the other goes on beyond it, and their planes are flatter to each
+/// other than a crease.
 bool is_slit(const ClipMesh& mesh,
              const std::array<Sample, 2>& samples,
              const std::array<std::uint32_t, 2>& faces) {
@@ -246,8 +263,9 @@ bool is_slit(const ClipMesh& mesh,
     // Either may show its back: where the surface folds before the eye its borders are drawn.
     const double deviation = mesh.deviation_between(faces[0], faces[1]);
     return std::min(deviation, std::numbers::pi - deviation) < mesh.crease_rad() &&
-           !mesh.is_seam(faces[0], faces[1]) && has_border_at(mesh, faces[0], p_world, w) &&
-           has_border_at(mesh, faces[1], p_world, w);
+           !mesh.is_seam(faces[0], faces[1]) &&
+           (ends_on(mesh, faces[0], faces[1], p_world, w) ||
+            ends_on(mesh, faces[1], faces[0], p_world, w));
 }
 
 /// Two surfaces that both go on at both samples: one passes through the other, or the near plane
@@ -305,7 +323,7 @@ Between name_between(const SightRays& rays, const Sample& from, const Sample& to
     }
     for (std::size_t i = 0; i < 2; ++i) {
         const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
-        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d);
+        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d, rays.reach_px());
     }
     add_ends(rays, samples, walks, between);
     for (std::size_t i = 0; i < 2 && between.count == 1; ++i)

@@ -67,8 +67,13 @@ class Surroundings {
     Surroundings(const ClipMesh& mesh,
                  std::uint32_t face,
                  const glm::dvec2& p_px,
+                 double reach_px,
                  bool over_features)
-        : mesh_(mesh), p_px_(p_px), over_features_(over_features), found_{face} {}
+        : mesh_(mesh),
+          p_px_(p_px),
+          reach_px_(reach_px),
+          over_features_(over_features),
+          found_{face} {}
 
     /// The next face; kNothing after the last.
     std::uint32_t next() {
@@ -86,11 +91,12 @@ class Surroundings {
     void add(std::uint32_t face) {
         const auto end = found_.begin() + static_cast<std::ptrdiff_t>(count_);
         if (count_ == kMostSpread || std::find(found_.begin(), end, face) != end) return;
-        if (ClipMesh::holds(mesh_.local_face(face, p_px_), kReach_px)) found_[count_++] = face;
+        if (ClipMesh::holds(mesh_.local_face(face, p_px_), reach_px_)) found_[count_++] = face;
     }
 
     const ClipMesh& mesh_;
     glm::dvec2 p_px_;
+    double reach_px_;
     bool over_features_;
     std::array<std::uint32_t, kMostSpread> found_;
     std::size_t count_ = 1;
@@ -103,7 +109,7 @@ bool is_reached_round(const ClipMesh& mesh,
                       std::uint32_t face,
                       std::uint32_t goal,
                       const glm::dvec2& p_px) {
-    Surroundings faces(mesh, face, p_px, false);
+    Surroundings faces(mesh, face, p_px, kReach_px, false);
     for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
         if (f == goal) return true;
     }
@@ -173,13 +179,14 @@ Walk walking::walk(const ClipMesh& mesh, const Sample& from, const glm::dvec2& t
 Walk walking::ended_round(const ClipMesh& mesh,
                           const Walk& walk,
                           const Sample& to,
-                          const glm::dvec2& d) {
-    Surroundings faces(mesh, walk.face, to.p_px, true);
+                          const glm::dvec2& d,
+                          double reach_px) {
+    Surroundings faces(mesh, walk.face, to.p_px, reach_px, true);
     for (std::uint32_t f = faces.next(); f != kNothing; f = faces.next()) {
         const LocalFace local = mesh.local_face(f, to.p_px);
         for (std::size_t side = 0; side < 3; ++side) {
             const Across across = mesh.across(f, side);
-            if (across.face != kNothing || !ClipMesh::is_edge_near(local, side, kReach_px))
+            if (across.face != kNothing || !ClipMesh::is_edge_near(local, side, reach_px))
                 continue;
             Walk ended{false, f, meet(mesh, local, f, side, d)};
             ended.met.line_class = across.line_class;

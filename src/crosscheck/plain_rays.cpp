@@ -11,6 +11,8 @@
 namespace ink::crosscheck {
 namespace {
 
+constexpr double kExact_px = 1e-9;  ///< by so much double may miss on the way along a face
+
 constexpr double kFarOff_px = 1e9;
 
 /// Ascending by rows.
@@ -52,7 +54,7 @@ double depth_of(const ClipMesh& mesh, const scene::Face& face, const glm::dvec3&
 }  // namespace
 
 PlainRays::PlainRays(const ClipMesh& mesh, std::span<const glm::dvec2> places_px)
-    : SightRays(mesh) {
+    : SightRays(mesh, kExact_px) {
     for (const glm::dvec2& p : places_px) {
         for (const double dx : {-kReach_px, kReach_px}) {
             for (const double dy : {-kReach_px, kReach_px})

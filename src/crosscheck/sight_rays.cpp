@@ -157,7 +157,7 @@ void Foremost::add(const ClipMesh& mesh, const Sight& sight) {
 }
 
 EmbreeRays::EmbreeRays(const ClipMesh& mesh, int threads)
-    : SightRays(mesh), handles_(std::make_unique<Handles>()) {
+    : SightRays(mesh, kReach_px), handles_(std::make_unique<Handles>()) {
     const scene::Topology& topology = mesh.topology();
     handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (handles_->device == nullptr) {

@@ -35,7 +35,8 @@ class Foremost {
 /// Says which triangle is nearest behind a point of the image. Borrows the mesh.
 class SightRays {
   public:
-    explicit SightRays(const ClipMesh& mesh) : mesh_(mesh) {}
+    /// A look may name a triangle that the point misses by `reach_px`.
+    SightRays(const ClipMesh& mesh, double reach_px) : mesh_(mesh), reach_px_(reach_px) {}
     virtual ~SightRays() = default;
     SightRays(const SightRays&) = delete;
     SightRays& operator=(const SightRays&) = delete;
@@ -48,9 +49,11 @@ class SightRays {
     virtual void look_at(std::span<const glm::dvec2> points_px, std::span<Sight> sights) const;
 
     [[nodiscard]] const ClipMesh& mesh() const { return mesh_; }
+    [[nodiscard]] double reach_px() const { return reach_px_; }
 
   private:
     const ClipMesh& mesh_;
+    double reach_px_;
 };
 
 /// Embree on float triangles in view space finds candidates near the front, and double arithmetic

@@ -324,5 +324,39 @@ TEST(CrosscheckFile, ComesBackWholeOrNotAtAll) {
     EXPECT_FALSE(harness::decode_check(changed, "key"));
 }
 
+/// Two sheets of one object, flat or bent a little, whose borders lie 3e-5 apart: seven times the
+/// weld tolerance, and 0.003 px.
+scene::Scene two_sheets(float overlap, float slope) {
+    scene::Mesh mesh;
+    const float b = 0.5F * overlap;
+    truth::add_quad(mesh, {-1, -1, -slope}, {b, -1, slope * b}, {b, 1, slope * b}, {-1, 1, -slope});
+    truth::add_quad(mesh, {-b, -1, slope * b}, {1, -1, -slope}, {1, 1, -slope}, {-b, 1, slope * b});
+    return truth::scene_of({mesh});
+}
+
+TEST(CrosscheckAgreement, SheetsThatGapeByMoreThanTheToleranceHaveBorders) {
+    const truth::Model model = truth::build_model(two_sheets(-3e-5F, 0), {.threads = 2});
+    const scene::View view = truth::view_from(6);
+    const Both both = find_both(model, view);
+    double inside_px = 0;
+    for (const truth::Curve& curve : both.curves) {
+        const bool is_inside =
+            std::abs(curve.begin.x_px - 320) < 1 && std::abs(curve.end.x_px - 320) < 1;
+        if (is_inside && curve.line_class == truth::LineClass::boundary)
+            inside_px += truth::length_px(curve);
+    }
+    EXPECT_NEAR(inside_px, 400, 0.1) << "both borders of the gap";
+    expect_agreement(both, view);
+}
+
+TEST(CrosscheckAgreement, SheetsThatOverlapByMoreThanTheToleranceCross) {
+    const truth::Model model = truth::build_model(two_sheets(3e-5F, 0.1F), {.threads = 2});
+    const scene::View view = truth::view_from(6);
+    const Both both = find_both(model, view);
+    expect_agreement_within(both, view, 1);
+    const harness::Agreement agreement = judged(both, view);
+    EXPECT_LT(agreement.disagreement_rate(), 1e-3);
+}
+
 }  // namespace
 }  // namespace ink::crosscheck
