@@ -91,9 +91,10 @@ TEST(AllPairedDifferences, OfAPairTurnedRoundIsTheOpposite) {
     EXPECT_NEAR(differences[0].range->low, -differences[2].range->high, 1e-12);
 }
 
-TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
+/// Twelve methods that are alike but for chance, and one that is better, on twenty scenes.
+std::vector<harness::Row> rows_of_chance(unsigned seed) {
     std::vector<harness::Row> rows;
-    std::mt19937 random(1);
+    std::mt19937 random(seed);
     for (int scene = 0; scene < 20; ++scene) {
         for (int method = 0; method < 12; ++method) {
             const int chance = static_cast<int>(random() % 11);
@@ -102,16 +103,26 @@ TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
         }
         rows.push_back(row_of("good", std::to_string(scene), 90 + scene % 3));
     }
-    int led_alone = 0, led_together = 0;
-    for (const PairedDifference& paired : all_paired_differences(rows)) {
-        ASSERT_TRUE(paired.range && paired.range_of_all);
-        EXPECT_TRUE(paired.a != "good" || paired.is_significant());
-        if (paired.a == "good" || paired.b == "good") continue;
-        led_alone += paired.range->low > 0 ? 1 : 0;
-        led_together += paired.is_significant() ? 1 : 0;
+    return rows;
+}
+
+TEST(AllPairedDifferences, OfManyPairsAreJudgedTogether) {
+    constexpr int kExperiments = 5;
+    int led_alone = 0, led_together = 0;  // experiments in which a lead is seen where there is none
+    for (unsigned seed = 1; seed <= kExperiments; ++seed) {
+        bool is_led_alone = false, is_led_together = false;
+        for (const PairedDifference& paired : all_paired_differences(rows_of_chance(seed))) {
+            ASSERT_TRUE(paired.range && paired.range_of_all);
+            EXPECT_TRUE(paired.a != "good" || paired.is_significant());
+            if (paired.a == "good" || paired.b == "good") continue;
+            is_led_alone = is_led_alone || paired.range->low > 0;
+            is_led_together = is_led_together || paired.is_significant();
+        }
+        led_alone += is_led_alone ? 1 : 0;
+        led_together += is_led_together ? 1 : 0;
     }
-    EXPECT_GT(led_alone, 0) << "chance is to give some";
-    EXPECT_EQ(led_together, 0);
+    EXPECT_EQ(led_alone, kExperiments) << "chance is to give some";
+    EXPECT_LE(led_together, 1);
 }
 
 TEST(AllPairedDifferences, OfTwoMethodsNeedNoCorrection) {
