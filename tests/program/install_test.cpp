@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
@@ -50,6 +51,7 @@ class Install : public testing::Test {
         return offered;
     }
 
+    static constexpr const char* kManPages = "share/man/man1/";
     static constexpr const char* kScript = "share/bash-completion/completions/inkbench";
     Desk desk_;
 };
@@ -60,7 +62,8 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
         if (entry.is_regular_file())
             files.insert(entry.path().lexically_relative(desk_.work() / "usr").string());
     std::erase_if(files, [](const std::string& file) {
-        return file.starts_with("share/inkbench/notebooks/paper/") && file.ends_with(".py");
+        return (file.starts_with("share/inkbench/notebooks/paper/") && file.ends_with(".py")) ||
+               file.starts_with(kManPages) || file.starts_with("lib/python");
     });
     EXPECT_THAT(
         files,
@@ -84,6 +87,23 @@ TEST_F(Install, FiguresAreDrawnByTheInstalledScript) {
     const Outcome outcome = desk_.run_other(installed("bin/inkbench"), {"figures", "run"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "the installed one\n");
+}
+
+TEST_F(Install, EverySubcommandHasAManualPageThatSaysWhatItsHelpSays) {
+    if (!fs::exists(installed(kManPages))) GTEST_SKIP() << "built without help2man";
+    Words pages = {"inkbench.1"};
+    for (const std::string& command : completions({"inkbench", ""})) {
+        if (command.front() != '-') pages.push_back("inkbench-" + command + ".1");
+    }
+    Words found;
+    for (const auto& entry : fs::directory_iterator(installed(kManPages)))
+        found.push_back(entry.path().filename().string());
+    EXPECT_THAT(found, testing::UnorderedElementsAreArray(pages));
+    const std::string page = desk_.read("usr/share/man/man1/inkbench-score.1");
+    EXPECT_THAT(page, HasSubstr(".TH INKBENCH-SCORE \"1\""));
+    EXPECT_THAT(page, HasSubstr("inkbench-score \\- Score an outline image against a truth"));
+    EXPECT_THAT(page, HasSubstr(".SH OPTIONS"));
+    EXPECT_THAT(page, HasSubstr("fail\\-under"));
 }
 
 TEST_F(Install, BashCompletesCommandsOptionsAndNames) {
