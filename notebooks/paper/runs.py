@@ -48,7 +48,7 @@ class RunFolder:
         self.path = Path(path)
         if not self.path.is_dir():
             raise BadInput(self.path, "there is no such folder", "the folder of a finished run")
-        if not (self.path / "rows.csv").is_file():
+        if not self._file("rows.csv").is_file():
             raise BadInput(self.path, "it holds no rows.csv", "the folder of a finished run")
         self.record = self._read_record()
         if self.record.get("progress", {}).get("state", "finished") == "unfinished":
@@ -87,7 +87,7 @@ class RunFolder:
         return None if frame is None else frame.copy()
 
     def _read(self, name):
-        path = self.path / name
+        path = self._file(name)
         if not path.is_file():
             return None
         frame = _read_csv(path)
@@ -97,13 +97,18 @@ class RunFolder:
             frame = self._with_rows(name, frame)
         return frame.reset_index(drop=True) if len(frame) else None
 
+    def _file(self, name):
+        """A table as it is, or packed as experiments/publish does it."""
+        path, packed = self.path / name, self.path / (name + ".gz")
+        return packed if packed.is_file() and not path.is_file() else path
+
     def names(self, column):
         """All that rows.csv has in a column, baselines left out."""
-        rows = _read_csv(self.path / "rows.csv")
+        rows = _read_csv(self._file("rows.csv"))
         return [name for name in rows[column].unique() if name not in BASELINES]
 
     def _with_rows(self, name, frame):
-        rows = _read_csv(self.path / "rows.csv")
+        rows = _read_csv(self._file("rows.csv"))
         joined = frame.merge(rows[["cell"] + [c for c in rows if c not in frame]], on="cell",
                              how="left")
         if name == "sweep.csv":
@@ -115,10 +120,10 @@ def _read_csv(path):
     try:
         head = pd.read_csv(path, nrows=0)
         texts = {c: str for c in _TEXTS if c in head}
-        if path.name == "sweep.csv":
+        if path.name.startswith("sweep.csv"):
             texts.update({c: str for c in _swept(head)})
         return pd.read_csv(path, low_memory=False, dtype=texts)
-    except (ValueError, UnicodeDecodeError, pd.errors.ParserError) as error:
+    except (OSError, EOFError, ValueError, pd.errors.ParserError) as error:
         raise BadInput(path, f"it is not the table it should be ({error})",
                        "as inkbench wrote it") from error
 

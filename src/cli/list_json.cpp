@@ -11,6 +11,7 @@
 #include "cli/help_format.h"
 #include "core/error.h"
 #include "core/param.h"
+#include "experiment/dictionary.h"
 #include "harness/tables/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
@@ -76,6 +77,21 @@ Json columns_json() {
     return list;
 }
 
+Json tables_json() {
+    Json list = Json::array();
+    for (const harness::TableInfo& table : experiment::dictionary()) {
+        Json columns = Json::array();
+        for (const harness::Column& column : table.columns) {
+            columns.push_back({{"name", column.name},
+                               {"unit", column.unit},
+                               {"doc", column.doc},
+                               {"is_time", column.is_time}});
+        }
+        list.push_back({{"name", table.file}, {"doc", table.doc}, {"columns", columns}});
+    }
+    return list;
+}
+
 Json skips_json() {
     Json list = Json::array();
     for (const raster::SkipInfo& info : raster::skip_infos())
@@ -116,6 +132,7 @@ constexpr Topic kTopics[] = {
     {"scenes", "Scenes", scenes_json},
     {"params", "Parameters of methods", method_params_json},
     {"metrics", "Columns of rows.csv", columns_json},
+    {"columns", "Tables of a run folder", tables_json},
     {"skips", "Skips", skips_json},
     {"shadings", "Shadings", shadings_json},
     {"axes", "Axes of difficulty", axes_json},

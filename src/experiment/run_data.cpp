@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
+#include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/dictionary.h"
+#include "experiment/gzip_file.h"
 #include "experiment/run_tables.h"
 #include "experiment/summary/cost_model.h"
 #include "experiment/summary/summary.h"
@@ -39,10 +41,11 @@ class Tables {
     std::string where_;
 };
 
-std::string read_file(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw core::Error(path.string(), "it cannot be read", "a table of a run folder");
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+/// A table as it is, or packed; nothing if there is neither.
+std::optional<std::string> read_table(const fs::path& path) {
+    if (auto text = core::read_whole_file(path)) return text;
+    fs::path packed = path;
+    return read_gzip_file(packed += ".gz");
 }
 
 }  // namespace
@@ -130,12 +133,17 @@ RunData read_run(const fs::path& folder) {
             if (const auto kept = store.read(block))
                 std::erase(run.record.missing_blocks, kept->key);
     } else {
-        for (const RecordedTable& table : record->tables)
-            texts[table.name] = read_file(folder / table.name);
+        for (const RecordedTable& table : record->tables) {
+            auto text = read_table(folder / table.name);
+            if (!text) {
+                throw core::Error(
+                    (folder / table.name).string(), "it cannot be read", "a table of a run folder");
+            }
+            texts[table.name] = *std::move(text);
+        }
         for (const harness::TableInfo& table : dictionary()) {
-            const bool is_made_of_others = !texts.contains(table.file) && table.file != "run.toml";
-            if (is_made_of_others && fs::exists(folder / table.file))
-                texts[table.file] = read_file(folder / table.file);
+            if (texts.contains(table.file) || table.file == "run.toml") continue;
+            if (auto text = read_table(folder / table.file)) texts[table.file] = *std::move(text);
         }
     }
     run.tables = parse_tables(texts, folder.string());
