@@ -12,6 +12,7 @@ find_package(CLI11 REQUIRED)
 find_package(OpenImageIO REQUIRED)
 find_package(NLopt REQUIRED)
 find_package(tomlplusplus REQUIRED)
+find_package(ZLIB REQUIRED)
 
 # find_package(OpenCV) wants all of libopencv-dev (1 GB of drivers); the two modules used here do not.
 find_path(INK_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
@@ -20,6 +21,12 @@ find_library(INK_OPENCV_IMGPROC opencv_imgproc REQUIRED)
 add_library(ink_opencv INTERFACE)
 target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
 target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
+
+# The Python module: an option, on where these are found (Debian: pybind11-dev, python3-dev, python3-numpy).
+set(PYBIND11_FINDPYTHON ON)
+set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is for")
+find_package(Python COMPONENTS Interpreter Development.Module NumPy QUIET)
+find_package(pybind11 QUIET)
 
 # The charts of the page: d3.min.js becomes part of the program and is never copied into the tree.
 # Debian: node-d3.

@@ -192,8 +192,9 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
 
 SceneViews load_one_view(const std::string& what,
                          const std::string& view_name,
-                         const ViewRequest& request) {
-    SceneViews scene_views = make_scene_views(load_scene(what), request);
+                         const ViewRequest& request,
+                         const import::ImportLimits& limits) {
+    SceneViews scene_views = make_scene_views(load_scene(what, limits), request);
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);

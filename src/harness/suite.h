@@ -75,7 +75,8 @@ struct SceneViews {
 /// Throws core::Error that lists the views' names if none is called so.
 [[nodiscard]] SceneViews load_one_view(const std::string& what,
                                        const std::string& view_name,
-                                       const ViewRequest& request);
+                                       const ViewRequest& request,
+                                       const import::ImportLimits& limits = {});
 
 /// Throws core::Error (where = "--size") unless an image of this size can be drawn.
 void check_size(int width_px, int height_px);

@@ -75,6 +75,7 @@ const std::map<std::string, Names>& arrows() {
         {"cli",
          measuring_and(
              {"harness", "studies", "linear_code", "experiment", "tune", "draw", "report"})},
+        {"python", measuring_and({"harness", "draw/drawing.h"})},
     };
     return table;
 }
@@ -94,6 +95,7 @@ const std::vector<LibraryRule>& library_rules() {
         {"Assimp", "assimp/", {}, 1},
         {"OpenCV", "opencv2/", {"src/score/", "src/draw/", "methods/", "tests/", "bench/"}, 0},
         {"CLI11", "CLI/", {"src/cli/"}, 0},
+        {"pybind11", "pybind11/", {"src/python/"}, 0},
         {"NLopt", "nlopt", {"src/tune/"}, 0},
         {"toml++", "toml++/", {"src/experiment/", "src/tune/", "methods/", "tests/"}, 0},
     };

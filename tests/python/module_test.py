@@ -1,0 +1,181 @@
+"""The Python module: the same numbers and images as the program, arrays that own no copy, errors with its sentences."""
+
+import ast
+import inspect
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    import numpy as np
+
+    import inkbench
+except ImportError as reason:
+    print(f"skipped: {reason} (apt-get install pybind11-dev python3-numpy, then build again)")
+    sys.exit(77)
+
+PROGRAM = os.environ["INKBENCH"]
+SOURCE = Path(os.environ["INKBENCH_SOURCE"])
+SIZE = {"width_px": 320, "height_px": 180}
+
+
+def run(*arguments):
+    """What the program prints; its complaint if it fails."""
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
+    return done.stdout if done.returncode == 0 else done.stderr
+
+
+def read_gray(path):
+    """An 8-bit PNG as an array, by the library that the figures use."""
+    from matplotlib import image
+
+    return np.rint(image.imread(path) * 255).astype(np.uint8)
+
+
+class Module(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name):
+        return str(self.folder / name)
+
+
+    @staticmethod
+    def views(name):
+        return next(scene["views"] for scene in inkbench.scenes() if scene["name"] == name)
+
+    def test_truth_of_every_view(self):
+        for view in self.views("chess"):
+            run("truth", "chess", "--view", view, "--size", "320x180", "-q", "--no-cache", "-o", self.file("t.png"))
+            truth = inkbench.truth("chess", view, **SIZE, intersections="all")
+            np.testing.assert_array_equal(truth.labels, read_gray(self.file("t.png")))
+            self.assertGreater(len(truth.curves), 100)
+            self.assertEqual(truth.sampled.shape, (180, 320))
+            lengths = np.hypot(truth.curves["x1_px"] - truth.curves["x0_px"],
+                               truth.curves["y1_px"] - truth.curves["y0_px"])
+            self.assertGreater(lengths.sum(), np.count_nonzero(truth.labels))
+
+    def test_drawing_is_that_of_the_program(self):
+        for method, settings in (("mote4", {}), ("surface8", {}), ("ids", {"samples": "corner"})):
+            texts = [text for pair in settings.items() for text in ("--set", "=".join(pair))]
+            run("draw", "torus", "--method", method, "--size", "320x180", "--response", *texts, "-o",
+                self.file("edges.png"))
+            edges = inkbench.draw(method, "torus", **SIZE, settings=settings)
+            np.testing.assert_array_equal(edges, read_gray(self.file("edges.png")))
+            self.assertGreater(edges.max(), 0)
+
+    def test_score_is_that_of_the_program(self):
+        truth = inkbench.truth("torus", **SIZE)
+        edges = inkbench.draw("decaudin", "torus", **SIZE)
+        run("truth", "torus", "--size", "320x180", "-q", "-o", self.file("truth.exr"))
+        run("draw", "torus", "--method", "decaudin", "--size", "320x180", "--response", "-o", self.file("edges.png"))
+        # The program takes a truth as it is; compare and the module thin what the band leaves.
+        told = json.loads(run("score", self.file("edges.png"), self.file("truth.exr"), "--json"))
+        counts = told.get("counts", told)
+        found = inkbench.score(edges, truth.labels, band_px=6, ignore=7)
+        self.assertEqual((found.k, found.n_pred, found.n_truth), tuple(counts[n] for n in ("k", "n_pred", "n_truth")))
+        self.assertAlmostEqual(found.f, 2 * found.k / (found.n_pred + found.n_truth), places=15)
+        self.assertEqual({c.name for c in found.classes} - {"contour", "boundary", "crease", "intersection", "seam"},
+                         set())
+        against_truth = inkbench.score(edges, truth)
+        self.assertLess(abs(against_truth.f - found.f), 0.01)
+
+    def test_the_curve_holds_the_score(self):
+        truth = inkbench.truth("gear", **SIZE)
+        edges = inkbench.draw("roberts", "gear", **SIZE)
+        curve = inkbench.score_curve(edges, truth)
+        self.assertEqual((curve.shape, curve.dtype), ((99, 3), np.int64))
+        at_half = inkbench.score(edges, truth, threshold=128)  # 50 / 100 of 255, rounded up
+        self.assertEqual(tuple(curve[49]), (at_half.k, at_half.n_pred, at_half.n_truth))
+        self.assertEqual(inkbench.score(truth.labels, truth, threshold=1, thin=False).recall, 1)
+
+    def test_what_comes_out_is_no_copy_and_what_goes_in_is_not_changed(self):
+        edges = inkbench.draw("mote4", "cube", **SIZE)
+        self.assertFalse(edges.flags.owndata)
+        self.assertTrue(edges.flags.c_contiguous and edges.flags.writeable)
+        truth = inkbench.truth("cube", **SIZE)
+        self.assertFalse(truth.labels.flags.owndata)
+        self.assertEqual(truth.labels.ctypes.data, truth.labels.ctypes.data)
+        kept = truth.labels
+        del truth
+        before = kept.copy(), edges.copy()
+        turned = np.asfortranarray(edges)
+        self.assertEqual(inkbench.score(edges, kept).k, inkbench.score(turned, kept).k)
+        np.testing.assert_array_equal(kept, before[0])
+        np.testing.assert_array_equal(edges, before[1])
+
+    def test_errors_are_the_programs_sentences(self):
+        def sentence(*arguments):
+            return run(*arguments).strip().removeprefix("inkbench: ")
+
+        with self.assertRaises(inkbench.Error) as caught:
+            inkbench.truth("cubee")
+        self.assertEqual(str(caught.exception), sentence("truth", "cubee"))
+        with self.assertRaises(inkbench.Error) as caught:
+            inkbench.draw("mote5", "cube")
+        self.assertEqual(str(caught.exception), sentence("draw", "cube", "--method", "mote5", "-o", self.file("x.png")))
+        with self.assertRaises(ValueError) as caught:
+            inkbench.truth("cube", "nowhere")
+        self.assertEqual(str(caught.exception), sentence("truth", "cube", "--view", "nowhere"))
+        image = np.zeros((180, 320), np.uint8)
+        with self.assertRaisesRegex(inkbench.Error, "tolerance: 0"):
+            inkbench.score(image, image, tolerance_px=0)
+        with self.assertRaisesRegex(inkbench.Error, "321"):
+            inkbench.score(np.zeros((180, 321), np.uint8), image)
+
+    def test_arrays_of_another_kind_are_refused(self):
+        image = np.zeros((4, 4), np.uint8)
+        with self.assertRaisesRegex(TypeError, r"edges: its values are float64 \(accepted: uint8\)"):
+            inkbench.score(image.astype(float), image)
+        with self.assertRaisesRegex(TypeError, "truth: this is a list"):
+            inkbench.score(image, [[0]])
+        with self.assertRaisesRegex(ValueError, "edges: it has 3 dimensions"):
+            inkbench.score(np.zeros((4, 4, 3), np.uint8), image)
+
+    def test_models_are_read(self):
+        path = self.file("triangle.obj")
+        Path(path).write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+        self.assertEqual(set(np.unique(inkbench.truth(path, **SIZE).curves["line_class"])), {2})
+        with self.assertRaisesRegex(inkbench.Error, "nothing.obj"):
+            inkbench.truth(self.file("nothing.obj"))
+
+    def test_lists_are_those_of_the_program(self):
+        for name, of in (("methods", inkbench.methods()), ("scenes", inkbench.scenes())):
+            told = json.loads(run("list", name, "--json"))
+            told = told.get(name, told) if isinstance(told, dict) else told
+            self.assertEqual([entry["name"] for entry in of], [entry["name"] for entry in told])
+
+    def test_every_name_stands_in_the_stub_with_its_parameters_and_defaults(self):
+        stub = ast.parse((SOURCE / "src/python/inkbench.pyi").read_text(encoding="utf-8"))
+        functions = {node.name: node for node in stub.body if isinstance(node, ast.FunctionDef)}
+        classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+        public = {name for name in dir(inkbench) if not name.startswith("_")}
+        self.assertEqual(public, set(functions) | set(classes))
+        for name, node in functions.items():
+            docstring = getattr(inkbench, name).__doc__
+            signature = docstring.split("\n")[0]
+            for argument in node.args.args + node.args.kwonlyargs:
+                self.assertIn(f"{argument.arg}:", signature, name)
+            for argument, default in zip(node.args.kwonlyargs, node.args.kw_defaults):
+                if default is not None:
+                    self.assertIn(f" = {ast.literal_eval(default)!r}", signature, argument.arg)
+            self.assertGreater(len(docstring.split("\n", 1)[1].strip()), 40, name)
+        for name, node in classes.items():
+            of = getattr(inkbench, name)
+            in_stub = {item.name for item in node.body if isinstance(item, ast.FunctionDef)}
+            if issubclass(of, Exception):
+                continue
+            there = {item for item, value in inspect.getmembers(of) if isinstance(value, property)}
+            self.assertEqual(there, in_stub, name)
+            for item in there:
+                self.assertTrue(getattr(of, item).__doc__, f"{name}.{item}")
+
+
+if __name__ == "__main__":
+    unittest.main()
