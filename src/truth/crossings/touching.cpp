@@ -50,12 +50,13 @@ class Bundle {
     /// Whether two sheets, one on either side, bend by a crease or may, as far as rounding can
     /// tell.
     [[nodiscard]] bool is_crease(const Sheet& s0, const Sheet& s1) const {
-        const auto doubt = [&](const Sheet& s) {
-            return scene::turning_doubt_rad(
-                point_of(edge_.a), point_of(edge_.b), point_of(s.vertex));
-        };
         return scene::is_crease(
-            deviation_rad(s0, s1), doubt(s0) + doubt(s1), eye_.model.crease_rad);
+            deviation_rad(s0, s1), doubt_rad(s0) + doubt_rad(s1), eye_.model.crease_rad);
+    }
+
+    /// Whether two sheets, one on either side, bend by a crease whatever rounding did.
+    [[nodiscard]] bool is_surely_crease(const Sheet& s0, const Sheet& s1) const {
+        return deviation_rad(s0, s1) - doubt_rad(s0) - doubt_rad(s1) >= eye_.model.crease_rad;
     }
 
     /// Whether two sheets, one on either side, lie in one plane as far as rounding can tell.
@@ -95,6 +96,10 @@ class Bundle {
   private:
     [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t v) const {
         return scene::rounded_point(eye_.model.topology, v);
+    }
+    /// How far rounding may have turned a sheet about the edge.
+    [[nodiscard]] double doubt_rad(const Sheet& s) const {
+        return scene::turning_doubt_rad(point_of(edge_.a), point_of(edge_.b), point_of(s.vertex));
     }
     /// Which way the sheets of two vertices bend at the edge; 0 if rounding leaves it open.
     [[nodiscard]] int orientation(std::uint32_t v0, std::uint32_t v1) const {
@@ -185,10 +190,12 @@ LineClass touched_class(const EyeView& eye, std::uint32_t edge, double t, LineCl
     const Sheet& right = bundle.right();
     if (!left.is_own && !right.is_own) return LineClass::none;
     if (!left.is_there() || !right.is_there() || (left.is_own && right.is_own)) return own_class;
-    // What continues an own face beyond its border lies behind the touching one: it is not seen.
-    const LineClass by_own_faces = eye.edge_class[edge];
-    return left.is_own ? class_against(eye, bundle, left, right, by_own_faces)
-                       : class_against(eye, bundle, right, left, by_own_faces);
+    const Sheet& own = left.is_own ? left : right;
+    const Sheet& touching = left.is_own ? right : left;
+    // What continues an own face beyond its border lies behind a touching one that surely leaves
+    // its plane: it is not seen. One that may lie in the plane may be what goes on.
+    const bool hides_rest = bundle.is_surely_crease(own, touching);
+    return class_against(eye, bundle, own, touching, hides_rest ? eye.edge_class[edge] : own_class);
 }
 
 }  // namespace ink::truth
