@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <set>
 
@@ -206,6 +208,56 @@ TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
     ASSERT_GT(seeing_count, 2);
     // One crease of nine edges is lost: a ninth of the lines or so.
     EXPECT_GT(blind / blind_count, seeing / seeing_count + 0.04);
+}
+
+/// A method whose declared code fits a byte (or not), and whose pixels are sums of 250, 255, 256,
+/// 300.
+class Overflowing final : public method::Method {
+  public:
+    Overflowing(bool wraps, double offset) : wraps_(wraps), offset_(offset) {}
+    void prepare(const scene::Scene&) override {}
+    void pose(const scene::Scene&) override {}
+    void draw(const method::Frame&, edge::EdgeImage&) override {}
+    std::vector<method::Layer> layers(const method::Frame&) override {
+        core::Image<glm::u8vec3> packed(4, 1);
+        int x = 0;
+        for (const int sum : {250, 255, 256, 300}) {
+            const int code = wraps_ ? sum % 256 : std::min(sum, 255);
+            packed.at(x++, 0) = glm::u8vec3(static_cast<std::uint8_t>(code));
+        }
+        return {{"packed", packed}};
+    }
+    int bytes_per_px() const override { return 1; }
+    std::optional<method::LinearCode> code() const override {
+        method::LinearCode code;
+        code.offset = offset_;
+        code.depth_weight = 255;
+        return code;
+    }
+
+  private:
+    bool wraps_;
+    double offset_;
+};
+
+std::int64_t overflow_of(double offset) {
+    method::MethodInfo info;
+    info.name = "overflowing";
+    info.make = [offset](const core::ParamValues& values) {
+        return std::make_unique<Overflowing>(values.at("overflow") == "wrap", offset);
+    };
+    info.complete = [](const core::ParamValues&) {
+        return core::ParamValues{{"overflow", "saturate"}};
+    };
+    harness::MethodConfig config;
+    config.info = &info;
+    Overflowing method(false, offset);
+    return count_overflow(method, config, {}, {});
+}
+
+TEST(StressCounts, SeeTheTwoPixelsAtWhichACodeOverflows) {
+    EXPECT_EQ(overflow_of(0), 2) << "256 and 300 do not fit";
+    EXPECT_EQ(overflow_of(100), 0) << "ranges beyond a byte overflow by intent";
 }
 
 TEST(StressCounts, NameNumbersThatAreNone) {
