@@ -53,7 +53,7 @@ ChainTracer::ChainTracer(const core::Image<std::uint8_t>& mask)
             const unsigned joints = find_joints(x, y);
             left_.at(x, y) = static_cast<std::uint8_t>(joints);
             for (std::size_t i = 0; i < kSteps.size(); ++i)
-                degree_.at(x, y) += (joints >> i) & 1U;
+                if (((joints >> i) & 1U) != 0) ++degree_.at(x, y);
         }
     }
 }
