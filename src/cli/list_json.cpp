@@ -24,6 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kListWidth = 80;
+constexpr std::size_t kMostNames = 100;  ///< of one topic in the overview
 
 Json params_json(const std::vector<core::Param>& params) {
     Json list = Json::array();
@@ -174,10 +175,15 @@ Json listing_json(const std::string& what) {
 std::string list_overview() {
     std::string text;
     for (const Topic& topic : kTopics) {
-        const auto names = names_of(topic.list());
+        auto names = names_of(topic.list());
+        const std::size_t count = names.size();
+        if (count > kMostNames) {
+            names.resize(kMostNames);
+            names.push_back(fmt::format("and {} more", count - kMostNames));
+        }
         text += fmt::format("{}, {} (inkbench list {})\n  {}\n\n",
                             topic.title,
-                            names.size(),
+                            count,
                             topic.name,
                             wrapped(fmt::format("{}", fmt::join(names, ", ")), kListWidth, 2));
     }
