@@ -1,0 +1,52 @@
+// Cameras of any .3ds file can be used: they have an angle, and their keys are in order.
+
+#include "import/camera_3ds.h"
+
+#include <numbers>
+
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/scratch_file.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::fuzz {
+namespace {
+
+void check_keys(const std::vector<scene::VectorKey>& keys) {
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        expect(keys[k].time_s >= 0, "times are 0 or more");
+        expect(k == 0 || keys[k - 1].time_s <= keys[k].time_s, "keys are in order of time");
+    }
+}
+
+/// As the reader of models has it: the scene of a file that Assimp has read already.
+import::ImportReply reply_with_cameras(Bytes bytes){import::ImportReply reply;
+reply.meshes = {scene::unit_cube()};
+reply.instances = {{0, glm::dmat4(1), "only"}};
+scene::Animation motion;
+motion.duration_s = 1;
+motion.node_of_instance = {scene::kNoNode};
+motion.nodes.push_back({scene::kNoNode, glm::dmat4(2), {}, {}, {}});
+reply.cameras = import::read_3ds_cameras(scratch_file("cameras.3ds", bytes), motion);
+reply.animation = std::move(motion);
+return reply;
+}  // namespace
+
+}  // namespace ink::fuzz
+
+void check_cameras_3ds(Bytes bytes) {
+    const auto cameras = import::read_3ds_cameras(std::as_bytes(bytes));
+    for (const import::ImportedCamera& camera : cameras) {
+        expect(camera.fov_y_rad > 0 && camera.fov_y_rad < std::numbers::pi,
+               "an angle lies between 0 and 180 degrees");
+    }
+    std::size_t keys = 0;
+    for (const import::CameraKeys& camera : import::read_3ds_camera_keys(std::as_bytes(bytes))) {
+        check_keys(camera.eye);
+        check_keys(camera.target);
+        keys += camera.eye.size() + camera.target.size();
+    }
+    expect(18 * keys + 32 * cameras.size() <= bytes.size(), "what is read stands in the file");
+    if (!cameras.empty()) expect_scene_or_error(reply_with_cameras(bytes));
+}
+
+}  // namespace ink::fuzz

@@ -1,0 +1,38 @@
+// Any text in the place of times.csv is read, or an Error.
+
+#include "core/error.h"
+#include "experiment/entrants/image_folder.h"
+#include "harness/tables/csv_table.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/scratch_file.h"
+
+namespace ink::fuzz {
+namespace {
+
+void check_table(const std::string& text) {
+    harness::CsvTable table;
+    try {
+        table = harness::split_csv(text, "times.csv");
+    } catch (const core::Error& error) {
+        return expect_clear(error);
+    }
+    expect(table.lines.size() == table.records.size(), "each record has a line");
+    for (std::size_t i = 0; i < table.records.size(); ++i) {
+        expect(table.records[i].size() == table.columns.size(), "each record has every column");
+        expect(i == 0 || table.lines[i] > table.lines[i - 1], "lines go on");
+    }
+}
+
+}  // namespace
+
+void check_entrant_times(Bytes bytes) {
+    check_table({bytes.begin(), bytes.end()});
+    const auto path = scratch_file("times.csv", bytes);
+    try {
+        (void)experiment::image_folder_source(path.parent_path());
+    } catch (const core::Error& error) {
+        expect_clear(error);
+    }
+}
+
+}  // namespace ink::fuzz

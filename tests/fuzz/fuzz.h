@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+namespace ink::core {
+class Error;
+}
+namespace ink::import {
+struct ImportReply;
+}
+
+namespace ink::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// A law that does not hold. Nothing catches it: it ends a run of libFuzzer, and fails the test of
+/// the corpus.
+class BrokenLaw : public std::logic_error {
+  public:
+    using std::logic_error::logic_error;
+};
+
+inline void expect(bool holds, const char* law) {
+    if (!holds) throw BrokenLaw(law);
+}
+
+/// Makes numbers of bytes, in their order. Where the bytes have run out, numbers are made of zeros.
+class Feed {
+  public:
+    explicit Feed(Bytes bytes) : left_(bytes) {}
+
+    [[nodiscard]] bool is_empty() const { return left_.empty(); }
+    [[nodiscard]] Bytes rest() const { return left_; }
+
+    /// The bytes of a T as they stand.
+    template <class T>
+    [[nodiscard]] T raw() {
+        T value{};
+        const std::size_t size = std::min(sizeof value, left_.size());
+        if (size > 0) std::memcpy(&value, left_.data(), size);
+        left_ = left_.subspan(size);
+        return value;
+    }
+    /// A whole number in least..most, of one byte if there are at most 256 of them, else of four.
+    [[nodiscard]] int whole(int least, int most) {
+        const std::uint32_t count = static_cast<std::uint32_t>(most - least) + 1;
+        const std::uint32_t bits = count <= 256 ? raw<std::uint8_t>() : raw<std::uint32_t>();
+        return least + static_cast<int>(count == 0 ? bits : bits % count);
+    }
+    [[nodiscard]] bool flag() { return whole(0, 1) == 1; }
+    /// A number in least..most, on a grid of 2^32 steps.
+    [[nodiscard]] double real(double least, double most) {
+        return least + (most - least) * (raw<std::uint32_t>() / 4294967295.0);
+    }
+
+  private:
+    Bytes left_;
+};
+
+/// Throws BrokenLaw unless the message is what core::Error promises: one line, of one place.
+void expect_clear(const core::Error& error);
+
+/// A reply of a reader must go through a stream unchanged, and become a sound scene, in every pose,
+/// or a clear Error. Throws BrokenLaw if not.
+void expect_scene_or_error(const import::ImportReply& reply);
+
+// The targets: each takes any bytes, and throws BrokenLaw if a law does not hold of them.
+
+void check_camera_json(Bytes bytes);
+void check_cameras_3ds(Bytes bytes);
+void check_entrant_image(Bytes bytes);
+void check_entrant_times(Bytes bytes);
+void check_experiment(Bytes bytes);
+void check_file_claims(Bytes bytes);
+void check_kept_truth(Bytes bytes);
+void check_matching(Bytes bytes);
+void check_mesh_pass(Bytes bytes);
+void check_predicates(Bytes bytes);
+void check_preset(Bytes bytes);
+void check_quake_models(Bytes bytes);
+void check_rasterizer(Bytes bytes);
+void check_scene_stream(Bytes bytes);
+void check_score(Bytes bytes);
+
+}  // namespace ink::fuzz
