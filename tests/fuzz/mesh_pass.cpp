@@ -1,0 +1,153 @@
+// What methods draw through gives the same ids on every SIMD target, whatever is skipped; it covers
+// what the plain pass covers; and ids are Embree's, but for what the tests of both explain.
+
+#include "raster/mesh/mesh_pass.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "core/error.h"
+#include "core/simd.h"
+#include "draw/id_agreement.h"
+#include "raster/pass/view_transform.h"
+#include "tests/fuzz/fuzz.h"
+#include "tests/raster/gather_sink.h"
+
+namespace ink::fuzz {
+namespace {
+
+using Ids = raster::GatherSink<std::uint32_t>;
+
+constexpr int kMostVertices = 14;
+constexpr int kMostTriangles = 24;
+
+/// A coordinate: on a coarse grid, so that points, edges and planes coincide, or anywhere.
+float coordinate(Feed& feed) {
+    if (feed.whole(0, 3) > 0) return static_cast<float>(feed.whole(-8, 8)) / 4;
+    return static_cast<float>(feed.real(-3, 3));
+}
+
+glm::vec3 place(Feed& feed) {
+    const float x = coordinate(feed);
+    const float y = coordinate(feed);
+    return {x, y, coordinate(feed)};
+}
+
+scene::Scene some_scene(Feed& feed) {
+    scene::Mesh mesh;
+    const int vertices = feed.whole(3, kMostVertices);
+    for (int i = 0; i < vertices; ++i)
+        mesh.positions.push_back(place(feed));
+    const int triangles = feed.whole(1, kMostTriangles);
+    for (int i = 0; i < triangles; ++i) {
+        scene::Triangle triangle{};
+        for (std::uint32_t& corner : triangle)
+            corner = static_cast<std::uint32_t>(feed.whole(0, vertices - 1));
+        mesh.triangles.push_back(triangle);
+    }
+    scene::Scene scene;
+    scene.name = "fuzz";
+    scene.meshes.push_back(std::move(mesh));
+    glm::dmat4 world_from_object(1);
+    if (feed.flag()) world_from_object[0][1] = feed.real(-1, 1);  // lanes of double
+    scene.instances.push_back({0, world_from_object, "all"});
+    return scene;
+}
+
+scene::View some_view(const scene::Scene& scene, Feed& feed) {
+    scene::View view;
+    const glm::dvec3 eye(place(feed));
+    view.camera = scene::look_at(eye, glm::dvec3(place(feed)), {0, 1, 0}, feed.real(0.05, 2.8));
+    scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
+    if (feed.flag()) view.camera.near = feed.real(0.01, 2);
+    view.camera.far = std::max(view.camera.far, 2 * view.camera.near);
+    view.width_px = feed.whole(1, 140);
+    view.height_px = feed.whole(1, 70);
+    return view;
+}
+
+/// A scene laid out for a pass, each triangle's constant its index.
+struct Stage {
+    scene::Surface surface;
+    raster::LaneMesh mesh;
+    std::vector<std::uint32_t> ids;
+    scene::View view;
+    scene::Sphere bounds;
+
+    Stage(const scene::Scene& scene, const scene::View& from)
+        : surface(scene::flatten(scene)),
+          mesh(surface),
+          ids(surface.triangles.size()),
+          view(from),
+          bounds(scene::bounding_sphere(scene)) {
+        std::iota(ids.begin(), ids.end(), 0U);
+    }
+    Stage(const Stage&) = delete;  // the mesh borrows the surface
+    Stage& operator=(const Stage&) = delete;
+};
+
+Ids draw_in_clusters(const Stage& stage, const raster::SkipSet& skips) {
+    raster::MeshInput input;
+    input.mesh = &stage.mesh;
+    input.constants = stage.ids;
+    input.view = stage.view;
+    input.bounds = stage.bounds;
+    input.skips = skips;
+    input.sky_code = {raster::kNobody};
+    Ids sink(raster::id_format(), stage.view.width_px, stage.view.height_px);
+    raster::MeshPass pass;
+    (void)pass.draw(raster::id_format(), input, sink);
+    return sink;
+}
+
+Ids draw_plainly(const Stage& stage) {
+    const raster::ViewTransform transform(stage.view);
+    std::vector<glm::dvec3> p_clip;
+    for (const glm::dvec3& p : stage.surface.p_world)
+        p_clip.push_back(transform.to_clip(p));
+    raster::PassInput input;
+    input.p_clip = p_clip;
+    input.triangles = stage.surface.triangles;
+    input.near = stage.view.camera.near;
+    input.far = stage.view.camera.far;
+    return raster::draw_ids(input, stage.view.width_px, stage.view.height_px);
+}
+
+bool is_same(const Ids& a, const Ids& b) {
+    return a.planes[0] == b.planes[0] && a.depth == b.depth;
+}
+
+void check_passes(const Stage& stage) {
+    const Ids best = draw_in_clusters(stage, {});
+    expect(is_same(draw_in_clusters(stage, raster::SkipSet::none()), best),
+           "skips change no pixel");
+    for (const core::SimdTarget& target : core::simd_targets()) {
+        const core::ForcedSimdTarget forced(target);
+        expect(is_same(draw_in_clusters(stage, {}), best), "every SIMD target gives the same bits");
+    }
+    const Ids plain = draw_plainly(stage);
+    for (std::size_t i = 0; i < plain.depth.size(); ++i) {
+        const float q = best.depth.data()[i];
+        expect(std::isfinite(q) && (q > 0) == (best.planes[0].data()[i] != raster::kNobody),
+               "covered pixels have a depth");
+        expect((q > 0) == (plain.depth.data()[i] > 0), "clusters cover what the plain pass covers");
+    }
+}
+
+}  // namespace
+
+void check_mesh_pass(Bytes bytes) {
+    Feed feed(bytes);
+    const scene::Scene scene = some_scene(feed);
+    scene::View view;
+    try {
+        view = some_view(scene, feed);
+    } catch (const core::Error& error) {
+        return expect_clear(error);  // an eye that looks nowhere
+    }
+    check_passes(Stage(scene, view));
+    const draw::IdAgreement ids = draw::compare_ids(scene, view, raster::DepthFormat::q32);
+    expect(ids.other == 0, "ids are Embree's, but near edges and where depths are equal");
+}
+
+}  // namespace ink::fuzz
