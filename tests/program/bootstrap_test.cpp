@@ -113,6 +113,12 @@ TEST_F(Bootstrap, InstallsABrowserOnlyIfAskedTo) {
                 AllOf(HasSubstr(" chromium-driver\n"), HasSubstr(" libgtest-dev\n")));
 }
 
+TEST_F(Bootstrap, InstallsAFuzzerOnlyIfAskedTo) {
+    EXPECT_THAT(calls_of({"install"}), Not(HasSubstr("clang")));
+    EXPECT_THAT(calls_of({"install", "fuzz"}),
+                AllOf(HasSubstr(" clang\n"), HasSubstr(" libclang-rt-dev\n")));
+}
+
 TEST_F(Bootstrap, RefusesWordsThatItDoesNotKnow) {
     for (const Words& words : {Words{"dmeo"}, Words{"install", "chrome"}}) {
         const Outcome outcome = run(words);
