@@ -14,8 +14,9 @@ namespace ink::core {
 class Error : public std::runtime_error {
   public:
     Error(std::string where, std::string what_happened, std::string accepted = {})
-        : std::runtime_error(where + ": " + what_happened +
-                             (accepted.empty() ? std::string{} : " (accepted: " + accepted + ")")),
+        : std::runtime_error(
+              in_one_line(where + ": " + what_happened +
+                          (accepted.empty() ? std::string{} : " (accepted: " + accepted + ")"))),
           where_(std::move(where)),
           what_happened_(std::move(what_happened)),
           accepted_(std::move(accepted)) {}
@@ -25,6 +26,13 @@ class Error : public std::runtime_error {
     [[nodiscard]] const std::string& accepted() const { return accepted_; }
 
   private:
+    [[nodiscard]] static std::string in_one_line(std::string text) {
+        for (char& c : text) {
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+        }
+        return text;
+    }
+
     std::string where_;
     std::string what_happened_;
     std::string accepted_;

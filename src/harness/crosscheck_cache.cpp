@@ -1,8 +1,10 @@
 #include "harness/crosscheck_cache.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -46,9 +48,21 @@ constexpr std::size_t kClassNumbers = 6;
 constexpr std::size_t kFixedNumbers = kClassNumbers * truth::kLineClasses.size() + 7;
 constexpr std::size_t kDisagreementNumbers = 7;
 
-Crosscheck check_of(const std::vector<double>& numbers) {
+/// Takes a number into one of another kind that holds it exactly; false if it does not.
+template <class T>
+bool take(double number, double most, T& to) {
+    const bool is_good = number >= 0 && number <= most && number == std::floor(number);
+    if (is_good) to = static_cast<T>(number);
+    return is_good;
+}
+
+/// Nothing if a number is none of its kind.
+std::optional<Crosscheck> check_of(const std::vector<double>& numbers) {
+    constexpr double kMostCounted = 0x1p53;
+    constexpr auto kLastClass = static_cast<double>(truth::LineClass::ignore);
     const double* next = numbers.data();
     Crosscheck check;
+    bool is_good = true;
     for (ClassAgreement& c : check.agreement.by_class) {
         c = {next[0], next[1], next[2], next[3], next[4], next[5]};
         next += kClassNumbers;
@@ -56,18 +70,19 @@ Crosscheck check_of(const std::vector<double>& numbers) {
     crosscheck::SamplingCounts& n = check.counts;
     for (std::size_t* count :
          {&n.rays, &n.refined_px, &n.probes, &n.defects, &n.near_cuts, &n.unexplained})
-        *count = static_cast<std::size_t>(*next++);
+        is_good = take(*next++, kMostCounted, *count) && is_good;
     check.look_s = *next++;
     for (; next != numbers.data() + numbers.size(); next += kDisagreementNumbers) {
-        check.agreement.disagreements.push_back({next[0],
-                                                 next[1],
-                                                 next[2],
-                                                 static_cast<truth::LineClass>(next[3]),
-                                                 next[4] != 0,
-                                                 static_cast<std::size_t>(next[5]),
-                                                 next[6] != 0});
+        Disagreement& d = check.agreement.disagreements.emplace_back();
+        d.x_px = next[0];
+        d.y_px = next[1];
+        d.length_px = next[2];
+        is_good = take(next[3], kLastClass, d.line_class) && is_good;
+        is_good = take(next[4], 1, d.is_truth) && is_good;
+        is_good = take(next[5], kMostCounted, d.curve) && is_good;
+        is_good = take(next[6], 1, d.is_confirmed) && is_good;
     }
-    return check;
+    return is_good ? std::optional(std::move(check)) : std::nullopt;
 }
 
 std::string hash_of(std::string_view bytes) {

@@ -30,7 +30,8 @@ struct Crosscheck {
                                            const truth::Truth& truth,
                                            const std::filesystem::path& cache_dir);
 
-/// A check as bytes, and back; nothing if they are cut off, changed, or of another key.
+/// A check as bytes, and back; nothing if they are cut off, changed, of another key, or hold a
+/// number that is none of its kind.
 [[nodiscard]] std::string encode_check(const Crosscheck& check, const std::string& key);
 [[nodiscard]] std::optional<Crosscheck> decode_check(const std::string& bytes,
                                                      const std::string& key);

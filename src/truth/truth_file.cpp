@@ -29,24 +29,38 @@ void write_runs(core::ByteWriter& out, const core::Image<T>& image) {
     }
 }
 
+/// The most pixels of an image that is read: as many as the program draws.
+constexpr std::size_t kMostPixels = std::size_t{1} << 27;
+
+/// Whether runs of T that cover `pixels` come next. `in` is a copy, which looks ahead: what is
+/// claimed must not be allocated before it is known to be there.
 template <class T>
-core::Image<T> read_runs(core::ByteReader& in) {
-    const auto size = in.value<Size>();
-    constexpr int kMost = 1 << 20;
-    if (size.width_px < 0 || size.height_px < 0 || size.width_px > kMost ||
-        size.height_px > kMost) {
-        in.fail();
-    }
-    if (!in.is_good()) return {};
-    core::Image<T> image(size.width_px, size.height_px);
-    for (std::size_t i = 0; i < image.size() && in.is_good();) {
+bool has_runs(core::ByteReader in, std::size_t pixels) {
+    while (pixels > 0) {
         const auto run = in.value<std::uint32_t>();
-        const T pixel = in.value<T>();
-        if (run == 0 || run > image.size() - i) {
-            in.fail();
-            break;
-        }
-        std::fill_n(image.data() + i, run, pixel);
+        (void)in.value<T>();
+        if (!in.is_good() || run == 0 || run > pixels) return false;
+        pixels -= run;
+    }
+    return true;
+}
+
+/// An image of `most_pixels` at most; empty where the reader fails.
+template <class T>
+core::Image<T> read_runs(core::ByteReader& in, std::size_t most_pixels) {
+    const auto size = in.value<Size>();
+    const bool is_size = size.width_px >= 0 && size.height_px >= 0;
+    const std::size_t pixels =
+        is_size ? static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px)
+                : 0;
+    if (!is_size || pixels > most_pixels || !has_runs<T>(in, pixels)) {
+        in.fail();
+        return {};
+    }
+    core::Image<T> image(size.width_px, size.height_px);
+    for (std::size_t i = 0; i < pixels;) {
+        const auto run = in.value<std::uint32_t>();
+        std::fill_n(image.data() + i, run, in.value<T>());
         i += run;
     }
     return image;
@@ -105,19 +119,35 @@ void write_payload(core::ByteWriter& out, const Truth& truth) {
     out.parts(truth.counts, truth.trace_s);
 }
 
+/// Whether every image has the size of the labels, those that a trace may leave out apart.
+bool fits_together(const Truth& truth) {
+    const auto is_like = [&](const auto& image) {
+        return image.width_px() == truth.labels.width_px() &&
+               image.height_px() == truth.labels.height_px();
+    };
+    const auto is_like_or_empty = [&](const auto& image) {
+        return is_like(image) || image.is_empty();
+    };
+    return is_like(truth.below_crease) && is_like_or_empty(truth.sampled) &&
+           is_like_or_empty(truth.exact_corner) && is_like_or_empty(truth.layers.triangle) &&
+           truth.layers.patch.width_px() == truth.layers.triangle.width_px() &&
+           truth.layers.patch.height_px() == truth.layers.triangle.height_px();
+}
+
 std::optional<Truth> read_payload(core::ByteReader& in) {
     Truth truth;
-    truth.labels = read_runs<std::uint8_t>(in);
-    truth.below_crease = read_runs<std::uint8_t>(in);
+    truth.labels = read_runs<std::uint8_t>(in, kMostPixels);
+    const std::size_t pixels = truth.labels.size();
+    truth.below_crease = read_runs<std::uint8_t>(in, pixels);
     pass_curves(in, truth.curves);
-    truth.sampled = read_runs<std::uint8_t>(in);
-    truth.exact_corner = read_runs<std::uint8_t>(in);
-    truth.layers.triangle = read_runs<std::uint32_t>(in);
-    truth.layers.patch = read_runs<std::uint32_t>(in);
+    truth.sampled = read_runs<std::uint8_t>(in, pixels);
+    truth.exact_corner = read_runs<std::uint8_t>(in, pixels);
+    truth.layers.triangle = read_runs<std::uint32_t>(in, pixels);
+    truth.layers.patch = read_runs<std::uint32_t>(in, pixels);
     truth.layers.n_dot_v = read_seen(in, truth.layers, 0);
     truth.layers.w = read_seen(in, truth.layers, std::numeric_limits<float>::infinity());
     in.parts(truth.counts, truth.trace_s);
-    if (!in.is_at_end()) return std::nullopt;
+    if (!in.is_at_end() || !fits_together(truth)) return std::nullopt;
     return truth;
 }
 

@@ -324,6 +324,22 @@ TEST(CrosscheckFile, ComesBackWholeOrNotAtAll) {
     EXPECT_FALSE(harness::decode_check(changed, "key"));
 }
 
+TEST(CrosscheckFile, HoldsNoNumberThatIsNoneOfItsKind) {
+    const harness::Disagreement sound{1.5, 2.5, 0.125, truth::LineClass::boundary, false, 7, false};
+    const auto is_read = [](const harness::Disagreement& disagreement) {
+        harness::Crosscheck check;
+        check.agreement.disagreements = {disagreement};
+        return harness::decode_check(harness::encode_check(check, "key"), "key").has_value();
+    };
+    EXPECT_TRUE(is_read(sound));
+    harness::Disagreement no_class = sound;
+    no_class.line_class = static_cast<truth::LineClass>(200);
+    EXPECT_FALSE(is_read(no_class));
+    harness::Disagreement far_curve = sound;
+    far_curve.curve = ~std::size_t{0};
+    EXPECT_FALSE(is_read(far_curve)) << "2^64 as a double, which no index holds";
+}
+
 /// Two sheets of one object, flat or bent a little, whose borders lie 3e-5 apart: seven times the
 /// weld tolerance, and 0.003 px.
 scene::Scene two_sheets(float overlap, float slope) {

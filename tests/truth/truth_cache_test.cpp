@@ -5,7 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
+#include "core/hash.h"
 #include "tests/truth/shapes.h"
 #include "truth/truth_file.h"
 
@@ -113,6 +115,56 @@ TEST_F(Cache, FileOfAnotherKeyIsNotTaken) {
     options_.crease_rad = 2;
     write(bytes);
     EXPECT_NE(cached().trace_s, 12345);
+}
+
+/// A truth of sky, 4 x 3 px.
+Truth small_truth() {
+    Truth truth;
+    truth.labels = truth.below_crease = core::Image<std::uint8_t>(4, 3);
+    truth.sampled = truth.exact_corner = edge::EdgeImage(4, 3);
+    truth.layers.triangle = truth.layers.patch = core::Image<std::uint32_t>(4, 3, kNoTriangle);
+    truth.layers.n_dot_v = core::Image<float>(4, 3);
+    truth.layers.w = core::Image<float>(4, 3, std::numeric_limits<float>::infinity());
+    return truth;
+}
+
+bool comes_back(const Truth& truth) {
+    return decode_truth(encode_truth(truth, "key"), "key").has_value();
+}
+
+TEST(TruthFile, HasImagesOfOneSize) {
+    EXPECT_TRUE(comes_back(small_truth()));
+    EXPECT_TRUE(comes_back(Truth{}));
+    Truth without_layers = small_truth();
+    without_layers.layers = {};
+    without_layers.sampled = without_layers.exact_corner = {};
+    EXPECT_TRUE(comes_back(without_layers));
+    Truth other_labels = small_truth();
+    other_labels.labels = core::Image<std::uint8_t>(3, 4);
+    EXPECT_FALSE(comes_back(other_labels));
+    Truth other_patches = small_truth();
+    other_patches.layers.patch = core::Image<std::uint32_t>(4, 2, kNoTriangle);
+    EXPECT_FALSE(comes_back(other_patches));
+}
+
+TEST(TruthFile, ClaimsOfManyPixelsAreNotAllocated) {
+    // The labels' size with its runs, under a hash that fits: 2^20 x 2^20 px in one run of few.
+    std::vector<std::uint8_t> payload;
+    for (const std::uint32_t number : {1U << 20, 1U << 20, 12U}) {
+        for (int byte = 0; byte < 4; ++byte)
+            payload.push_back(static_cast<std::uint8_t>(number >> (8 * byte)));
+    }
+    payload.push_back(0);
+    std::vector<std::uint8_t> bytes = encode_truth({}, "key");
+    bytes.resize(8 + 8 + 3);
+    const auto add = [&](std::uint64_t number) {
+        for (int byte = 0; byte < 8; ++byte)
+            bytes.push_back(static_cast<std::uint8_t>(number >> (8 * byte)));
+    };
+    add(core::Hasher().bytes(payload.data(), payload.size()).result());
+    add(payload.size());
+    bytes.insert(bytes.end(), payload.begin(), payload.end());
+    EXPECT_FALSE(decode_truth(bytes, "key").has_value());
 }
 
 TEST_F(Cache, UnwritableFolderCostsTheCachingOnly) {
