@@ -20,7 +20,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 bool is_ear(Outline outline,
             const std::vector<std::uint32_t>& left,
             const scene::Triangle& corner) {
-    const auto& [a, b, c] = corner;
+    const std::uint32_t a = corner[0], b = corner[1], c = corner[2];
     if (turn(outline[a], outline[b], outline[c]) <= 0) return false;
     return std::none_of(left.begin(), left.end(), [&](std::uint32_t i) {
         if (i == a || i == b || i == c) return false;
