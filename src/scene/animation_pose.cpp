@@ -35,9 +35,11 @@ void blend_normals(std::span<const glm::vec3> from,
     }
 }
 
-/// `frame` counts frames from 0, with the way to the next as its fraction.
+/// `frame` counts frames from 0, with the way to the next as its fraction. It may lie beyond the
+/// last, by more than a whole number holds.
 void pose_frames(const VertexFrames& frames, double frame, Mesh& mesh) {
     const std::size_t last = frames.frame_count - 1;
+    frame = std::min(frame, static_cast<double>(last));
     const auto first = std::min(static_cast<std::size_t>(frame), last);
     const std::size_t next = std::min(first + 1, last);
     const auto share = static_cast<float>(next == first ? 0 : frame - std::floor(frame));

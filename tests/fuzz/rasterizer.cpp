@@ -66,7 +66,9 @@ double screen_px(Feed& feed) {
 double distance(double near, Feed& feed) {
     switch (feed.whole(0, 6)) {
         case 0:
-            return 1;
+            // So far away that a cut edge has no digits left: then no place is exact, but all are
+            // finite.
+            return feed.flag() ? 1 : feed.real(near, 1e20);
         case 1:
             return nudged(near, feed.whole(-2, 2));
         case 2:

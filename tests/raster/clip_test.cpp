@@ -140,6 +140,23 @@ TEST(Clip, WhatIsNotANumberIsNotDrawn) {
     EXPECT_EQ(drawn.planes[0].at(31, 1), 4U) << "huge but finite is drawn";
 }
 
+/// Of the w of the near end nothing is left in the difference of both.
+TEST(Clip, AnEdgeLongerThanANumberHasDigitsStaysBeforeNear) {
+    const double near = 0.5;
+    for (const double x_px : {2e9, -2e9}) {
+        const std::array<ClipVertex, 3> triangle = {
+            vertex(0, 0, 1e20), vertex(x_px, 0, near), vertex(0, x_px, near)};
+        const ClipPolygon polygon = clip_triangle(triangle, near);
+        for (int i = 0; i < polygon.count; ++i) {
+            const glm::dvec3& p = polygon.corners[static_cast<std::size_t>(i)].p_clip;
+            EXPECT_GE(p.z, near);
+            EXPECT_LE(std::abs(to_screen(p).x), (kGuardBand_px + 1) * kSubpixels);
+            EXPECT_LE(std::abs(to_screen(p).y), (kGuardBand_px + 1) * kSubpixels);
+        }
+        EXPECT_GE(polygon.count, 3);
+    }
+}
+
 TEST(Clip, NothingBehindTheEyeIsSeen) {
     TestMesh mesh;
     mesh.add_triangle({-50, -50, -3}, {90, -50, -3}, {-50, 90, -3});

@@ -168,6 +168,20 @@ TEST(AnimationFrames, BetweenThemTheyAreBlendedOrWhole) {
     EXPECT_EQ(scene.meshes[0].positions[2].z, 8);
 }
 
+TEST(AnimationFrames, TheLastStaysHoweverLongItTakes) {
+    Scene scene = framed_triangles();
+    Animation animation = *scene.animation;
+    animation.duration_s = 1e25;  // of frames more than a whole number holds
+    scene.animation = std::make_shared<const Animation>(animation);
+    check_animation(scene, animation);
+    for (const auto between : {Between::blended, Between::whole}) {
+        pose_scene(scene, 0);
+        pose_scene(scene, 1e25, between);
+        EXPECT_EQ(scene.meshes[0].positions[2].z, 16);
+        EXPECT_EQ(scene.meshes[0].normals[0], glm::vec3(0, 0, 1));
+    }
+}
+
 /// Two bones at x = 0 and x = 2, the second turning by 90 degrees about z; a vertex on each and one
 /// between, bound as they stand.
 Scene bent_strip() {

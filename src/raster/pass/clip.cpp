@@ -1,5 +1,6 @@
 #include "raster/pass/clip.h"
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -19,7 +20,9 @@ ClipVertex cut(const ClipVertex& a, const ClipVertex& b, int plane, double near)
     const double t = from / (from - inside_by(plane, b.p_clip, near, kGuardBand_px));
     ClipVertex result;
     result.p_clip = a.p_clip + t * (b.p_clip - a.p_clip);
-    if (plane == 0) result.p_clip.z = near;  // exactly: rounding must not leave it before the plane
+    // Exactly: rounding must not leave it before the plane. Nor must it at the other planes, where
+    // an end may be so far away that the difference to the other has no digit of that one's w.
+    result.p_clip.z = plane == 0 ? near : std::max(result.p_clip.z, near);
     for (std::size_t i = 0; i < kMaxPlanes; ++i)
         result.values[i] = a.values[i] + t * (b.values[i] - a.values[i]);
     return result;

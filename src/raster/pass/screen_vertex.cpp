@@ -1,5 +1,6 @@
 #include "raster/pass/screen_vertex.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ink::raster {
@@ -12,7 +13,12 @@ bool is_usable(double v) {
 }
 
 std::int32_t snap(double px) {
-    if (std::abs(px) > kLaneReach_px) return static_cast<std::int32_t>(std::lrint(px * kSubpixels));
+    if (std::abs(px) > kLaneReach_px) {
+        // A corner that was cut off an edge without end may lie beyond the band by any rounding.
+        constexpr double kMost_px = kGuardBand_px + 1;
+        const double held_px = std::clamp(px, -kMost_px, kMost_px);
+        return static_cast<std::int32_t>(std::lrint(held_px * kSubpixels));
+    }
     return snapped(static_cast<std::int32_t>(std::lrint(px * (1 << kLaneBits))));
 }
 

@@ -31,7 +31,7 @@ std::uint32_t cut_edge(std::uint32_t inside,
     const double from = inside_by(plane, a, near, kCutBand_px);
     const double t = from / (from - inside_by(plane, b, near, kCutBand_px));
     glm::dvec3 p = a + t * (b - a);
-    if (plane == 0) p.z = near;
+    p.z = plane == 0 ? near : std::max(p.z, near);  // see clip.cpp
     const glm::vec3 n = glm::mix(vertices.n[inside], vertices.n[outside], static_cast<float>(t));
     vertices.p_clip.push_back(p);
     vertices.n.push_back(n);
