@@ -252,16 +252,26 @@ void sort_and_merge(Crossings& all) {
     });
 }
 
-}  // namespace
-
-std::span<const Contact> Crossings::contacts_of(std::uint32_t edge) const {
-    const auto [begin, end] = std::ranges::equal_range(contacts, edge, {}, &Contact::edge);
+/// Those of `things`, which are sorted by it, whose `key` is `wanted`.
+template <class T>
+std::span<const T> with_key(const std::vector<T>& things,
+                            std::uint32_t T::*key,
+                            std::uint32_t wanted) {
+    const auto begin = std::partition_point(
+        things.begin(), things.end(), [&](const T& thing) { return thing.*key < wanted; });
+    const auto end = std::partition_point(
+        begin, things.end(), [&](const T& thing) { return thing.*key == wanted; });
     return {begin, end};
 }
 
+}  // namespace
+
+std::span<const Contact> Crossings::contacts_of(std::uint32_t edge) const {
+    return with_key(contacts, &Contact::edge, edge);
+}
+
 std::span<const CoplanarPair> Crossings::coplanar_with(std::uint32_t face) const {
-    const auto [begin, end] = std::ranges::equal_range(coplanar, face, {}, &CoplanarPair::face);
-    return {begin, end};
+    return with_key(coplanar, &CoplanarPair::face, face);
 }
 
 Crossings find_crossings(const scene::Topology& topology, const CrossingOptions& options) {
