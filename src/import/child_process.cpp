@@ -25,9 +25,9 @@ constexpr std::size_t kReadBytes = 1 << 20;
 constexpr int kExecFailed = 127;  // as a shell would say it
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitAddressSpace = false;  // ASan reserves terabytes for its shadow
+constexpr bool kLimitMemory = false;  // ASan reserves terabytes for its shadow
 #else
-constexpr bool kLimitAddressSpace = true;
+constexpr bool kLimitMemory = true;
 #endif
 
 class FileDescriptor {
@@ -97,6 +97,7 @@ struct Launch {
     rlim_t memory_bytes;
     rlim_t file_bytes;
     rlim_t cpu_s;
+    bool counts_reserved;
     bool keeps_errors;
     bool leads_group;
 };
@@ -124,7 +125,7 @@ void limit(__rlimit_resource what, rlim_t most) {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, launch.file_bytes);
     limit(RLIMIT_CPU, launch.cpu_s);
-    if (kLimitAddressSpace) limit(RLIMIT_AS, launch.memory_bytes);
+    if (kLimitMemory) limit(launch.counts_reserved ? RLIMIT_AS : RLIMIT_DATA, launch.memory_bytes);
     execv(launch.program, launch.arguments);
     _exit(kExecFailed);
 }
@@ -201,6 +202,7 @@ ChildOutcome run_child(const std::filesystem::path& program,
                         .file_bytes = limits.file_bytes,
                         // A backstop only, for the day on which the parent is stopped itself.
                         .cpu_s = static_cast<rlim_t>(std::ceil(wall_s * limits.threads)) + 1,
+                        .counts_reserved = limits.counts_reserved,
                         .keeps_errors = limits.keeps_errors,
                         .leads_group = limits.leads_group};
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(

@@ -11,8 +11,8 @@ namespace ink::import {
 /// What a child process may use up before it is stopped.
 struct ChildLimits {
     double wall_s = 60;
-    std::uint64_t memory_bytes = 8ULL
-                                 << 30;  ///< of address space (not held under AddressSanitizer)
+    std::uint64_t memory_bytes = 8ULL << 30;  ///< not held under AddressSanitizer
+    bool counts_reserved = true;  ///< memory is address space; else what it may write to, alone
     std::uint64_t output_bytes = 2ULL << 30;
     std::uint64_t file_bytes = 0;  ///< of any file that it writes; 0: it writes none
     bool keeps_errors = false;     ///< its error output counts as output; else it is discarded

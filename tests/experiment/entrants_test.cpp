@@ -26,6 +26,11 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 constexpr double kCrease_rad = 0.7;
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
 
 class Entrants : public testing::Test {
   protected:
@@ -111,6 +116,21 @@ TEST_F(Entrants, AProgramThatFailsSaysHow) {
     EXPECT_THAT(failure("true"), HasSubstr("wrote no image"));
     EXPECT_THAT(failure("echo text > \"$2\""), HasSubstr("of its image: not an image"));
     EXPECT_THAT(failure("yes"), HasSubstr("printed more than 1 MiB"));
+}
+
+TEST_F(Entrants, MemoryIsLimitedByWhatIsWrittenNotByWhatIsReserved) {
+    if (kIsSanitized) GTEST_SKIP() << "skipped: no memory limit is set under the sanitizer";
+    const auto failure = [&](const std::string& access, const std::string& size) {
+        const std::string program =
+            write_program("maps",
+                          "#!/usr/bin/python3\nimport mmap\nmmap.mmap(-1, " + size +
+                              ", mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS, mmap." + access + ")\n");
+        edge::EdgeImage image;
+        return draw(program, image).failure;
+    };
+    EXPECT_THAT(failure("PROT_READ", "64 << 30"), HasSubstr("wrote no image")) << "it went on";
+    EXPECT_THAT(failure("PROT_WRITE", "1 << 20"), HasSubstr("wrote no image")) << "it went on";
+    EXPECT_THAT(failure("PROT_WRITE", "9 << 30"), HasSubstr("Cannot allocate memory"));
 }
 
 TEST_F(Entrants, AWrongSizeAndAMissingViewAreThatViewsFailure) {

@@ -18,7 +18,7 @@ struct Entrant {
 /// What a program from outside may use up for one view.
 struct EntrantLimits {
     double wall_s = 60;
-    std::uint64_t memory_bytes = 8ULL << 30;  ///< of address space
+    std::uint64_t memory_bytes = 8ULL << 30;  ///< of memory that it may write to, each process
 };
 
 /// "NAME=PATH" as an entrant: a folder, or a file that can be executed.

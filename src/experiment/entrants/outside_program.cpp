@@ -139,6 +139,7 @@ class ProgramRunner {
                               {asked.string(), image.string()},
                               {.wall_s = limits_.wall_s,
                                .memory_bytes = limits_.memory_bytes,
+                               .counts_reserved = false,  // a browser reserves a terabyte
                                .output_bytes = kOutputBytes,
                                .file_bytes = kFileBytes,
                                .keeps_errors = true,
