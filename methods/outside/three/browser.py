@@ -1,0 +1,115 @@
+"""three.js in a headless Chromium with software GL: what its two adapters call."""
+
+import os
+import subprocess
+import tempfile
+import threading
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from urllib.parse import parse_qs, urlsplit
+
+import numpy
+from entrant import Absent, Failed, find_program
+
+HERE = Path(__file__).resolve().parent
+THREE = "three-0.160.0"
+LONGEST_S = 600
+TYPES = {".html": "text/html", ".js": "text/javascript", ".json": "application/json"}
+
+
+def store():
+    """Where `install` puts npm packages."""
+    cache = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(cache) / "inkbench" / "outside"
+
+
+class Answer:
+    """What the page sends back: an image and its time, or why there is none."""
+
+    def __init__(self):
+        self.came = threading.Event()
+        self.failure = None
+        self.pixels = b""
+        self.draw_ms = 0.0
+
+
+def handler_for(folders, files, answer):
+    """Serves the files of some folders, by the first part of an address, and takes the answer."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self):
+            _, first, *rest = urlsplit(self.path).path.split("/")
+            path = files.get(f"{first}/{'/'.join(rest)}")
+            if path is None and first in folders and ".." not in rest:
+                path = folders[first].joinpath(*rest)
+            if path is None or not path.is_file():
+                self.send_error(404)
+                return
+            body = path.read_bytes()
+            self.send_response(200)
+            self.send_header("Content-Type", TYPES.get(path.suffix, "application/octet-stream"))
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def do_POST(self):
+            body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
+            asked = urlsplit(self.path)
+            if asked.path == "/drawn":
+                answer.pixels = body
+                answer.draw_ms = float(parse_qs(asked.query)["ms"][0])
+            else:
+                answer.failure = body.decode("utf-8", "replace").replace("\n", " ")
+            self.send_response(204)
+            self.end_headers()
+            answer.came.set()
+
+        def log_message(self, *_):
+            pass
+
+    return Handler
+
+
+def wait_for(answer, browser):
+    """Until the page answers. Raises Failed if the browser ends before, or takes too long."""
+    for _ in range(10 * LONGEST_S):
+        if answer.came.wait(0.1):
+            return
+        if browser.poll() is not None:
+            raise Failed(f"Chromium ended with exit code {browser.returncode} before it drew")
+    raise Failed(f"three.js did not draw within {LONGEST_S} s")
+
+
+def render(adapter, folder, view, is_mask):
+    """The image that the pass.js of `folder` draws, and the milliseconds by the page's clock.
+
+    Raises Absent without Chromium or three.js, Failed if the page does not draw.
+    """
+    chromium = find_program("chromium", adapter)
+    three = store() / THREE
+    if not (three / "build" / "three.module.js").exists():
+        raise Absent(f"{THREE} is not in {three} (methods/outside/install {adapter})")
+    answer = Answer()
+    folders = {"three": three, "adapter": HERE, "pass": folder}
+    files = {"view/view.json": view.path, "view/mesh.glb": view.file("glb")}
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler_for(folders, files, answer))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    what = "mask" if is_mask else "lines"
+    address = f"http://127.0.0.1:{server.server_port}/adapter/page.html?what={what}&pass=pass.js"
+    with tempfile.TemporaryDirectory(prefix="inkbench-three-", ignore_cleanup_errors=True) as home:
+        browser = subprocess.Popen(
+            [chromium, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
+             "--no-proxy-server", "--disable-background-networking", "--disable-sync",
+             "--disable-extensions", f"--user-data-dir={home}", address],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            wait_for(answer, browser)
+        finally:
+            browser.terminate()
+            browser.wait()
+            server.shutdown()
+    if answer.failure is not None:
+        raise Failed(f"three.js: {answer.failure[:180]}")
+    width, height = view.size_px
+    return numpy.frombuffer(answer.pixels, numpy.uint8).reshape(height, width), answer.draw_ms
