@@ -6,6 +6,7 @@ that with the object ids of the view.
 """
 
 import json
+import os
 import shutil
 import sys
 from dataclasses import dataclass
@@ -54,6 +55,12 @@ def read_view(path):
 def refuse(message):
     print(message, file=sys.stderr)
     sys.exit(BAD_INPUT)
+
+
+def store():
+    """Where `install` puts npm packages."""
+    cache = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(cache) / "inkbench" / "outside"
 
 
 def find_program(name, adapter):

@@ -1,6 +1,5 @@
 """three.js in a headless Chromium with software GL: what its two adapters call."""
 
-import os
 import subprocess
 import tempfile
 import threading
@@ -9,18 +8,12 @@ from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
 import numpy
-from entrant import Absent, Failed, find_program
+from entrant import Absent, Failed, find_program, store
 
 HERE = Path(__file__).resolve().parent
 THREE = "three-0.160.0"
 LONGEST_S = 600
 TYPES = {".html": "text/html", ".js": "text/javascript", ".json": "application/json"}
-
-
-def store():
-    """Where `install` puts npm packages."""
-    cache = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(cache) / "inkbench" / "outside"
 
 
 class Answer:

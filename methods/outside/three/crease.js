@@ -6,8 +6,8 @@ import {mergeVertices, toCreasedNormals} from 'three/addons/utils/BufferGeometry
 const kCrease_rad = 40 * Math.PI / 180;
 
 // toCreasedNormals takes corners within 1/100 for one, mergeVertices within 1/10000: the model is
-// made so large for them that this is far below its details.
-const kExtent = 1e6;
+// made so large for them that this is far below its details, and so small that their integers hold it.
+const kExtent = 1e5;
 
 // The least corner of each corner's connected component.
 function componentsOf(index) {
