@@ -156,7 +156,9 @@ void read_measure(TomlReader& measure, Experiment& experiment) {
             measure.number("budget_ms", 0, 1e6).value_or(experiment.budget_s * 1e3) * 1e-3;
     }
     if (experiment.kind == ExperimentKind::compare) {
-        known.insert(known.end(), {"full_scores", "crosscheck"});
+        known.insert(known.end(), {"full_scores", "crosscheck", "entrant_seconds"});
+        experiment.entrant_s =
+            measure.number("entrant_seconds", 0.01, 86400).value_or(experiment.entrant_s);
         experiment.full_scores = measure.flag("full_scores").value_or(true);
         experiment.crosscheck = measure.flag("crosscheck").value_or(true);
     }

@@ -44,6 +44,7 @@ repetitions = 4
 budget_ms = 10
 full_scores = false
 crosscheck = false
+entrant_seconds = 90
 times = false
 crease_deg = 50
 intersections = "all"
@@ -68,6 +69,7 @@ fatten = [true, false]
     EXPECT_THAT(e.threads, ElementsAre(1, 2));
     EXPECT_EQ(e.repetitions, 4);
     EXPECT_DOUBLE_EQ(e.budget_s, 0.01);
+    EXPECT_EQ(e.entrant_s, 90);
     EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
     EXPECT_EQ(e.crease_deg, 50);

@@ -22,14 +22,18 @@ def load_model(path):
     """Every object of an OBJ, flat-shaded, its corners at one place joined."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.ops.wm.obj_import(filepath=path, forward_axis="Y", up_axis="Z")
-    for model in [o for o in bpy.context.scene.objects if o.type == "MESH"]:
-        bpy.context.view_layer.objects.active = model
+    models = [o for o in bpy.context.scene.objects if o.type == "MESH"]
+    for model in models:
+        model.select_set(True)
         model.data.use_auto_smooth = False
         model.data.polygons.foreach_set("use_smooth", [False] * len(model.data.polygons))
-        bpy.ops.object.mode_set(mode="EDIT")
-        bpy.ops.mesh.select_all(action="SELECT")
-        bpy.ops.mesh.remove_doubles(threshold=0)
-        bpy.ops.object.mode_set(mode="OBJECT")
+    if not models:
+        return
+    bpy.context.view_layer.objects.active = models[0]
+    bpy.ops.object.mode_set(mode="EDIT")  # of all that are selected
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.remove_doubles(threshold=0)  # within each object
+    bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def place_camera(view):

@@ -94,7 +94,7 @@ def render(adapter, folder, view, is_mask):
             [chromium, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
              "--no-proxy-server", "--disable-background-networking", "--disable-sync",
-             "--disable-extensions", f"--user-data-dir={home}", address],
+             "--disable-extensions", "--disable-breakpad", f"--user-data-dir={home}", address],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             wait_for(answer, browser)
