@@ -13,9 +13,9 @@ std::set<std::string> methods_in(const SourceTree& tree) {
     std::set<std::string> methods;
     for (const std::string& folder : tree.folders) {
         const std::string prefix = "methods/";
-        // One that begins with _ is a template.
+        // One that begins with _ is a template; `outside` has programs that drive others' methods.
         if (starts_with(folder, prefix) && folder[prefix.size()] != '_' &&
-            folder.find('/', prefix.size()) == std::string::npos) {
+            folder != prefix + "outside" && folder.find('/', prefix.size()) == std::string::npos) {
             methods.insert(folder.substr(prefix.size()));
         }
     }
