@@ -14,6 +14,7 @@
 #include "scene/near_points.h"
 #include "scene/predicates.h"
 #include "scene/sharing/shared_work.h"
+#include "scene/written_digits.h"
 
 namespace ink::scene {
 namespace {
@@ -167,6 +168,26 @@ bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
                          place(instance, mesh.positions[t[2]]));
 }
 
+/// Notes how far a vertex may lie from where it was meant for the digits of its coordinates.
+void note_written(Topology& topology, std::uint32_t vertex, double written_world) {
+    auto& all = topology.written_rounding_world;
+    if (all.empty() && written_world <= topology.rounding_world[vertex]) return;
+    all.resize(topology.rounding_world.size(), 0);
+    all[vertex] = std::max(all[vertex], written_world);
+}
+
+/// Makes sure that the digits never say less than the floats.
+void finish_written(Topology& topology) {
+    auto& all = topology.written_rounding_world;
+    if (all.empty()) return;
+    all.resize(topology.rounding_world.size(), 0);
+    std::transform(all.begin(),
+                   all.end(),
+                   topology.rounding_world.begin(),
+                   all.begin(),
+                   [](double a, double b) { return std::max(a, b); });
+}
+
 /// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
 /// dropped.
 void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
@@ -174,6 +195,8 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     Numbering<glm::dvec3, PointHash> points(count / 2);
     Numbering<FaceKey, FaceHash> seen(count);
     topology.counts.triangles = count;
+    std::vector<double> written(scene.meshes.size());
+    std::transform(scene.meshes.begin(), scene.meshes.end(), written.begin(), written_rounding);
 
     std::uint32_t triangle_index = 0;
     for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
@@ -181,6 +204,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const bool mirrored = is_mirrored(instance);
         const double stretch = most_stretched(instance);
+        const double written_world = most_moved_world(instance, written[instance.mesh]);
         std::vector<std::uint32_t> welded(mesh.positions.size(), kFree);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++triangle_index) {
             Face face;
@@ -194,6 +218,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                     topology.rounding_world.resize(points.keys().size(), 0);
                     double& rounding = topology.rounding_world[welded[v]];
                     rounding = std::max(rounding, stretch * half_ulp(mesh.positions[v]));
+                    note_written(topology, welded[v], written_world);
                 }
                 face.vertices[i] = welded[v];
             }
@@ -214,6 +239,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         }
     }
     topology.p_world = std::move(points.keys());
+    finish_written(topology);
 }
 
 bool runs_forward(const Face& face, const Edge& edge) {

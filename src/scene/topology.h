@@ -46,6 +46,9 @@ struct Topology {
     /// coordinates are floats. Half a unit in the last place of the largest of them, carried
     /// through the object's transform; of joined vertices the most.
     std::vector<double> rounding_world;
+    /// The same where an object's coordinates have few decimal digits (written_digits.h): half a
+    /// unit of the last of them if that is more. Empty where it is more for no vertex of the scene.
+    std::vector<double> written_rounding_world;
     std::vector<Face> faces;
     std::vector<Edge> edges;
     std::vector<std::uint32_t> edge_faces;  ///< face indices, grouped by edge, ascending in each

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "core/parallel.h"
 #include "scene/predicates.h"
@@ -49,11 +50,6 @@ LineClass class_of(const EyeView& eye, std::uint32_t e) {
     return eye.model.class_across(edge, seen.left, seen.right);
 }
 
-/// Distance along the view direction of the point t of an edge.
-double depth_at(const EyeView& eye, const scene::Edge& edge, double t) {
-    return eye.p_clip[edge.a].z + t * (eye.p_clip[edge.b].z - eye.p_clip[edge.a].z);
-}
-
 double gap_at(const Continuation& c, double t) {
     const double along = (t - c.t_begin) / (c.t_end - c.t_begin);
     return c.gap_begin_world + along * (c.gap_end_world - c.gap_begin_world);
@@ -64,8 +60,7 @@ double gap_at(const Continuation& c, double t) {
 double change_of_sight(const EyeView& eye, const Continuation& c) {
     const scene::Edge& edge = eye.model.topology.edges[c.edge];
     const auto excess = [&](double t) {
-        return gap_at(c, t) * eye.projection.focal_px() -
-               scene::kUnseen_px * depth_at(eye, edge, t);
+        return gap_at(c, t) * eye.projection.focal_px() - scene::kUnseen_px * eye.depth_at(edge, t);
     };
     const double at_begin = excess(c.t_begin), at_end = excess(c.t_end);
     if ((at_begin < 0) == (at_end < 0)) return -1;
@@ -94,6 +89,22 @@ LineClass own_class_at(const EyeView& eye, std::uint32_t e, double t) {
     if (continuations.empty()) return LineClass::boundary;
     const std::uint32_t own = eye.model.topology.faces_of(eye.model.topology.edges[e])[0];
     return class_between(eye, own, continuations, t);
+}
+
+/// The least distance along the view direction of what two faces have in common.
+double nearest(const EyeView& eye, const WrittenContact& pair) {
+    double w = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < pair.touching.contact_count; ++i) {
+        const Contact& c = pair.touching.contacts[i];
+        const scene::Edge& edge = eye.model.topology.edges[c.edge];
+        w = std::min({w, eye.depth_at(edge, c.t_begin), eye.depth_at(edge, c.t_end)});
+    }
+    if (pair.as_given) {
+        w = std::min({w,
+                      eye.projection.to_clip(pair.as_given->begin_world).z,
+                      eye.projection.to_clip(pair.as_given->end_world).z});
+    }
+    return w;
 }
 
 void append(std::vector<ClassStretch>& stretches, const ClassStretch& next) {
@@ -128,6 +139,18 @@ EyeView::EyeView(const Model& model_, const scene::View& view, int threads)
     for_all(edge_class.size(), threads, [&](std::size_t e) {
         edge_class[e] = class_of(*this, static_cast<std::uint32_t>(e));
     });
+    by_digits =
+        find_seen_contacts(model.crossings, topology.edges.size(), [&](const WrittenContact& c) {
+            return is_unseen(c.rounding_world, nearest(*this, c));
+        });
+}
+
+scene::RoundedPoint EyeView::rounded_point(std::uint32_t vertex, double w) const {
+    if (by_digits) {
+        const double written = model.topology.written_rounding_world[vertex];
+        if (is_unseen(written, w)) return {model.topology.p_world[vertex], written};
+    }
+    return scene::rounded_point(model.topology, vertex);
 }
 
 SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
@@ -145,7 +168,7 @@ SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
 bool EyeView::goes_on(const Continuation& continuation, double t) const {
     const scene::Topology& topology = model.topology;
     const scene::Edge& edge = topology.edges[continuation.edge];
-    if (!is_unseen(gap_at(continuation, t), depth_at(*this, edge, t))) return false;
+    if (!is_unseen(gap_at(continuation, t), depth_at(edge, t))) return false;
     const glm::dvec3 a = topology.p_world[edge.a] - eye_world();
     const glm::dvec3 b = topology.p_world[edge.b] - eye_world();
     // orient3d(a, b, eye, v) has the sign of -(a x b).(v - a), where v is beyond the edge.
@@ -155,12 +178,12 @@ bool EyeView::goes_on(const Continuation& continuation, double t) const {
 
 LineClass EyeView::class_at(std::uint32_t edge, double t) const {
     const LineClass own_class = own_class_at(*this, edge, t);
-    return model.is_touched[edge] != 0 ? touched_class(*this, edge, t, own_class) : own_class;
+    return is_touched(edge) ? touched_class(*this, edge, t, own_class) : own_class;
 }
 
 std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
     const LineClass whole = eye.edge_class[e];
-    const bool is_touched = eye.model.is_touched[e] != 0;
+    const bool is_touched = eye.is_touched(e);
     if (whole == LineClass::none && !is_touched) return {};
     const auto continuations = whole == LineClass::boundary ? eye.model.continuations_of(e)
                                                             : std::span<const Continuation>();
@@ -178,7 +201,7 @@ std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
         const double change = change_of_sight(eye, c);
         if (change > c.t_begin && change < c.t_end) ends.push_back(change);
     }
-    for (const Contact& c : eye.model.crossings.contacts_of(e)) {
+    for (const Contact& c : eye.contacts_of(e)) {
         ends.push_back(c.t_begin);
         ends.push_back(c.t_end);
     }

@@ -51,13 +51,18 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t f) {
     return f;
 }
 
+/// Whether a patch goes on over the edge.
+bool is_smooth_edge(const Model& model, std::size_t e) {
+    return model.topology.edges[e].face_count == 2 && model.flat_class[e] == LineClass::none;
+}
+
 void join_patches(Model& model) {
     const scene::Topology& topology = model.topology;
     std::vector<std::uint32_t> parent(topology.faces.size());
     std::iota(parent.begin(), parent.end(), 0U);
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        if (!is_smooth_edge(model, e)) continue;
         const auto faces = topology.faces_of(topology.edges[e]);
-        if (faces.size() != 2 || model.flat_class[e] != LineClass::none) continue;
         const auto [low, high] =
             std::minmax({root_of(parent, faces[0]), root_of(parent, faces[1])});
         parent[high] = low;
@@ -69,6 +74,16 @@ void join_patches(Model& model) {
         const std::uint32_t root = root_of(parent, f);
         model.patch[f] = root == f ? count++ : model.patch[root];
     }
+}
+
+/// Takes away the contacts by digits of surfaces that cross nonetheless.
+void judge_written_contacts(Model& model) {
+    auto& contacts = model.crossings.written;
+    if (contacts.empty()) return;
+    std::vector<std::uint8_t> is_smooth(model.topology.edges.size());
+    for (std::size_t e = 0; e < is_smooth.size(); ++e)
+        is_smooth[e] = is_smooth_edge(model, e) ? 1 : 0;
+    keep_one_sided(model.topology, {model.patch, model.runs, is_smooth}, contacts);
 }
 
 std::size_t count_defects(const Model& model) {
@@ -114,6 +129,7 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
+    judge_written_contacts(model);
     mark_slit_crossings(
         model.topology, model.continuations, model.tolerances, model.crossings.segments);
     model.is_touched.assign(model.topology.edges.size(), 0);

@@ -35,8 +35,12 @@ struct Span {
 
 class Pair {
   public:
-    Pair(const scene::Topology& topology, std::uint32_t f, std::uint32_t g)
-        : p_(topology.p_world), topology_(topology), index_{f, g} {
+    /// `rounding_world` has one entry per vertex.
+    Pair(const scene::Topology& topology,
+         const std::vector<double>& rounding_world,
+         std::uint32_t f,
+         std::uint32_t g)
+        : p_(topology.p_world), topology_(topology), rounding_world_(rounding_world), index_{f, g} {
         for (std::size_t i = 0; i < 2; ++i)
             face_[i] = &topology.faces[index_[i]];
     }
@@ -49,6 +53,13 @@ class Pair {
         if (!is_too_far_) return meeting;
         is_as_given_ = true;
         return attempt();
+    }
+
+    /// The first of these alone.
+    std::optional<WrittenMeeting> meet_as_written() {
+        const Meeting meeting = attempt();
+        if (is_too_far_) return std::nullopt;
+        return WrittenMeeting{meeting, sides(signs_of(0)), sides(signs_of(1))};
     }
 
   private:
@@ -97,6 +108,10 @@ class Pair {
     [[nodiscard]] static bool is_zero(const Signs& s) {
         return s[0] == 0 && s[1] == 0 && s[2] == 0;
     }
+    [[nodiscard]] static Sides sides(const Signs& s) {
+        const auto [low, high] = std::minmax_element(s.begin(), s.end());
+        return {*high > 0, *low < 0};
+    }
     [[nodiscard]] static bool is_apart(const Signs& s) {
         return s[0] * s[1] > 0 && s[1] * s[2] > 0;
     }
@@ -121,9 +136,7 @@ class Pair {
     }
 
     [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t vertex) const {
-        scene::RoundedPoint point = scene::rounded_point(topology_, vertex);
-        if (is_as_given_) point.rounding = 0;
-        return point;
+        return {p_[vertex], is_as_given_ ? 0 : rounding_world_[vertex]};
     }
 
     [[nodiscard]] std::array<std::uint32_t, 2> side_vertices(std::size_t i, Side side) const {
@@ -290,6 +303,7 @@ class Pair {
 
     const std::vector<glm::dvec3>& p_;
     const scene::Topology& topology_;
+    const std::vector<double>& rounding_world_;
     std::array<std::uint32_t, 2> index_;
     std::array<const scene::Face*, 2> face_{};
     std::array<Span, 2> span_;
@@ -300,7 +314,16 @@ class Pair {
 }  // namespace
 
 Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) {
-    return Pair(topology, std::min(f, g), std::max(f, g)).meet();
+    return Pair(topology, topology.rounding_world, std::min(f, g), std::max(f, g)).meet();
+}
+
+std::optional<WrittenMeeting> meet_as_written(const scene::Topology& topology,
+                                              std::uint32_t f,
+                                              std::uint32_t g) {
+    Pair pair(topology, topology.written_rounding_world, std::min(f, g), std::max(f, g));
+    auto met = pair.meet_as_written();
+    if (met && f > g) std::swap(met->of_f, met->of_g);
+    return met;
 }
 
 }  // namespace ink::truth
