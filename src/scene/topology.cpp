@@ -21,6 +21,10 @@ namespace {
 
 constexpr std::uint32_t kFree = 0xffffffffU;
 
+/// 1/64 px (scene/weld_tolerance.h) of a scene that is 256 px wide: of what is more, only images
+/// smaller than that could make use.
+constexpr double kMostWritten = 1.0 / 64 / 256;
+
 /// Numbers keys in the order in which they first appear; open addressing, linear probing.
 ///
 /// `K` needs == and a hash functor; keys are kept, so the table is also the list of them.
@@ -176,16 +180,25 @@ void note_written(Topology& topology, std::uint32_t vertex, double written_world
     all[vertex] = std::max(all[vertex], written_world);
 }
 
-/// Makes sure that the digits never say less than the floats.
+/// Keeps what the digits say where it is more than the floats do, and so little that an image which
+/// is filled by the scene does not show it.
 void finish_written(Topology& topology) {
     auto& all = topology.written_rounding_world;
     if (all.empty()) return;
     all.resize(topology.rounding_world.size(), 0);
-    std::transform(all.begin(),
-                   all.end(),
-                   topology.rounding_world.begin(),
-                   all.begin(),
-                   [](double a, double b) { return std::max(a, b); });
+    glm::dvec3 low = topology.p_world.front(), high = low;
+    for (const glm::dvec3& p : topology.p_world) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const double most = kMostWritten * glm::length(high - low);
+    bool has_any = false;
+    for (std::size_t v = 0; v < all.size(); ++v) {
+        const bool counts = all[v] > topology.rounding_world[v] && all[v] <= most;
+        if (!counts) all[v] = topology.rounding_world[v];
+        has_any = has_any || counts;
+    }
+    if (!has_any) all.clear();
 }
 
 /// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
