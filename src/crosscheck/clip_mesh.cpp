@@ -257,8 +257,7 @@ double ClipMesh::rounding(std::uint32_t face) const {
     return most;
 }
 
-bool ClipMesh::goes_on(std::uint32_t from,
-                       std::uint32_t face,
+bool ClipMesh::is_near(std::uint32_t face,
                        const glm::dvec3& p_world,
                        const Closeness& close) const {
     const auto& v = topology_.faces[face].vertices;
@@ -272,7 +271,14 @@ bool ClipMesh::goes_on(std::uint32_t from,
         const double outside = glm::dot(glm::cross(along, n), -p[i]);
         if (outside > close.height + close.slack) return false;
     }
-    return deviation_between(from, face) < crease_rad_;
+    return true;
+}
+
+bool ClipMesh::goes_on(std::uint32_t from,
+                       std::uint32_t face,
+                       const glm::dvec3& p_world,
+                       const Closeness& close) const {
+    return is_near(face, p_world, close) && deviation_between(from, face) < crease_rad_;
 }
 
 }  // namespace ink::crosscheck

@@ -84,6 +84,10 @@ class ClipMesh {
     /// How far the surface bends where one face goes on from another, both turned to the eye.
     [[nodiscard]] double deviation_between(std::uint32_t face0, std::uint32_t face1) const;
 
+    /// Whether a point lies as close to a face as that.
+    [[nodiscard]] bool is_near(std::uint32_t face,
+                               const glm::dvec3& p_world,
+                               const Closeness& close) const;
     /// Whether `face` goes on, as close as that and flatter than a crease, where `from` ends at a
     /// point of its border.
     [[nodiscard]] bool goes_on(std::uint32_t from,

@@ -102,13 +102,17 @@ bool PlainRays::is_met(std::uint32_t face, const glm::dvec3& ray) const {
     return low == 0 || high == 0;
 }
 
-Sight PlainRays::look(const glm::dvec2& p_px) const {
+std::span<const std::uint32_t> PlainRays::faces_near(const glm::dvec2& p_px) const {
     const std::uint64_t key = key_of(p_px.x, p_px.y);
     const auto at = std::lower_bound(pixels_.begin(), pixels_.end(), key);
     if (at == pixels_.end() || *at != key) return {};
+    return faces_[static_cast<std::size_t>(at - pixels_.begin())];
+}
+
+Sight PlainRays::look(const glm::dvec2& p_px) const {
     const glm::dvec3 ray = mesh().projection().ray_world(p_px.x, p_px.y);
     Foremost foremost;
-    for (const std::uint32_t face : faces_[static_cast<std::size_t>(at - pixels_.begin())]) {
+    for (const std::uint32_t face : faces_near(p_px)) {
         const double w = depth_of(mesh(), mesh().topology().faces[face], ray);
         if (w < mesh().view().camera.near || !foremost.may_take(w)) continue;
         if (is_met(face, ray)) foremost.add(mesh(), {face, w});

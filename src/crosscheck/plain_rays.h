@@ -20,6 +20,9 @@ class PlainRays final : public SightRays {
 
     /// For points within kReach_px of a place; others see the sky.
     [[nodiscard]] Sight look(const glm::dvec2& p_px) const override;
+    /// The triangles that may be seen in the pixel of a point, hidden ones too; none for pixels
+    /// without a place.
+    [[nodiscard]] std::span<const std::uint32_t> faces_near(const glm::dvec2& p_px) const;
 
   private:
     [[nodiscard]] bool is_met(std::uint32_t face, const glm::dvec3& ray) const;

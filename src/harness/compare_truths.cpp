@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "crosscheck/line_probe.h"
+#include "crosscheck/open_places.h"
 
 namespace ink::harness {
 namespace {
@@ -284,9 +285,19 @@ void judge_disagreements(const scene::Topology& topology,
         claims.push_back({{d.x_px, d.y_px}, d.line_class});
     const std::vector<char> is_seen =
         crosscheck::see_claimed_lines(topology, view, options, claims);
+    std::vector<std::size_t> confirmed;
+    std::vector<crosscheck::ClaimedPoint> places;
     for (std::size_t i = 0; i < claims.size(); ++i) {
         Disagreement& d = agreement.disagreements[i];
         d.is_confirmed = (is_seen[i] != 0) != d.is_truth;
+        if (!d.is_confirmed) continue;
+        confirmed.push_back(i);
+        places.push_back(claims[i]);
+    }
+    const std::vector<char> is_open = crosscheck::find_open_places(topology, view, options, places);
+    for (std::size_t i = 0; i < confirmed.size(); ++i)
+        agreement.disagreements[confirmed[i]].is_confirmed = is_open[i] == 0;
+    for (const Disagreement& d : agreement.disagreements) {
         if (d.is_confirmed) continue;
         ClassAgreement& c = agreement.by_class[class_index(d.line_class)];
         (d.is_truth ? c.truth_abstained_px : c.crosscheck_abstained_px) += d.length_px;

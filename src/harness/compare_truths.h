@@ -26,8 +26,9 @@ struct ClassAgreement {
     double truth_covered_px = 0;       ///< of that, with a cross-check point of the class close by
     double crosscheck_px = 0;          ///< length that the cross-check's crossings stand for
     double crosscheck_covered_px = 0;  ///< of that, with a curve of the class close by
-    /// Not covered, and no disagreement: the third construction sides with the truth. Curves that
-    /// the cross-check stepped over, or points of its own that nothing confirms.
+    /// Not covered, and no disagreement: the third construction sides with the truth, or the digits
+    /// of the file leave it open. Curves that the cross-check stepped over, or points of its own
+    /// that nothing confirms.
     double truth_abstained_px = 0;
     double crosscheck_abstained_px = 0;
 
@@ -47,7 +48,7 @@ struct Disagreement {
     truth::LineClass line_class = truth::LineClass::none;
     bool is_truth = true;      ///< the curves have it and the cross-check not, or the reverse
     std::size_t curve = 0;     ///< into the curves, where they have it
-    bool is_confirmed = true;  ///< false: the third construction sides with the truth
+    bool is_confirmed = true;  ///< false: it is one that the cross-check abstains on
 };
 
 /// How the two constructions of one view agree.
@@ -78,8 +79,9 @@ struct Agreement {
                                        const scene::View& view,
                                        int threads = 1);
 
-/// Asks the third construction (crosscheck/line_probe.h) about every disagreement. What it does not
-/// confirm is moved to the abstained lengths.
+/// Asks the third construction (crosscheck/line_probe.h) about every disagreement, and whether
+/// digits leave the place open (crosscheck/open_places.h). What the one does not confirm, or the
+/// other excuses, is moved to the abstained lengths.
 void judge_disagreements(const scene::Topology& topology,
                          const scene::View& view,
                          const crosscheck::SamplingOptions& options,
