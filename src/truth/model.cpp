@@ -78,12 +78,14 @@ void join_patches(Model& model) {
 
 /// Takes away the contacts by digits of surfaces that cross nonetheless.
 void judge_written_contacts(Model& model) {
-    auto& contacts = model.crossings.written;
-    if (contacts.empty()) return;
-    std::vector<std::uint8_t> is_smooth(model.topology.edges.size());
-    for (std::size_t e = 0; e < is_smooth.size(); ++e)
-        is_smooth[e] = is_smooth_edge(model, e) ? 1 : 0;
-    keep_one_sided(model.topology, {model.patch, model.runs, is_smooth}, contacts);
+    WrittenPairs& pairs = model.crossings.written;
+    if (!pairs.contacts.empty()) {
+        std::vector<std::uint8_t> is_smooth(model.topology.edges.size());
+        for (std::size_t e = 0; e < is_smooth.size(); ++e)
+            is_smooth[e] = is_smooth_edge(model, e) ? 1 : 0;
+        keep_one_sided(model.topology, {model.patch, model.runs, is_smooth}, pairs);
+    }
+    pairs.sides = {};  // of no use to any view
 }
 
 std::size_t count_defects(const Model& model) {

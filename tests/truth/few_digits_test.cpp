@@ -126,9 +126,8 @@ TEST(FewDigits, StackedSheets) {
     const auto sheet = [](double level, double angle_rad) {
         return turned(box_part({-1.6, level, -1.1}, {1.6, level + 0.05, 1.1}), angle_rad);
     };
-    expect_as_meant({sheet(0, 0), sheet(0.05, 0.25), sheet(0.1, 0.55)},
-                    view_from({1, 4, 5}, {0, 0, 0}),
-                    4);
+    expect_as_meant(
+        {sheet(0, 0), sheet(0.05, 0.25), sheet(0.1, 0.55)}, view_from({1, 4, 5}, {0, 0, 0}), 4);
 }
 
 TEST(FewDigits, StackedBoxes) {
@@ -138,6 +137,74 @@ TEST(FewDigits, StackedBoxes) {
                                      box_part({-1.1, 0.4, -0.6}, {0.1, 0.9, 0.3})};
     expect_as_meant(boxes, view_from({3.3, 3, 6}, {0, 0, 0}), 4);
     expect_as_meant(boxes, view_from({-4, 1.2, 5}, {0, 0, 0}), 4);
+}
+
+/// A square sheet of cells through the origin that rises by `slope` along x.
+Part sloping(double half, int cells, double slope) {
+    Part part;
+    const auto p = [&](int i, int j) {
+        const double x = half * (2.0 * i / cells - 1), y = half * (2.0 * j / cells - 1);
+        return glm::dvec3(x, y, slope * x);
+    };
+    for (int i = 0; i < cells; ++i) {
+        for (int j = 0; j < cells; ++j)
+            part.push_back(quad(p(i, j), p(i + 1, j), p(i + 1, j + 1), p(i, j + 1)));
+    }
+    return part;
+}
+
+TEST(FewDigits, AShallowCrossingStays) {
+    // They bend by .23 degrees, and part by 12 roundings on either side.
+    expect_as_meant({sloping(1, 1, 2e-3), sloping(0.9, 1, -2e-3)}, kBefore, 4);
+}
+
+TEST(FewDigits, SoDoesOneOfCellsThatDigitsTakeForLevel) {
+    // Two sheets part by 8 roundings on either side, but neighbouring cells by less than one. Where
+    // exactly they cross the digits do not say: the line is ragged.
+    const std::vector<Part> sheets = {sloping(1, 16, 5e-4), sloping(0.9, 15, -5e-4)};
+    std::mt19937 random(5);
+    for (const bool is_one : {false, true}) {
+        const std::vector<Part> parts =
+            is_one ? std::vector<Part>{joined(sheets[0], sheets[1])} : sheets;
+        for (int i = 0; i < 10; ++i) {
+            const Written posed = written(parts, kBefore, random_rotation(random), 4);
+            EXPECT_GT(lengths(trace(posed.scene, posed.view))[LineClass::intersection], 140)
+                << "of at least 1.8 * 600 / 6.4, pose " << i;
+        }
+    }
+}
+
+TEST(FewDigits, ASheetThatReachesThroughAPlateByMoreThanDigitsMay) {
+    const Part sheet = {quad({-1, 0.3, -1e-3}, {1, 0.4, -1e-3}, {1, 0.4, 1}, {-1, 0.3, 1})};
+    const auto seen = lengths(trace(
+        scene_of({written(kPlate, glm::dmat3(1), 9), written(sheet, glm::dmat3(1), 9)}), kBefore));
+    EXPECT_GT(seen.at(LineClass::intersection), 100);
+    expect_as_meant({kPlate, sheet}, kBefore, 4);
+}
+
+TEST(FewDigits, AThinWedgeOnAPlate) {
+    // From nothing to 2 px high.
+    const glm::dvec3 a(-1.3, -0.3, 0), b(-1.3, 0.4, 0), c(0.7, 0.4, 0), d(0.7, -0.3, 0);
+    const glm::dvec3 e(0.7, 0.4, 0.02), f(0.7, -0.3, 0.02);
+    const Part wedge = {
+        quad(a, b, c, d), quad(a, f, e, b), quad(d, c, e, f), quad(a, d, f, f), quad(b, e, c, c)};
+    expect_as_meant({kPlate, wedge}, kBefore, 4);
+}
+
+TEST(FewDigits, WhatTheImageShowsIsDrawn) {
+    // Four decimals each. The sheet reaches through the plate by one unit of the last.
+    const scene::Mesh plate =
+        written({quad({-2.0001, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0})}, glm::dmat3(1), 4);
+    const scene::Mesh sheet = written(
+        {quad({-1, 0.3, -1e-4}, {1, 0.3, -1e-4}, {1, 0.3, 1}, {-1, 0.3, 1})}, glm::dmat3(1), 4);
+    const scene::Scene scene = scene_of({plate, sheet});
+    const auto foot = [&](LineClass line_class, double distance) {
+        const scene::View view = view_from({0, -distance, distance}, {0, 0.3, 0});
+        auto seen = lengths(trace(scene, view));
+        return seen[line_class];
+    };
+    EXPECT_EQ(foot(LineClass::intersection, 5), 0);
+    EXPECT_GT(foot(LineClass::intersection, 1), 500) << "1/64 px is half of what digits may hide";
 }
 
 }  // namespace

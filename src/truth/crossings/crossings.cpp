@@ -55,15 +55,13 @@ class PairTester {
             meeting = meet(topology_, f.face, g.face);
             keep(meeting, f.face, g.face, out);
         }
-        if (written > rounding) {
-            const auto contact = find_written_contact(topology_, meeting, f.face, g.face);
-            if (contact) out.written.push_back(*contact);
-        }
+        if (written > rounding) out.written.add(topology_, meeting, f.face, g.face);
         return true;
     }
 
     bool report(const Crossings& out) {
-        const std::size_t found = out.segments.size() + out.contacts.size() + out.written.size();
+        const std::size_t found =
+            out.segments.size() + out.contacts.size() + out.written.contacts.size();
         budget_.add(pairs_, found - found_before_);
         found_before_ = found;
         pairs_ = 0;
@@ -101,6 +99,11 @@ PairTree tree_of(const scene::Topology& topology) {
     return PairTree(boxes);
 }
 
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
 /// Both faces of an edge find the same contact of it with a third; one of the two is enough.
 void sort_and_merge(Crossings& all) {
     std::sort(all.segments.begin(), all.segments.end(), [](const Crossing& x, const Crossing& y) {
@@ -110,11 +113,9 @@ void sort_and_merge(Crossings& all) {
         all.coplanar.begin(), all.coplanar.end(), [](const CoplanarPair& x, const CoplanarPair& y) {
             return std::tie(x.face, x.lower_face) < std::tie(y.face, y.lower_face);
         });
-    std::sort(all.written.begin(),
-              all.written.end(),
-              [](const WrittenContact& x, const WrittenContact& y) {
-                  return std::tie(x.face0, x.face1) < std::tie(y.face0, y.face1);
-              });
+    std::ranges::sort(all.written.contacts, {}, [](const WrittenContact& c) {
+        return std::tie(c.face0, c.face1);
+    });
     auto& contacts = all.contacts;
     std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
         return std::tie(x.edge, x.face, x.t_begin, x.t_end) <
@@ -178,10 +179,11 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
     all.pairs_tested = all.is_too_many ? options.most_pairs : budget.pairs();
     if (all.is_too_many) return all;
     for (const Crossings& part : parts) {
-        all.segments.insert(all.segments.end(), part.segments.begin(), part.segments.end());
-        all.contacts.insert(all.contacts.end(), part.contacts.begin(), part.contacts.end());
-        all.coplanar.insert(all.coplanar.end(), part.coplanar.begin(), part.coplanar.end());
-        all.written.insert(all.written.end(), part.written.begin(), part.written.end());
+        append(all.segments, part.segments);
+        append(all.contacts, part.contacts);
+        append(all.coplanar, part.coplanar);
+        append(all.written.contacts, part.written.contacts);
+        append(all.written.sides, part.written.sides);
     }
     sort_and_merge(all);
     return all;

@@ -13,13 +13,13 @@ namespace ink::truth {
 
 /// Where the triangles of a scene meet other than at the edges and vertices they share.
 struct Crossings {
-    std::vector<Crossing> segments;       ///< sorted by (face0, face1)
-    std::vector<Contact> contacts;        ///< sorted by edge, then t_begin, then face
-    std::vector<CoplanarPair> coplanar;   ///< sorted by (face, lower_face)
-    std::vector<WrittenContact> written;  ///< sorted by (face0, face1)
-    std::size_t pairs_tested = 0;         ///< pairs of triangles whose boxes touch
-    bool is_too_many = false;             ///< the search was given up; then the lists are empty and
-                                          ///< pairs_tested is the budget
+    std::vector<Crossing> segments;      ///< sorted by (face0, face1)
+    std::vector<Contact> contacts;       ///< sorted by edge, then t_begin, then face
+    std::vector<CoplanarPair> coplanar;  ///< sorted by (face, lower_face)
+    WrittenPairs written;                ///< what touches by its digits
+    std::size_t pairs_tested = 0;        ///< pairs of triangles whose boxes touch
+    bool is_too_many = false;            ///< the search was given up; then the lists are empty and
+                                         ///< pairs_tested is the budget
 
     /// The contacts of one mesh edge.
     [[nodiscard]] std::span<const Contact> contacts_of(std::uint32_t edge) const;

@@ -56,10 +56,10 @@ class Pair {
     }
 
     /// The first of these alone.
-    std::optional<WrittenMeeting> meet_as_written() {
-        const Meeting meeting = attempt();
-        if (is_too_far_) return std::nullopt;
-        return WrittenMeeting{meeting, sides(signs_of(0)), sides(signs_of(1))};
+    WrittenMeeting meet_as_written() {
+        WrittenMeeting met{attempt(), sides(signs_of(0)), sides(signs_of(1))};
+        if (is_too_far_) met.meeting.reset();
+        return met;
     }
 
   private:
@@ -109,8 +109,8 @@ class Pair {
         return s[0] == 0 && s[1] == 0 && s[2] == 0;
     }
     [[nodiscard]] static Sides sides(const Signs& s) {
-        const auto [low, high] = std::minmax_element(s.begin(), s.end());
-        return {*high > 0, *low < 0};
+        const auto has = [&](int sign) { return std::find(s.begin(), s.end(), sign) != s.end(); };
+        return {has(0) && has(1), has(0) && has(-1)};
     }
     [[nodiscard]] static bool is_apart(const Signs& s) {
         return s[0] * s[1] > 0 && s[1] * s[2] > 0;
@@ -317,12 +317,10 @@ Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) 
     return Pair(topology, topology.rounding_world, std::min(f, g), std::max(f, g)).meet();
 }
 
-std::optional<WrittenMeeting> meet_as_written(const scene::Topology& topology,
-                                              std::uint32_t f,
-                                              std::uint32_t g) {
+WrittenMeeting meet_as_written(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) {
     Pair pair(topology, topology.written_rounding_world, std::min(f, g), std::max(f, g));
-    auto met = pair.meet_as_written();
-    if (met && f > g) std::swap(met->of_f, met->of_g);
+    WrittenMeeting met = pair.meet_as_written();
+    if (f > g) std::swap(met.of_f, met.of_g);
     return met;
 }
 

@@ -63,23 +63,24 @@ struct Meeting {
 /// Degenerate triangles are not allowed (weld drops them). Same result if the faces are swapped.
 [[nodiscard]] Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g);
 
-/// On which sides of another triangle's plane the corners of one lie for sure.
+/// On which sides of another triangle's plane the corners of one lie for sure, if others lie in it
+/// as far as digits can tell.
 struct Sides {
     bool has_above = false;  ///< the front
     bool has_below = false;
 };
 
-/// A meeting that is taken as far as written digits can tell.
+/// What two triangles have in common as far as written digits can tell.
 struct WrittenMeeting {
-    Meeting meeting;
+    /// Nothing where only a plane that was followed too far says that they touch.
+    std::optional<Meeting> meeting;
     Sides of_f, of_g;  ///< the corners of either, at the other's plane
 };
 
 /// The same with the rounding of written digits (Topology::written_rounding_world, which must not
-/// be empty). Nothing where that leaves open whether the two meet at all, or only because a plane
-/// was followed too far.
-[[nodiscard]] std::optional<WrittenMeeting> meet_as_written(const scene::Topology& topology,
-                                                            std::uint32_t f,
-                                                            std::uint32_t g);
+/// be empty).
+[[nodiscard]] WrittenMeeting meet_as_written(const scene::Topology& topology,
+                                             std::uint32_t f,
+                                             std::uint32_t g);
 
 }  // namespace ink::truth

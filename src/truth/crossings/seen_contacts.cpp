@@ -47,7 +47,7 @@ std::optional<SeenContacts> find_seen_contacts(
     const std::function<bool(const WrittenContact&)>& is_unseen) {
     SeenContacts seen;
     Crossings& all = seen.all;
-    for (const WrittenContact& c : crossings.written) {
+    for (const WrittenContact& c : crossings.written.contacts) {
         if (!is_unseen(c)) continue;
         seen.by_digits.emplace_back(c.face0, c.face1);
         all.contacts.insert(

@@ -61,48 +61,65 @@ bool has_both(const Sides& sides) {
     return sides.has_above && sides.has_below;
 }
 
+bool share_vertex(const scene::Face& f, const scene::Face& g) {
+    return std::any_of(f.vertices.begin(), f.vertices.end(), [&](std::uint32_t v) {
+        return std::find(g.vertices.begin(), g.vertices.end(), v) != g.vertices.end();
+    });
+}
+
+bool has_any(const Sides& sides) {
+    return sides.has_above || sides.has_below;
+}
+
+double most_written(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) {
+    double most = 0;
+    for (const std::uint32_t face : {f, g}) {
+        for (const std::uint32_t v : topology.faces[face].vertices)
+            most = std::max(most, topology.written_rounding_world[v]);
+    }
+    return most;
+}
+
 }  // namespace
 
-std::optional<WrittenContact> find_written_contact(const scene::Topology& topology,
-                                                   const Meeting& as_given,
-                                                   std::uint32_t f,
-                                                   std::uint32_t g) {
-    const auto [face0, face1] = std::minmax(f, g);
-    const auto met = meet_as_written(topology, face0, face1);
-    if (!met || met->meeting.crossing || is_same(as_given, met->meeting)) return std::nullopt;
-    WrittenContact contact{face0, face1, 0, met->meeting, as_given.crossing, met->of_f, met->of_g};
-    for (const std::uint32_t face : {face0, face1}) {
-        for (const std::uint32_t v : topology.faces[face].vertices) {
-            contact.rounding_world =
-                std::max(contact.rounding_world, topology.written_rounding_world[v]);
-        }
-    }
-    return contact;
+void WrittenPairs::add(const scene::Topology& topology,
+                       const Meeting& as_given,
+                       std::uint32_t f,
+                       std::uint32_t g) {
+    const std::uint32_t face0 = std::min(f, g), face1 = std::max(f, g);
+    const WrittenMeeting met = meet_as_written(topology, face0, face1);
+    const bool is_beside = has_any(met.of_f) || has_any(met.of_g);
+    if (is_beside && !share_vertex(topology.faces[f], topology.faces[g]))
+        sides.push_back({face0, face1, met.of_f, met.of_g});
+    if (!met.meeting || met.meeting->crossing || is_same(as_given, *met.meeting)) return;
+    contacts.push_back(
+        {face0, face1, most_written(topology, f, g), *met.meeting, as_given.crossing});
 }
 
 void keep_one_sided(const scene::Topology& topology,
                     const SmoothFaces& smooth,
-                    std::vector<WrittenContact>& contacts) {
-    if (contacts.empty()) return;
+                    WrittenPairs& pairs) {
+    if (pairs.contacts.empty()) return;
     const std::vector<std::int8_t> winding = windings(topology, smooth);
     struct Beside {
         Sides of_lower, of_higher;
     };
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Beside> beside;
-    const auto key = [&](const WrittenContact& c) {
-        return std::minmax(smooth.patch[c.face0], smooth.patch[c.face1]);
+    using Patches = std::pair<std::uint32_t, std::uint32_t>;
+    const auto patches_of = [&](std::uint32_t f, std::uint32_t g) -> Patches {
+        return std::minmax(smooth.patch[f], smooth.patch[g]);
     };
-    for (const WrittenContact& c : contacts) {
-        const auto [lower, higher] = key(c);
-        Beside& sum = beside[{lower, higher}];
-        const bool is_swapped = smooth.patch[c.face0] != lower;
-        add(c.of_face0, winding[c.face1], is_swapped ? sum.of_higher : sum.of_lower);
-        add(c.of_face1, winding[c.face0], is_swapped ? sum.of_lower : sum.of_higher);
+    std::map<Patches, Beside> beside;
+    for (const WrittenSides& s : pairs.sides) {
+        const Patches patches = patches_of(s.face0, s.face1);
+        Beside& sum = beside[patches];
+        const bool is_swapped = smooth.patch[s.face0] != patches.first;
+        add(s.of_face0, winding[s.face1], is_swapped ? sum.of_higher : sum.of_lower);
+        add(s.of_face1, winding[s.face0], is_swapped ? sum.of_lower : sum.of_higher);
     }
-    std::erase_if(contacts, [&](const WrittenContact& c) {
-        const auto [lower, higher] = key(c);
-        const Beside& sum = beside[{lower, higher}];
-        return has_both(sum.of_lower) && has_both(sum.of_higher);
+    std::erase_if(pairs.contacts, [&](const WrittenContact& c) {
+        const auto at = beside.find(patches_of(c.face0, c.face1));
+        return at != beside.end() && has_both(at->second.of_lower) &&
+               has_both(at->second.of_higher);
     });
 }
 
