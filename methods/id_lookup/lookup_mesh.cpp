@@ -9,7 +9,7 @@
 
 #include "core/disjoint_sets.h"
 #include "scene/near_points.h"
-#include "scene/rounding.h"
+#include "scene/precision/rounding.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 

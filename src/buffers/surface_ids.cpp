@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/disjoint_sets.h"
-#include "scene/rounding.h"
+#include "scene/precision/rounding.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 

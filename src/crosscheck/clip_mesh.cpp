@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/parallel.h"
-#include "scene/rounding.h"
-#include "scene/weld_tolerance.h"
+#include "scene/precision/rounding.h"
+#include "scene/precision/weld_tolerance.h"
 
 namespace ink::crosscheck {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "scene/precision/rounding.h"
 #include "scene/predicates.h"
-#include "scene/rounding.h"
 
 namespace ink::crosscheck {
 namespace {
@@ -323,7 +323,8 @@ Between name_between(const SightRays& rays, const Sample& from, const Sample& to
     }
     for (std::size_t i = 0; i < 2; ++i) {
         const glm::dvec2 d = samples[1 - i].p_px - samples[i].p_px;
-        if (walks[i].has_arrived) walks[i] = ended_round(mesh, walks[i], samples[1 - i], d, rays.reach_px());
+        if (walks[i].has_arrived)
+            walks[i] = ended_round(mesh, walks[i], samples[1 - i], d, rays.reach_px());
     }
     add_ends(rays, samples, walks, between);
     for (std::size_t i = 0; i < 2 && between.count == 1; ++i)

@@ -7,7 +7,7 @@
 
 #include "core/parallel.h"
 #include "crosscheck/plain_rays.h"
-#include "scene/weld_tolerance.h"
+#include "scene/precision/weld_tolerance.h"
 
 namespace ink::crosscheck {
 namespace {

@@ -10,8 +10,8 @@
 #include <glm/matrix.hpp>
 
 #include "core/disjoint_sets.h"
+#include "scene/precision/rounding.h"
 #include "scene/predicates.h"
-#include "scene/rounding.h"
 #include "scene/sharing/shared_work.h"
 
 namespace ink::scene {

@@ -12,18 +12,14 @@
 
 #include "core/hash.h"
 #include "scene/near_points.h"
+#include "scene/precision/written_digits.h"
 #include "scene/predicates.h"
 #include "scene/sharing/shared_work.h"
-#include "scene/written_digits.h"
 
 namespace ink::scene {
 namespace {
 
 constexpr std::uint32_t kFree = 0xffffffffU;
-
-/// 1/64 px (scene/weld_tolerance.h) of a scene that is 256 px wide: of what is more, only images
-/// smaller than that could make use.
-constexpr double kMostWritten = 1.0 / 64 / 256;
 
 /// Numbers keys in the order in which they first appear; open addressing, linear probing.
 ///
@@ -172,35 +168,6 @@ bool has_area(const Instance& instance, const Mesh& mesh, const Triangle& t) {
                          place(instance, mesh.positions[t[2]]));
 }
 
-/// Notes how far a vertex may lie from where it was meant for the digits of its coordinates.
-void note_written(Topology& topology, std::uint32_t vertex, double written_world) {
-    auto& all = topology.written_rounding_world;
-    if (all.empty() && written_world <= topology.rounding_world[vertex]) return;
-    all.resize(topology.rounding_world.size(), 0);
-    all[vertex] = std::max(all[vertex], written_world);
-}
-
-/// Keeps what the digits say where it is more than the floats do, and so little that an image which
-/// is filled by the scene does not show it.
-void finish_written(Topology& topology) {
-    auto& all = topology.written_rounding_world;
-    if (all.empty()) return;
-    all.resize(topology.rounding_world.size(), 0);
-    glm::dvec3 low = topology.p_world.front(), high = low;
-    for (const glm::dvec3& p : topology.p_world) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    const double most = kMostWritten * glm::length(high - low);
-    bool has_any = false;
-    for (std::size_t v = 0; v < all.size(); ++v) {
-        const bool counts = all[v] > topology.rounding_world[v] && all[v] <= most;
-        if (!counts) all[v] = topology.rounding_world[v];
-        has_any = has_any || counts;
-    }
-    if (!has_any) all.clear();
-}
-
 /// Places, welds and filters the triangles; fills p_world, faces and the counts of what was
 /// dropped.
 void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
@@ -208,8 +175,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     Numbering<glm::dvec3, PointHash> points(count / 2);
     Numbering<FaceKey, FaceHash> seen(count);
     topology.counts.triangles = count;
-    std::vector<double> written(scene.meshes.size());
-    std::transform(scene.meshes.begin(), scene.meshes.end(), written.begin(), written_rounding);
+    WrittenRoundings written(scene);
 
     std::uint32_t triangle_index = 0;
     for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
@@ -217,7 +183,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const bool mirrored = is_mirrored(instance);
         const double stretch = most_stretched(instance);
-        const double written_world = most_moved_world(instance, written[instance.mesh]);
+        const double written_world = written.of(instance);
         std::vector<std::uint32_t> welded(mesh.positions.size(), kFree);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++triangle_index) {
             Face face;
@@ -231,7 +197,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                     topology.rounding_world.resize(points.keys().size(), 0);
                     double& rounding = topology.rounding_world[welded[v]];
                     rounding = std::max(rounding, stretch * half_ulp(mesh.positions[v]));
-                    note_written(topology, welded[v], written_world);
+                    written.note(welded[v], written_world);
                 }
                 face.vertices[i] = welded[v];
             }
@@ -252,7 +218,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         }
     }
     topology.p_world = std::move(points.keys());
-    finish_written(topology);
+    topology.written_rounding_world = written.per_vertex(topology);
 }
 
 bool runs_forward(const Face& face, const Edge& edge) {

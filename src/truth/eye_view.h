@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "scene/camera.h"
-#include "scene/rounding.h"
-#include "scene/weld_tolerance.h"
+#include "scene/precision/rounding.h"
+#include "scene/precision/weld_tolerance.h"
 #include "truth/crossings/seen_contacts.h"
 #include "truth/model.h"
 

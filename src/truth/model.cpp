@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/parallel.h"
-#include "scene/rounding.h"
-#include "scene/weld_tolerance.h"
+#include "scene/precision/rounding.h"
+#include "scene/precision/weld_tolerance.h"
 #include "truth/crossings/slit_crossings.h"
 #include "truth/truth.h"
 

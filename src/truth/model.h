@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scene/topology.h"
-#include "truth/continuation.h"
+#include "truth/crossings/continuation.h"
 #include "truth/crossings/crossings.h"
 #include "truth/line_class.h"
 

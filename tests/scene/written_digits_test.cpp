@@ -1,4 +1,4 @@
-#include "scene/written_digits.h"
+#include "scene/precision/written_digits.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "core/disjoint_sets.h"
 #include "core/hash.h"
-#include "scene/rounding.h"
+#include "scene/precision/rounding.h"
 #include "scene/sharing/shared_work.h"
 #include "scene/surface.h"
 

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "scene/precision/rounding.h"
 #include "scene/predicates.h"
-#include "scene/rounding.h"
-#include "truth/triangle_distance.h"
+#include "truth/crossings/triangle_distance.h"
 
 namespace ink::truth {
 namespace {

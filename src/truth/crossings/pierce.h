@@ -47,8 +47,9 @@ struct Meeting {
 };
 
 /// Decides what two triangles have in common, wherever in the rounding of its coordinates each
-/// vertex was meant to be: a sign that rounding leaves open counts as 0 (scene/rounding.h). So
-/// triangles that were made to touch do, in every pose, and neither cross nor gape by a hair.
+/// vertex was meant to be: a sign that rounding leaves open counts as 0
+/// (scene/precision/rounding.h). So triangles that were made to touch do, in every pose, and
+/// neither cross nor gape by a hair.
 ///
 /// Planes that cross: each triangle meets the line in which they do in a stretch whose ends lie on
 /// two of its edges (or at its vertices); signs of orient3d say which edges, and the sign for one

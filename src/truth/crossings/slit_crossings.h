@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scene/topology.h"
-#include "truth/continuation.h"
+#include "truth/crossings/continuation.h"
 #include "truth/crossings/pierce.h"
 
 namespace ink::truth {

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/precision/rounding.h"
 #include "scene/predicates.h"
-#include "scene/rounding.h"
 
 namespace ink::truth {
 namespace {

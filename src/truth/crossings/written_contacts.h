@@ -10,8 +10,8 @@
 namespace ink::truth {
 
 /// Two triangles that touch as far as the digits of their coordinates can tell (scene/
-/// written_digits.h), though as given they cross or stand apart: parts that were made to touch, and
-/// were written with four decimals.
+/// precision/written_digits.h), though as given they cross or stand apart: parts that were made to
+/// touch, and were written with four decimals.
 ///
 /// The digits may have moved both farther than an image takes for one place. So this is no contact
 /// until a view says that it cannot show the difference (EyeView::by_digits).

@@ -1,4 +1,4 @@
-#include "scene/weld_tolerance.h"
+#include "scene/precision/weld_tolerance.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

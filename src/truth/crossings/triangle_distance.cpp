@@ -1,4 +1,4 @@
-#include "truth/triangle_distance.h"
+#include "truth/crossings/triangle_distance.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

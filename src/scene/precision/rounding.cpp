@@ -1,4 +1,4 @@
-#include "scene/rounding.h"
+#include "scene/precision/rounding.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "truth/continuation.h"
+#include "truth/crossings/continuation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/parallel.h"
 #include "truth/crossings/box_tree.h"
-#include "truth/triangle_distance.h"
+#include "truth/crossings/triangle_distance.h"
 
 namespace ink::truth {
 namespace {

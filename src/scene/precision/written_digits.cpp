@@ -1,7 +1,8 @@
-#include "scene/written_digits.h"
+#include "scene/precision/written_digits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -9,6 +10,10 @@ namespace ink::scene {
 namespace {
 
 constexpr int kMostDecimals = 12;
+
+/// 1/64 px (scene/precision/weld_tolerance.h) of a scene that is 256 px wide: of what is more, only
+/// images smaller than that could make use.
+constexpr double kMostWritten = 1.0 / 64 / 256;
 
 float largest_of(const Mesh& mesh) {
     float largest = 0;
@@ -20,6 +25,16 @@ float largest_of(const Mesh& mesh) {
 /// Whether `x` is the float nearest to a whole number divided by `scale`.
 bool is_written(float x, double scale) {
     return static_cast<float>(std::round(x * scale) / scale) == x;
+}
+
+/// Of the box round all vertices, world units; there is at least one.
+double diagonal(const std::vector<glm::dvec3>& p_world) {
+    glm::dvec3 low = p_world.front(), high = low;
+    for (const glm::dvec3& p : p_world) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return glm::length(high - low);
 }
 
 }  // namespace
@@ -52,6 +67,33 @@ double most_moved_world(const Instance& instance, double rounding) {
                                 glm::length(x + y - z),
                                 glm::length(x - y + z),
                                 glm::length(x - y - z)});
+}
+
+WrittenRoundings::WrittenRoundings(const Scene& scene) : of_mesh_(scene.meshes.size()) {
+    std::transform(scene.meshes.begin(), scene.meshes.end(), of_mesh_.begin(), written_rounding);
+}
+
+double WrittenRoundings::of(const Instance& instance) const {
+    return most_moved_world(instance, of_mesh_[instance.mesh]);
+}
+
+void WrittenRoundings::note(std::uint32_t vertex, double written_world) {
+    if (written_world == 0) return;
+    if (vertex >= of_vertex_.size()) of_vertex_.resize(vertex + 1, 0);
+    of_vertex_[vertex] = std::max(of_vertex_[vertex], written_world);
+}
+
+std::vector<double> WrittenRoundings::per_vertex(const Topology& topology) const {
+    if (of_vertex_.empty()) return {};
+    const double most = kMostWritten * diagonal(topology.p_world);
+    std::vector<double> all = topology.rounding_world;
+    bool has_any = false;
+    for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+        if (of_vertex_[v] <= all[v] || of_vertex_[v] > most) continue;
+        all[v] = of_vertex_[v];
+        has_any = true;
+    }
+    return has_any ? all : std::vector<double>();
 }
 
 }  // namespace ink::scene
