@@ -19,6 +19,8 @@ using DF = hn::Rebind<float, DI>;
 using VF = hn::Vec<DF>;
 using MI = hn::Mask<DI>;
 
+#include "raster/mesh/lane_columns.inl"
+
 /// Pixels of a vector, from its first.
 alignas(64) constexpr std::int32_t kRamp[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 
@@ -167,6 +169,17 @@ class NumberLanes {
     VF low_[kMaxPlanes], high_[kMaxPlanes], ramp_[kMaxPlanes];
 };
 
+/// Rows y0 .. y1 - 1 of a column.
+struct Rows {
+    int y0;
+    int y1;
+};
+HWY_INLINE Rows RowsOf(const LaneTriangles& t, std::size_t i, std::size_t column) {
+    if (!kKnowsRows) return {t.y0[i], t.y1[i]};
+    const std::int32_t rows = t.rows[column][i];
+    return {t.y0[i] + (rows & 0xffff), t.y0[i] + (rows >> 16)};
+}
+
 template <class Depth, bool kLimits, class Values>
 HWY_INLINE void FillTriangle(const LaneTriangles& t,
                              std::size_t i,
@@ -174,10 +187,8 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t,
                              Values& values) {
     const DI d;
     const DF df;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const int y0 = t.y0[i];
-    const int rows = t.y1[i] - y0;
-    const int dy = y0 - t.ref_y[i];
+    const int x1 = t.x1[i];
+    std::size_t column = 0;
     const auto q_ref = hn::Set(df, t.q.at_ref[i]);
     const auto q_dy = hn::Set(df, t.q.dy[i]);
     const auto one = hn::Set(df, 1);
@@ -188,10 +199,10 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t,
     const auto step2 = hn::Set(d, t.edge_dy[2][i]);
     const auto minus_one = hn::Set(d, -1);
     values.StartTriangle(i);
-    int x = t.x0[i] & -lanes;
-    // What fits one vector is not cut in two for the sake of alignment.
-    if (t.x1[i] - x > lanes && t.x1[i] - t.x0[i] <= lanes) x = t.x1[i] - lanes;
-    for (; x < t.x1[i]; x += lanes) {
+    for (int x = t.first_x[i]; x < x1; x += kColumn_px, ++column) {
+        const auto [y0, y1] = RowsOf(t, i, column);
+        if (y0 >= y1) continue;
+        const int dy = y0 - t.ref_y[i];
         const auto from_ref = hn::Add(hn::Load(d, kRamp), hn::Set(d, x - t.ref_x[i]));
         const auto from_ref_f = hn::ConvertTo(df, from_ref);
         const auto start = [&](int k) {
@@ -205,7 +216,7 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t,
         values.StartColumn(from_ref, from_ref_f, dy);
         auto row_from_ref = hn::Set(df, static_cast<float>(dy));  // whole numbers: no rounding
         std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y0) * kTileStride + x;
-        for (int row = 0; row < rows; ++row, offset += kTileStride) {
+        for (int y = y0; y < y1; ++y, offset += kTileStride) {
             const auto q_row = hn::Add(q_ref, hn::Mul(q_dy, row_from_ref));
             auto q = hn::Add(q_row, q_ramp);
             if (kLimits || Depth::kIsLimited) q = hn::Min(hn::Max(q, q_low), q_high);

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "raster/mesh/lane_collect.h"
+#include "raster/mesh/lane_rows.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/mesh/micro_triangles.h"
 #include "raster/pass/screen_vertex.h"
@@ -283,6 +284,7 @@ void set_up_lanes(const PassFormat& format,
                   const LaneDepthBias& depth_bias,
                   LaneTriangles& out) {
     HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, depth_bias, out);
+    find_rows(out);
     find_micro_triangles(format, out);
 }
 

@@ -104,6 +104,14 @@ struct LaneTriangles {
     alignas(64) Ints x0, y0, x1, y1;  ///< what of its box is drawn in this tile
     alignas(64) Ints ref_x, ref_y;
     alignas(64) Ints edge_at_ref[3], edge_dx[3], edge_dy[3];
+    /// Where the first column of vectors starts that is drawn of it.
+    alignas(64) Ints first_x;
+    /// Columns of vectors of eight pixels: as many as a tile with its halo is wide.
+    static constexpr int kColumn_px = 8;
+    static constexpr std::size_t kColumns = 10;
+    /// Per column, the rows that it may cover, from y0 on: first | end << 16. On targets whose
+    /// vectors have eight pixels, and up to the widest triangle of a vector only.
+    alignas(64) Ints rows[kColumns];
     /// -1 where planes must be kept within `low` and `high` at every pixel: thin triangles, whose
     /// gradients are noise, and codes that come near the ends of their store.
     alignas(64) Ints needs_limits;
