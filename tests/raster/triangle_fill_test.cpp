@@ -31,7 +31,8 @@ std::vector<Case> cases() {
             return result.back().format;
         };
         add(Store::none, 0, 0);
-        add(Store::u32, 0, 0).constant = true;
+        for (const Store store : {Store::u8, Store::u16, Store::u32})
+            add(store, 0, 0).constant = true;
         add(Store::u8, 1, 300);  // beyond the store here and there
         add(Store::u8, 1, 200);
         add(Store::u8, 2, 300).overflow = Overflow::wrap;
@@ -90,12 +91,17 @@ std::vector<std::uint32_t> contents(TileBuffer& buffer, const PassFormat& format
     std::vector<std::uint32_t> all;
     const PixelRect& r = buffer.drawn();
     for (int y = r.y0; y < r.y1; ++y) {
-        const auto add = [&](const std::uint32_t* row) {
-            all.insert(all.end(), row + r.x0, row + r.x1);
-        };
+        const auto add = [&](const auto* row) { all.insert(all.end(), row + r.x0, row + r.x1); };
         add(buffer.depth_row<std::uint32_t>(y));
-        for (int k = 0; k < format.planes(); ++k)
-            add(buffer.plane_row<std::uint32_t>(k, y));
+        for (int k = 0; k < format.planes(); ++k) {
+            if (format.interpolants == 0 && format.store == Store::u8) {
+                add(buffer.plane_row<std::uint8_t>(k, y));
+            } else if (format.interpolants == 0 && format.store == Store::u16) {
+                add(buffer.plane_row<std::uint16_t>(k, y));
+            } else {
+                add(buffer.plane_row<std::uint32_t>(k, y));
+            }
+        }
     }
     return all;
 }

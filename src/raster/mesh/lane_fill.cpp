@@ -20,6 +20,7 @@ using VF = hn::Vec<DF>;
 using MI = hn::Mask<DI>;
 
 #include "raster/mesh/lane_columns.inl"
+#include "raster/pass/narrow_constant.inl"
 
 /// Pixels of a vector, from its first.
 alignas(64) constexpr std::int32_t kRamp[8] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -68,24 +69,24 @@ class NoLanes {
     HWY_INLINE void Write(std::ptrdiff_t, VF, MI) {}
 };
 
-/// The triangle's constant.
+/// The triangle's constant, as narrow as the store.
+template <class T>
 class ConstantLanes {
   public:
-    ConstantLanes(const LaneTriangles& t, TileBuffer& to)
-        : t_(t), plane_(reinterpret_cast<std::int32_t*>(to.code_row(0, 0))) {}
-    HWY_INLINE void StartTriangle(std::size_t i) { constant_ = hn::Set(DI(), t_.constants[i]); }
+    ConstantLanes(const LaneTriangles& t, TileBuffer& to) : t_(t), plane_(to.plane_row<T>(0, 0)) {}
+    HWY_INLINE void StartTriangle(std::size_t i) {
+        constant_ = NarrowConstant<T, DI>(static_cast<std::uint32_t>(t_.constants[i]));
+    }
     HWY_INLINE void StartColumn(VI, VF, int) {}
     template <bool kLimits>
     HWY_INLINE void Write(std::ptrdiff_t offset, VF, MI mask) {
-        const DI d;
-        std::int32_t* to = plane_ + offset;
-        hn::StoreU(hn::IfThenElse(mask, constant_, hn::LoadU(d, to)), d, to);
+        constant_.Put(mask, plane_ + offset);
     }
 
   private:
     const LaneTriangles& t_;
-    std::int32_t* plane_;
-    VI constant_;
+    T* plane_;
+    NarrowConstant<T, DI> constant_;
 };
 
 /// kCount codes with kFraction bits after the point.
@@ -245,8 +246,20 @@ void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& 
 }
 
 template <class Depth>
+void FillConstants(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+    switch (format.store) {
+        case Store::u8:
+            return Fill<Depth, ConstantLanes<std::uint8_t>>(format, triangles, to);
+        case Store::u16:
+            return Fill<Depth, ConstantLanes<std::uint16_t>>(format, triangles, to);
+        default:
+            return Fill<Depth, ConstantLanes<std::uint32_t>>(format, triangles, to);
+    }
+}
+
+template <class Depth>
 void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
-    if (format.constant) return Fill<Depth, ConstantLanes>(format, triangles, to);
+    if (format.constant) return FillConstants<Depth>(format, triangles, to);
     switch (format.store) {
         case Store::u8:
             return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(format, triangles, to)

@@ -213,34 +213,46 @@ MicroTriangleRun::MicroTriangleRun(const PassFormat& format,
     : micro_triangles_(triangles.micro_triangles),
       depth_(to.depth_row<float>(0)),
       plane_count_(format.planes()) {
+    if (format.constant && (format.store == Store::u8 || format.store == Store::u16)) {
+        narrow_ = format.store;
+        planes_[0] = narrow_ == Store::u8 ? static_cast<void*>(to.plane_row<std::uint8_t>(0, 0))
+                                          : to.plane_row<std::uint16_t>(0, 0);
+        return;
+    }
     for (int k = 0; k < plane_count_; ++k)
         planes_[static_cast<std::size_t>(k)] = to.plane_row<std::uint32_t>(k, 0);
 }
 
-template <std::size_t kPlanes>
+template <class T, std::size_t kPlanes>
 void MicroTriangleRun::draw() {
     float* const depth = depth_;
-    const auto planes = planes_;
+    std::array<T*, kMaxPlanes> planes{};
+    for (std::size_t k = 0; k < kPlanes; ++k)
+        planes[k] = static_cast<T*>(planes_[k]);
     for (std::size_t i = drawn_; i < due_; ++i) {
         const std::ptrdiff_t at = micro_triangles_.offset[i];
         const bool is_seen = micro_triangles_.q[i] > depth[at];
         depth[at] = is_seen ? micro_triangles_.q[i] : depth[at];
-        for (std::size_t k = 0; k < kPlanes; ++k)
-            planes[k][at] = is_seen ? micro_triangles_.values[k][i] : planes[k][at];
+        for (std::size_t k = 0; k < kPlanes; ++k) {
+            const auto value = static_cast<T>(micro_triangles_.values[k][i]);
+            planes[k][at] = is_seen ? value : planes[k][at];
+        }
     }
     drawn_ = due_;
 }
 
 void MicroTriangleRun::finish() {
+    if (narrow_ == Store::u8) return draw<std::uint8_t, 1>();
+    if (narrow_ == Store::u16) return draw<std::uint16_t, 1>();
     switch (plane_count_) {
         case 0:
-            return draw<0>();
+            return draw<std::uint32_t, 0>();
         case 1:
-            return draw<1>();
+            return draw<std::uint32_t, 1>();
         case 2:
-            return draw<2>();
+            return draw<std::uint32_t, 2>();
         default:
-            return draw<kMaxPlanes>();
+            return draw<std::uint32_t, kMaxPlanes>();
     }
 }
 

@@ -33,13 +33,14 @@ class MicroTriangleRun {
     void finish();
 
   private:
-    template <std::size_t kPlanes>
+    template <class T, std::size_t kPlanes>
     void draw();
 
     const LaneTriangles::MicroTriangles& micro_triangles_;
     float* depth_;
-    std::array<std::uint32_t*, kMaxPlanes> planes_{};
+    std::array<void*, kMaxPlanes> planes_{};
     int plane_count_;
+    Store narrow_ = Store::u32;  ///< u8 or u16 where the plane is that narrow
     std::size_t drawn_ = 0;
     std::size_t due_ = 0;
 };

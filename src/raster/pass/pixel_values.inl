@@ -15,21 +15,21 @@ struct NoValues {
     HWY_INLINE void Write(std::ptrdiff_t, int, const Doubles&, MI) {}
 };
 
+template <class T>
 class ConstantValues {
   public:
     using Tables = NoTables;
     ConstantValues(const OneTriangle& t, Tables&, TileBuffer& to)
-        : plane_(reinterpret_cast<std::int32_t*>(to.code_row(0, 0))),
-          constant_(hn::Set(DI(), static_cast<std::int32_t>(t.constant))) {}
+        : plane_(to.plane_row<T>(0, 0)), constant_(t.constant) {}
     HWY_INLINE void StartColumn(VI, const Doubles&) {}
     HWY_INLINE void StartRows(int) {}
     HWY_INLINE void Write(std::ptrdiff_t at, int, const Doubles&, MI mask) {
-        Put(constant_, mask, plane_ + at);
+        constant_.Put(mask, plane_ + at);
     }
 
   private:
-    std::int32_t* plane_;
-    VI constant_;
+    T* plane_;
+    NarrowConstant<T, DI> constant_;
 };
 
 /// Codes whose planes' low 32 bits say all: those that wrap, and those that stay within their store

@@ -53,16 +53,17 @@ class NoStore {
     void write(int, double) const {}
 };
 
-/// The triangle's constant.
+/// The low bits of the triangle's constant.
+template <class T>
 class ConstantStore {
   public:
-    explicit ConstantStore(const FillSource& from) : constant_(from.constant()) {}
-    void start_row(TileBuffer& buffer, int y) { row_ = buffer.plane_row<std::uint32_t>(0, y); }
+    explicit ConstantStore(const FillSource& from) : constant_(static_cast<T>(from.constant())) {}
+    void start_row(TileBuffer& buffer, int y) { row_ = buffer.plane_row<T>(0, y); }
     void write(int x, double) const { row_[x] = constant_; }
 
   private:
-    std::uint32_t constant_;
-    std::uint32_t* row_ = nullptr;
+    T constant_;
+    T* row_ = nullptr;
 };
 
 /// A 48.16 code as the store keeps it.

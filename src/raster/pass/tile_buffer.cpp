@@ -13,7 +13,7 @@ namespace {
 /// Rows, and a vector more: one that starts at a row's last pixel ends in the next row's margin.
 constexpr std::size_t kElements = static_cast<std::size_t>(kTileStride) * kTileRows + 16;
 
-/// The bits of one sky element while it is drawn.
+/// The bits of one sky element as the store has it.
 std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::size_t plane) {
     switch (format.store) {
         case Store::u8:
@@ -30,18 +30,25 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
     return 0;
 }
 
-/// Elements [begin, end) of a plane of 32 bits.
+/// Bytes [begin, end) of a plane, in whole words.
 void fill_words(AlignedArray<std::byte>& memory,
                 std::size_t begin,
                 std::size_t end,
                 std::uint32_t word) {
     const auto byte = static_cast<int>(word & 0xffU);
-    auto* const words = reinterpret_cast<std::uint32_t*>(memory.data());
     if (word == 0x01010101U * (word & 0xffU)) {  // nearly always: the library has wider stores
-        std::memset(words + begin, byte, (end - begin) * sizeof(std::uint32_t));
+        std::memset(memory.data() + begin, byte, end - begin);
     } else {
-        std::fill(words + begin, words + end, word);
+        std::fill(reinterpret_cast<std::uint32_t*>(memory.data() + begin),
+                  reinterpret_cast<std::uint32_t*>(memory.data() + end),
+                  word);
     }
+}
+
+/// An element of `bytes` bytes, side by side as often as a word holds it.
+std::uint32_t repeated(std::uint32_t element, std::size_t bytes) {
+    if (bytes == 1) return element * 0x01010101U;
+    return bytes == 2 ? element * 0x00010001U : element;
 }
 
 }  // namespace
@@ -50,7 +57,7 @@ TileBuffer::TileBuffer(const PassFormat& format, const PassInput& input, const T
     : format_(format), grid_(grid) {
     depth_.resize(kElements * sizeof(std::uint32_t));
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format.planes()); ++plane) {
-        sky_[plane] = sky_bits(format, input, plane);
+        sky_[plane] = repeated(sky_bits(format, input, plane), drawn_bytes());
         planes_[plane].resize(kElements * element_bytes());
         if (is_narrowed()) wide_[plane].resize(kElements * sizeof(std::uint32_t));
     }
@@ -72,10 +79,13 @@ void TileBuffer::start(int tile) {
     drawn_ = grid_.drawn(tile);
     if (is_clean()) return;
     // 0 is infinity in every depth format, float included.
-    fill_words(depth_, dirty_begin(), dirty_end(), 0);
+    const auto clear = [this](Memory& memory, std::size_t bytes, std::uint32_t word) {
+        fill_words(memory, dirty_begin() * bytes, dirty_end() * bytes, word);
+    };
+    clear(depth_, sizeof(std::uint32_t), 0);
     for (int plane = 0; plane < format_.planes(); ++plane) {
         const std::uint32_t sky = sky_[static_cast<std::size_t>(plane)];
-        fill_words(drawn_plane(plane), dirty_begin(), dirty_end(), sky);
+        clear(drawn_plane(plane), drawn_bytes(), sky);
     }
     dirty_begin_ = kTileRows;
     dirty_end_ = 0;

@@ -67,15 +67,16 @@ class TileBuffer {
     [[nodiscard]] T* depth_row(int y) {
         return reinterpret_cast<T*>(depth_.data()) + offset(y);
     }
-    /// The same of an f32 plane, or of one of u32.
+    /// The same of an f32 plane, of one of u32, or of one of constants, which are drawn as the
+    /// store has them.
     template <class T>
     [[nodiscard]] T* plane_row(int plane, int y) {
-        static_assert(sizeof(T) == sizeof(std::uint32_t));
+        assert(sizeof(T) == drawn_bytes());
         return reinterpret_cast<T*>(drawn_plane(plane).data()) + offset(y);
     }
-    /// The same of an integer plane, whatever its store: while a tile is drawn, a code takes 32
-    /// bits, so that depth and code have the same lanes; finish() makes them as narrow as the
-    /// store.
+    /// The same of a plane of interpolated codes, whatever its store: while a tile is drawn, a code
+    /// takes 32 bits, so that depth and code have the same lanes; finish() makes them as narrow as
+    /// the store.
     [[nodiscard]] std::uint32_t* code_row(int plane, int y) {
         return plane_row<std::uint32_t>(plane, y);
     }
@@ -92,7 +93,13 @@ class TileBuffer {
                kTileMargin_px - own_.x0;
     }
     [[nodiscard]] std::size_t element_bytes() const;
-    [[nodiscard]] bool is_narrowed() const { return element_bytes() < sizeof(std::uint32_t); }
+    /// Whether planes are drawn with more bits than the store has.
+    [[nodiscard]] bool is_narrowed() const {
+        return format_.interpolants > 0 && element_bytes() < sizeof(std::uint32_t);
+    }
+    [[nodiscard]] std::size_t drawn_bytes() const {
+        return is_narrowed() ? sizeof(std::uint32_t) : element_bytes();
+    }
     [[nodiscard]] Memory& drawn_plane(int plane) {
         const auto at = static_cast<std::size_t>(plane);
         return is_narrowed() ? wide_[at] : planes_[at];

@@ -123,7 +123,11 @@ FillTile fill_function(const PassFormat& format) {
     const int k = format.interpolants;
     const Store store = format.store;
     if (k == 0 && store == Store::none) return with_depth<NoStore>(format.depth);
-    if (k == 0 && store != Store::f32) return with_depth<ConstantStore>(format.depth);
+    if (k == 0 && store == Store::u8) return with_depth<ConstantStore<std::uint8_t>>(format.depth);
+    if (k == 0 && store == Store::u16)
+        return with_depth<ConstantStore<std::uint16_t>>(format.depth);
+    if (k == 0 && store == Store::u32)
+        return with_depth<ConstantStore<std::uint32_t>>(format.depth);
     if (k == 1 && store == Store::u8) return code_fill<std::uint8_t, 1>(format);
     if (k == 1 && store == Store::u16) return code_fill<std::uint16_t, 1>(format);
     if (k == 2 && store == Store::u8) return code_fill<std::uint8_t, 2>(format);

@@ -14,6 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace ink::raster::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+#include "raster/pass/narrow_constant.inl"
 #include "raster/pass/pixel_lanes.inl"
 #include "raster/pass/pixel_values.inl"
 
@@ -223,6 +224,17 @@ bool FillCodes(const FillJob& job, const BinEntry& entry, const Area& area, Tile
                                 : FillWith<LimitedCodeValues<kCount>>(job, entry, area, to);
 }
 
+bool FillConstant(const FillJob& job, const BinEntry& entry, const Area& area, TileBuffer& to) {
+    switch (job.format.store) {
+        case Store::u8:
+            return FillWith<ConstantValues<std::uint8_t>>(job, entry, area, to);
+        case Store::u16:
+            return FillWith<ConstantValues<std::uint16_t>>(job, entry, area, to);
+        default:
+            return FillWith<ConstantValues<std::uint32_t>>(job, entry, area, to);
+    }
+}
+
 bool FillTriangle(const FillJob& job,
                   const BinEntry& entry,
                   const DrawnRows& rows,
@@ -238,8 +250,7 @@ bool FillTriangle(const FillJob& job,
     Area area;
     if (part.is_empty() || !MakeArea(t, part, area)) return true;
     area.rows = &rows;
-    if (format.interpolants == 0 && format.constant)
-        return FillWith<ConstantValues>(job, entry, area, to);
+    if (format.interpolants == 0 && format.constant) return FillConstant(job, entry, area, to);
     switch (format.store) {
         case Store::none:
             return FillWith<NoValues>(job, entry, area, to);
