@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -11,7 +12,8 @@ namespace ink::methods {
 namespace {
 
 std::string page_of(const std::string& method) {
-    std::ifstream file(std::string(INK_SOURCE_DIR) + "/methods/" + method + "/" + method + ".md");
+    std::ifstream file(std::filesystem::path(INK_SOURCE_DIR) / "methods" / method /
+                       (method + ".md"));
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
