@@ -71,25 +71,18 @@ Json method_params_json() {
     return list;
 }
 
-Json columns_json() {
+Json columns_of(const harness::TableInfo& table) {
     Json list = Json::array();
-    for (const harness::Column& column : harness::rows_table().columns)
-        list.push_back({{"name", column.name}, {"unit", column.unit}, {"doc", column.doc}});
+    for (const harness::Column& c : table.columns)
+        list.push_back(
+            {{"name", c.name}, {"unit", c.unit}, {"doc", c.doc}, {"is_time", c.is_time}});
     return list;
 }
 
 Json tables_json() {
     Json list = Json::array();
-    for (const harness::TableInfo& table : experiment::dictionary()) {
-        Json columns = Json::array();
-        for (const harness::Column& column : table.columns) {
-            columns.push_back({{"name", column.name},
-                               {"unit", column.unit},
-                               {"doc", column.doc},
-                               {"is_time", column.is_time}});
-        }
-        list.push_back({{"name", table.file}, {"doc", table.doc}, {"columns", columns}});
-    }
+    for (const harness::TableInfo& table : experiment::dictionary())
+        list.push_back({{"name", table.file}, {"doc", table.doc}, {"columns", columns_of(table)}});
     return list;
 }
 
@@ -132,7 +125,7 @@ constexpr Topic kTopics[] = {
     {"methods", "Methods", methods_json},
     {"scenes", "Scenes", scenes_json},
     {"params", "Parameters of methods", method_params_json},
-    {"metrics", "Columns of rows.csv", columns_json},
+    {"metrics", "Columns of rows.csv", [] { return columns_of(harness::rows_table()); }},
     {"columns", "Tables of a run folder", tables_json},
     {"skips", "Skips", skips_json},
     {"shadings", "Shadings", shadings_json},

@@ -19,6 +19,7 @@ sys.path[:0] = [str(SOURCE / "notebooks"), str(Path(__file__).parent)]
 import tiny_runs  # noqa: E402
 from paper.runs import RunFolder  # noqa: E402
 
+PACK_ABOVE_KIB = 8
 DESK = tempfile.TemporaryDirectory(prefix="inkbench-publish-")
 
 
@@ -32,7 +33,8 @@ class Publish(unittest.TestCase):
     def setUpClass(cls):
         cls.run_folder = Path(tiny_runs.make("compare", DESK.name))
         cls.out = Path(DESK.name) / "published"
-        done = call(cls.run_folder, "-o", cls.out, "--name", "tiny", "--date", "2026-01-02")
+        done = call(cls.run_folder, "-o", cls.out, "--name", "tiny", "--date", "2026-01-02",
+                    "--pack-above", str(PACK_ABOVE_KIB))
         assert done.returncode == 0, done.stderr
         cls.croissant = json.loads((cls.out / "croissant.json").read_text(encoding="utf-8"))
 
@@ -47,7 +49,7 @@ class Publish(unittest.TestCase):
         self.assertEqual(set(published), tables | {"run.toml"})
         for name, path in published.items():
             self.assertEqual(self.bytes_of(path), (self.run_folder / name).read_bytes(), name)
-            is_long = (self.run_folder / name).stat().st_size > 256 * 1024
+            is_long = (self.run_folder / name).stat().st_size > PACK_ABOVE_KIB * 1024
             self.assertEqual(path.suffix == ".gz", is_long and name != "run.toml", name)
         self.assertIn(".gz", {path.suffix for path in published.values()})
 
@@ -62,9 +64,9 @@ class Publish(unittest.TestCase):
         by_name = {records["name"]: records for records in self.croissant["recordSet"]}
         for path in self.run_folder.glob("*.csv"):
             records = by_name[path.stem]
-            lines = list(csv.DictReader(path.open(encoding="utf-8", newline="")))
             with path.open(encoding="utf-8", newline="") as file:
-                heads = next(csv.reader(file))
+                reader = csv.DictReader(file)
+                heads, lines = reader.fieldnames, list(reader)
             self.assertEqual([field["name"] for field in records["field"]], heads)
             for field in records["field"]:
                 self.assertTrue(field["description"])
@@ -90,7 +92,8 @@ class Publish(unittest.TestCase):
 
     def test_the_same_run_gives_the_same_bytes(self):
         again = Path(DESK.name) / "again"
-        self.assertEqual(call(self.run_folder, "-o", again, "--name", "tiny", "--date", "2026-01-02").returncode, 0)
+        self.assertEqual(call(self.run_folder, "-o", again, "--name", "tiny", "--date", "2026-01-02",
+                    "--pack-above", str(PACK_ABOVE_KIB)).returncode, 0)
         for path in self.out.iterdir():
             self.assertEqual(path.read_bytes(), (again / path.name).read_bytes(), path.name)
 
