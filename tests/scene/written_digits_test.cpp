@@ -30,9 +30,9 @@ TEST(WrittenDigits, AreNoneWhereFloatsAreNoFiner) {
     EXPECT_EQ(written_rounding(mesh_of({{0, 0, 0}})), 0);
     EXPECT_EQ(written_rounding(mesh_of({{1.0F / 3, 0.5F, 2}})), 0);
     EXPECT_EQ(written_rounding(mesh_of({{3e7F, 1, 0}})), 0);
-    // Beside a coordinate of a million, .0625 is the next float.
-    EXPECT_EQ(written_rounding(mesh_of({{1e6F, 0.0625F, 0}})), 0);
-    EXPECT_DOUBLE_EQ(written_rounding(mesh_of({{1e6F, 0.5F, 0}})), 0.05);
+    // Beside a coordinate of a million floats are .0625 apart.
+    EXPECT_EQ(written_rounding(mesh_of({{1e6F, 0.5F, 0}})), 0);
+    EXPECT_DOUBLE_EQ(written_rounding(mesh_of({{1e5F, 0.5F, 0}})), 0.05);
 }
 
 TEST(WrittenDigits, AreFoundForEveryNumberOfDecimals) {
@@ -46,6 +46,12 @@ TEST(WrittenDigits, AreFoundForEveryNumberOfDecimals) {
                 glm::vec3(glm::dvec3(whole(random), whole(random), whole(random)) * (1 / scale)));
         EXPECT_NEAR(written_rounding(mesh_of(positions)) * scale, 0.5, 1e-12) << decimals;
     }
+}
+
+TEST(WrittenDigits, AreFoundThoughAReaderRoundsThemToTheNextFloat) {
+    const float beside = std::nextafter(2.7183F, 3.0F);
+    EXPECT_DOUBLE_EQ(written_rounding(mesh_of({{1, 2.7183F, -3.1416F}})), 5e-5);
+    EXPECT_DOUBLE_EQ(written_rounding(mesh_of({{1, beside, -3.1416F}})), 5e-5);
 }
 
 TEST(WrittenDigits, ReachTheWorldByTheFarthestCorner) {

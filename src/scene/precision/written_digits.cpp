@@ -10,6 +10,7 @@ namespace ink::scene {
 namespace {
 
 constexpr int kMostDecimals = 12;
+constexpr double kFinest = 0.5;  ///< units of a decimal place: coarser floats do not tell it
 
 /// 1/64 px (scene/precision/weld_tolerance.h) of a scene that is 256 px wide: of what is more, only
 /// images smaller than that could make use.
@@ -22,9 +23,16 @@ float largest_of(const Mesh& mesh) {
     return largest;
 }
 
-/// Whether `x` is the float nearest to a whole number divided by `scale`.
+/// The distance of a positive float from the next.
+double unit_of(float x) {
+    return static_cast<double>(std::nextafter(x, std::numeric_limits<float>::infinity())) -
+           static_cast<double>(x);
+}
+
+/// Whether `x` is the float nearest to a whole number divided by `scale`, or the one beside: not
+/// every reader rounds well (Assimp adds the whole and the fraction as floats).
 bool is_written(float x, double scale) {
-    return static_cast<float>(std::round(x * scale) / scale) == x;
+    return std::abs(x - std::round(x * scale) / scale) <= 1.5 * unit_of(std::abs(x));
 }
 
 /// Of the box round all vertices, world units; there is at least one.
@@ -42,17 +50,15 @@ double diagonal(const std::vector<glm::dvec3>& p_world) {
 double written_rounding(const Mesh& mesh) {
     const float largest = largest_of(mesh);
     if (largest == 0) return 0;
-    const double unit =
-        static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
-        static_cast<double>(largest);
-    if (unit >= 1) return 0;
+    const double unit = unit_of(largest);
+    if (unit >= kFinest) return 0;
     int decimals = 0;
     double scale = 1;
     for (const glm::vec3& p : mesh.positions) {
         for (const float x : {p.x, p.y, p.z}) {
             while (!is_written(x, scale)) {
                 scale = std::pow(10.0, ++decimals);
-                if (decimals > kMostDecimals || unit * scale >= 1) return 0;
+                if (decimals > kMostDecimals || unit * scale >= kFinest) return 0;
             }
         }
     }

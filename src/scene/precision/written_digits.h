@@ -13,10 +13,10 @@ namespace ink::scene {
 /// space: what an exporter that prints four decimals may have taken from each.
 ///
 /// Files keep no such number, and vertices are floats. So it is read off the floats: the smallest
-/// number of decimals d for which every coordinate is the float nearest to a number of d decimals.
-/// 0 where the coordinates have more digits than that, or where a float of the largest coordinate's
-/// size cannot tell d decimals from more; and for a mesh without vertices. O(vertices), and a few
-/// steps for a mesh with digits of all kinds.
+/// number of decimals d for which every coordinate is the float nearest to a number of d decimals,
+/// or the one beside. 0 where the coordinates have more digits than that, or where a float of the
+/// largest coordinate's size cannot tell d decimals from more; and for a mesh without vertices.
+/// O(vertices), and a few steps for a mesh with digits of all kinds.
 [[nodiscard]] double written_rounding(const Mesh& mesh);
 
 /// How far a rounding of each coordinate by at most `rounding` may have moved a vertex once the
