@@ -23,8 +23,9 @@ def call(adapter, script, view, out, is_mask):
         capture_output=True, text=True, check=False)
     said = re.findall(r"^failed: (.*)$", done.stdout, re.M)
     if done.returncode != 0 or not Path(out).exists():
-        last = (done.stderr + done.stdout).strip().splitlines()[-1:]
-        raise Failed("Blender: " + (said or last or ["it drew nothing"])[0])
+        how = f"crashed (signal {-done.returncode})" if done.returncode < 0 else "failed"
+        last = (done.stdout + done.stderr).strip().splitlines()[-1:]
+        raise Failed(f"Blender {how}: {(said or last or ['it does not say why'])[0]}")
     return float(re.findall(r"^draw_ms (\S+)$", done.stdout, re.M)[-1])
 
 

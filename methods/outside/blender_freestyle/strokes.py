@@ -32,7 +32,7 @@ def set_up_freestyle():
     if lines.linestyle is None:
         lines.linestyle = bpy.data.linestyles.new("lines")
     lines.select_by_visibility, lines.visibility = True, "VISIBLE"
-    lines.select_by_image_border = False
+    lines.select_by_image_border = True  # else strokes that pass the eye take all memory
     for name in [p.identifier for p in lines.bl_rna.properties]:
         if name.startswith("select_") and not name.startswith("select_by_"):
             setattr(lines, name, name in ("select_silhouette", "select_border", "select_crease"))
