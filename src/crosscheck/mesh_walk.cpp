@@ -186,8 +186,7 @@ Walk walking::ended_round(const ClipMesh& mesh,
         const LocalFace local = mesh.local_face(f, to.p_px);
         for (std::size_t side = 0; side < 3; ++side) {
             const Across across = mesh.across(f, side);
-            if (across.face != kNothing || !ClipMesh::is_edge_near(local, side, reach_px))
-                continue;
+            if (across.face != kNothing || !ClipMesh::is_edge_near(local, side, reach_px)) continue;
             Walk ended{false, f, meet(mesh, local, f, side, d)};
             ended.met.line_class = across.line_class;
             return ended;

@@ -57,11 +57,8 @@ enum class Stop { at_feature, at_end };
 /// A walk that arrived where another surface is seen, though its own holds the point by a hair:
 /// where it ends within reach, that hair is the rounding of what looked (SightRays::reach_px), and
 /// the walk ended there.
-[[nodiscard]] Walk ended_round(const ClipMesh& mesh,
-                               const Walk& walk,
-                               const Sample& to,
-                               const glm::dvec2& d,
-                               double reach_px);
+[[nodiscard]] Walk ended_round(
+    const ClipMesh& mesh, const Walk& walk, const Sample& to, const glm::dvec2& d, double reach_px);
 
 /// Whether a walk came to the surface that is seen at `to`, or to within its reach.
 [[nodiscard]] bool arrives_at(const ClipMesh& mesh, const Walk& walk, const Sample& to);
