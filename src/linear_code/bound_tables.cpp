@@ -37,7 +37,10 @@ void add_bound(BoundTable& table) {
     using C = LinearCount;
     const auto bound = table.part(&BoundRow::bound);
     bound.add({"f_found", "0..1", "the best F of weights that were found"}, &B::f_found);
-    bound.add({"f_upper", "0..1", "an estimate of what no weights exceed: how much ink thinning leaves is measured"}, &B::f_upper);
+    bound.add({"f_upper",
+               "0..1",
+               "an estimate of what no weights exceed: how much ink thinning leaves is measured"},
+              &B::f_upper);
     bound.add_derived({"gap", "0..1", "f_upper less f_found"}, &B::gap);
     bound.add({"boxes", "", "of weights that were searched"}, &B::boxes);
     const auto count = bound.part(&B::count);
@@ -56,9 +59,10 @@ void add_bound(BoundTable& table) {
 
 const BoundTable& table() {
     static const BoundTable kTable = [] {
-        BoundTable table("bound.csv",
-                         "A line per cell of study `bound`: about the most that any four weights could "
-                         "reach on a scene or on several, and what a method's own weights reach.");
+        BoundTable table(
+            "bound.csv",
+            "A line per cell of study `bound`: about the most that any four weights could "
+            "reach on a scene or on several, and what a method's own weights reach.");
         add_measured(table);
         add_model(table);
         add_bound(table);

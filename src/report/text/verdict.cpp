@@ -126,7 +126,8 @@ std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdi
                            of_all);
     }
     return fmt::format(
-        " These scenes cannot tell it from {}: the paired difference is {}{}, and the 95 % interval "
+        " These scenes cannot tell it from {}: the paired difference is {}{}, and the 95 % "
+        "interval "
         "holds 0.",
         other,
         experiment::format_paired_difference(*paired),
@@ -322,7 +323,8 @@ std::string verdict_markdown(const std::vector<harness::Row>& rows,
         paired_difference_cells(experiment::all_paired_differences(rows));
     if (!differences.empty()) {
         text +=
-            "\nBy how much F of a line's method exceeds that of a column's, with intervals that hold "
+            "\nBy how much F of a line's method exceeds that of a column's, with intervals that "
+            "hold "
             "all together with 95 % (scenes resampled, all methods on the same ones):\n\n" +
             core::markdown(differences);
     }
