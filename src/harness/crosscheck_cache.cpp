@@ -122,11 +122,12 @@ std::optional<Crosscheck> decode_check(const std::string& bytes, const std::stri
         return std::nullopt;
     const std::string payload = bytes.substr(head.size() + hash_size);
     if (bytes.compare(head.size(), hash_size, hash_of(payload)) != 0) return std::nullopt;
-    std::vector<double> numbers(payload.size() / sizeof(double));
-    std::memcpy(numbers.data(), payload.data(), numbers.size() * sizeof(double));
-    const bool is_whole = payload.size() % sizeof(double) == 0 && numbers.size() >= kFixedNumbers &&
-                          (numbers.size() - kFixedNumbers) % kDisagreementNumbers == 0;
+    const std::size_t count = payload.size() / sizeof(double);
+    const bool is_whole = payload.size() % sizeof(double) == 0 && count >= kFixedNumbers &&
+                          (count - kFixedNumbers) % kDisagreementNumbers == 0;
     if (!is_whole) return std::nullopt;
+    std::vector<double> numbers(count);
+    std::memcpy(numbers.data(), payload.data(), payload.size());
     return check_of(numbers);
 }
 
