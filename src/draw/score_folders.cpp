@@ -12,6 +12,10 @@ namespace {
 namespace fs = std::filesystem;
 using FilesByName = std::map<std::string, fs::path>;
 
+/// What `inkbench export` writes into the folder of a view.
+constexpr const char* kViewFile = "camera.json";
+constexpr const char* kTruthFile = "truth.exr";
+
 /// The files below `folder` with one of `endings` (all if none is named), by their relative path
 /// without ending. The first of two with one name stays.
 FilesByName files_below(const fs::path& folder, const std::vector<std::string>& endings) {
@@ -38,6 +42,22 @@ FilesByName files_below(const fs::path& folder, const std::vector<std::string>& 
     return files;
 }
 
+/// The truths below `folder` by their names. Of an exported view that is its truth alone, under the
+/// name of the view's folder, as entrants name their images.
+FilesByName truths_below(const fs::path& folder) {
+    FilesByName truths;
+    // ".exr" sorts before ".png", so it is the one that stays.
+    for (const auto& [name, path] : files_below(folder, {".exr", ".png"})) {
+        const bool is_exported = fs::exists(path.parent_path() / kViewFile);
+        if (!is_exported) {
+            truths.emplace(name, path);
+        } else if (path.filename() == kTruthFile) {
+            truths.emplace(fs::path(name).parent_path().string(), path);
+        }
+    }
+    return truths;
+}
+
 }  // namespace
 
 std::vector<FolderScore> score_folders(
@@ -46,8 +66,7 @@ std::vector<FolderScore> score_folders(
     const ScoreRequest& request,
     const std::function<void(const std::string& name, const FilesScore&)>& on_scored) {
     score::check(request.options);
-    // ".exr" sorts before ".png", so it is the one that stays.
-    const FilesByName truth_files = files_below(truths, {".exr", ".png"});
+    const FilesByName truth_files = truths_below(truths);
     if (truth_files.empty())
         throw core::Error(truths.string(), "there is no truth in it", "files of inkbench truth -o");
     const FilesByName drawn = files_below(predictions, {});

@@ -20,7 +20,9 @@ struct FolderScore {
 };
 
 /// Scores every truth (.png or .exr; .exr where both are there) below `truths` against the image of
-/// the same relative path, whatever its ending, below `predictions`, in alphabetical order.
+/// the same relative path, whatever its ending, below `predictions`, in alphabetical order. The
+/// truth of an exported view (a folder with camera.json) goes with the image called as that folder;
+/// what else lies there is no truth.
 ///
 /// A missing or bad prediction or truth is an entry with its status. `on_scored` gets the name and
 /// all of each that came out. Throws core::Error for folders that cannot be read, for one without

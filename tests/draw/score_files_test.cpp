@@ -150,5 +150,18 @@ TEST_F(ScoreFiles, FoldersPairByNameAndSayWhatIsMissing) {
     EXPECT_THROW((void)score_folders(folder_ / "drawn", folder_ / "nowhere", {}, {}), core::Error);
 }
 
+TEST_F(ScoreFiles, AnExportedViewHasOneTruthUnderItsOwnName) {
+    write("views/torus/front/ids.png", line_image(1, 0));
+    write_exr_truth(folder_ / "views/torus/front/truth.exr");
+    std::ofstream(folder_ / "views/torus/front/camera.json") << "{}";
+    write("drawn/torus/front.png", line_image(0, 255));
+    const auto scores =
+        score_folders(folder_ / "drawn", folder_ / "views", {}, [](const auto&, const auto&) {});
+    ASSERT_EQ(scores.size(), 1U) << "ids are no truth";
+    EXPECT_EQ(scores[0].name, "torus/front");
+    ASSERT_TRUE(scores[0].score) << scores[0].status;
+    EXPECT_EQ(scores[0].score->f(), 1);
+}
+
 }  // namespace
 }  // namespace ink::draw
