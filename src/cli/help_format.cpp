@@ -73,8 +73,11 @@ std::string HelpFormatter::make_subcommand(const CLI::App* sub) const {
 }
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
-    return entry(make_option_name(option, is_positional) + make_option_opts(option),
-                 make_option_desc(option));
+    const std::string name = make_option_name(option, is_positional);
+    std::string values = make_option_opts(option);
+    // An argument that is called like its type: once will do.
+    if (is_positional && values.starts_with(" " + name)) values.erase(0, name.size() + 1);
+    return entry(name + values, make_option_desc(option));
 }
 
 std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {

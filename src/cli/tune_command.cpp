@@ -60,7 +60,7 @@ const std::vector<std::string> kUnrecorded = {"--no-random",
 /// `METHOD SCENE...`, or `--method METHOD SCENE...`.
 std::string method_of(const TuneArgs& args) {
     if (!args.methods.empty()) return one_method(args.methods, "");
-    if (!args.method.empty()) return one_method({args.method}, "", "method");
+    if (!args.method.empty()) return one_method({args.method}, "", "METHOD");
     throw core::Error("tune", "the method is missing", "one name of inkbench list methods");
 }
 
@@ -184,8 +184,9 @@ void add_tune_command(CLI::App& app) {
     auto args = std::make_shared<TuneArgs>();
     auto* command = app.add_subcommand(
         "tune", "Find the settings of a method that make the fewest errors on the training scenes");
+    // In capitals as there is an option of the same name; see add_scene_options.
     command
-        ->add_option("method",
+        ->add_option("METHOD",
                      args->method,
                      "Method to tune (see inkbench list methods), if not "
                      "named by --method")

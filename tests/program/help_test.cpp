@@ -29,6 +29,11 @@ constexpr const char* kCommands[] = {"compare",
                                      "run",
                                      "merge",
                                      "bound",
+                                     "report",
+                                     "diff",
+                                     "export",
+                                     "entrant-test",
+                                     "new-method",
                                      "list",
                                      "completions",
                                      "help"};
@@ -99,6 +104,37 @@ TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
     const std::string score = expect_done({"score", "--help"});
     for (const char* option : {"--tol", "--threshold", "--no-thin", "--band", "--ignore", "--json"})
         EXPECT_THAT(score, HasSubstr(option));
+}
+
+/// The names in the block "Arguments:" of a help text.
+Words arguments_of(const std::string& help) {
+    Words names;
+    bool is_inside = false;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  ")) {
+            is_inside = line == "Arguments:";
+        } else if (is_inside && line[2] != ' ') {
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+        }
+    }
+    return names;
+}
+
+TEST(Help, CallsNoArgumentLikeAnOption) {
+    // CLI11 2.4 ends the program over it, whatever the command line.
+    std::size_t count = 0;
+    for (const char* command : kCommands) {
+        const std::string help = expect_done({command, "--help"});
+        for (const std::string& name : arguments_of(help)) {
+            ++count;
+            for (const char* end : {",", " ", "\n"})
+                EXPECT_THAT(help, Not(HasSubstr("--" + name + end))) << command;
+        }
+    }
+    EXPECT_GT(count, 10U);
+    EXPECT_THAT(expect_done({"tune", "--help"}),
+                AllOf(HasSubstr("\n  METHOD  "), HasSubstr("\n  SCENES ...  ")));
 }
 
 TEST(Help, LongWorkCanBeQuiet) {

@@ -83,8 +83,11 @@ void add_texts(const std::vector<std::string>& texts, const Names& names, NameLi
 
 }  // namespace
 
+// Arguments are in capitals: since 2.4, CLI11 refuses one that is called like an option without its
+// dashes.
+
 void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& doc) {
-    command.add_option("scenes", options.named, doc + "; the same as --scenes")->type_name(kType);
+    command.add_option(kType, options.named, doc + "; the same as --scenes")->type_name(kType);
     add_repeatable_option(command,
                           "--scenes,--scene",
                           options.listed,
@@ -95,7 +98,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options, const std::stri
 
 void add_one_scene_options(CLI::App& command, SceneOptions& options) {
     // As a list, so that a second scene is refused in our own words.
-    command.add_option("scene", options.named, "A built-in scene or a model file")
+    command.add_option(kOneType, options.named, "A built-in scene or a model file")
         ->type_name(kOneType)
         ->option_text(kOneType);
     add_repeatable_option(
@@ -111,7 +114,7 @@ std::vector<std::string> scene_words() {
 std::vector<std::string> scene_names(const SceneOptions& options) {
     NameList list;
     add_texts(options.listed, {"--scenes", "scene", scene_words()}, list);
-    add_texts(options.named, {"scenes", "scene", scene_words()}, list);
+    add_texts(options.named, {kType, "scene", scene_words()}, list);
     return list.names();
 }
 
