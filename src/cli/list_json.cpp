@@ -170,10 +170,8 @@ std::string list_overview() {
     for (const Topic& topic : kTopics) {
         auto names = names_of(topic.list());
         const std::size_t count = names.size();
-        if (count > kMostNames) {
-            names.resize(kMostNames);
-            names.push_back(fmt::format("and {} more", count - kMostNames));
-        }
+        names.resize(std::min(count, kMostNames));
+        if (count > kMostNames) names.push_back(fmt::format("and {} more", count - kMostNames));
         text += fmt::format("{}, {} (inkbench list {})\n  {}\n\n",
                             topic.title,
                             count,
