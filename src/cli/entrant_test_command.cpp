@@ -119,7 +119,7 @@ void add_entrant_test_command(CLI::App& app) {
         ->capture_default_str();
     command->footer(
         "Example: inkbench entrant-test ./my_lines.py\n"
-        "Exit codes: 0 it is ready, 1 something is wrong, 2 bad input.");
+        "Exit codes: 0 done, the program is ready; 1 something is wrong; 2 bad input.");
     command->callback([args] { run_entrant_test(*args); });
 }
 

@@ -17,26 +17,10 @@ using testing::Not;
 
 using Words = std::vector<std::string>;
 
-constexpr const char* kCommands[] = {"compare",
-                                     "draw",
-                                     "truth",
-                                     "score",
-                                     "explain",
-                                     "figures",
-                                     "timedemo",
-                                     "tune",
-                                     "stress",
-                                     "run",
-                                     "merge",
-                                     "bound",
-                                     "report",
-                                     "diff",
-                                     "export",
-                                     "entrant-test",
-                                     "new-method",
-                                     "list",
-                                     "completions",
-                                     "help"};
+constexpr const char* kCommands[] = {
+    "compare", "draw",         "truth",      "score", "explain",     "figures", "timedemo",
+    "tune",    "stress",       "run",        "merge", "bound",       "report",  "diff",
+    "export",  "entrant-test", "new-method", "list",  "completions", "help"};
 
 std::string expect_done(const Words& words) {
     const Outcome outcome = Desk().run(words);
