@@ -60,7 +60,9 @@ def main():
     try:
         if not args.program.exists():
             raise BadPage(args.program, "there is no such program", "a built inkbench")
-        for page in args.pages or sorted(ROOT.glob("methods/*/*.md")):
+        # A method's page has the name of its folder; those of methods/outside are not of methods.
+        pages = [page for page in sorted(ROOT.glob("methods/*/*.md")) if page.stem == page.parent.name]
+        for page in args.pages or pages:
             if not page.exists():
                 raise BadPage(page, "there is no such page", "a page of a method")
             make_picture(page.resolve(), args.program.resolve())
