@@ -128,8 +128,8 @@ void rest_scene(Scene& scene);
 [[nodiscard]] glm::dquat slerp(const glm::dquat& from, const glm::dquat& to, double share);
 
 /// Throws Error (where = the scene's name) unless `animation` fits the scene: indices and lengths,
-/// finite numbers, parents before children, times in order, rotations of length 1, and no pose that
-/// could reach out of all bounds.
+/// finite numbers, affine transforms, parents before children, times in order, rotations of length
+/// 1, and no pose that could reach out of all bounds.
 void check_animation(const Scene& scene, const Animation& animation);
 
 }  // namespace ink::scene

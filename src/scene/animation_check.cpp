@@ -31,9 +31,10 @@ bool is_finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool is_finite(const glm::dmat4& m) {
+/// Finite, with the last row 0 0 0 1: any other would scale what stands to its left in a product.
+bool is_affine(const glm::dmat4& m) {
     for (int column = 0; column < 4; ++column) {
-        if (!is_finite(glm::dvec3(m[column])) || !std::isfinite(m[column].w)) return false;
+        if (!is_finite(glm::dvec3(m[column])) || m[column].w != (column < 3 ? 0 : 1)) return false;
     }
     return true;
 }
@@ -65,9 +66,9 @@ void check_nodes(const Animation& animation, const Complaint& complain) {
         complain.unless(node.parent == kNoNode || node.parent < n,
                         fmt::format("{} has the parent {}", name, node.parent),
                         "an earlier node");
-        complain.unless(is_finite(node.parent_from_node),
-                        name + " has a transform that is not finite",
-                        "finite numbers");
+        complain.unless(is_affine(node.parent_from_node),
+                        name + " has a transform that is not affine",
+                        "finite numbers, and 0 0 0 1 in the last row");
         const bool is_moving = node.has_keys();
         complain.unless(node.rotations.empty() != is_moving && node.scales.empty() != is_moving,
                         name + " has keys of one kind only",
@@ -164,9 +165,12 @@ void check_skins(const Scene& scene, const Animation& animation, const Complaint
         check_vectors(skin.positions, name, complain);
         check_vectors(skin.normals, name, complain);
         for (const Skin::Bone& bone : skin.bones) {
-            complain.unless(bone.node < animation.nodes.size() && is_finite(bone.node_from_mesh),
+            complain.unless(bone.node < animation.nodes.size(),
                             fmt::format("{} has a bone at node {}", name, bone.node),
-                            fmt::format("one of {} nodes, finite", animation.nodes.size()));
+                            fmt::format("one of {} nodes", animation.nodes.size()));
+            complain.unless(is_affine(bone.node_from_mesh),
+                            name + " has a bone whose transform is not affine",
+                            "finite numbers, and 0 0 0 1 in the last row");
         }
         check_weights(skin, name, complain);
     }

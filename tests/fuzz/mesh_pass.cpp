@@ -57,7 +57,8 @@ scene::Scene some_scene(Feed& feed) {
 scene::View some_view(const scene::Scene& scene, Feed& feed) {
     scene::View view;
     const glm::dvec3 eye(place(feed));
-    view.camera = scene::look_at(eye, glm::dvec3(place(feed)), {0, 1, 0}, feed.real(0.05, 2.8));
+    const glm::dvec3 target(place(feed));
+    view.camera = scene::look_at(eye, target, {0, 1, 0}, feed.real(0.05, 2.8));
     scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
     if (feed.flag()) view.camera.near = feed.real(0.01, 2);
     view.camera.far = std::max(view.camera.far, 2 * view.camera.near);
@@ -134,6 +135,19 @@ void check_passes(const Stage& stage) {
     }
 }
 
+/// The scene without the triangles that the eye sees exactly edge-on, which cover nothing: whether
+/// Embree meets them depends on how it rounds.
+scene::Scene without_edge_on(scene::Scene scene, const scene::View& view) {
+    const auto facing = scene::facings(scene::flatten(scene), view.camera.eye_world);
+    std::vector<scene::Triangle>& triangles = scene.meshes.front().triangles;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < facing.size(); ++t) {
+        if (facing[t] != 0) triangles[kept++] = triangles[t];
+    }
+    triangles.resize(kept);
+    return scene;
+}
+
 }  // namespace
 
 void check_mesh_pass(Bytes bytes) {
@@ -146,7 +160,8 @@ void check_mesh_pass(Bytes bytes) {
         return expect_clear(error);  // an eye that looks nowhere
     }
     check_passes(Stage(scene, view));
-    const draw::IdAgreement ids = draw::compare_ids(scene, view, raster::DepthFormat::q32);
+    const scene::Scene seen = without_edge_on(scene, view);
+    const draw::IdAgreement ids = draw::compare_ids(seen, view, raster::DepthFormat::q32);
     expect(ids.other == 0, "ids are Embree's, but near edges and where depths are equal");
 }
 

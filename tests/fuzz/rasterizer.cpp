@@ -82,7 +82,8 @@ double distance(double near, Feed& feed) {
     }
 }
 
-Clip point(double near, Feed& feed) {
+/// `before` is the last point, if there is one.
+Clip point(double near, const Clip* before, Feed& feed) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (feed.whole(0, 255) == 255) {  // rarely what is no number, or too large for one
         constexpr std::array kOdd{
@@ -92,8 +93,11 @@ Clip point(double near, Feed& feed) {
         return odd;
     }
     const double w = distance(near, feed);
-    const double x_px = screen_px(feed);
-    return {x_px * w, screen_px(feed) * w, w};
+    // Every other point stands above or beside the one before: edges are level and upright.
+    const int shared = before == nullptr || before->z == 0 ? 3 : feed.whole(0, 3);
+    const double x_px = shared == 0 ? before->x / before->z : screen_px(feed);
+    const double y_px = shared == 1 ? before->y / before->z : screen_px(feed);
+    return {x_px * w, y_px * w, w};
 }
 
 Drawing drawing(Feed& feed) {
@@ -103,8 +107,9 @@ Drawing drawing(Feed& feed) {
     constexpr std::array kNears{0.5, 1e-3, 1.0 / 3, 1.0};
     made.near = kNears[static_cast<std::size_t>(feed.whole(0, 3))];
     const int points = feed.whole(3, kMostPoints);
+    std::vector<Clip>& all = made.mesh.p_clip;
     for (int i = 0; i < points; ++i)
-        made.mesh.p_clip.push_back(point(made.near, feed));
+        all.push_back(point(made.near, all.empty() ? nullptr : &all.back(), feed));
     const int triangles = feed.whole(1, kMostTriangles);
     for (int i = 0; i < triangles; ++i) {
         scene::Triangle triangle{};

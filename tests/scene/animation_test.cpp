@@ -264,7 +264,7 @@ TEST(AnimationCheck, RefusesKeysThatAreNone) {
               "node 0 has keys of one kind only");
     EXPECT_EQ(of_node([](AnimatedNode& n) { n.parent = 0; }), "node 0 has the parent 0");
     EXPECT_EQ(of_node([](AnimatedNode& n) { n.parent_from_node[2][1] = kNan; }),
-              "node 0 has a transform that is not finite");
+              "node 0 has a transform that is not affine");
     EXPECT_THAT(of_node([](AnimatedNode& n) { n.scales[1].value.y = 1e200; }),
                 testing::StartsWith("it may reach"));
     EXPECT_EQ(complaint(scene, [](Animation& a) { a.duration_s = kNan; }), "it lasts nan s");
@@ -357,6 +357,12 @@ TEST(AnimationCheck, RefusesWhatDoesNotFitTheScene) {
     EXPECT_EQ(complaint(bent, [](Animation& a) { a.skins[0].mesh = 1; }), "skin 0 is of mesh 1");
     EXPECT_EQ(complaint(bent, [](Animation& a) { a.skins[0].bones[1].node = 2; }),
               "skin 0 has a bone at node 2");
+    // As the product of a node and a bone, the last number scales how far the node was moved.
+    EXPECT_EQ(
+        complaint(bent, [](Animation& a) { a.skins[0].bones[0].node_from_mesh[3].w = 1e231; }),
+        "skin 0 has a bone whose transform is not affine");
+    EXPECT_EQ(complaint(bent, [](Animation& a) { a.nodes[1].parent_from_node[1].w = -1; }),
+              "node 1 has a transform that is not affine");
     EXPECT_EQ(complaint(bent, [](Animation& a) { a.skins[0].weights[2].bone = 2; }),
               "skin 0 follows bone 2");
     EXPECT_EQ(complaint(bent, [](Animation& a) { a.skins[0].weights[2].weight = -1; }),
