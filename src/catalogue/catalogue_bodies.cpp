@@ -223,9 +223,8 @@ double smooth_noise(const glm::dvec3& p) {
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 step{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
         const glm::dvec3 share = glm::mix(1.0 - ease, ease, glm::dvec3(step));
-        const glm::ivec3 node = glm::ivec3(low) + step;
-        const auto key =
-            static_cast<std::uint32_t>(node.x * 73856093 ^ node.y * 19349663 ^ node.z * 83492791);
+        const glm::uvec3 node(glm::ivec3(low) + step);  // products wrap
+        const std::uint32_t key = node.x * 73856093U ^ node.y * 19349663U ^ node.z * 83492791U;
         sum += share.x * share.y * share.z * noise(key);
     }
     return sum;
