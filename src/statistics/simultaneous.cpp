@@ -11,14 +11,13 @@ namespace {
 /// A difference of pooled F and its standard error.
 struct Estimate {
     double value = 0;
-    double error = 0;  ///< 0 where one cluster alone was drawn, too
+    double error = 0;
 };
 
 /// Where clusters that all differ by the same would leave rounding for an error.
 constexpr double kNoError = 1e-12;
 constexpr double kFar = 1e9;  ///< errors: further than any difference of F
-/// Drawings of fewer often hold one cluster alone, which has no error. One such pair would widen
-/// the intervals of all.
+/// With fewer an error is hardly known, and one such pair would widen the intervals of all.
 constexpr std::size_t kFewestClusters = 6;
 
 /// Counts as the sums below need them: F is hits over sum.
@@ -42,34 +41,42 @@ double influence(const score::CurveCount& counts, const Side& pooled) {
     return (own.hits - pooled.f() * own.sum) / pooled.sum;
 }
 
-/// The difference of a pair when each cluster counts as often as it was drawn. The error is that of
-/// a ratio of sums over clusters, to first order.
-Estimate estimate_of(const PairedCounts& pair, const std::vector<int>& times) {
+/// The difference of a pair when each cluster counts as often as it was drawn.
+double difference_of(const PairedCounts& pair, const std::vector<int>& times) {
     Side a, b;
-    double drawn = 0;
     for (std::size_t i = 0; i < pair.cluster.size(); ++i) {
-        const double n = times[pair.cluster[i]];
-        if (n == 0) continue;
-        add(a, pair.a[i], n);
-        add(b, pair.b[i], n);
-        drawn += n;
+        add(a, pair.a[i], times[pair.cluster[i]]);
+        add(b, pair.b[i], times[pair.cluster[i]]);
     }
-    double squares = 0;
-    for (std::size_t i = 0; i < pair.cluster.size(); ++i) {
-        const double n = times[pair.cluster[i]];
-        if (n == 0) continue;
-        const double one = influence(pair.a[i], a) - influence(pair.b[i], b);
-        squares += n * one * one;
-    }
-    const double error = drawn > 1 ? std::sqrt(squares * drawn / (drawn - 1)) : 0;
-    return {a.f() - b.f(), error};
+    return a.f() - b.f();
 }
 
-/// How far a drawing lies from the pair's own difference, in units of the drawing's own error.
-double distance(const Estimate& drawn, const Estimate& own) {
-    const double away = std::abs(drawn.value - own.value);
-    if (away <= kNoError) return 0;
-    return drawn.error > kNoError ? away / drawn.error : kFar;
+/// The difference over all clusters, with the error of a ratio of sums over clusters to first
+/// order.
+Estimate estimate_of(const PairedCounts& pair) {
+    Side a, b;
+    const std::size_t count = pair.cluster.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        add(a, pair.a[i], 1);
+        add(b, pair.b[i], 1);
+    }
+    double squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double one = influence(pair.a[i], a) - influence(pair.b[i], b);
+        squares += one * one;
+    }
+    const auto n = static_cast<double>(count);
+    return {a.f() - b.f(), count > 1 ? std::sqrt(squares * n / (n - 1)) : 0};
+}
+
+/// The quantile of Student's distribution at which the normal one has `z`. Abramowitz and Stegun,
+/// Handbook of Mathematical Functions, 1964, 26.7.5.
+double students(double z, double freedom) {
+    const double z2 = z * z;
+    const double first = (z2 + 1) / 4;
+    const double second = ((5 * z2 + 16) * z2 + 3) / 96;
+    const double third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    return z * (1 + (first + (second + third / freedom) / freedom) / freedom);
 }
 
 }  // namespace
@@ -79,12 +86,11 @@ std::vector<std::optional<Interval>> simultaneous_intervals(std::span<const Pair
                                                             const BootstrapOptions& options) {
     std::vector<std::optional<Interval>> intervals(pairs.size());
     if (cluster_count < 2 || options.resamples < 2) return intervals;
-    const std::vector<int> once(cluster_count, 1);
     std::vector<Estimate> own;
     for (const PairedCounts& pair : pairs) {
         assert(pair.a.size() == pair.cluster.size());
         assert(pair.b.size() == pair.cluster.size());
-        own.push_back(estimate_of(pair, once));
+        own.push_back(estimate_of(pair));
     }
     std::vector<double> largest(static_cast<std::size_t>(options.resamples), 0);
     std::mt19937_64 random(options.seed);
@@ -95,15 +101,18 @@ std::vector<std::optional<Interval>> simultaneous_intervals(std::span<const Pair
             ++times[random() % cluster_count];
         for (std::size_t p = 0; p < pairs.size(); ++p) {
             if (pairs[p].cluster.size() < kFewestClusters || !(own[p].error > kNoError)) continue;
-            of_drawing = std::max(of_drawing, distance(estimate_of(pairs[p], times), own[p]));
+            const double away = std::abs(difference_of(pairs[p], times) - own[p].value);
+            of_drawing = std::max(of_drawing, away / own[p].error);
         }
     }
     const double reach = *quantile(largest, 0.95);
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        if (pairs[p].cluster.size() < 2) continue;
+        const std::size_t count = pairs[p].cluster.size();
+        if (count < 2) continue;
         const auto [value, error] = own[p];
-        const bool is_few = pairs[p].cluster.size() < kFewestClusters;
-        const double half = !(error > kNoError) ? 0 : is_few ? kFar : reach * error;
+        const double errors =
+            count < kFewestClusters ? kFar : students(reach, static_cast<double>(count - 1));
+        const double half = error > kNoError ? errors * error : 0;
         intervals[p] = Interval{std::max(-1.0, value - half), std::min(1.0, value + half)};
     }
     return intervals;

@@ -59,6 +59,25 @@ TEST(SimultaneousIntervals, OfTwoClustersShowNothing) {
     EXPECT_EQ(interval->high, 1);
 }
 
+/// Presets often change a method on one scene alone. The many drawings without that scene must not
+/// decide how far all other pairs are known.
+TEST(SimultaneousIntervals, OfOtherPairsStayNarrowWhereAPairDiffersInOneCluster) {
+    std::mt19937_64 random(2);
+    const auto ordinary = [&](std::size_t) {
+        return 600 + static_cast<std::int64_t>(random() % 101);
+    };
+    std::vector<PairedCounts> pairs = {pair_of(36, ordinary), pair_of(36, ordinary)};
+    const auto without = simultaneous_intervals(pairs, 36, {});
+    pairs.push_back(
+        pair_of(36, [](std::size_t i) { return i == 7 ? 900 : 500 + (i == 9 ? 1 : 0); }));
+    const auto with = simultaneous_intervals(pairs, 36, {});
+    for (std::size_t p = 0; p < 2; ++p) {
+        EXPECT_GT(with[p]->low, 0.1);
+        EXPECT_LT(with[p]->high - with[p]->low, 1.5 * (without[p]->high - without[p]->low));
+    }
+    EXPECT_LT(with[2]->low, 0) << "one scene is no lead";
+}
+
 /// The law that they are made for: with 30 methods that are really alike, some lead by chance in
 /// most experiments if each interval stands alone, and in about one of twenty if all hold together.
 TEST(SimultaneousIntervals, SeldomSeeALeadWhereThereIsNone) {

@@ -2,6 +2,8 @@
 // the two against each other.
 
 const RESAMPLES = 1000;
+/// With fewer the error of a difference is hardly known.
+const FEWEST_SCENES = 6;
 
 /// F of counts: 1 where nothing is drawn and nothing is there.
 function fOf(k, predicted, truth) {
@@ -167,6 +169,16 @@ function pairedDifference(a, b, measure) {
     return differenceOf(pairUp(a, b, measure));
 }
 
+/// The quantile of Student's distribution at which the normal one has `z`: the expansion 26.7.5 of
+/// Abramowitz and Stegun.
+function students(z, freedom) {
+    const z2 = z * z;
+    const first = (z2 + 1) / 4;
+    const second = ((5 * z2 + 16) * z2 + 3) / 96;
+    const third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    return z * (1 + (first + (second + third / freedom) / freedom) / freedom);
+}
+
 /// The same of each of several lists of rows over `b`. Each has `rangeOfAll` too: the intervals that
 /// hold all together in 95 % of cases, found as statistics/simultaneous.h says.
 function pairedDifferences(lists, b, measure) {
@@ -186,13 +198,16 @@ function pairedDifferences(lists, b, measure) {
         const known = one.values.filter(value => value !== null);
         const mean = known.reduce((sum, value) => sum + value, 0) / known.length;
         one.error = Math.sqrt(known.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(1, known.length - 1));
-        if (!(one.error > 0)) continue;
+        if (!(one.error > 0) || one.d.scenes < FEWEST_SCENES) continue;
         one.values.forEach((value, i) => {
             if (value !== null) largest[i] = Math.max(largest[i], Math.abs(value - one.d.value) / one.error);
         });
     }
     const reach = quantile(largest.sort(), 0.95);
-    for (const {d, error} of asked) d.rangeOfAll = {low: d.value - reach * error, high: d.value + reach * error};
+    for (const {d, error} of asked) {
+        const half = d.scenes < FEWEST_SCENES ? 1 : students(reach, d.scenes - 1) * error;
+        d.rangeOfAll = {low: Math.max(-1, d.value - half), high: Math.min(1, d.value + half)};
+    }
     return differences;
 }
 
