@@ -75,7 +75,8 @@ def main():
     for method, of in sweep.groupby("method", sort=False):
         swept = [name for name in sweep.columns
                  if of[name].notna().any() and of[name].nunique() > 1 and is_parameter(name, sweep)]
-        settings = of[swept].astype(str).agg(", ".join, axis=1)
+        # A whole number that some lines lack is read as a float.
+        settings = of[swept].astype(str).replace(r"\.0$", "", regex=True).agg(", ".join, axis=1)
         print_table([f"`{method}`: {', '.join(swept)}", "ms"],
                     [([setting, f"{group.draw_ns.median() / 1e6:.2f}"], group)
                      for setting, group in of.groupby(settings, sort=False)])
