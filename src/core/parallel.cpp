@@ -14,10 +14,6 @@
 #include <utility>
 #include <vector>
 
-#ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
-#endif
-
 namespace ink::core {
 namespace {
 
@@ -44,22 +40,36 @@ class PostGuard {
     Post before_;
 };
 
-/// What one thread of a loop wrote before, another one sees: oneTBB sees to it, but the thread
-/// sanitizer cannot know, since the library is not built with it. Here the begin and the end of a
-/// loop are marked for it; in other builds nothing is done.
-class LoopOrder {
-  public:
-    void publish() {
+using Range = std::function<void(std::size_t first, std::size_t end)>;
+
 #ifdef __SANITIZE_THREAD__
-        __tsan_release(this);
-#endif
-    }
-    void see() {
-#ifdef __SANITIZE_THREAD__
-        __tsan_acquire(this);
-#endif
-    }
-};
+
+/// The thread sanitizer does not know what orders the tasks of oneTBB, which is not built with it.
+/// For it loops run on threads that it sees.
+void divide(std::size_t count, int threads, int /*lane*/, const Range& range) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        try {
+            for (std::size_t i = next++; i < count; i = next++)
+                range(i, i + 1);
+        } catch (...) {
+            next = count;
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+        }
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i)
+        others.emplace_back(work);
+    work();
+    for (std::thread& other : others)
+        other.join();
+    if (failure) std::rethrow_exception(failure);
+}
+
+#else
 
 /// A lane's arena for so many threads, made once: a new one would have to wake its workers for
 /// every loop, which is long beside a frame of a millisecond. Never destroyed: workers outlive
@@ -70,6 +80,15 @@ tbb::task_arena& arena_of(int threads, int lane) {
     const std::lock_guard lock(mutex);
     return arenas.try_emplace({threads, lane}, threads).first->second;
 }
+
+void divide(std::size_t count, int threads, int lane, const Range& range) {
+    arena_of(threads, lane).execute([&] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                          [&](const auto& part) { range(part.begin(), part.end()); });
+    });
+}
+
+#endif
 
 }  // namespace
 
@@ -83,18 +102,11 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
         return;
     }
     const Post post = this_post();
-    LoopOrder begin, end;
-    begin.publish();
-    arena_of(threads, post.lane).execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
-            begin.see();
-            const PostGuard guard(post);
-            for (std::size_t i = range.begin(); i != range.end(); ++i)
-                body(i);
-            end.publish();
-        });
+    divide(count, threads, post.lane, [&](std::size_t first, std::size_t end) {
+        const PostGuard guard(post);
+        for (std::size_t i = first; i != end; ++i)
+            body(i);
     });
-    end.see();
 }
 
 int hardware_threads() {
