@@ -205,18 +205,20 @@ def telling_window(view, part, size_px):
     """The window (x, y, width, height) inside `part` in which methods' errors differ most.
 
     By the standard deviation over methods of the wrong pixels in it; with one method, where it has
-    most of them. size_px: (width, height).
+    most of them; where that finds nothing, the window with most lines. size_px: (width, height).
     """
     x0, y0, width, height = part
     w, h = min(size_px[0], width), min(size_px[1], height)
-    counts = []
-    for drawing in view.drawings:
-        wrong = (drawing.errors > 0)[y0:y0 + height, x0:x0 + width]
+
+    def sums_in_windows(marked):
         sums = np.zeros((height + 1, width + 1))
-        sums[1:, 1:] = wrong.cumsum(0).cumsum(1)
-        counts.append(sums[h:, w:] - sums[:-h, w:] - sums[h:, :-w] + sums[:-h, :-w])
-    counts = np.array(counts)
+        sums[1:, 1:] = marked[y0:y0 + height, x0:x0 + width].cumsum(0).cumsum(1)
+        return sums[h:, w:] - sums[:-h, w:] - sums[h:, :-w] + sums[:-h, :-w]
+
+    counts = np.array([sums_in_windows(drawing.errors > 0) for drawing in view.drawings])
     spread = counts.std(axis=0) if len(counts) > 1 else counts[0]
+    if not spread.any():
+        spread = sums_in_windows((view.labels > 0) & (view.labels != IGNORE))
     y, x = np.unravel_index(int(spread.argmax()), spread.shape)
     return int(x0 + x), int(y0 + y), int(w), int(h)
 

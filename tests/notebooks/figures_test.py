@@ -206,6 +206,14 @@ class Images(unittest.TestCase):
         x, y, w, h = images.telling_window(view, (0, 0, 80, 60), (16, 10))
         self.assertTrue(x <= 61 < x + w and y <= 41 < y + h, (x, y))
 
+    def test_without_errors_the_window_lies_where_lines_are(self):
+        labels = np.zeros((60, 80), np.uint8)
+        labels[30, 50:] = 1
+        none = np.zeros_like(labels)
+        view = images.View("s", "v", None, labels, [images.Drawing("a", None, none, none, labels > 0)])
+        x, y, w, h = images.telling_window(view, (0, 0, 80, 60), (16, 10))
+        self.assertTrue(50 <= x and x + w <= 80 and y <= 30 < y + h, (x, y))
+
 
 class Strips(unittest.TestCase):
     def texts(self, runs, **options):
