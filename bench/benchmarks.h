@@ -16,6 +16,8 @@ void add_raster_benchmarks(int draws);
 void add_frame_benchmarks(int draws);
 /// Frames stage by stage, as `bench/limits.py` holds them against its prototype.
 void add_limit_benchmarks(const std::vector<std::string>& meshes);
+/// Frames as they would take on 1 to 16 cores, from the times of their parts on one.
+void add_projection_benchmarks(const std::vector<std::string>& meshes);
 /// Builders of edge lists, and what a cache of edges saves.
 void add_edge_benchmarks();
 void add_embree_benchmarks();

@@ -10,8 +10,8 @@
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
+#include "bench/limit_parts.h"
 #include "core/hash.h"
-#include "edge/laplacian.h"
 #include "methods/registry.h"
 #include "raster/mesh/mesh_pass.h"
 #include "raster/mesh/mesh_stage.h"
@@ -41,56 +41,6 @@ struct LimitKey {
     bool is_smooth = true;  ///< a value that runs across triangles; else one a triangle
     Stage stage = Stage::edges;
 };
-
-/// One value a vertex: what `mote4` interpolates, or nearly so.
-class SmoothValue : public raster::CornerValues {
-  public:
-    explicit SmoothValue(const scene::View& view) {
-        const scene::Camera& camera = view.camera;
-        const double span = camera.far - camera.near;
-        value_.base = 95 - 64 * camera.near / span;
-        value_.per_q = 64 * camera.near * camera.far / span;
-        for (int axis = 0; axis < 3; ++axis) {
-            const glm::dmat3& m = camera.view_from_world;
-            value_.per_normal[axis] = static_cast<float>(31.75 * (m[axis][0] + m[axis][1]));
-        }
-    }
-    void compute(const raster::CornerBatch& in, const raster::CornerPlanes& out) const override {
-        raster::compute_linear(&value_, 1, false, in, out);
-    }
-
-  private:
-    raster::LinearValue value_;
-};
-
-/// Filters tiles as `mote4` does, or leaves them.
-class LimitSink : public raster::TileSink {
-  public:
-    LimitSink(bool filters, edge::EdgeImage& out) : filters_(filters), out_(out) {}
-
-    void finish(const raster::Tile& tile) override {
-        benchmark::DoNotOptimize(tile.depth);
-        if (!filters_) return;
-        const core::ImageView<std::uint8_t> to{
-            out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()};
-        if (tile.is_empty) {
-            for (int y = 0; y < tile.height_px; ++y)
-                std::fill_n(to.row(y), tile.width_px, std::uint8_t{0});
-            return;
-        }
-        edge::laplacian(
-            {tile.row<std::uint8_t>(0, 0), tile.width_px, tile.height_px, tile.stride}, to, {});
-    }
-
-  private:
-    bool filters_;
-    edge::EdgeImage& out_;
-};
-
-const raster::LaneMesh& lane_mesh(const std::string& name) {
-    static std::map<std::string, raster::LaneMesh> kept;
-    return kept.try_emplace(name, bench_surface(name)).first->second;
-}
 
 /// A frame of a key, and what is kept for it.
 class LimitFrame {

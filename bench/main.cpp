@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
     bench::add_raster_benchmarks(options.draws);
     bench::add_frame_benchmarks(options.draws);
     bench::add_limit_benchmarks(bench::limit_mesh_names());
+    bench::add_projection_benchmarks(bench::limit_mesh_names());
     bench::add_edge_benchmarks();
     bench::add_embree_benchmarks();
     bench::add_truth_benchmarks();

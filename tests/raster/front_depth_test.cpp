@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <vector>
 
 #include "catalogue/shapes.h"
@@ -154,6 +155,33 @@ TEST(FrontToBack, WhatIsTurnedAwayOfAnOpenSurfaceComesLast) {
     EXPECT_EQ(late(open), clusters.clusters.size());
     const std::vector<SolidView> hides_backs(open.size(), SolidView{true});
     EXPECT_EQ(late(hides_backs), 0U) << "passed over anyway";
+}
+
+/// Enough clusters for several threads: one fine sheet faces the eye, another turns away from it.
+TEST(FrontToBack, IsTheSameOrderOnAnyNumberOfThreads) {
+    scene::Scene made;
+    made.meshes.push_back(
+        catalogue::make_sheet({-1, -1, 0}, {2, 0, 0.25}, {0, 2, 0.5}, {400, 400}));
+    made.meshes.push_back(catalogue::make_sheet({-1, -1, -1}, {0, 2, 0}, {2, 0, 0.5}, {300, 300}));
+    made.instances.resize(2);
+    made.instances[1].mesh = 1;
+    const scene::Surface surface = scene::flatten(made, scene::NormalSource::patch, 0.7);
+    const LaneMesh mesh(surface);
+    MeshInput input;
+    input.mesh = &mesh;
+    input.view.camera.eye_world = {0.125, 0.25, 4};
+    const std::vector<SolidView> open(mesh.clusters().solids.size());
+    const ClusterOrder one = front_to_back(input, open);
+    const auto late = std::accumulate(one.is_late.begin(), one.is_late.end(), std::size_t{0});
+    ASSERT_GT(one.clusters.size(), 4096U);
+    EXPECT_GT(late, 1000U);
+    EXPECT_LT(late, one.clusters.size());
+    for (const int threads : {2, 3, 16}) {
+        input.threads = threads;
+        const ClusterOrder other = front_to_back(input, open);
+        EXPECT_EQ(other.clusters, one.clusters) << threads << " threads";
+        EXPECT_EQ(other.is_late, one.is_late) << threads << " threads";
+    }
 }
 
 /// A ball that lies wholly behind what is drawn, and ones that do not.

@@ -31,14 +31,6 @@ struct MeshPass::Scratch {
 
 namespace {
 
-/// Runs of clusters: one on one thread, more on more, so that a slow one does not hold up all.
-std::size_t run_count(std::size_t clusters, int threads) {
-    constexpr std::size_t kRunsPerThread = 4;
-    if (threads == 1) return 1;
-    return std::clamp<std::size_t>(
-        kRunsPerThread * static_cast<std::size_t>(threads), 1, std::max<std::size_t>(clusters, 1));
-}
-
 /// Marks the tiles that nothing which moved touches, now or in the last frame.
 void find_still_tiles(const MeshInput& input,
                       const std::vector<MeshRun>& runs,

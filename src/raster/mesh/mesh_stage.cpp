@@ -15,6 +15,13 @@ constexpr std::size_t kNumber = sizeof(float);
 
 }  // namespace
 
+std::size_t run_count(std::size_t clusters, int threads) {
+    constexpr std::size_t kRunsPerThread = 4;
+    if (threads == 1) return 1;
+    return std::clamp<std::size_t>(
+        kRunsPerThread * static_cast<std::size_t>(threads), 1, std::max<std::size_t>(clusters, 1));
+}
+
 void MeshRun::start(const MeshJob& job) {
     const auto tiles = static_cast<std::size_t>(job.grid.count());
     lists_.resize(tiles);

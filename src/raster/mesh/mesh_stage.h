@@ -41,6 +41,10 @@ struct MeshJob {
     }
 };
 
+/// Into how many runs a frame divides so many clusters: one on one thread, more on more, so that a
+/// slow one does not hold up all.
+[[nodiscard]] std::size_t run_count(std::size_t clusters, int threads);
+
 /// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
 /// themselves, and per tile a list of both in the order of the clusters. Kept between frames, so
 /// that no frame allocates what an earlier one had.

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/parallel.h"
 
 namespace ink::raster {
 
@@ -33,37 +36,90 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
     return views;
 }
 
+namespace {
+
+/// Coarse steps of distance, twice: clusters that face the eye, then those turned away.
+constexpr std::size_t kSteps = 32;
+
+/// Clusters next to each other that one thread puts in order.
+struct Slice {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = 0;
+    std::array<std::uint32_t, 2 * kSteps> next{};  ///< per step the number, later the next place
+};
+
+/// As many slices as threads, unless that leaves too little in one to be worth waking a thread.
+std::vector<Slice> slices_of(std::size_t clusters, int threads) {
+    constexpr std::size_t kLeast = 1024;
+    const std::size_t count = std::clamp<std::size_t>(
+        clusters / kLeast, 1, static_cast<std::size_t>(std::max(threads, 1)));
+    std::vector<Slice> slices(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        slices[i].first = i * clusters / count;
+        slices[i].end = (i + 1) * clusters / count;
+    }
+    return slices;
+}
+
+/// From numbers per step and slice to places: by step, within one in the order of the mesh.
+void number_places(std::vector<Slice>& slices) {
+    std::uint32_t place = 0;
+    for (std::size_t step = 0; step < 2 * kSteps; ++step) {
+        for (Slice& slice : slices) {
+            const std::uint32_t count = slice.next[step];
+            slice.next[step] = place;
+            place += count;
+        }
+    }
+}
+
+}  // namespace
+
 ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>& solids) {
     ClusterOrder result;
-    constexpr std::size_t kSteps = 32;
     const auto& clusters = input.mesh->clusters().clusters;
     const glm::dvec3 eye = input.view.camera.eye_world;
-    std::vector<double> distances(clusters.size());
-    for (std::size_t i = 0; i < clusters.size(); ++i) {
-        const glm::dvec3 way = clusters[i].bounds.center_world - eye;
-        distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
-    }
-    std::vector<std::uint32_t>& order = result.clusters;
-    order.resize(clusters.size());
+    result.clusters.resize(clusters.size());
     result.is_late.resize(clusters.size());
-    if (order.empty()) return result;
-    const auto [nearest, farthest] = std::minmax_element(distances.begin(), distances.end());
-    const double origin = *nearest;
-    const double scale = *farthest > origin ? (kSteps - 1) / (*farthest - origin) : 0;
-    std::vector<std::uint8_t> steps(clusters.size());
-    std::array<std::uint32_t, 2 * kSteps + 1> first{};
-    for (std::size_t i = 0; i < clusters.size(); ++i) {
-        steps[i] = static_cast<std::uint8_t>((distances[i] - origin) * scale);
-        // Where the solid hides its backs it is not drawn at all.
-        const bool may_be_seen = !solids[clusters[i].solid].hides_backs;
-        result.is_late[i] = may_be_seen && scene::is_turned_away(clusters[i], eye) ? 1 : 0;
-        if (result.is_late[i] != 0) steps[i] = static_cast<std::uint8_t>(steps[i] + kSteps);
-        ++first[steps[i] + 1U];
+    if (clusters.empty()) return result;
+    std::vector<Slice> slices = slices_of(clusters.size(), input.threads);
+    const auto for_each_slice = [&](const auto& body) {
+        core::parallel_for(slices.size(), input.threads, [&](std::size_t i) { body(slices[i]); });
+    };
+    std::vector<double> distances(clusters.size());
+    for_each_slice([&](Slice& slice) {
+        for (std::size_t i = slice.first; i < slice.end; ++i) {
+            const glm::dvec3 way = clusters[i].bounds.center_world - eye;
+            distances[i] = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+            slice.nearest = std::min(slice.nearest, distances[i]);
+            slice.farthest = std::max(slice.farthest, distances[i]);
+            // Where the solid hides its backs it is not drawn at all.
+            const bool may_be_seen = !solids[clusters[i].solid].hides_backs;
+            result.is_late[i] = may_be_seen && scene::is_turned_away(clusters[i], eye) ? 1 : 0;
+        }
+    });
+    double nearest = slices.front().nearest;
+    double farthest = slices.front().farthest;
+    for (const Slice& slice : slices) {
+        nearest = std::min(nearest, slice.nearest);
+        farthest = std::max(farthest, slice.farthest);
     }
-    for (std::size_t step = 0; step + 1 < first.size(); ++step)
-        first[step + 1] += first[step];
-    for (std::size_t i = 0; i < clusters.size(); ++i)
-        order[first[steps[i]]++] = static_cast<std::uint32_t>(i);
+    const double scale = farthest > nearest ? (kSteps - 1) / (farthest - nearest) : 0;
+    std::vector<std::uint8_t> steps(clusters.size());
+    for_each_slice([&](Slice& slice) {
+        for (std::size_t i = slice.first; i < slice.end; ++i) {
+            steps[i] = static_cast<std::uint8_t>((distances[i] - nearest) * scale);
+            if (result.is_late[i] != 0) steps[i] = static_cast<std::uint8_t>(steps[i] + kSteps);
+            ++slice.next[steps[i]];
+        }
+    });
+    number_places(slices);
+    for_each_slice([&](Slice& slice) {
+        for (std::size_t i = slice.first; i < slice.end; ++i)
+            result.clusters[slice.next[steps[i]]++] = static_cast<std::uint32_t>(i);
+    });
     return result;
 }
 
