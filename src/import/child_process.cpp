@@ -24,10 +24,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kReadBytes = 1 << 20;
 constexpr int kExecFailed = 127;  // as a shell would say it
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitMemory = false;  // ASan reserves terabytes for its shadow
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitMemory = false;  // sanitizers reserve terabytes for their shadow
 #else
 constexpr bool kLimitMemory = true;
+#endif
+#if defined(__SANITIZE_THREAD__)
+constexpr bool kLimitFiles = false;  // this one maps a large file before main
+#else
+constexpr bool kLimitFiles = true;
 #endif
 
 class FileDescriptor {
@@ -123,7 +128,7 @@ void limit(__rlimit_resource what, rlim_t most) {
     dup2(launch.output_fd, STDOUT_FILENO);
     dup2(launch.keeps_errors ? launch.output_fd : launch.null_fd, STDERR_FILENO);
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, launch.file_bytes);
+    if (kLimitFiles) limit(RLIMIT_FSIZE, launch.file_bytes);
     limit(RLIMIT_CPU, launch.cpu_s);
     if (kLimitMemory) limit(launch.counts_reserved ? RLIMIT_AS : RLIMIT_DATA, launch.memory_bytes);
     execv(launch.program, launch.arguments);

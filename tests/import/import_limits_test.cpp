@@ -22,7 +22,7 @@ using testing::StartsWith;
 
 constexpr std::uint64_t kMiB = 1 << 20;
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kIsSanitized = true;  // it catches signals, and no address space limit is set
 #else
 constexpr bool kIsSanitized = false;
