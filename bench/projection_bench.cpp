@@ -12,6 +12,7 @@
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "bench/limit_parts.h"
+#include "core/hash.h"
 #include "core/parallel.h"
 #include "raster/mesh/mesh_stage.h"
 #include "raster/mesh/mesh_tiles.h"
@@ -99,6 +100,8 @@ class ProjectedFrame {
         return total_ns;
     }
 
+    [[nodiscard]] std::string hash() const { return core::image_hash(out_); }
+
   private:
     void make_order() {
         const auto solids = raster::view_solids(input_);
@@ -164,6 +167,7 @@ void time_projection(benchmark::State& state, const std::string& mesh, int cores
     frame.draw_ns();
     for (auto _ : state)
         state.SetIterationTime(1e-9 * frame.draw_ns());
+    state.SetLabel(frame.hash());
     state.counters["wake_us"] = 1e-3 * wake_ns();
     state.counters["triangles"] = static_cast<double>(scene::triangle_count(bench_scene(mesh)));
 }
