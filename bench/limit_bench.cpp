@@ -47,13 +47,8 @@ class LimitFrame {
   public:
     explicit LimitFrame(const LimitKey& key)
         : key_(key), view_(limit_view(bench_scene(key.mesh))), value_(view_) {
-        format_.store = raster::Store::u8;
-        format_.halo_px = 1;
         format_.interpolants = key.is_smooth ? 1 : 0;
         format_.constant = !key.is_smooth;
-        input_.mesh = &lane_mesh(key.mesh);
-        input_.view = view_;
-        input_.bounds = scene::bounding_sphere(bench_scene(key.mesh));
         input_.cull = key.has_backs ? raster::Cull::none : raster::Cull::back;
         if (key.is_smooth) {
             input_.values = &value_;
@@ -152,8 +147,8 @@ class LimitFrame {
     LimitKey key_;
     scene::View view_;
     SmoothValue value_;
-    raster::PassFormat format_;
-    raster::MeshInput input_;
+    raster::PassFormat format_ = limit_format();
+    raster::MeshInput input_ = limit_input(key_.mesh, view_);
     std::vector<std::uint32_t> constants_;
     std::vector<std::uint8_t> in_clusters_;
     edge::EdgeImage out_;

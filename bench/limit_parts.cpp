@@ -39,6 +39,21 @@ void LimitSink::finish(const raster::Tile& tile) {
         {tile.row<std::uint8_t>(0, 0), tile.width_px, tile.height_px, tile.stride}, to, {});
 }
 
+raster::PassFormat limit_format() {
+    raster::PassFormat format;
+    format.store = raster::Store::u8;
+    format.halo_px = 1;
+    return format;
+}
+
+raster::MeshInput limit_input(const std::string& mesh, const scene::View& view) {
+    raster::MeshInput input;
+    input.mesh = &lane_mesh(mesh);
+    input.view = view;
+    input.bounds = scene::bounding_sphere(bench_scene(mesh));
+    return input;
+}
+
 const raster::LaneMesh& lane_mesh(const std::string& name) {
     static std::map<std::string, raster::LaneMesh> kept;
     return kept.try_emplace(name, bench_surface(name)).first->second;

@@ -28,6 +28,12 @@ class LimitSink : public raster::TileSink {
     edge::EdgeImage& out_;
 };
 
+/// A byte per pixel, for a filter that reaches one pixel.
+[[nodiscard]] raster::PassFormat limit_format();
+
+/// A mesh of bench_scene.h seen from `view`, all of it drawn; values are the caller's to add.
+[[nodiscard]] raster::MeshInput limit_input(const std::string& mesh, const scene::View& view);
+
 /// A mesh of bench_scene.h in clusters; made at its first use and kept.
 [[nodiscard]] const raster::LaneMesh& lane_mesh(const std::string& name);
 

@@ -50,11 +50,8 @@ struct Slice {
     std::array<std::uint32_t, 2 * kSteps> next{};  ///< per step the number, later the next place
 };
 
-/// As many slices as threads, unless that leaves too little in one to be worth waking a thread.
 std::vector<Slice> slices_of(std::size_t clusters, int threads) {
-    constexpr std::size_t kLeast = 1024;
-    const std::size_t count = std::clamp<std::size_t>(
-        clusters / kLeast, 1, static_cast<std::size_t>(std::max(threads, 1)));
+    const std::size_t count = slice_count(clusters, threads);
     std::vector<Slice> slices(count);
     for (std::size_t i = 0; i < count; ++i) {
         slices[i].first = i * clusters / count;
@@ -76,6 +73,12 @@ void number_places(std::vector<Slice>& slices) {
 }
 
 }  // namespace
+
+std::size_t slice_count(std::size_t clusters, int threads) {
+    constexpr std::size_t kLeast = 1024;
+    return std::clamp<std::size_t>(
+        clusters / kLeast, 1, static_cast<std::size_t>(std::max(threads, 1)));
+}
 
 ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>& solids) {
     ClusterOrder result;

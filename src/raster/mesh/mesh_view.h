@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct SolidView {
 
 /// Looks at every solid once.
 [[nodiscard]] std::vector<SolidView> view_solids(const MeshInput& input);
+
+/// Into how many slices `threads` divide so many clusters to put them in order: one each, unless
+/// that leaves too little in one to be worth waking a thread.
+[[nodiscard]] std::size_t slice_count(std::size_t clusters, int threads);
 
 /// The order in which clusters are drawn: those that face the eye before those that are turned away
 /// but may be seen, each by the distance of their centres in coarse steps, as they come within one.
