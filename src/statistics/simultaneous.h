@@ -27,7 +27,7 @@ struct PairedCounts {
 /// intervals are (the single-step maximum-t method, which knows how pairs hang together, so it is
 /// narrower than Bonferroni's). The error is itself an estimate, so that Student's distribution
 /// widens them, with as many degrees of freedom as clusters less one: with twenty scenes and twelve
-/// equal methods, 12 of 100 experiments show a lead without that, and 5 with it.
+/// equal methods, 17 of 100 experiments show a lead without that, and 5 with it (a test has them).
 ///
 /// Errors of each drawing by itself (the bootstrap t) are of no use: two methods that differ on one
 /// scene have next to none in each drawing without it, and the intervals of all pairs become
