@@ -117,6 +117,8 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     check_memory(scene, options.limits);
     Model model;
     model.topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
+    model.crossings = find_crossings(model.topology, {.threads = options.threads});
+    if (model.crossings.is_too_many) return model;  // no view of it is traced
     model.crease_rad = options.crease_rad;
     model.material_seams = options.material_seams;
     const auto& faces = model.topology.faces;
@@ -130,7 +132,6 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                              {.tolerances = model.tolerances,
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
-    model.crossings = find_crossings(model.topology, {.threads = options.threads});
     judge_written_contacts(model);
     mark_slit_crossings(
         model.topology, model.continuations, model.tolerances, model.crossings.segments);

@@ -235,8 +235,15 @@ class Account {
     }
     /// Once it is, it stays so: whether it ends so does not depend on the order of the tasks.
     [[nodiscard]] bool is_overdrawn() const { return exceeds(1); }
-    /// Whether one in kPilotShare of the tasks has shown that all of them would be by far.
-    [[nodiscard]] bool will_be_overdrawn() const { return exceeds(kPilotShare / kSureExcess); }
+    /// Whether one in `stride` of the tasks has shown that all of them would be by far.
+    [[nodiscard]] bool will_be_overdrawn(std::size_t stride) const {
+        return exceeds(std::max<std::size_t>(stride / kSureExcess, 1));
+    }
+    /// Whether so many would overdraw it.
+    [[nodiscard]] bool is_overdrawn_by(double samples, double rays) const {
+        return samples > static_cast<double>(trace_.limits.samples) ||
+               rays > static_cast<double>(trace_.limits.rays);
+    }
 
   private:
     [[nodiscard]] bool exceeds(std::size_t factor) const {
@@ -263,8 +270,14 @@ TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTr
         parts[chunk] = trace_chunk(tracing, begin, std::min(count, begin + kChunk));
         account.add(parts[chunk]);
     };
-    const bool is_whole = run_pilots_first(
-        parts.size(), trace.threads, trace_part, [&] { return account.will_be_overdrawn(); });
+    const auto samples_of = [&](std::size_t i) { return parts[i].samples; };
+    const auto rays_of = [&](std::size_t i) { return parts[i].rays; };
+    const bool is_whole =
+        run_pilots_first(parts.size(), trace.threads, trace_part, [&](std::size_t stride) {
+            return account.will_be_overdrawn(stride) ||
+                   account.is_overdrawn_by(least_total(parts.size(), stride, samples_of),
+                                           least_total(parts.size(), stride, rays_of));
+        });
     if (!is_whole || account.is_overdrawn()) {
         throw TooLarge(std::to_string(count) + " lines need more than " +
                        std::to_string(trace.limits.samples) + " samples or " +

@@ -1,9 +1,12 @@
 #include "truth/limits.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "tests/truth/shapes.h"
 #include "truth/model.h"
+#include "truth/pilots.h"
 
 namespace ink::truth {
 namespace {
@@ -41,6 +44,51 @@ TEST(Limits, RefusalIsTheSameForEveryThreadCountAndSaysTheCounts) {
     for (const int threads : {2, 3, 4}) {
         options.threads = threads;
         EXPECT_EQ(refusal(needles(2000), options), one) << threads;
+    }
+}
+
+TEST(Limits, TwiceTheLimitIsRefusedAfterAShareOfTheWork) {
+    const scene::Scene scene = needles(40000);
+    TruthOptions options;
+    std::size_t most_done = 0, parts = 0;
+    options.progress = [&](std::size_t done, std::size_t total) {
+        most_done = std::max(most_done, done);
+        parts = total;
+    };
+    const Truth truth = trace_truth(scene, view_from(4), options);
+    EXPECT_EQ(most_done, parts);
+    options.limits.rays = truth.counts.rays / 2;
+    most_done = 0;
+    EXPECT_NE(refusal(scene, options), "");
+    EXPECT_LT(most_done, parts / 4);
+    options.limits.rays = truth.counts.rays;
+    EXPECT_EQ(refusal(scene, options), "") << "what stays within the limit is not refused";
+}
+
+TEST(Pilots, SayWhatAllSurelyCost) {
+    const auto even = [](std::size_t) { return 10; };
+    EXPECT_DOUBLE_EQ(least_total(6400, 64, even), 0.9 * 64000);
+    EXPECT_EQ(least_total(15 * 64, 64, even), 0) << "too few";
+    const auto one_heavy = [](std::size_t i) { return i == 0 ? 1000000 : 0; };
+    EXPECT_EQ(least_total(6400, 64, one_heavy), 0) << "one heavy task says nothing of the others";
+}
+
+TEST(Pilots, CallEveryTaskOnceInRounds) {
+    for (const std::size_t count : {0U, 1U, 63U, 64U, 65U, 1000U}) {
+        std::vector<int> calls(count);
+        EXPECT_TRUE(run_pilots_first(
+            count, 1, [&](std::size_t i) { ++calls[i]; }, [](std::size_t) { return false; }));
+        EXPECT_EQ(std::count(calls.begin(), calls.end(), 1), std::ptrdiff_t(count)) << count;
+        std::size_t done = 0;
+        EXPECT_FALSE(run_pilots_first(
+            count,
+            1,
+            [&](std::size_t i) {
+                EXPECT_EQ(i % 16, 0U);
+                ++done;
+            },
+            [](std::size_t stride) { return stride == 16; }));
+        EXPECT_EQ(done, (count + 15) / 16) << count;
     }
 }
 

@@ -25,8 +25,15 @@ class Budget {
     }
     [[nodiscard]] std::size_t pairs() const { return pairs_; }
     [[nodiscard]] bool is_spent() const { return exceeds(1); }
-    /// Whether one in kPilotShare of the tasks has shown that all of them would spend far more.
-    [[nodiscard]] bool will_be_spent() const { return exceeds(kPilotShare / kSureExcess); }
+    /// Whether one in `stride` of the tasks has shown that all of them would spend far more.
+    [[nodiscard]] bool will_be_spent(std::size_t stride) const {
+        return exceeds(std::max<std::size_t>(stride / kSureExcess, 1));
+    }
+    /// Whether so many would spend it.
+    [[nodiscard]] bool is_spent_by(double pairs, double found) const {
+        return pairs > static_cast<double>(options_.most_pairs) ||
+               found > static_cast<double>(options_.most_found);
+    }
 
   private:
     [[nodiscard]] bool exceeds(std::size_t factor) const {
@@ -36,6 +43,11 @@ class Budget {
     const CrossingOptions& options_;
     std::atomic<std::size_t> pairs_{0}, found_{0};
 };
+
+/// Segments and contacts.
+std::size_t found_in(const Crossings& part) {
+    return part.segments.size() + part.contacts.size() + part.written.contacts.size();
+}
 
 /// Tests the pairs of one task after another and keeps what they have in common.
 class PairTester {
@@ -59,10 +71,10 @@ class PairTester {
         return true;
     }
 
-    bool report(const Crossings& out) {
-        const std::size_t found =
-            out.segments.size() + out.contacts.size() + out.written.contacts.size();
+    bool report(Crossings& out) {
+        const std::size_t found = found_in(out);
         budget_.add(pairs_, found - found_before_);
+        out.pairs_tested += pairs_;
         found_before_ = found;
         pairs_ = 0;
         return !budget_.is_spent();
@@ -171,8 +183,14 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
         });
         (void)tester.report(parts[i]);
     };
-    const bool is_whole = run_pilots_first(
-        tasks.size(), options.threads, search, [&] { return budget.will_be_spent(); });
+    const std::size_t count = tasks.size();
+    const auto pairs_of = [&](std::size_t i) { return parts[i].pairs_tested; };
+    const auto finds_of = [&](std::size_t i) { return found_in(parts[i]); };
+    const bool is_whole = run_pilots_first(count, options.threads, search, [&](std::size_t stride) {
+        return budget.will_be_spent(stride) ||
+               budget.is_spent_by(least_total(count, stride, pairs_of),
+                                  least_total(count, stride, finds_of));
+    });
 
     Crossings all;
     all.is_too_many = !is_whole || budget.is_spent();

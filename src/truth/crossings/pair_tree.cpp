@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kBitsPerAxis = 21;
 constexpr int kDigitBits = 11;
-constexpr std::uint32_t kTaskNodes = 64;  ///< depth at which the search is cut into tasks
+constexpr std::uint32_t kTaskNodes = 1024;  ///< depth at which the search is cut into tasks
 
 /// Puts two zero bits between the lowest 21 bits.
 std::uint64_t spread(std::uint64_t x) {
