@@ -1,7 +1,9 @@
 #include "crosscheck/dense_sampling.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "core/parallel.h"
 #include "crosscheck/edge_probes.h"
@@ -14,9 +16,10 @@ namespace ink::crosscheck {
 namespace {
 
 constexpr std::size_t kChunk = 256;   ///< ways judged by one thread in one go
+constexpr std::size_t kCells = 16;    ///< looked at closely
 constexpr double kWay_px = 1.0 / 16;  ///< of line, for a crossing of a way: the grid finds the rest
 
-/// What one row of cells gave, or one chunk of ways, and which cells deserve a close look for it.
+/// What one chunk of cells or of ways gave, and which cells deserve a close look for it.
 struct Part {
     std::vector<CellPoint> points;
     std::vector<glm::ivec2> cells;
@@ -68,19 +71,21 @@ class Looking {
     /// Marks the cells of ways that begin beside an edge and first cross something unknown, and
     /// adds what it is. What comes after a known line is seen from there.
     void judge_ways(const KnownLines& edges, const std::vector<Way>& all) {
-        take(in_chunks(all.size(), [&](std::size_t begin, std::size_t end, Part& part) {
+        take(in_chunks(all.size(), kChunk, [&](std::size_t begin, std::size_t end, Part& part) {
             using enum Explanation::Reach;
             std::vector<Way> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
                                   all.begin() + static_cast<std::ptrdiff_t>(end));
             for (const auto reach : {first_line, whole})
                 keep_unexplained(edges, reach, ways, part);
+            std::vector<CellWay> open;
             for (const Way& way : ways) {
                 const glm::dvec2 middle = 0.5 * (way.from.p_px + way.to.p_px);
                 for (const glm::dvec2& p : {way.from.p_px, middle, way.to.p_px})
                     part.cells.push_back(cells_.cell_of(p));
-                Crossings found{part.points, part.counts};
-                add_crossings(rays_, way.from, way.to, cells_.cell_of(middle), kWay_px, found);
+                open.push_back({way, cells_.cell_of(middle)});
             }
+            Crossings found{part.points, part.counts};
+            add_crossings(rays_, open, kWay_px, found);
         }));
     }
 
@@ -88,7 +93,7 @@ class Looking {
     /// have been looked at exactly.
     void judge_lattice(const KnownLines& edges) {
         const std::vector<LatticeWay>& all = cells_.open_ways();
-        take(in_chunks(all.size(), [&](std::size_t begin, std::size_t end, Part& part) {
+        take(in_chunks(all.size(), kChunk, [&](std::size_t begin, std::size_t end, Part& part) {
             std::vector<LatticeWay> ways(all.begin() + static_cast<std::ptrdiff_t>(begin),
                                          all.begin() + static_cast<std::ptrdiff_t>(end));
             keep_unexplained(edges, Explanation::Reach::whole, ways, part);
@@ -122,12 +127,12 @@ class Looking {
         ways.resize(kept);
     }
 
-    /// Calls `body(begin, end, part)` for each chunk, with a part of its own.
+    /// Calls `body(begin, end, part)` for each chunk of that size, with a part of its own.
     template <class Body>
-    std::vector<Part> in_chunks(std::size_t count, const Body& body) const {
-        std::vector<Part> parts((count + kChunk - 1) / kChunk);
+    std::vector<Part> in_chunks(std::size_t count, std::size_t size, const Body& body) const {
+        std::vector<Part> parts((count + size - 1) / size);
         core::parallel_for(parts.size(), options_.threads, [&](std::size_t chunk) {
-            body(chunk * kChunk, std::min(count, (chunk + 1) * kChunk), parts[chunk]);
+            body(chunk * size, std::min(count, (chunk + 1) * size), parts[chunk]);
         });
         return parts;
     }
@@ -149,35 +154,34 @@ class Looking {
     void refine(const KnownLines* known) {
         bool has_more = true;
         while (has_more) {
-            std::vector<Part> rows(cells_.rows());
-            core::parallel_for(rows.size(), options_.threads, [&](std::size_t row) {
-                rows[row] = refine_row(static_cast<int>(row), known);
-            });
+            // Those that many lines run together in often lie in a few rows.
+            const std::vector<glm::ivec2> marked = cells_.marked();
+            const auto parts = in_chunks(
+                marked.size(), kCells, [&](std::size_t begin, std::size_t end, Part& part) {
+                    refine_cells({marked.data() + begin, end - begin}, known, part);
+                });
             cells_.finish_marked();
-            has_more = take(rows);
+            has_more = take(parts);
         }
     }
 
-    Part refine_row(int y, const KnownLines* known) {
-        Part result;
+    void refine_cells(std::span<const glm::ivec2> marked, const KnownLines* known, Part& part) {
         FineGrid grid(rays_, known, options_.subsamples);
         const int k = options_.subsamples;
-        for (int x = 0; x < cells_.columns(); ++x) {
-            const glm::ivec2 cell(x, y);
-            if (cells_.state(cell) != CellState::marked) continue;
+        for (const glm::ivec2& cell : marked) {
             grid.look(cell, cells_.corner_px(cell));
-            grid.add_points(result.points);
+            grid.add_points(part.points);
             const auto enter = [&](glm::ivec2 neighbour, glm::ivec2 begin, glm::ivec2 step) {
                 if (cells_.is_unseen(neighbour) && grid.is_crossed(begin, step))
-                    result.cells.push_back(neighbour);
+                    part.cells.push_back(neighbour);
             };
+            const auto [x, y] = std::pair(cell.x, cell.y);
             enter({x - 1, y}, {0, 0}, {0, 1});
             enter({x + 1, y}, {k, 0}, {0, 1});
             enter({x, y - 1}, {0, 0}, {1, 0});
             enter({x, y + 1}, {0, k}, {1, 0});
         }
-        result.counts = grid.counts;
-        return result;
+        part.counts = grid.counts;
     }
 
     ClipMesh mesh_;

@@ -17,6 +17,7 @@ constexpr double kAside_px = 1.0 / 1024;
 constexpr double kBeside_px = 0.5;     ///< how far to either side of a visible edge is looked
 constexpr double kShortest_px = 1e-6;  ///< an edge that points at the eye has no sides
 constexpr std::size_t kChunk = 256;
+constexpr std::size_t kPlaces = 1024;  ///< looked at together: what fits the cache
 
 /// One place of an edge: the samples at both sides of it, and those farther off where it shows a
 /// line and is one of every other.
@@ -64,10 +65,17 @@ class Prober {
         }
     }
 
+    /// Whether so many places are added that it is time to follow their edges.
+    [[nodiscard]] bool is_full() const { return is_hidden_.size() >= kPlaces; }
+
+    /// Follows the edges added since the last time.
     void follow_all() {
         look_ahead();
         for (const ProbedEdge& edge : edges_)
             follow(edge);
+        edges_.clear();
+        is_hidden_.clear();
+        probes_.clear();
     }
 
   private:
@@ -94,43 +102,43 @@ class Prober {
     /// Takes the samples of all places that are not hidden.
     void look_ahead() {
         probe_of_.resize(is_hidden_.size());
-        std::vector<Sample> samples;
+        samples_.clear();
         for (const ProbedEdge& edge : edges_) {
             for (int i = 0; i < edge.count; ++i) {
                 if (is_hidden(edge, i)) continue;
                 probe_of_[edge.first + static_cast<std::size_t>(i)] = probes_.size();
                 probes_.push_back(aimed(edge, i));
-                samples.push_back(probes_.back().left);
-                samples.push_back(probes_.back().right);
+                samples_.push_back(probes_.back().left);
+                samples_.push_back(probes_.back().right);
             }
         }
-        look_at_all(rays_, samples);
+        look_at_all(rays_, samples_);
         for (std::size_t i = 0; i < probes_.size(); ++i) {
-            probes_[i].left = samples[2 * i];
-            probes_[i].right = samples[2 * i + 1];
+            probes_[i].left = samples_[2 * i];
+            probes_[i].right = samples_[2 * i + 1];
         }
         look_aside();
     }
 
     /// Takes those farther off.
     void look_aside() {
-        std::vector<Probe*> lines;
-        std::vector<Sample> samples;
+        lines_.clear();
+        samples_.clear();
         for (const ProbedEdge& edge : edges_) {
             for (int i = 0; i < edge.count; ++i) {
                 if (is_hidden(edge, i)) continue;
                 Probe& probe = probes_[probe_of_[edge.first + static_cast<std::size_t>(i)]];
                 probe.is_line = !is_joined(mesh_, probe.left, probe.right);
                 if (!probe.is_line || i % 2 != 0) continue;
-                lines.push_back(&probe);
-                samples.push_back(probe.far_left);
-                samples.push_back(probe.far_right);
+                lines_.push_back(&probe);
+                samples_.push_back(probe.far_left);
+                samples_.push_back(probe.far_right);
             }
         }
-        look_at_all(rays_, samples);
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            lines[i]->far_left = samples[2 * i];
-            lines[i]->far_right = samples[2 * i + 1];
+        look_at_all(rays_, samples_);
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            lines_[i]->far_left = samples_[2 * i];
+            lines_[i]->far_right = samples_[2 * i + 1];
         }
     }
 
@@ -206,6 +214,8 @@ class Prober {
     std::vector<bool> is_hidden_;        ///< per place
     std::vector<std::size_t> probe_of_;  ///< per place that is not hidden, into probes_
     std::vector<Probe> probes_;
+    std::vector<Sample> samples_;  ///< looked at together
+    std::vector<Probe*> lines_;    ///< probes that are looked aside from
     const ProbedEdge* edge_ = nullptr;
 };
 
@@ -221,6 +231,7 @@ EdgeProbes probe_edges(const SampleCells& cells, const SightRays& rays, int thre
         for (std::size_t e = chunk * kChunk; e < end; ++e) {
             const auto edge = static_cast<std::uint32_t>(e);
             if (mesh.is_feature(edge)) prober.add(edge);
+            if (prober.is_full()) prober.follow_all();
         }
         prober.follow_all();
     });

@@ -21,9 +21,9 @@ void FineGrid::look(const glm::ivec2& cell, const glm::dvec2& corner_px) {
         for (int x = 0; x <= k_; ++x) {
             Sample& sample = at(x, y);
             sample.p_px = corner_px + glm::dvec2(x, y) / static_cast<double>(k_);
-            sample.sight = rays_.look(sample.p_px);
         }
     }
+    look_at_all(rays_, samples_);
     counts.rays += samples_.size();
 }
 
@@ -36,8 +36,18 @@ void FineGrid::add_points(std::vector<CellPoint>& points) {
         }
     }
     const std::vector<char> is_plain = judge(ways);
+    std::vector<CellWay> open;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (is_plain[i] == 0) add_between(ways[i], points);
+        if (is_plain[i] == 0) open.push_back({ways[i], cell_});
+    }
+    std::vector<CellPoint> all;
+    Crossings found{all, counts};
+    add_crossings(rays_, open, 1.0 / k_, found);
+    for (const CellPoint& p : all) {
+        const bool is_known =
+            known_ != nullptr &&
+            known_->has_near({p.point.x_px, p.point.y_px}, p.point.line_class, kSame_px);
+        if (!is_known) points.push_back(p);
     }
 }
 
@@ -59,18 +69,6 @@ std::vector<char> FineGrid::judge(std::span<const Way> ways) {
         return is_joined(rays_.mesh(), way.from, way.to);
     });
     return is_plain;
-}
-
-void FineGrid::add_between(const Way& way, std::vector<CellPoint>& points) {
-    found_.clear();
-    Crossings found{found_, counts};
-    add_crossings(rays_, way.from, way.to, cell_, 1.0 / k_, found);
-    for (const CellPoint& p : found_) {
-        const bool is_known =
-            known_ != nullptr &&
-            known_->has_near({p.point.x_px, p.point.y_px}, p.point.line_class, kSame_px);
-        if (!is_known) points.push_back(p);
-    }
 }
 
 }  // namespace ink::crosscheck

@@ -34,14 +34,12 @@ class FineGrid {
     [[nodiscard]] Sample& at(int x, int y) { return samples_[y * (k_ + 1) + x]; }
     /// For each way 1 if nothing but known lines lies between its ends.
     [[nodiscard]] std::vector<char> judge(std::span<const Way> ways);
-    void add_between(const Way& way, std::vector<CellPoint>& points);
 
     const SightRays& rays_;
     const KnownLines* known_;
     int k_;
     glm::ivec2 cell_{0};
     std::vector<Sample> samples_;
-    std::vector<CellPoint> found_;
 };
 
 }  // namespace ink::crosscheck

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <ranges>
 
 namespace ink::crosscheck {
 namespace {
@@ -19,12 +21,11 @@ KnownLines::KnownLines(const SampleCells& cells,
       first_(static_cast<std::size_t>(cells.columns()) * cells.rows() + 1, 0),
       points_(points.size()) {
     for (const CellPoint& p : points)
-        ++first_[cells.index(p.cell) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i)
-        first_[i] += first_[i - 1];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const CellPoint& p : points)
-        points_[next[cells.index(p.cell)]++] = p.point;
+        ++first_[cells.index(p.cell)];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    // From behind the last of each cell forwards: the order stays, and each ends at its first.
+    for (const CellPoint& p : std::views::reverse(points))
+        points_[--first_[cells.index(p.cell)]] = p.point;
 }
 
 bool KnownLines::has_near(const glm::dvec2& p_px,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
@@ -46,7 +47,7 @@ class KnownLines {
   private:
     const SampleCells& cells_;
     const ClipMesh& mesh_;
-    std::vector<std::size_t> first_;
+    std::vector<std::uint32_t> first_;  ///< of each cell, into the points
     std::vector<SampledPoint> points_;
 };
 

@@ -20,9 +20,9 @@ SampleCells::SampleCells(const ClipMesh& mesh)
     : mesh_(mesh),
       columns_(mesh.view().width_px + 1),
       rows_(mesh.view().height_px + 1),
-      sights_(static_cast<std::size_t>(columns_ + 1) * (rows_ + 1)),
+      sights_(std::make_unique_for_overwrite<Sight[]>(sample_count())),
       states_(static_cast<std::size_t>(columns_) * rows_, CellState::plain),
-      hidden_behind_(states_.size(), std::numeric_limits<double>::infinity()) {}
+      hidden_behind_(std::make_unique_for_overwrite<double[]>(states_.size())) {}
 
 glm::dvec2 SampleCells::corner_px(const glm::ivec2& cell) const {
     return glm::dvec2(cell) - 1.0 + kOffset_px;
@@ -50,7 +50,7 @@ void SampleCells::look(const EmbreeRays& rays, int threads) {
 
 void SampleCells::compare(int threads) {
     // Of a corner: 1 if the way to the right of it is open, 2 if that down is.
-    std::vector<std::uint8_t> is_open(sights_.size(), 0);
+    std::vector<std::uint8_t> is_open(sample_count(), 0);
     std::vector<std::vector<LatticeWay>> open(static_cast<std::size_t>(rows_) + 1);
     core::parallel_for(open.size(), threads, [&](std::size_t y) {
         compare_row(static_cast<int>(y), open[y], is_open);
@@ -62,13 +62,15 @@ void SampleCells::compare(int threads) {
         const std::size_t pitch = static_cast<std::size_t>(columns_) + 1;
         for (int x = 0; x < columns_; ++x) {
             const std::size_t i = row * pitch + x;
+            double& hidden_behind = hidden_behind_[index({x, y})];
+            hidden_behind = std::numeric_limits<double>::infinity();
             const bool is_whole =
                 is_open[i] == 0 && (is_open[i + 1] & 2) == 0 && (is_open[i + pitch] & 1) == 0;
             if (!is_whole || sights_[i].face == kNothing) continue;
             const auto [low, high] = std::minmax(
                 {sights_[i].w, sights_[i + 1].w, sights_[i + pitch].w, sights_[i + pitch + 1].w});
             // As much again as the surface falls across the cell, for what it may do inside.
-            hidden_behind_[index({x, y})] = (high + (high - low)) * (1 + kSlack);
+            hidden_behind = (high + (high - low)) * (1 + kSlack);
         }
     });
 }
@@ -96,6 +98,17 @@ bool SampleCells::mark(const glm::ivec2& cell) {
     if (!is_unseen(cell)) return false;
     states_[index(cell)] = CellState::marked;
     return true;
+}
+
+std::vector<glm::ivec2> SampleCells::marked() const {
+    std::vector<glm::ivec2> found;
+    for (auto at = states_.begin();
+         (at = std::find(at, states_.end(), CellState::marked)) != states_.end();
+         ++at) {
+        const auto i = static_cast<int>(at - states_.begin());
+        found.emplace_back(i % columns_, i / columns_);
+    }
+    return found;
 }
 
 void SampleCells::finish_marked() {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <vector>
 
 #include "crosscheck/mesh_walk.h"
@@ -41,7 +42,9 @@ class SampleCells {
 
     [[nodiscard]] int columns() const { return columns_; }
     [[nodiscard]] int rows() const { return rows_; }
-    [[nodiscard]] std::size_t sample_count() const { return sights_.size(); }
+    [[nodiscard]] std::size_t sample_count() const {
+        return static_cast<std::size_t>(columns_ + 1) * (rows_ + 1);
+    }
     [[nodiscard]] std::size_t index(const glm::ivec2& cell) const {
         return static_cast<std::size_t>(cell.y) * columns_ + cell.x;
     }
@@ -58,6 +61,8 @@ class SampleCells {
     [[nodiscard]] bool is_hidden(const glm::dvec2& p_px, double q) const {
         return 1 > hidden_behind_[index(cell_of(p_px))] * q;
     }
+    /// The marked cells, by rows.
+    [[nodiscard]] std::vector<glm::ivec2> marked() const;
     /// What is marked is done.
     void finish_marked();
 
@@ -71,9 +76,10 @@ class SampleCells {
     const ClipMesh& mesh_;
     int columns_;
     int rows_;
-    std::vector<Sight> sights_;  ///< (columns + 1) x (rows + 1)
+    // The large ones are written first by the threads that look and compare.
+    std::unique_ptr<Sight[]> sights_;  ///< sample_count(), by rows
     std::vector<CellState> states_;
-    std::vector<double> hidden_behind_;  ///< per cell: what lies farther away is not seen
+    std::unique_ptr<double[]> hidden_behind_;  ///< per cell: what lies farther away is not seen
     std::vector<LatticeWay> open_ways_;
 };
 

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "crosscheck/line_probe.h"
@@ -15,7 +16,7 @@ namespace ink::harness {
 namespace {
 
 constexpr double kSpacing_px = 1.0 / 8;
-constexpr std::size_t kChunk = 1024;  ///< samples or points a task
+constexpr std::size_t kChunk = 128;  ///< curves or points a task
 
 std::size_t class_index(truth::LineClass c) {
     return std::find(truth::kLineClasses.begin(), truth::kLineClasses.end(), c) -
@@ -33,25 +34,28 @@ glm::dvec2 end_of(const truth::Curve& curve) {
 /// Things by the pixels that they may concern: built whole, then asked.
 class PixelLists {
   public:
-    explicit PixelLists(const scene::View& view)
-        : width_(view.width_px + 2), height_(view.height_px + 2) {}
-
-    void add(const glm::dvec2& low, const glm::dvec2& high, std::uint32_t item) {
-        for (int y = row(low.y); y <= row(high.y); ++y) {
-            for (int x = column(low.x); x <= column(high.x); ++x)
-                entries_.emplace_back(static_cast<std::uint32_t>(y * width_ + x), item);
-        }
-    }
-    void finish() {
-        first_.assign(static_cast<std::size_t>(width_) * height_ + 1, 0);
-        for (const auto& [pixel, item] : entries_)
-            ++first_[pixel + 1];
-        for (std::size_t i = 1; i < first_.size(); ++i)
-            first_[i] += first_[i - 1];
-        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-        items_.resize(entries_.size());
-        for (const auto& [pixel, item] : entries_)
-            items_[next[pixel]++] = item;
+    /// Calls `boxes_of(item, add)` twice for each item, which calls `add(low, high)` for the boxes
+    /// that hold all it concerns.
+    template <class BoxesOf>
+    PixelLists(const scene::View& view, std::size_t item_count, const BoxesOf& boxes_of)
+        : width_(view.width_px + 2),
+          height_(view.height_px + 2),
+          first_(static_cast<std::size_t>(width_) * height_ + 1, 0) {
+        const auto for_each = [&](auto&& take) {
+            for (std::uint32_t item = 0; item < item_count; ++item) {
+                boxes_of(item, [&](const glm::dvec2& low, const glm::dvec2& high) {
+                    for (int y = row(low.y); y <= row(high.y); ++y) {
+                        for (int x = column(low.x); x <= column(high.x); ++x)
+                            take(first_[static_cast<std::size_t>(y) * width_ + x], item);
+                    }
+                });
+            }
+        };
+        for_each([](std::uint32_t& count, std::uint32_t) { ++count; });
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        items_.resize(first_.back());
+        // Each pixel's is behind its last, and ends at its first.
+        for_each([&](std::uint32_t& next, std::uint32_t item) { items_[--next] = item; });
     }
     /// Whether `accepts(item)` for one of those in the pixel of `p`.
     template <class Accepts>
@@ -73,9 +77,8 @@ class PixelLists {
 
     int width_;
     int height_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;
+    std::vector<std::uint32_t> first_;  ///< of each pixel, into the items
     std::vector<std::uint32_t> items_;  ///< by pixel
-    std::vector<std::size_t> first_;    ///< of each pixel, into them
 };
 
 double distance_to(const truth::Curve& curve, const glm::dvec2& p) {
@@ -98,14 +101,15 @@ bool is_on_frame(const glm::dvec2& p, const scene::View& view) {
            p.y > view.height_px - kFrame_px;
 }
 
-/// A curve's pixels: those of its samples, which lie closer than the reach, and what is in reach.
-void add_curve(const truth::Curve& curve, std::uint32_t item, PixelLists& lists) {
+/// Calls `add(low, high)` for boxes that hold what is in a curve's reach.
+template <class Add>
+void for_boxes_of(const truth::Curve& curve, const Add& add) {
     const glm::dvec2 a = begin_of(curve), b = end_of(curve);
     const int pieces = std::max(1, static_cast<int>(std::ceil(glm::length(b - a))));
     for (int i = 0; i < pieces; ++i) {
         const glm::dvec2 from = glm::mix(a, b, static_cast<double>(i) / pieces);
         const glm::dvec2 to = glm::mix(a, b, static_cast<double>(i + 1) / pieces);
-        lists.add(glm::min(from, to) - kAgreement_px, glm::max(from, to) + kAgreement_px, item);
+        add(glm::min(from, to) - kAgreement_px, glm::max(from, to) + kAgreement_px);
     }
 }
 
@@ -122,16 +126,25 @@ struct Sampling {
     [[nodiscard]] glm::dvec2 at(int i) const { return glm::mix(a, b, (i + 0.5) / count); }
 };
 
-/// Calls `is_covered(i)` for each i, on many threads, and returns what it said.
-template <class IsCovered>
-std::vector<char> ask_all(std::size_t count, int threads, const IsCovered& is_covered) {
-    std::vector<char> answers(count);
-    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
+/// Calls `hold(i, part)` for each i, on many threads, and adds up the parts in order.
+template <class Hold>
+void hold_all(std::size_t count, int threads, Agreement& result, const Hold& hold) {
+    std::vector<Agreement> parts((count + kChunk - 1) / kChunk);
+    core::parallel_for(parts.size(), threads, [&](std::size_t chunk) {
         const std::size_t end = std::min(count, (chunk + 1) * kChunk);
         for (std::size_t i = chunk * kChunk; i < end; ++i)
-            answers[i] = is_covered(i);
+            hold(i, parts[chunk]);
     });
-    return answers;
+    for (const Agreement& part : parts) {
+        for (std::size_t c = 0; c < result.by_class.size(); ++c) {
+            result.by_class[c].truth_px += part.by_class[c].truth_px;
+            result.by_class[c].truth_covered_px += part.by_class[c].truth_covered_px;
+            result.by_class[c].crosscheck_px += part.by_class[c].crosscheck_px;
+            result.by_class[c].crosscheck_covered_px += part.by_class[c].crosscheck_covered_px;
+        }
+        result.disagreements.insert(
+            result.disagreements.end(), part.disagreements.begin(), part.disagreements.end());
+    }
 }
 
 void hold_curves(std::span<const truth::Curve> curves,
@@ -139,45 +152,33 @@ void hold_curves(std::span<const truth::Curve> curves,
                  const scene::View& view,
                  int threads,
                  Agreement& result) {
-    PixelLists lists(view);
-    for (std::uint32_t i = 0; i < crosscheck.points.size(); ++i) {
-        const glm::dvec2 p(crosscheck.points[i].x_px, crosscheck.points[i].y_px);
-        lists.add(p - kAgreement_px, p + kAgreement_px, i);
-    }
-    lists.finish();
-    struct Place {
-        std::size_t curve;
-        glm::dvec2 p_px;
-        double length_px;
-    };
-    std::vector<Place> places;
-    for (std::size_t c = 0; c < curves.size(); ++c) {
-        if (class_index(curves[c].line_class) == truth::kLineClasses.size()) continue;
+    const auto& points = crosscheck.points;
+    const PixelLists lists(view, points.size(), [&](std::uint32_t i, const auto& add) {
+        const glm::dvec2 p(points[i].x_px, points[i].y_px);
+        add(p - kAgreement_px, p + kAgreement_px);
+    });
+    hold_all(curves.size(), threads, result, [&](std::size_t c, Agreement& part) {
+        const truth::LineClass line_class = curves[c].line_class;
+        if (class_index(line_class) == truth::kLineClasses.size()) return;
+        ClassAgreement& agreement = part.by_class[class_index(line_class)];
         const Sampling samples(curves[c]);
+        const double length_px = samples.length / samples.count;
         for (int i = 0; i < samples.count; ++i) {
             const glm::dvec2 p = samples.at(i);
-            if (!is_on_frame(p, view)) places.push_back({c, p, samples.length / samples.count});
+            if (is_on_frame(p, view)) continue;
+            agreement.truth_px += length_px;
+            const bool is_covered = lists.any(p, [&](std::uint32_t item) {
+                const crosscheck::SampledPoint& q = points[item];
+                return q.line_class == line_class &&
+                       glm::length(p - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
+            });
+            if (is_covered) {
+                agreement.truth_covered_px += length_px;
+            } else {
+                part.disagreements.push_back({p.x, p.y, length_px, line_class, true, c});
+            }
         }
-    }
-    const auto is_covered = ask_all(places.size(), threads, [&](std::size_t i) {
-        return lists.any(places[i].p_px, [&](std::uint32_t item) {
-            const crosscheck::SampledPoint& q = crosscheck.points[item];
-            return q.line_class == curves[places[i].curve].line_class &&
-                   glm::length(places[i].p_px - glm::dvec2(q.x_px, q.y_px)) <= kAgreement_px;
-        });
     });
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place& place = places[i];
-        const truth::LineClass line_class = curves[place.curve].line_class;
-        ClassAgreement& agreement = result.by_class[class_index(line_class)];
-        agreement.truth_px += place.length_px;
-        if (is_covered[i] != 0) {
-            agreement.truth_covered_px += place.length_px;
-        } else {
-            result.disagreements.push_back(
-                {place.p_px.x, place.p_px.y, place.length_px, line_class, true, place.curve});
-        }
-    }
 }
 
 void hold_points(std::span<const truth::Curve> curves,
@@ -185,30 +186,26 @@ void hold_points(std::span<const truth::Curve> curves,
                  const scene::View& view,
                  int threads,
                  Agreement& result) {
-    PixelLists lists(view);
-    for (std::uint32_t i = 0; i < curves.size(); ++i)
-        add_curve(curves[i], i, lists);
-    lists.finish();
-    const auto& points = crosscheck.points;
-    const auto is_covered = ask_all(points.size(), threads, [&](std::size_t i) {
-        const glm::dvec2 p(points[i].x_px, points[i].y_px);
-        return lists.any(p, [&](std::uint32_t item) {
-            return curves[item].line_class == points[i].line_class &&
-                   distance_to(curves[item], p) <= kAgreement_px;
-        });
+    const PixelLists lists(view, curves.size(), [&](std::uint32_t i, const auto& add) {
+        for_boxes_of(curves[i], add);
     });
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& points = crosscheck.points;
+    hold_all(points.size(), threads, result, [&](std::size_t i, Agreement& part) {
         const crosscheck::SampledPoint& point = points[i];
         const glm::dvec2 p(point.x_px, point.y_px);
-        if (is_on_frame(p, view)) continue;
-        ClassAgreement& agreement = result.by_class[class_index(point.line_class)];
+        if (is_on_frame(p, view)) return;
+        ClassAgreement& agreement = part.by_class[class_index(point.line_class)];
         agreement.crosscheck_px += point.length_px;
-        if (is_covered[i] != 0) {
+        const bool is_covered = lists.any(p, [&](std::uint32_t item) {
+            return curves[item].line_class == point.line_class &&
+                   distance_to(curves[item], p) <= kAgreement_px;
+        });
+        if (is_covered) {
             agreement.crosscheck_covered_px += point.length_px;
         } else {
-            result.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
+            part.disagreements.push_back({p.x, p.y, point.length_px, point.line_class, false, 0});
         }
-    }
+    });
 }
 
 }  // namespace
