@@ -129,7 +129,8 @@ class LimitFrame {
         for (int tile = 0; tile < job.grid.count(); ++tile) {
             entries_.clear();
             for (const std::uint32_t entry : run_.of(tile)) {
-                if ((entry & raster::kScalarTriangle) == 0) entries_.push_back(entry);
+                if (!raster::is_scalar(entry) && !raster::is_fragments(entry))
+                    entries_.push_back(entry);
             }
             for (std::size_t at = 0; at < entries_.size(); at += kMost) {
                 const std::size_t count = std::min(kMost, entries_.size() - at);

@@ -121,6 +121,8 @@ void CullTriangles(const std::int32_t* corners,
     const auto to_centre = hn::Set(d, kSubpixels / 2 - 1);
     const auto zero = hn::Zero(d);
     auto largest = zero;
+    auto largest_px = zero;
+    auto area_px = zero;
     bool has_back = false;
     std::size_t kept = 0;
     std::size_t unsure = 0;
@@ -177,6 +179,8 @@ void CullTriangles(const std::int32_t* corners,
         }
         const std::size_t more = hn::CountTrue(d, keep);
         if (more == 0) continue;
+        largest_px = hn::Max(largest_px, hn::IfThenElseZero(keep, hn::Max(width, height)));
+        area_px = hn::Add(area_px, hn::IfThenElseZero(keep, hn::Mul(width, height)));
         has_back = has_back || !hn::AllFalse(d, hn::And(is_back, keep));
         const auto side =
             hn::IfThenElseZero(is_back, hn::Set(d, static_cast<std::int32_t>(kBackSide)));
@@ -198,6 +202,8 @@ void CullTriangles(const std::int32_t* corners,
     result.no_sample = no_sample;
     result.outside = outside;
     result.has_back = has_back;
+    result.area_px = static_cast<std::size_t>(hn::GetLane(hn::SumOfLanes(d, area_px)));
+    result.extent_px = hn::GetLane(hn::MaxOfLanes(d, largest_px));
     const std::int32_t extent = hn::GetLane(hn::MaxOfLanes(d, largest));
     result.has_large = extent > kLaneExtent_px * kSubpixels;
 }
@@ -213,22 +219,36 @@ void CullCluster(const LaneMesh& mesh,
                     : CullTriangles<WideCorners>(corners, count, lanes, job, result);
 }
 
+/// Which of a vector of triangles from `i` on have centres in a column and a row of `rect`.
+HWY_INLINE hn::Mask<DI> Meets(const CullResult& result, const PixelRect& rect, std::size_t i) {
+    const DI d;
+    const auto low_half = hn::Set(d, 0xffff);
+    const auto meets = [&](VI span, std::int32_t begin, std::int32_t end) {
+        return hn::And(hn::Lt(hn::And(span, low_half), hn::Set(d, end)),
+                       hn::Gt(hn::ShiftRight<16>(span), hn::Set(d, begin)));
+    };
+    return hn::And(hn::FirstN(d, result.count - i),
+                   hn::And(meets(hn::Load(d, result.x_span + i), rect.x0, rect.x1),
+                           meets(hn::Load(d, result.y_span + i), rect.y0, rect.y1)));
+}
+
+std::size_t CountTriangles(const CullResult& result, const PixelRect& rect) {
+    const DI d;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < result.count; i += hn::Lanes(d))
+        count += hn::CountTrue(d, Meets(result, rect, i));
+    return count;
+}
+
 std::size_t ListTriangles(const CullResult& result,
                           const PixelRect& rect,
                           std::uint32_t base,
                           std::uint32_t* to) {
     const DI d;
-    const auto low_half = hn::Set(d, 0xffff);
     const auto entry_base = hn::Set(d, static_cast<std::int32_t>(base));
-    const auto meets = [&](VI span, std::int32_t begin, std::int32_t end) {
-        return hn::And(hn::Lt(hn::And(span, low_half), hn::Set(d, end)),
-                       hn::Gt(hn::ShiftRight<16>(span), hn::Set(d, begin)));
-    };
     std::size_t listed = 0;
     for (std::size_t i = 0; i < result.count; i += hn::Lanes(d)) {
-        const auto here = hn::And(hn::FirstN(d, result.count - i),
-                                  hn::And(meets(hn::Load(d, result.x_span + i), rect.x0, rect.x1),
-                                          meets(hn::Load(d, result.y_span + i), rect.y0, rect.y1)));
+        const auto here = Meets(result, rect, i);
         const auto entry = hn::Or(hn::Iota(d, static_cast<std::int32_t>(i)), entry_base);
         Append(entry, here, reinterpret_cast<std::int32_t*>(to) + listed);
         listed += hn::CountTrue(d, here);
@@ -249,6 +269,7 @@ HWY_AFTER_NAMESPACE();
 namespace ink::raster {
 
 HWY_EXPORT(CullCluster);
+HWY_EXPORT(CountTriangles);
 HWY_EXPORT(ListTriangles);
 HWY_EXPORT(ListAllTriangles);
 
@@ -268,6 +289,10 @@ std::size_t list_triangles(const CullResult& result,
     const std::size_t listed = HWY_DYNAMIC_DISPATCH(ListTriangles)(result, rect, base, room);
     to.grow(listed);
     return listed;
+}
+
+std::size_t count_triangles(const CullResult& result, const PixelRect& rect) {
+    return HWY_DYNAMIC_DISPATCH(CountTriangles)(result, rect);
 }
 
 void list_all_triangles(const CullResult& result, std::uint32_t base, EntryList& to) {

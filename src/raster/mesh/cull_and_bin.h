@@ -36,6 +36,8 @@ struct CullResult {
     std::size_t count = 0;
     std::size_t unsure_count = 0;
     bool has_back = false;      ///< some is surely seen from its back
+    int extent_px = 0;          ///< the greatest width or height of their boxes
+    std::size_t area_px = 0;    ///< of all boxes
     bool has_large = false;     ///< some triangle exceeds kLaneExtent_px: nothing here is of use
     std::size_t no_sample = 0;  ///< dropped or not, triangles found to cover no centre
     std::size_t outside = 0;    ///< without a centre in the image
@@ -56,7 +58,9 @@ std::size_t list_triangles(const CullResult& result,
                            const PixelRect& rect,
                            std::uint32_t base,
                            EntryList& to);
-/// The same for all of them.
+/// How many that would be.
+[[nodiscard]] std::size_t count_triangles(const CullResult& result, const PixelRect& rect);
+/// The same as list_triangles for all of them.
 void list_all_triangles(const CullResult& result, std::uint32_t base, EntryList& to);
 
 }  // namespace ink::raster

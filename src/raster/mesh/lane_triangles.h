@@ -34,7 +34,7 @@ struct LaneRecords {
 };
 
 /// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it,
-/// and those triangles' constants if the format has any.
+/// and those triangles' constants if the format has any. Or its fragments in one tile.
 struct LaneSlot {
     std::size_t first_byte = 0;  ///< of its records and its triangles' corners
     std::uint32_t byte_count = 0;
@@ -46,13 +46,24 @@ struct LaneSlot {
     std::uint8_t corners = 3;     ///< the array that its triangles' corners begin in
     bool is_late = false;         ///< as ClusterOrder has it
     std::uint32_t constants = 0;  ///< where they begin, in numbers from its records
-    float q_most = 0;             ///< of its vertices, biased
-    PixelRect bounds;             ///< of the centres its triangles may cover
+    std::uint32_t fragments = 0;  ///< how many, in a FragmentBlock; of `triangles` triangles
+    std::uint32_t triangles = 0;
+    float q_most = 0;  ///< of its vertices, biased
+    PixelRect bounds;  ///< of the centres its triangles may cover
 };
 
 /// A triangle in a tile's list is one number: slot << 8 | triangle, of those of the slot; or, with
-/// kScalarTriangle set, the index of one that was set up by itself.
+/// kScalarTriangle set, the index of one that was set up by itself. kAllFragments in place of a
+/// triangle: the fragments of the slot.
 inline constexpr std::uint32_t kScalarTriangle = 1U << 31;
+inline constexpr std::uint32_t kAllFragments = 0xff;
+static_assert(scene::kMaxClusterTriangles <= kAllFragments);
+[[nodiscard]] constexpr bool is_scalar(std::uint32_t entry) {
+    return (entry & kScalarTriangle) != 0;
+}
+[[nodiscard]] constexpr bool is_fragments(std::uint32_t entry) {
+    return !is_scalar(entry) && (entry & 0xff) == kAllFragments;
+}
 /// The corners of a slot's triangle are what LaneMesh::corners has, with this set where it is seen
 /// from its back.
 inline constexpr std::uint32_t kBackSide = 1U << 31;

@@ -12,7 +12,7 @@ void MeshRun::bin_scalar(const MeshJob& job, std::size_t from, std::uint64_t obj
     for (std::size_t i = from; i < scalar().triangles.size(); ++i) {
         for_each_tile(job.grid, scalar().triangles[i], [&](std::size_t tile) {
             lists_[tile].push(kScalarTriangle | static_cast<std::uint32_t>(i));
-            if (!objects_.empty()) objects_[tile] |= object;
+            mark(tile, object);
         });
     }
 }

@@ -186,6 +186,10 @@ bool MeshRun::add_in_lanes(const MeshJob& job, std::size_t index, bool hides_bac
                    (lanes_.y1 >> kSubpixelBits) + 1};
     slot.q_most = biased(job, slot.q_most);
     slot.is_late = job.order.is_late[index] != 0;
+    if (makes_fragments(job, slot)) {
+        add_fragments(job, index, slot);
+        return true;
+    }
     const std::size_t corners = arrays * stride;
     slot.corners = static_cast<std::uint8_t>(arrays);
     slot.constants = static_cast<std::uint32_t>(corners + lane_padded(culled_.count));
@@ -211,20 +215,26 @@ std::size_t MeshRun::keep_corners(const MeshJob& job, std::size_t index, std::si
     std::memcpy(records_.data() + byte, culled_.corners, culled_.count * kNumber);
     byte += list_bytes;
     if (!job.format.constant) return byte;
+    list_constants(job, index, reinterpret_cast<std::uint32_t*>(records_.data() + byte));
+    return byte + list_bytes;
+}
+
+/// The constants of what culling and binning left.
+void MeshRun::list_constants(const MeshJob& job,
+                             std::size_t index,
+                             std::uint32_t* constants) const {
     const scene::Clusters& clusters = job.input.mesh->clusters();
     const std::uint32_t* ids =
         clusters.triangle_ids.data() + clusters.clusters[index].first_triangle;
-    auto* const constants = reinterpret_cast<std::uint32_t*>(records_.data() + byte);
     if (!job.input.constants_in_clusters.empty()) {
         const std::uint8_t* bytes =
             job.input.constants_in_clusters.data() + clusters.clusters[index].first_triangle;
         for (std::size_t i = 0; i < culled_.count; ++i)
             constants[i] = bytes[LaneMesh::index_of(culled_.corners[i])];
-        return byte + list_bytes;
+        return;
     }
     for (std::size_t i = 0; i < culled_.count; ++i)
         constants[i] = job.input.constants[ids[LaneMesh::index_of(culled_.corners[i])]];
-    return byte + list_bytes;
 }
 
 /// The values of a cluster's vertices, one side or both. False if lanes cannot hold them.
@@ -251,33 +261,17 @@ bool MeshRun::compute_values(const MeshJob& job, std::size_t index, const LaneSl
 }
 
 void MeshRun::bin_lanes(const MeshJob& job, std::size_t slot, std::uint64_t object) {
-    const TileGrid& grid = job.grid;
-    const int halo = grid.halo_px;
     const auto base = static_cast<std::uint32_t>(slot << 8);
-    const PixelRect& bounds = slots_[slot].bounds;
-    const int column0 = std::max(bounds.x0 - halo, 0) / kTileSize_px;
-    const int row0 = std::max(bounds.y0 - halo, 0) / kTileSize_px;
-    const int column1 = std::min((bounds.x1 - 1 + halo) / kTileSize_px, grid.columns() - 1);
-    const int row1 = std::min((bounds.y1 - 1 + halo) / kTileSize_px, grid.rows() - 1);
-    const auto mark = [&](std::size_t tile) {
-        if (!objects_.empty()) objects_[tile] |= object;
-    };
-    if (column0 == column1 && row0 == row1) {  // as of most in a fine mesh
-        const auto tile = static_cast<std::size_t>(row0 * grid.columns() + column0);
-        list_all_triangles(culled_, base, lists_[tile]);
-        mark(tile);
-        return;
-    }
-    for (int row = row0; row <= row1; ++row) {
-        for (int column = column0; column <= column1; ++column) {
-            const auto tile = static_cast<std::size_t>(row * grid.columns() + column);
-            const int x0 = column * kTileSize_px;
-            const int y0 = row * kTileSize_px;
-            const PixelRect drawn{
-                x0 - halo, y0 - halo, x0 + kTileSize_px + halo, y0 + kTileSize_px + halo};
-            if (list_triangles(culled_, drawn, base, lists_[tile]) > 0) mark(tile);
+    const TileRange tiles(job.grid, slots_[slot].bounds);
+    tiles.for_each(job.grid, [&](int index) {
+        const auto tile = static_cast<std::size_t>(index);
+        if (tiles.is_one()) {  // as of most in a fine mesh
+            list_all_triangles(culled_, base, lists_[tile]);
+        } else if (list_triangles(culled_, job.grid.drawn(index), base, lists_[tile]) == 0) {
+            return;
         }
-    }
+        mark(tile, object);
+    });
 }
 
 }  // namespace ink::raster

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "raster/fragments/cluster_fragments.h"
 #include "raster/mesh/cluster_stage.h"
 #include "raster/mesh/cull_and_bin.h"
 #include "raster/mesh/front_depth.h"
@@ -45,8 +46,8 @@ struct MeshJob {
 /// slow one does not hold up all.
 [[nodiscard]] std::size_t run_count(std::size_t clusters, int threads);
 
-/// A run of clusters and what becomes of it: vertices that lanes draw, triangles set up by
-/// themselves, and per tile a list of both in the order of the clusters. Kept between frames, so
+/// A run of clusters and what becomes of it: vertices that lanes draw, fragments, triangles set up
+/// by themselves, and per tile a list of them in the order of the clusters. Kept between frames, so
 /// that no frame allocates what an earlier one had.
 class MeshRun {
   public:
@@ -87,6 +88,12 @@ class MeshRun {
                                       const LaneSlot& slot);
     [[nodiscard]] float biased(const MeshJob& job, float q_most) const;
     std::size_t keep_corners(const MeshJob& job, std::size_t cluster, std::size_t byte);
+    void list_constants(const MeshJob& job, std::size_t index, std::uint32_t* constants) const;
+    [[nodiscard]] bool makes_fragments(const MeshJob& job, const LaneSlot& slot) const;
+    void add_fragments(const MeshJob& job, std::size_t index, LaneSlot slot);
+    void mark(std::size_t tile, std::uint64_t object) {
+        if (!objects_.empty()) objects_[tile] |= object;
+    }
     void compute_scalar_values(const MeshJob& job);
     void bias_scalar(const MeshJob& job, std::size_t from);
     void silence_backs(const PassInput& input, std::size_t from);
@@ -100,6 +107,7 @@ class MeshRun {
     std::size_t ahead_ = kNone;         ///< the cluster after the one that is done now
     ClusterLanes lanes_;
     CullResult culled_;
+    ClusterFragments fragments_;
     std::vector<LaneSlot> slots_;
     AlignedArray<std::byte> records_;  ///< per slot
     std::vector<Batch> scalar_batches_ = std::vector<Batch>(1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "raster/fragments/fragment_fill.h"
 #include "raster/pass/triangle_fill.h"
 
 namespace ink::raster {
@@ -49,9 +50,8 @@ MeshTileWorker::MeshTileWorker(const MeshJob& job,
 void MeshTileWorker::draw_front(int tile) {
     const auto has_lanes = [tile](const MeshRun& run) {
         const auto list = run.of(tile);
-        return std::any_of(list.begin(), list.end(), [](std::uint32_t entry) {
-            return (entry & kScalarTriangle) == 0;
-        });
+        return std::any_of(
+            list.begin(), list.end(), [](std::uint32_t entry) { return !is_scalar(entry); });
     };
     const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
     if (std::none_of(runs_.begin(), end, has_lanes)) return;
@@ -149,7 +149,7 @@ bool MeshTileWorker::list_scalar(int tile) {
     proof_.start();
     for (const MeshRun& run : runs_) {
         for (const std::uint32_t entry : run.of(tile)) {
-            if ((entry & kScalarTriangle) == 0) return false;
+            if (!is_scalar(entry)) return false;
             proof_.add(run.scalar_batches()->front(), entry & ~kScalarTriangle);
         }
     }
@@ -189,35 +189,46 @@ bool MeshTileWorker::find_needed() {
 /// themselves.
 void MeshTileWorker::draw_list(const MeshRun& run, std::span<const std::uint32_t> list) {
     const LaneSource source = run.source();
-    SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
-    hidden.of += list.size();
     while (!list.empty()) {
-        const std::uint32_t slot = list[0] >> 8;
         std::size_t count = 1;
-        if ((list[0] & kScalarTriangle) != 0) {
+        if (is_scalar(list[0])) {
+            ++count_of(skips_, Skip::occlusion_culling).of;
             draw_lanes(source);
             look_again(source, false);
             draw_scalar(*run.scalar_batches(), list[0] & ~kScalarTriangle);
         } else {
-            while (count < list.size() && list[count] >> 8 == slot)
-                ++count;
-            look_again(source, source.slots[slot].is_late);
-            if (count < list.size()) prefetch(source, list[count]);
-            if (is_hidden(source.slots[slot].bounds, source.slots[slot].q_most)) {
-                hidden.skipped += count;
-            } else {
-                coarse_.announce(count);
-                add_lanes(source, list.first(count));
-            }
+            count = draw_stretch(source, list);
         }
         list = list.subspan(count);
     }
     draw_lanes(source);
 }
 
+/// What the list has of its first slot; returns how many entries that is.
+std::size_t MeshTileWorker::draw_stretch(const LaneSource& source,
+                                         std::span<const std::uint32_t> list) {
+    const std::uint32_t number = list[0] >> 8;
+    const LaneSlot& slot = source.slots[number];
+    std::size_t count = 1;
+    while (count < list.size() && list[count] >> 8 == number)
+        ++count;
+    look_again(source, slot.is_late);
+    if (count < list.size()) prefetch(source, list[count]);
+    const std::size_t triangles = is_fragments(list[0]) ? slot.triangles : count;
+    SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
+    hidden.of += triangles;
+    if (is_hidden(slot.bounds, slot.q_most)) {
+        hidden.skipped += triangles;
+        return count;
+    }
+    coarse_.announce(triangles);
+    is_fragments(list[0]) ? draw_fragments(source, slot) : add_lanes(source, list.first(count));
+    return count;
+}
+
 /// Has what the next stretch reads on its way, unless it is hidden already.
 void MeshTileWorker::prefetch(const LaneSource& source, std::uint32_t entry) const {
-    if ((entry & kScalarTriangle) != 0) return;
+    if (is_scalar(entry)) return;
     const LaneSlot& slot = source.slots[entry >> 8];
     if (!is_hidden(slot.bounds, slot.q_most)) source.prefetch(slot);
 }
@@ -250,6 +261,12 @@ void MeshTileWorker::draw_lanes(const LaneSource& source) {
     set_up_lanes(job_.format, source, entries, buffer_.drawn(), job_.depth_bias, triangles_);
     fill_lanes(job_.format, triangles_, buffer_);
     lane_count_ = 0;
+}
+
+void MeshTileWorker::draw_fragments(const LaneSource& source, const LaneSlot& slot) {
+    draw_lanes(source);
+    const FragmentBlock block(source.records + slot.first_byte, slot.fragments);
+    fill_fragments(job_.format, block, slot.fragments, buffer_);
 }
 
 void MeshTileWorker::draw_scalar(const std::vector<Batch>& batches, std::uint32_t index) {

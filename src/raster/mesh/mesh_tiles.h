@@ -51,6 +51,8 @@ class MeshTileWorker {
     }
     void add_lanes(const LaneSource& source, std::span<const std::uint32_t> entries);
     void draw_lanes(const LaneSource& source);
+    void draw_fragments(const LaneSource& source, const LaneSlot& slot);
+    std::size_t draw_stretch(const LaneSource& source, std::span<const std::uint32_t> list);
     void draw_scalar(const std::vector<Batch>& batches, std::uint32_t index);
 
     const MeshJob& job_;

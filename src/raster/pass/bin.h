@@ -30,6 +30,31 @@ struct TileGrid {
     [[nodiscard]] PixelRect drawn(int tile) const;
 };
 
+/// Tiles next to each other: columns and rows, the last included.
+struct TileRange {
+    int column0 = 0;
+    int row0 = 0;
+    int column1 = 0;
+    int row1 = 0;
+
+    /// Those whose drawn pixels `bounds` touches, which lies in the image in part.
+    TileRange(const TileGrid& grid, const PixelRect& bounds)
+        : column0(std::max(bounds.x0 - grid.halo_px, 0) / kTileSize_px),
+          row0(std::max(bounds.y0 - grid.halo_px, 0) / kTileSize_px),
+          column1(std::min((bounds.x1 - 1 + grid.halo_px) / kTileSize_px, grid.columns() - 1)),
+          row1(std::min((bounds.y1 - 1 + grid.halo_px) / kTileSize_px, grid.rows() - 1)) {}
+
+    [[nodiscard]] bool is_one() const { return column0 == column1 && row0 == row1; }
+    /// Calls visit(tile) for each.
+    template <class Visit>
+    void for_each(const TileGrid& grid, const Visit& visit) const {
+        for (int row = row0; row <= row1; ++row) {
+            for (int column = column0; column <= column1; ++column)
+                visit(row * grid.columns() + column);
+        }
+    }
+};
+
 /// Whether some edge has the whole rectangle on its outer side.
 [[nodiscard]] inline bool misses(const SetupTriangle& t, const PixelRect& rect) {
     for (const EdgeFunction& e : t.edges) {
@@ -43,19 +68,12 @@ struct TileGrid {
 /// Calls visit(tile) for the tiles whose drawn pixels the triangle may touch.
 template <class Visit>
 void for_each_tile(const TileGrid& grid, const SetupTriangle& t, Visit visit) {
-    const int column0 = std::max(t.bounds.x0 - grid.halo_px, 0) / kTileSize_px;
-    const int row0 = std::max(t.bounds.y0 - grid.halo_px, 0) / kTileSize_px;
-    const int column1 =
-        std::min((t.bounds.x1 - 1 + grid.halo_px) / kTileSize_px, grid.columns() - 1);
-    const int row1 = std::min((t.bounds.y1 - 1 + grid.halo_px) / kTileSize_px, grid.rows() - 1);
+    const TileRange range(grid, t.bounds);
     // A box of one row or column of tiles has no corner tiles that a triangle could miss by much.
-    const bool is_wide = column1 > column0 && row1 > row0;
-    for (int row = row0; row <= row1; ++row) {
-        for (int column = column0; column <= column1; ++column) {
-            const int tile = row * grid.columns() + column;
-            if (!is_wide || !misses(t, grid.drawn(tile))) visit(static_cast<std::size_t>(tile));
-        }
-    }
+    const bool is_wide = range.column1 > range.column0 && range.row1 > range.row0;
+    range.for_each(grid, [&](int tile) {
+        if (!is_wide || !misses(t, grid.drawn(tile))) visit(static_cast<std::size_t>(tile));
+    });
 }
 
 /// For every tile the triangles that may touch its drawn pixels, in submission order.
