@@ -115,7 +115,6 @@ struct SetUp {
     Reference ref;
     EdgeLanes edges;
     NumberPlane depth;
-    MI is_real;
     MI needs_limits;
 };
 
@@ -126,13 +125,12 @@ class GridAxis {
         const DI d;
         const DF df;
         const auto most = hn::IfThenElseZero(is_real, extents);
-        while (!hn::AllFalse(d, hn::Gt(most, hn::Set(d, side_))))
-            ++side_;
+        const auto side = hn::MaxOfLanes(d, most);
+        side_ = hn::GetLane(side);
         // The first pixels are below 2^15: the half keeps rounding away from whole numbers.
         const auto middle = hn::Add(hn::ConvertTo(df, first), hn::Set(df, 0.5F));
-        const auto periods =
-            hn::ConvertTo(d, hn::Mul(middle, hn::Set(df, 1.0F / static_cast<float>(side_))));
-        place_ = hn::Sub(first, hn::Mul(periods, hn::Set(d, side_)));
+        const auto periods = hn::ConvertTo(d, hn::Div(middle, hn::ConvertTo(df, side)));
+        place_ = hn::Sub(first, hn::Mul(periods, side));
     }
     [[nodiscard]] HWY_INLINE int side() const { return side_; }
     /// The one pixel of each triangle's `side` pixels from its first on that lies at place i.
@@ -146,7 +144,7 @@ class GridAxis {
   private:
     VI first_;
     VI place_;  ///< of the first pixels
-    int side_ = 1;
+    int side_;
 };
 
 /// Every pixel that the triangles cover, by its place in the grid: each triangle has one pixel at
@@ -190,7 +188,7 @@ HWY_INLINE std::size_t AddPixels(const SetUp& t,
             const auto all = hn::Or3(hn::Add(edge[0], edges[0][i]),
                                      hn::Add(edge[1], edges[1][i]),
                                      hn::Add(edge[2], edges[2][i]));
-            const auto is_covered = hn::And(hn::Gt(all, minus_one), t.is_real);
+            const auto is_covered = hn::Gt(all, minus_one);
             const std::size_t more = hn::CountTrue(d, is_covered);
             if (more == 0) continue;
             auto depth = hn::Add(row_q, q[i]);
@@ -241,14 +239,18 @@ void FindIn(const FragmentJob& job, const CullResult& culled, ClusterFragments& 
         }
         values.Load(at, corners, c);
         const Reference ref(c[0]);
-        const EdgeLanes edges = MakeEdges(c, ref);
+        const auto is_real = hn::FirstN(d, culled.count - at);
+        EdgeLanes edges = MakeEdges(c, ref);
         const PlaneLanes planes = MakePlanes(c, ref);
         const NumberPlane depth = MakeDepth(planes, c, job.depth_bias);
         const auto needs_limits = values.SetUp(planes, c, edges.is_thin);
         const auto x_span = hn::Load(d, culled.x_span + at);
         const auto y_span = hn::Load(d, culled.y_span + at);
-        const auto is_real = hn::FirstN(d, culled.count - at);
-        const SetUp t{ref, edges, depth, is_real, needs_limits};
+        // What is no triangle covers nothing.
+        edges.at_ref[0] = hn::IfThenElse(is_real, edges.at_ref[0], hn::Set(d, -1));
+        edges.dx[0] = hn::IfThenElseZero(is_real, edges.dx[0]);
+        edges.dy[0] = hn::IfThenElseZero(is_real, edges.dy[0]);
+        const SetUp t{ref, edges, depth, needs_limits};
         const auto axis = [&](VI span) {
             const auto begin = hn::And(span, low_half);
             return GridAxis(begin, hn::Sub(hn::ShiftRight<16>(span), begin), is_real);

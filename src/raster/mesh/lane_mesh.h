@@ -72,6 +72,27 @@ class LaneMesh {
             hwy::Prefetch(bytes_.data() + line * kLineBytes);
     }
 
+    /// Asks for what says where a cluster's block lies, and for the cluster itself.
+    HWY_INLINE void prefetch_place(std::size_t cluster) const {
+        hwy::Prefetch(&first_byte_[cluster]);
+        prefetch_bounds(cluster);
+    }
+    /// Asks for the cluster itself, which may lie in two lines.
+    HWY_INLINE void prefetch_bounds(std::size_t cluster) const {
+        const scene::Cluster* const at = &clusters_.clusters[cluster];
+        hwy::Prefetch(at);
+        hwy::Prefetch(reinterpret_cast<const std::byte*>(at + 1) - 1);
+    }
+    /// Vertex `i` of a cluster: the surface's own numbers.
+    [[nodiscard]] glm::dvec3 position(std::size_t cluster, std::size_t i) const {
+        glm::dvec3 p;
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] = is_float_ ? static_cast<double>(float_positions(cluster, axis)[i])
+                                : double_positions(cluster, axis)[i];
+        }
+        return p;
+    }
+
     /// Which of its cluster's triangles it is, of what corners() has; above its index may stand one
     /// bit more.
     [[nodiscard]] static constexpr std::size_t index_of(std::uint32_t corners) {

@@ -35,7 +35,7 @@ struct LaneRecords {
 
 /// A drawn cluster: its vertices, and behind them the corners of the triangles that are left of it,
 /// and those triangles' constants if the format has any. Or its fragments in one tile.
-struct LaneSlot {
+struct alignas(64) LaneSlot {
     std::size_t first_byte = 0;  ///< of its records and its triangles' corners
     std::uint32_t byte_count = 0;
     std::uint32_t stride = 0;
@@ -73,6 +73,7 @@ struct LaneSource {
     const LaneSlot* slots = nullptr;
     const std::byte* records = nullptr;
 
+    void prefetch_slot(std::uint32_t entry) const { hwy::Prefetch(slots + (entry >> 8)); }
     /// Asks for what a slot holds ahead of its use.
     void prefetch(const LaneSlot& slot) const {
         constexpr std::size_t kLineBytes = 64;

@@ -46,12 +46,13 @@ void MeshRun::process(const MeshJob& job,
     const LaneMesh& mesh = *job.input.mesh;
     shown_.clear();
     for (std::size_t i = first; i < last; ++i) {
-        constexpr std::size_t kAhead = 8;
-        if (i + kAhead < last)
-            hwy::Prefetch(&mesh.clusters().clusters[job.order.clusters[i + kAhead]]);
+        constexpr std::size_t kAhead = 24;
+        if (i + kAhead < last) mesh.prefetch_bounds(job.order.clusters[i + kAhead]);
         if (may_show(job, job.order.clusters[i], front)) shown_.push_back(job.order.clusters[i]);
     }
     for (std::size_t i = 0; i < shown_.size(); ++i) {
+        constexpr std::size_t kAhead = 4;
+        if (i + kAhead < shown_.size()) mesh.prefetch_place(shown_[i + kAhead]);
         ahead_ = job.uses_lanes && i + 1 < shown_.size() ? shown_[i + 1] : kNone;
         add_cluster(job, shown_[i]);
     }
@@ -95,17 +96,12 @@ void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
 /// Decides exactly which side the triangles show that culling and binning left open; drops those
 /// whose side is of no use.
 void MeshRun::settle_sides(const MeshJob& job, std::size_t index, const CullJob& cull) {
-    const scene::Surface& surface = job.input.mesh->surface();
-    const scene::Clusters& clusters = job.input.mesh->clusters();
-    const scene::Cluster& cluster = clusters.clusters[index];
+    const LaneMesh& mesh = *job.input.mesh;
     // From the last, so that those before keep their places.
     for (std::size_t i = culled_.unsure_count; i-- > 0;) {
         const std::size_t at = culled_.unsure[i];
         const std::uint32_t corners = culled_.corners[at];
-        const auto p = [&](int k) {
-            const std::uint32_t vertex = corners >> 8 * k & 0xff;
-            return surface.p_world[clusters.vertices[cluster.first_vertex + vertex]];
-        };
+        const auto p = [&](int k) { return mesh.position(index, corners >> 8 * k & 0xff); };
         const bool is_back = scene::facing(p(0), p(1), p(2), job.input.view.camera.eye_world) < 0;
         if (!(is_back ? cull.drops_backs : cull.drops_fronts)) {
             if (is_back) culled_.corners[at] |= kBackSide;

@@ -213,6 +213,8 @@ std::size_t MeshTileWorker::draw_stretch(const LaneSource& source,
     while (count < list.size() && list[count] >> 8 == number)
         ++count;
     look_again(source, slot.is_late);
+    constexpr std::size_t kAhead = 3;  // of fragments: each entry is a slot
+    if (count + kAhead < list.size()) source.prefetch_slot(list[count + kAhead]);
     if (count < list.size()) prefetch(source, list[count]);
     const std::size_t triangles = is_fragments(list[0]) ? slot.triangles : count;
     SkipCount& hidden = count_of(skips_, Skip::occlusion_culling);
