@@ -58,7 +58,7 @@ def main() -> None:
     parser.add_argument("program")
     parser.add_argument("scenes", nargs="*", default=SCENES)
     parser.add_argument("--rows", type=Path)
-    args = parser.parse_args()
+    args = parser.parse_intermixed_args()
     print("| scene | view | truth px | seen % | traced % | disagree % | abstain % | truth s | check s"
           " | ratio |\n|---|---|--:|--:|--:|--:|--:|--:|--:|--:|")
     known = rows_of(args.rows)
