@@ -12,8 +12,8 @@ namespace ink::truth {
 /// is too large does not depend on the machine, the load or the number of threads.
 ///
 /// The defaults keep two threads of a machine of 2023 below a minute, and every machine below 4 GB,
-/// at 1920 x 1080 (bench/README.md has the measurements). A view that exceeds them is refused after
-/// a small share of its work, as soon as that share makes it sure (pilots.h).
+/// at 1920 x 1080 (bench/README.md has the measurements). A view that exceeds them is refused as
+/// soon as what was done of it makes that sure (pilots.h): far beyond them after a small share.
 struct TruthLimits {
     /// Bytes that scene, topology, trees and results are reckoned to take at their peak
     /// (`memory_estimate`).
@@ -24,9 +24,9 @@ struct TruthLimits {
     std::size_t rays = 40'000'000;
 };
 
-/// One part in so many is done first, spread evenly over the whole, then as many again and so on. As
-/// soon as that shows a cost beyond a limit (pilots.h), or of kSureExcess times a limit, the rest is
-/// not begun.
+/// One part in so many is done first, spread evenly over the whole, then as many again and so on.
+/// As soon as that shows a cost beyond a limit (pilots.h), or of kSureExcess times a limit, the
+/// rest is not begun.
 inline constexpr std::size_t kPilotShare = 64;
 inline constexpr std::size_t kSureExcess = 4;
 

@@ -11,7 +11,7 @@ namespace ink::truth {
 
 /// Calls `task(i)` for each i below `count`, every kPilotShare-th one first, then those halfway
 /// between, and so on; stops before the next round if `is_hopeless(stride)` says so, of the tasks
-/// done so far: all multiples of `stride`. True if all were called.
+/// done so far: all multiples of `stride`. True if all were called. will_exceed() answers for it.
 template <class Task, class IsHopeless>
 bool run_pilots_first(std::size_t count, int threads, Task&& task, IsHopeless&& is_hopeless) {
     for (std::size_t stride = kPilotShare; stride >= 1; stride /= 2) {
@@ -46,6 +46,20 @@ template <class Cost>
     const double variance = std::max(squares / n - mean * mean, 0.0) * n / (n - 1);
     const double least = kShare * mean - kErrors * std::sqrt(variance / n);
     return std::max(least, 0.0) * static_cast<double>(count);
+}
+
+/// Whether `count` tasks will cost more than `limit` together, as every `stride`-th of them shows:
+/// surely (least_total), or by kSureExcess times if the others cost as much as those.
+template <class Cost>
+[[nodiscard]] bool will_exceed(std::size_t count,
+                               std::size_t stride,
+                               std::size_t limit,
+                               Cost&& cost) {
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < count; i += stride)
+        done += cost(i);
+    return done > limit / std::max<std::size_t>(stride / kSureExcess, 1) ||
+           least_total(count, stride, cost) > static_cast<double>(limit);
 }
 
 }  // namespace ink::truth

@@ -234,22 +234,11 @@ class Account {
         if (trace_.progress && lock) trace_.progress(done, tasks_);
     }
     /// Once it is, it stays so: whether it ends so does not depend on the order of the tasks.
-    [[nodiscard]] bool is_overdrawn() const { return exceeds(1); }
-    /// Whether one in `stride` of the tasks has shown that all of them would be by far.
-    [[nodiscard]] bool will_be_overdrawn(std::size_t stride) const {
-        return exceeds(std::max<std::size_t>(stride / kSureExcess, 1));
-    }
-    /// Whether so many would overdraw it.
-    [[nodiscard]] bool is_overdrawn_by(double samples, double rays) const {
-        return samples > static_cast<double>(trace_.limits.samples) ||
-               rays > static_cast<double>(trace_.limits.rays);
+    [[nodiscard]] bool is_overdrawn() const {
+        return samples_ > trace_.limits.samples || rays_ > trace_.limits.rays;
     }
 
   private:
-    [[nodiscard]] bool exceeds(std::size_t factor) const {
-        return samples_ > trace_.limits.samples / factor || rays_ > trace_.limits.rays / factor;
-    }
-
     const TruthTrace& trace_;
     std::size_t tasks_;
     std::atomic<std::size_t> samples_{0}, rays_{0}, done_{0};
@@ -274,9 +263,8 @@ TracedLines trace_lines(const EyeView& eye, const EyeScene& scene, const TruthTr
     const auto rays_of = [&](std::size_t i) { return parts[i].rays; };
     const bool is_whole =
         run_pilots_first(parts.size(), trace.threads, trace_part, [&](std::size_t stride) {
-            return account.will_be_overdrawn(stride) ||
-                   account.is_overdrawn_by(least_total(parts.size(), stride, samples_of),
-                                           least_total(parts.size(), stride, rays_of));
+            return will_exceed(parts.size(), stride, trace.limits.samples, samples_of) ||
+                   will_exceed(parts.size(), stride, trace.limits.rays, rays_of);
         });
     if (!is_whole || account.is_overdrawn()) {
         throw TooLarge(std::to_string(count) + " lines need more than " +

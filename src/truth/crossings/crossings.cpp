@@ -24,22 +24,11 @@ class Budget {
         found_ += found;
     }
     [[nodiscard]] std::size_t pairs() const { return pairs_; }
-    [[nodiscard]] bool is_spent() const { return exceeds(1); }
-    /// Whether one in `stride` of the tasks has shown that all of them would spend far more.
-    [[nodiscard]] bool will_be_spent(std::size_t stride) const {
-        return exceeds(std::max<std::size_t>(stride / kSureExcess, 1));
-    }
-    /// Whether so many would spend it.
-    [[nodiscard]] bool is_spent_by(double pairs, double found) const {
-        return pairs > static_cast<double>(options_.most_pairs) ||
-               found > static_cast<double>(options_.most_found);
+    [[nodiscard]] bool is_spent() const {
+        return pairs_ > options_.most_pairs || found_ > options_.most_found;
     }
 
   private:
-    [[nodiscard]] bool exceeds(std::size_t factor) const {
-        return pairs_ > options_.most_pairs / factor || found_ > options_.most_found / factor;
-    }
-
     const CrossingOptions& options_;
     std::atomic<std::size_t> pairs_{0}, found_{0};
 };
@@ -187,9 +176,8 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
     const auto pairs_of = [&](std::size_t i) { return parts[i].pairs_tested; };
     const auto finds_of = [&](std::size_t i) { return found_in(parts[i]); };
     const bool is_whole = run_pilots_first(count, options.threads, search, [&](std::size_t stride) {
-        return budget.will_be_spent(stride) ||
-               budget.is_spent_by(least_total(count, stride, pairs_of),
-                                  least_total(count, stride, finds_of));
+        return will_exceed(count, stride, options.most_pairs, pairs_of) ||
+               will_exceed(count, stride, options.most_found, finds_of);
     });
 
     Crossings all;
