@@ -46,7 +46,7 @@ STAGES = [
               r"MeshRun::(add|process|store)\w*\(", "triangle"),
     ("binning", r"MeshRun::bin_\w+\(|raster::Bins::|::(ListTriangles|ListAllTriangles)\(|"
                 r"list_(all_)?triangles\(", "triangle"),
-    ("fill", r"raster::N_\w+::(Fill<|FindMicroTriangles)|MicroTriangleRun::|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
+    ("fill", r"raster::N_\w+::(Fill<|FindMicroTriangles|FindIn<|FindFragments|KeepFragments)|fill_fragments\(|MicroTriangleRun::|fill_lanes\(|fill_tile|covered_span|TileBuffer::|TileWorker::|"
              r"memset", "pixel"),
     ("filter", r"edge::(N_\w+::)?\w*([Ll]aplacian|[Dd]ecaudin|[Rr]espond)|Sink::", "pixel"),
 ]

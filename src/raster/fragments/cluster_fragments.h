@@ -41,7 +41,7 @@ struct FragmentJob {
     LaneRecords records;
     /// Arrays of the records that hold the value of triangles seen from their front and back.
     std::size_t values[2];
-    const std::uint32_t* constants;  ///< per triangle, padded; null if the format has none
+    const std::uint32_t* constants;  ///< per triangle, padded; of no use if the format has none
     PixelRect bounds;                ///< as LaneSlot has them, at most 256 px wide and high
 };
 
