@@ -102,7 +102,7 @@ class LimitFrame {
         for (const std::uint32_t index : job.order.clusters) {
             const scene::Cluster& cluster = mesh.clusters().clusters[index];
             if (sides.has_outside(cluster.bounds)) continue;
-            const bool drops = job.drops_backs(job.solids[cluster.solid].hides_backs);
+            const bool drops = job.drops_backs(job.hides_backs(index));
             if (drops && scene::is_turned_away(cluster, view_.camera.eye_world)) continue;
             seen.push_back(index);
         }

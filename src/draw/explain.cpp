@@ -139,7 +139,7 @@ void count_solids(const scene::Scene& scene, SceneFacts& facts) {
     const std::vector<scene::Solid> solids = scene::make_clusters(scene::flatten(scene)).solids;
     facts.solids = solids.size();
     for (const scene::Solid& solid : solids)
-        facts.watertight_solids += solid.is_watertight;
+        facts.watertight_solids += solid.is_watertight || solid.is_watertight_covered;
 }
 
 MethodExplanation explain_method(const harness::MethodConfig& config,

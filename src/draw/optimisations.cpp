@@ -89,8 +89,8 @@ Optimisation cull_back_faces(const SceneFacts& facts) {
     }
     return {name,
             true,
-            fmt::format("{} of {} solids are watertight: seen from outside, their front faces "
-                        "hide their back faces",
+            fmt::format("{} of {} solids are watertight, but for holes perhaps: seen from "
+                        "outside, their front faces hide their back faces",
                         facts.watertight_solids,
                         facts.solids)};
 }

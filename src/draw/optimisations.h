@@ -12,8 +12,8 @@ namespace ink::draw {
 struct SceneFacts {
     scene::SceneStatistics statistics;
     std::vector<scene::ViewStatistics> views;
-    std::size_t solids = 0;  ///< as the rasterizer cuts them: within one object each
-    std::size_t watertight_solids = 0;
+    std::size_t solids = 0;             ///< as the rasterizer cuts them: within one object each
+    std::size_t watertight_solids = 0;  ///< with their holes covered, if they have a few small ones
 };
 
 /// Which channels of `code` are of no use on a scene with these statistics; empty without a code.

@@ -12,7 +12,7 @@ const std::array<SkipInfo, kSkipCount>& skip_infos() {
         {Skip::back_face_culling,
          "back_face_culling",
          "clusters",
-         "Back-facing clusters of watertight solids."},
+         "Back-facing clusters of solids that are watertight but for holes elsewhere."},
         {Skip::no_sample, "no_sample", "triangles", "Triangles that cover no pixel centre."},
         {Skip::occlusion_culling,
          "occlusion_culling",

@@ -12,7 +12,7 @@ namespace ink::raster {
 enum class Skip {
     attributes,         ///< channels of the surface that no declared code reads
     frustum_culling,    ///< clusters outside the image
-    back_face_culling,  ///< clusters turned away, of solids watertight in this view
+    back_face_culling,  ///< clusters turned away, of solids watertight but for holes elsewhere
     no_sample,          ///< triangles that cover no pixel centre
     occlusion_culling,  ///< triangles and blocks behind what is drawn already
     empty_tiles,        ///< tiles that nobody draws to

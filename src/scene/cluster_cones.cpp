@@ -178,6 +178,10 @@ void refresh(const Surface& moved, Clusters& clusters) {
         // A million terms that each lose 1e-16 stay below; a sheet with two sides does not pass.
         solid.is_watertight =
             solid.is_closed && sums[s].is_whole && sums[s].volume > 1e-10 * sums[s].size;
+        solid.is_watertight_covered =
+            solid.hole_count > 0 && sums[s].is_whole &&
+            refresh_holes(
+                moved, static_cast<std::uint32_t>(s), {*sums[s].origin, sums[s].volume}, clusters);
     }
     for (const Cluster& cluster : clusters.clusters) {
         Sphere& ball = clusters.solids[cluster.solid].bounds;

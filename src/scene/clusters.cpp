@@ -246,12 +246,14 @@ class Grower {
 Clusters grow_clusters(const Surface& surface) {
     Clusters clusters;
     const FaceGraph graph = make_face_graph(surface);
+    clusters.solids.resize(graph.is_closed.size());
     for (std::size_t s = 0; s < graph.is_closed.size(); ++s)
-        clusters.solids.push_back({{}, 0, graph.is_closed[s], false});
+        clusters.solids[s].is_closed = graph.is_closed[s];
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         const std::uint32_t solid = graph.solid_of[t];
         if (solid != FaceGraph::kNoSolid) clusters.solids[solid].object = surface.object[t];
     }
+    find_holes(graph, clusters);
     Grower(surface, graph, clusters).grow_all();
     refresh(surface, clusters);
     return clusters;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/holes/holes.h"
 #include "scene/surface.h"
 
 namespace ink::scene {
@@ -37,6 +38,11 @@ struct Solid {
     /// Closed, consistently oriented and turned outwards (its signed volume is positive): seen from
     /// outside, a face turned away always lies behind one that is not.
     bool is_watertight = false;
+    std::uint32_t first_hole = 0;  ///< into Clusters::holes
+    std::uint32_t hole_count = 0;  ///< 0 if it is closed, or cannot be covered
+    /// It would be watertight with its holes covered, as refresh_holes says: seen from outside, a
+    /// face turned away lies behind one that is not, but for sight lines through a hole.
+    bool is_watertight_covered = false;
 };
 
 inline constexpr std::size_t kMaxClusterVertices = 64;
@@ -55,12 +61,15 @@ struct Clusters {
     std::vector<std::array<std::uint8_t, 3>> triangles;  ///< vertices within the cluster
     std::vector<std::uint32_t> triangle_ids;             ///< global index of each
     std::vector<std::uint32_t> left_out;  ///< global indices of the degenerate triangles
+    std::vector<Hole> holes;              ///< those of one solid in a row
+    std::vector<std::uint32_t> rims;      ///< corners of the surface, hole by hole, in order
 };
 
 /// Cuts `surface` into clusters. O(n log n). An empty surface has none.
 [[nodiscard]] Clusters make_clusters(const Surface& surface);
 
-/// Bounds, cones and seals anew after the surface's corners moved; the same triangles as before.
+/// Bounds, cones, seals and holes anew after the surface's corners moved; the same triangles as
+/// before.
 ///
 /// A solid that came apart at its seams, or a face of which lost its area, is not watertight. If a
 /// triangle that was degenerate now has an area, the surface is cut anew.

@@ -152,9 +152,17 @@ std::vector<bool> find_areas(const Surface& surface, const FaceGraph& graph) {
     return has_area;
 }
 
-/// Fills `across`; gives the triangles at an edge that a closed surface does not have.
-std::vector<bool> join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
-    std::vector<bool> is_open(has_area.size(), false);
+/// Triangles at an edge that a closed surface does not have, and those at one that is no rim
+/// either.
+struct OpenEdges {
+    std::vector<bool> is_open;
+    std::vector<bool> is_no_rim;
+};
+
+/// Fills `across` and `rim_sides`.
+OpenEdges join_edges(const std::vector<bool>& has_area, FaceGraph& graph) {
+    OpenEdges edges{std::vector<bool>(has_area.size(), false),
+                    std::vector<bool>(has_area.size(), false)};
     for (std::uint32_t side = 0; side < graph.places.size(); ++side)
         graph.across.push_back(side / 3);
     Edges(graph).for_each_edge([&](Side* begin, Side* end) {
@@ -165,27 +173,33 @@ std::vector<bool> join_edges(const std::vector<bool>& has_area, FaceGraph& graph
                                graph.places[begin[0].side] != graph.places[begin[1].side];
         for (Side* s = begin; s != last; ++s) {
             graph.across[s->side] = (s + 1 == last ? begin : s + 1)->side / 3;
-            if (!is_closed) is_open[s->side / 3] = true;
+            if (is_closed) continue;
+            edges.is_open[s->side / 3] = true;
+            if (end - begin > 1) {
+                edges.is_no_rim[s->side / 3] = true;
+            } else {
+                graph.rim_sides.push_back(s->side);
+            }
         }
     });
-    return is_open;
+    return edges;
 }
 
-void flood_solids(const std::vector<bool>& has_area,
-                  const std::vector<bool>& is_open,
-                  FaceGraph& graph) {
+void flood_solids(const std::vector<bool>& has_area, const OpenEdges& edges, FaceGraph& graph) {
     graph.solid_of.assign(has_area.size(), FaceGraph::kNoSolid);
     std::vector<std::uint32_t> stack;
     for (std::uint32_t first = 0; first < has_area.size(); ++first) {
         if (!has_area[first] || graph.solid_of[first] != FaceGraph::kNoSolid) continue;
         const auto solid = static_cast<std::uint32_t>(graph.is_closed.size());
         graph.is_closed.push_back(true);
+        graph.has_rims_only.push_back(true);
         graph.solid_of[first] = solid;
         stack.push_back(first);
         while (!stack.empty()) {
             const std::uint32_t t = stack.back();
             stack.pop_back();
-            if (is_open[t]) graph.is_closed[solid] = false;
+            if (edges.is_open[t]) graph.is_closed[solid] = false;
+            if (edges.is_no_rim[t]) graph.has_rims_only[solid] = false;
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::uint32_t next = graph.across[3 * t + i];
                 if (graph.solid_of[next] == solid) continue;
@@ -202,8 +216,7 @@ FaceGraph make_face_graph(const Surface& surface) {
     FaceGraph graph;
     Places(surface).number(graph);
     const std::vector<bool> has_area = find_areas(surface, graph);
-    const std::vector<bool> is_open = join_edges(has_area, graph);
-    flood_solids(has_area, is_open, graph);
+    flood_solids(has_area, join_edges(has_area, graph), graph);
     return graph;
 }
 

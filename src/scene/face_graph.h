@@ -24,6 +24,11 @@ struct FaceGraph {
     /// Per solid: every edge has exactly two triangles, both with an area, that run through it
     /// in opposite directions.
     std::vector<bool> is_closed;
+    /// Per solid: the same of every edge but those that have a single triangle.
+    std::vector<bool> has_rims_only;
+    /// Sides of those edges: corner i of triangle t to the next is 3 t + i. Ascending within a
+    /// lower place.
+    std::vector<std::uint32_t> rim_sides;
 };
 
 /// O(n log n). An empty surface gives an empty graph.

@@ -37,7 +37,7 @@ struct MeshInput {
     int threads = 1;
     SkipSet skips;
     Cull cull = Cull::none;
-    /// Moves every triangle's depth. Faces turned away of watertight solids are then drawn, too:
+    /// Moves every triangle's depth. Faces turned away of solids are then all drawn:
     /// they may be moved out in front of others.
     PolygonOffset offset;
     std::array<float, kMaxPlanes> sky_f32{};
@@ -63,7 +63,9 @@ struct MeshResult {
 ///
 /// The image is that of draw_pass with one addition: a face turned away of a watertight solid, seen
 /// from outside it, is never drawn. (It is never seen: but at a contour two faces meet, and the one
-/// turned away could win a pixel whose centre lies within a rounding of the edge.)
+/// turned away could win a pixel whose centre lies within a rounding of the edge.) The same holds
+/// of a solid with a few small holes, as scans have them (scene::Hole), for clusters that no sight
+/// line through a hole meets.
 ///
 /// Clusters that lie outside the image or are turned away are not even transformed. What is left
 /// is put on the screen a vector of vertices at a time, its triangles sorted out and set up a

@@ -71,8 +71,7 @@ bool MeshRun::may_show(const MeshJob& job, std::size_t index, const FrontDepth* 
         ++frustum.skipped;
         return false;
     }
-    if (job.drops_backs(job.solids[cluster.solid].hides_backs) &&
-        skips.has(Skip::back_face_culling) &&
+    if (job.drops_backs(job.hides_backs(index)) && skips.has(Skip::back_face_culling) &&
         scene::is_turned_away(cluster, job.input.view.camera.eye_world)) {
         ++backs.skipped;
         return false;
@@ -87,8 +86,7 @@ bool MeshRun::may_show(const MeshJob& job, std::size_t index, const FrontDepth* 
 }
 
 void MeshRun::add_cluster(const MeshJob& job, std::size_t index) {
-    const scene::Cluster& cluster = job.input.mesh->clusters().clusters[index];
-    const bool hides_backs = job.solids[cluster.solid].hides_backs;
+    const bool hides_backs = job.hides_backs(index);
     if (job.uses_lanes && add_in_lanes(job, index, hides_backs)) return;
     add_scalar(job, index, hides_backs);
 }

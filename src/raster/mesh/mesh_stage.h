@@ -35,6 +35,10 @@ struct MeshJob {
     [[nodiscard]] std::uint64_t object_bit(const scene::Cluster& cluster) const {
         return std::uint64_t{1} << (input.mesh->clusters().solids[cluster.solid].object % 64);
     }
+    /// Whether no triangle of the cluster that is seen from its back shows.
+    [[nodiscard]] bool hides_backs(std::size_t cluster) const {
+        return order.hides_backs[cluster] != 0;
+    }
     /// Whether triangles seen from their back are to be left out, for whichever reason.
     [[nodiscard]] bool drops_backs(bool hides_backs) const {
         return input.cull == Cull::back ||

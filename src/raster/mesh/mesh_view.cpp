@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -30,13 +31,26 @@ std::vector<SolidView> view_solids(const MeshInput& input) {
         const double depth = depth_of(ball);
         const bool is_uncut =
             is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
-        views[i].hides_backs =
-            keeps_order && solids[i].is_watertight && glm::length(way) > radius && is_uncut;
+        if (!keeps_order || !is_uncut || !(glm::length(way) > radius)) continue;
+        views[i].hides_backs = solids[i].is_watertight;
+        if (!solids[i].is_watertight_covered) continue;
+        auto windows =
+            find_windows(input.mesh->surface(), input.mesh->clusters(), solids[i], input.view);
+        views[i].hides_backs = windows.has_value();
+        if (windows) views[i].windows = std::move(*windows);
     }
     return views;
 }
 
 namespace {
+
+/// Whether no face of a cluster that is turned away is seen.
+bool hides_backs(const SolidView& solid, const scene::Cluster& cluster, const glm::dvec3& eye) {
+    return solid.hides_backs &&
+           std::none_of(solid.windows.begin(), solid.windows.end(), [&](const Window& window) {
+               return window.may_show(cluster.bounds, eye);
+           });
+}
 
 /// Coarse steps of distance, twice: clusters that face the eye, then those turned away.
 constexpr std::size_t kSteps = 32;
@@ -86,6 +100,7 @@ ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>&
     const glm::dvec3 eye = input.view.camera.eye_world;
     result.clusters.resize(clusters.size());
     result.is_late.resize(clusters.size());
+    result.hides_backs.resize(clusters.size());
     if (clusters.empty()) return result;
     std::vector<Slice> slices = slices_of(clusters.size(), input.threads);
     const auto for_each_slice = [&](const auto& body) {
@@ -99,8 +114,9 @@ ClusterOrder front_to_back(const MeshInput& input, const std::vector<SolidView>&
             slice.nearest = std::min(slice.nearest, distances[i]);
             slice.farthest = std::max(slice.farthest, distances[i]);
             // Where the solid hides its backs it is not drawn at all.
-            const bool may_be_seen = !solids[clusters[i].solid].hides_backs;
-            result.is_late[i] = may_be_seen && scene::is_turned_away(clusters[i], eye) ? 1 : 0;
+            const bool is_hidden = hides_backs(solids[clusters[i].solid], clusters[i], eye);
+            result.hides_backs[i] = is_hidden ? 1 : 0;
+            result.is_late[i] = !is_hidden && scene::is_turned_away(clusters[i], eye) ? 1 : 0;
         }
     });
     double nearest = slices.front().nearest;

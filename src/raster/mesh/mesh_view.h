@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "raster/mesh/mesh_pass.h"
+#include "raster/mesh/windows.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::raster {
 
 /// What a frame decides about each solid before any of its clusters is looked at.
 struct SolidView {
-    bool hides_backs =
-        false;  ///< watertight, and seen from outside: a face turned away is never seen
+    /// Watertight, with its holes covered at least, and seen from outside: a face turned away is
+    /// never seen, but for sight lines through a window.
+    bool hides_backs = false;
+    std::vector<Window> windows{};
 };
 
 /// Looks at every solid once.
@@ -29,6 +32,9 @@ struct ClusterOrder {
     std::vector<std::uint32_t> clusters;
     /// Per cluster, not in this order, 1 where it comes late: turned away, and not passed over.
     std::vector<std::uint8_t> is_late;
+    /// The same, 1 where a face of it that is turned away is never seen: its solid hides its backs,
+    /// and it lies behind no window.
+    std::vector<std::uint8_t> hides_backs;
 };
 [[nodiscard]] ClusterOrder front_to_back(const MeshInput& input,
                                          const std::vector<SolidView>& solids);
