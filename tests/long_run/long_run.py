@@ -3,16 +3,18 @@
 
     tests/long_run/long_run.py PROGRAM [--minutes 60] [--cells 20000] [--seed 1] [--folder DIR]
 
-Computes a grid of so many cells. While it computes, the run is killed with -9 at random times, its disk fills up
-twice (a small file system of its own, which needs root; without, this part is left out and said so), the clock is
-set back by two days (Debian's libfaketime, likewise), and a second process begins in the same folder, which
-must be refused. In the end every table is compared byte by byte with an undisturbed run's, and the memory of the
-longest stretch is printed: least and most, a minute after its begin and at its end. Exit code 1: something was lost,
-came twice or grew.
+Computes a grid of about so many cells, first undisturbed, then in a folder of its own while
+- it is killed with -9 at random times, for so many minutes,
+- its disk fills up twice (a small file system, which needs root),
+- the clock is set back by two days while it computes (needs Debian's faketime),
+- a second process begins in the same folder, which must be refused.
+What cannot be had is left out, and said so. In the end every table and picture is compared byte by byte
+with the undisturbed run's, and no file may be there that the other lacks. Exit code 1: something was lost, came twice or grew.
 """
 
 import argparse
 import filecmp
+import json
 import os
 import random
 import shutil
@@ -21,15 +23,20 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from pathlib import Path
 
 BAD_INPUT = 2  # also the exit code of a full disk
+# What an undisturbed run may hold more at its end than at its middle, in MiB and as a share.
+GROWTH_MIB, GROWTH_SHARE = 50, 0.1
+ROWS_PER_VIEW = 35  # about: a row a method, and one for each value of those with a sweep
+MOST_TRIANGLES = 10_000
 EXPERIMENT = """\
 name = "long"
 kind = "compare"
 
 [grid]
-scenes = ["train", "heldout"]
+scenes = [{scenes}]
 sizes = [{sizes}]
 views = 1
 
@@ -44,7 +51,7 @@ own_views = 0
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
-    parser.add_argument("--minutes", type=float, default=60, help="the disturbed run is killed so often that it takes this long")
+    parser.add_argument("--minutes", type=float, default=60, help="how long it is killed again and again")
     parser.add_argument("--cells", type=int, default=20000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folder", type=Path, help="where to work; kept (default: a folder that is removed)")
@@ -53,6 +60,12 @@ def parse_arguments():
 
 def say(text):
     print(f"[{time.strftime('%H:%M:%S')}] {text}", flush=True)
+
+
+def small_scenes(program):
+    """Names of the catalogue's scenes that leave time for many cells."""
+    listed = subprocess.run([program, "list", "scenes", "--json"], capture_output=True, check=True).stdout
+    return [scene["name"] for scene in json.loads(listed)["scenes"] if scene["triangles"] <= MOST_TRIANGLES]
 
 
 def memory_mib(pid):
@@ -64,10 +77,22 @@ def memory_mib(pid):
         return 0
 
 
-def clock_set_back():
-    """The environment in which a program sees the clock of two days ago; None without the library for it."""
-    libraries = sorted(Path("/usr/lib").glob("*/faketime/libfaketime.so.1"))
-    return {"LD_PRELOAD": str(libraries[0]), "FAKETIME": "-2d"} if libraries else None
+class Clock:
+    """The time of day that the runs see; it can be set back while they compute."""
+
+    def __init__(self, folder):
+        libraries = sorted(Path("/usr/lib").glob("*/faketime/libfaketimeMT.so.1"))
+        self.file = folder / "clock"
+        self.set("+0")
+        self.environment = {}
+        if libraries:
+            self.environment = {"LD_PRELOAD": str(libraries[0]), "FAKETIME_TIMESTAMP_FILE": str(self.file),
+                                "FAKETIME_NO_CACHE": "1", "FAKETIME_DONT_FAKE_MONOTONIC": "1"}
+        else:
+            say("left out: a clock set back (Debian: apt-get install faketime)")
+
+    def set(self, offset):
+        self.file.write_text(offset + "\n")
 
 
 class Disk:
@@ -76,7 +101,8 @@ class Disk:
     def __init__(self, folder, size_mib):
         self.folder = folder
         folder.mkdir()
-        done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size_mib}m", "inkbench", folder], capture_output=True)
+        done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size_mib}m", "inkbench", folder],
+                              capture_output=True, check=False)
         self.is_small = done.returncode == 0
         self.size_mib = size_mib
         if not self.is_small:
@@ -86,8 +112,7 @@ class Disk:
         subprocess.run(["mount", "-o", f"remount,size={size_mib}m", self.folder], check=True)
 
     def used_mib(self):
-        usage = shutil.disk_usage(self.folder)
-        return usage.used / 2**20
+        return shutil.disk_usage(self.folder).used / 2**20
 
     def close(self):
         if self.is_small:
@@ -95,76 +120,131 @@ class Disk:
 
 
 class LongRun:
-    def __init__(self, program, experiment, out, log):
+    """The command, what was done to it, and what went wrong."""
+
+    def __init__(self, program, experiment, out, log, environment=None):
         self.command = [program, "run", experiment, "--no-times", "--quiet", "--out", out]
+        self.environment = {**os.environ, **(environment or {})}
         self.log = log
         self.faults = []
+        self.kills = self.full_disks = self.clocks = self.refusals = 0
 
-    def start(self, clock=None):
-        environment = {**os.environ, **(clock or {})}
-        return subprocess.Popen(self.command, stdout=self.log, stderr=subprocess.STDOUT, env=environment)
+    def start(self):
+        return subprocess.Popen(self.command, stdout=self.log, stderr=subprocess.STDOUT, env=self.environment)
+
+    def is_computed(self):
+        """Whether only the page is left to write, of which the folder is free already."""
+        record = self.command[-1] / "run.toml"
+        return tomllib.loads(record.read_text(encoding="utf-8"))["progress"]["state"] != "unfinished"
 
     def fault(self, text):
         say("FAULT: " + text)
         self.faults.append(text)
 
-
-def compare_tables(expected, found):
-    names = sorted(p.relative_to(expected) for p in expected.rglob("*") if p.is_file())
-    others = sorted(p.relative_to(found) for p in found.rglob("*") if p.is_file())
-    differing = [str(n) for n in names if n.suffix in (".csv", ".png")
-                 and not ((found / n).is_file() and filecmp.cmp(expected / n, found / n, shallow=False))]
-    lost = [str(n) for n in names if n not in others]
-    new = [str(n) for n in others if n not in names]
-    return differing, lost, new
+    def disturbances(self):
+        return (f"{self.kills} kills, {self.full_disks} full disks, {self.clocks} clocks set back, "
+                f"{self.refusals} second processes refused")
 
 
-def disturb(run, arguments, disk):
-    """Until the run is done: kills, full disks, a clock set back, a second process."""
+def watch(process, seconds, at_half=None):
+    """Waits until the process has ended or the seconds are over; its memory every half second."""
+    began = time.monotonic()
+    samples = []
+    while process.poll() is None and time.monotonic() - began < seconds:
+        time.sleep(0.5)
+        samples.append(memory_mib(process.pid))
+        if at_half and time.monotonic() - began > seconds / 2:
+            at_half()
+            at_half = None
+    return [s for s in samples if s > 0]
+
+
+def kill(process):
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+
+
+def fill_disk(run, disk):
+    """One stretch on a disk with a MiB left."""
+    disk.resize(max(1, int(disk.used_mib()) + 1))
+    process = run.start()
+    watch(process, 600)
+    if process.poll() is None:
+        kill(process)
+        run.fault("on a full disk the run went on for ten minutes")
+    elif process.returncode != BAD_INPUT:
+        run.fault(f"on a full disk the run ended with {process.returncode}")
+    disk.resize(disk.size_mib)
+    run.full_disks += 1
+
+
+def begin_second(run):
+    """A second process while the first holds the folder."""
+    second = run.start()
+    watch(second, 60)
+    if second.poll() is None:
+        kill(second)
+        run.fault("a second process in the folder was not refused within a minute")
+    elif second.returncode == BAD_INPUT:
+        run.refusals += 1
+    elif not run.is_computed():
+        run.fault(f"a second process in the folder ended with {second.returncode}")
+
+
+def disturb(run, arguments, disk, clock, calm_seconds):
+    """Stretches that end with a kill until the time is over, then one to the end."""
     chance = random.Random(arguments.seed)
     end = time.monotonic() + 60 * arguments.minutes
-    kills = fulls = refused = 0
-    set_back = clock_set_back()
-    if set_back is None:
-        say("left out: a clock set back (Debian: libfaketime)")
-    stretch = None  # the memory of the longest stretch without a kill
+    # Resumed so often that some ten kills fall on what is computed, and not all of it on the first stretches.
+    longest = max(6.0, min(calm_seconds / 8, 240.0))
+    turn = 0
     while True:
-        is_full_turn = disk.is_small and fulls < 2 and kills >= 3 * (fulls + 1)
-        if is_full_turn:
-            disk.resize(max(1, int(disk.used_mib()) + 1))
-        process = run.start(set_back if kills % 4 == 2 else None)
-        began = time.monotonic()
+        turn += 1
+        if disk.is_small and run.full_disks < 2 and turn % 5 == 0:
+            fill_disk(run, disk)
+            continue
         is_last = time.monotonic() > end
-        seconds = 1e9 if is_last or is_full_turn else chance.uniform(3, 45)
-        samples = []
-        if kills == 1:
-            time.sleep(2)
-            second = run.start()
-            if second.wait() != BAD_INPUT:
-                run.fault(f"a second process in the folder ended with {second.returncode}")
-            refused += 1
-        while process.poll() is None and time.monotonic() - began < seconds:
-            time.sleep(0.5)
-            samples.append(memory_mib(process.pid))
-        samples = [s for s in samples if s > 0]
-        if samples and (stretch is None or len(samples) > len(stretch)):
-            stretch = samples
+        is_clock_turn = clock.environment and turn % 3 == 2
+        clock.set("+0")
+        process = run.start()
+        if turn % 4 == 1:
+            watch(process, 2)
+            if process.poll() is None:
+                begin_second(run)
+        watch(process, 1e9 if is_last else chance.uniform(2, longest), (lambda: clock.set("-2d")) if is_clock_turn else None)
+        run.clocks += bool(is_clock_turn)
         if process.poll() is None:
-            process.send_signal(signal.SIGKILL)
-            process.wait()
-            kills += 1
+            kill(process)
+            run.kills += 1
             continue
-        if is_full_turn:
-            if process.returncode != BAD_INPUT:
-                run.fault(f"on a full disk the run ended with {process.returncode}")
-            fulls += 1
-            kills += 1
-            disk.resize(disk.size_mib)
-            continue
-        say(f"done with exit code {process.returncode} after {kills} kills, {fulls} full disks, {refused} second processes")
         if process.returncode not in (0, 3):
             run.fault(f"the run ended with {process.returncode}")
-        return stretch
+            return
+        # Done before its time: what is done is done again by none, so there is nothing left to disturb.
+        say(f"done with exit code {process.returncode} after {run.disturbances()}")
+        return
+
+
+def compare_folders(expected, found):
+    """Names of tables and pictures that differ, that are missing, and that are new."""
+    names = {p.relative_to(expected) for p in expected.rglob("*") if p.is_file()}
+    others = {p.relative_to(found) for p in found.rglob("*") if p.is_file()}
+    compared = sorted(n for n in names & others if n.suffix in (".csv", ".png"))
+    differing = [n for n in compared if not filecmp.cmp(expected / n, found / n, shallow=False)]
+    return len(compared), differing, sorted(names - others), sorted(others - names)
+
+
+def judge_growth(run, samples):
+    """Memory of the undisturbed run: its second half may not need more than its first, but for noise."""
+    if len(samples) < 20:
+        say("memory: the run is too short to tell")
+        return
+    half, fifth = len(samples) // 2, max(1, len(samples) // 5)
+    first, last = max(samples[fifth:half]), max(samples[-fifth:])
+    say(f"memory of the undisturbed run: at most {max(samples[:fifth]):.0f} MiB in its first fifth, {first:.0f} until its "
+        f"middle, {last:.0f} in its last fifth")
+    if last > first + max(GROWTH_MIB, GROWTH_SHARE * first):
+        run.fault("memory grows")
 
 
 def main():
@@ -172,29 +252,33 @@ def main():
     folder = arguments.folder or Path(tempfile.mkdtemp(prefix="inkbench-long-"))
     folder.mkdir(parents=True, exist_ok=True)
     experiment = folder / "long.toml"
-    # 36 scenes and some 35 rows a view and size.
-    sizes = max(1, round(arguments.cells / (36 * 35)))
-    experiment.write_text(EXPERIMENT.format(sizes=", ".join(f'"{64 + 4 * i}x{36 + 2 * i}"' for i in range(sizes))))
+    scenes = small_scenes(arguments.program)
+    sizes = max(1, round(arguments.cells / (len(scenes) * ROWS_PER_VIEW)))
+    experiment.write_text(EXPERIMENT.format(scenes=", ".join(f'"{s}"' for s in scenes),
+                                            sizes=", ".join(f'"{64 + 4 * i}x{36 + 2 * i}"' for i in range(sizes))))
+    clock = Clock(folder)
     disk = Disk(folder / "disk", 4096)
     try:
         with open(folder / "log.txt", "w", encoding="utf-8") as log:
-            say("an undisturbed run")
+            say(f"{len(scenes)} scenes, {sizes} sizes: an undisturbed run")
+            began = time.monotonic()
             calm = LongRun(arguments.program, experiment, folder / "calm", log)
-            code = calm.start().wait()
-            if code not in (0, 3):
-                sys.exit(f"long_run: the undisturbed run ended with {code}; see {folder / 'log.txt'}")
-            rows = sum(1 for _ in open(folder / "calm/rows.csv", encoding="utf-8")) - 1
-            say(f"{rows} rows; now a disturbed one for {arguments.minutes:g} minutes or until it is done")
-            run = LongRun(arguments.program, experiment, folder / "disk/run", log)
-            stretch = disturb(run, arguments, disk)
-        differing, lost, new = compare_tables(folder / "calm", folder / "disk/run")
-        for what, names in (("differs", differing), ("is missing", lost), ("is new", new)):
-            for name in names[:20]:
+            process = calm.start()
+            samples = watch(process, 1e9)
+            if process.returncode not in (0, 3):
+                sys.exit(f"long_run: the undisturbed run ended with {process.returncode}; see {folder / 'log.txt'}")
+            seconds = time.monotonic() - began
+            with open(folder / "calm/rows.csv", encoding="utf-8") as rows:
+                count = sum(1 for _ in rows) - 1
+            say(f"{count} rows in {seconds / 60:.0f} minutes; now a disturbed one for {arguments.minutes:g} minutes or until it is done")
+            run = LongRun(arguments.program, experiment, folder / "disk/run", log, clock.environment)
+            judge_growth(run, samples)
+            disturb(run, arguments, disk, clock, seconds)
+        compared, *names = compare_folders(folder / "calm", folder / "disk/run")
+        for what, some in zip(("differs", "is missing", "is new"), names):
+            for name in some[:20]:
                 run.fault(f"{name} {what}")
-        if stretch:
-            tenth = max(1, len(stretch) // 10)
-            say(f"memory of the longest stretch ({len(stretch) / 2:.0f} s): {max(stretch[:tenth]):.0f} MiB in its first tenth, "
-                f"{max(stretch[-tenth:]):.0f} in its last, {max(stretch):.0f} at most")
+        say(f"{compared} tables and pictures compared, {len(names[0])} differ, {len(names[1])} missing, {len(names[2])} new")
         say("nothing lost, nothing twice" if not run.faults else f"{len(run.faults)} faults")
         return 1 if run.faults else 0
     finally:
