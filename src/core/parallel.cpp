@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -14,13 +15,29 @@
 #include <utility>
 #include <vector>
 
+#include "core/quiet_gate.h"
+
 namespace ink::core {
 namespace {
 
-/// Where a thread works: on which lane, and beside how many others.
+/// What lanes share.
+struct Lanes {
+    explicit Lanes(int count) : busy(count), gate(count) {}
+
+    std::atomic<int> busy;  ///< lanes that have not ended
+    QuietGate gate;         ///< every thread that works on a lane is inside
+};
+
+/// Where a thread works: on which lane, and beside which others.
 struct Post {
     int lane = 0;
-    const std::atomic<int>* busy_lanes = nullptr;  ///< nothing outside of lanes
+    Lanes* lanes = nullptr;  ///< nothing outside of lanes
+    bool is_alone = false;
+
+    /// Nothing for a thread that never has to wait for other lanes; the last one has none left.
+    [[nodiscard]] QuietGate* gate() const {
+        return is_alone || !lanes || lanes->busy == 1 ? nullptr : &lanes->gate;
+    }
 };
 
 Post& this_post() {
@@ -38,6 +55,69 @@ class PostGuard {
 
   private:
     Post before_;
+};
+
+/// The seconds that this thread has waited at a gate.
+double& waited() {
+    static thread_local double seconds = 0;
+    return seconds;
+}
+
+/// Calls `wait` and notes how long it took.
+template <class Wait>
+void wait_at_gate(Wait wait) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    wait();
+    waited() += std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Has the thread inside the gate, or outside of it, while it lives. No gate: nothing.
+class InsideGuard {
+  public:
+    explicit InsideGuard(QuietGate* gate) : gate_(gate) {
+        if (gate_) gate_->enter();
+    }
+    ~InsideGuard() {
+        if (gate_) gate_->leave();
+    }
+    InsideGuard(const InsideGuard&) = delete;
+    InsideGuard& operator=(const InsideGuard&) = delete;
+
+  private:
+    QuietGate* gate_;
+};
+class OutsideGuard {
+  public:
+    explicit OutsideGuard(QuietGate* gate) : gate_(gate) {
+        if (gate_) gate_->leave();
+    }
+    ~OutsideGuard() {
+        if (gate_) wait_at_gate([&] { gate_->enter(); });
+    }
+    OutsideGuard(const OutsideGuard&) = delete;
+    OutsideGuard& operator=(const OutsideGuard&) = delete;
+
+  private:
+    QuietGate* gate_;
+};
+
+/// Has the thread alone while it lives.
+class AloneGuard {
+  public:
+    explicit AloneGuard(QuietGate& gate) : gate_(gate) {
+        wait_at_gate([&] { gate_.begin_alone(); });
+        this_post().is_alone = true;
+    }
+    ~AloneGuard() {
+        this_post().is_alone = false;
+        wait_at_gate([&] { gate_.end_alone(); });
+    }
+    AloneGuard(const AloneGuard&) = delete;
+    AloneGuard& operator=(const AloneGuard&) = delete;
+
+  private:
+    QuietGate& gate_;
 };
 
 using Range = std::function<void(std::size_t first, std::size_t end)>;
@@ -97,15 +177,23 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     // More threads than the machine has would only wait, and oneTBB warns of it on stderr.
     if (threads > 1 && count > 1) threads = std::min(threads, share_of_threads());
     if (threads == 1 || count <= 1) {
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i > 0) pause();
             body(i);
+        }
         return;
     }
     const Post post = this_post();
+    // This thread comes back as one of those that work, or only waits for them.
+    QuietGate* gate = post.gate();
+    const OutsideGuard outside(gate);
     divide(count, threads, post.lane, [&](std::size_t first, std::size_t end) {
         const PostGuard guard(post);
-        for (std::size_t i = first; i != end; ++i)
+        const InsideGuard inside(gate);
+        for (std::size_t i = first; i != end; ++i) {
+            if (i > first) pause();
             body(i);
+        }
     });
 }
 
@@ -114,20 +202,21 @@ int hardware_threads() {
 }
 
 void run_lanes(int count, const std::function<void(int)>& body) {
-    assert(count >= 1 && this_post().busy_lanes == nullptr);
+    assert(count >= 1 && this_post().lanes == nullptr);
     if (count == 1) return body(0);
-    std::atomic<int> busy_lanes = count;
+    Lanes lanes(count);
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
     std::vector<std::thread> threads;
     for (int lane = 0; lane < count; ++lane) {
         threads.emplace_back([&, lane] {
-            const PostGuard guard({lane, &busy_lanes});
+            const PostGuard guard({lane, &lanes});
             try {
                 body(lane);
             } catch (...) {
                 failures[static_cast<std::size_t>(lane)] = std::current_exception();
             }
-            --busy_lanes;
+            --lanes.busy;
+            lanes.gate.leave();
         });
     }
     for (std::thread& thread : threads)
@@ -136,15 +225,30 @@ void run_lanes(int count, const std::function<void(int)>& body) {
         if (failure) std::rethrow_exception(failure);
 }
 
+void run_alone(const std::function<void()>& work) {
+    QuietGate* gate = this_post().gate();
+    if (!gate) return work();
+    const AloneGuard alone(*gate);
+    work();
+}
+
+void pause() {
+    QuietGate* gate = this_post().gate();
+    if (gate && gate->is_closed()) wait_at_gate([&] { gate->pause(); });
+}
+
+double waited_s() {
+    return waited();
+}
+
 int this_lane() {
     return this_post().lane;
 }
 
 int share_of_threads() {
-    const std::atomic<int>* busy_lanes = this_post().busy_lanes;
-    return busy_lanes == nullptr
-               ? hardware_threads()
-               : std::max(1, hardware_threads() / std::max(1, busy_lanes->load()));
+    const Post& post = this_post();
+    if (!post.gate()) return hardware_threads();
+    return std::max(1, hardware_threads() / std::max(1, post.lanes->busy.load()));
 }
 
 }  // namespace ink::core

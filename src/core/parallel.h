@@ -10,7 +10,8 @@ namespace ink::core {
 /// `threads` = 1 is a plain loop on the calling thread, in order: no library is entered. With more,
 /// the order is unspecified, so `body` must write only what belongs to its own i. The first
 /// exception that a body throws is rethrown here. `threads` < 1 is a caller's bug. On a lane
-/// (run_lanes) no more threads are used than its share.
+/// (run_lanes) no more threads are used than its share, and it pauses between two calls while
+/// another lane is alone: who holds a lock that another lane may want does not come here.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// The number of hardware threads, at least 1: the default of every `--threads`.
@@ -24,10 +25,24 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
 /// `count` < 1, or lanes within a lane, are a caller's bug.
 void run_lanes(int count, const std::function<void(int)>& body);
 
+/// Calls `work` while all other lanes stand still, so that nothing disturbs what it times: they
+/// stop between two calls of a parallel_for, where they pause(), or when they end. Meanwhile the
+/// caller has all hardware threads. What `work` throws is thrown here. Outside of lanes, and within
+/// such work, this only calls it.
+void run_alone(const std::function<void()>& work);
+
+/// Stands still while another lane is alone. Long work without a parallel_for calls this between
+/// its steps, or the others wait for it.
+void pause();
+
+/// Seconds that the calling thread has stood still so far, or waited to be alone.
+[[nodiscard]] double waited_s();
+
 /// The lane on which the caller runs; 0 outside of lanes.
 [[nodiscard]] int this_lane();
 
-/// How many threads what runs here may use: hardware_threads(), on a lane its share of them.
+/// How many threads what runs here may use: hardware_threads(), on a lane that is not alone its
+/// share of them.
 [[nodiscard]] int share_of_threads();
 
 }  // namespace ink::core
