@@ -159,7 +159,7 @@ struct Stage {
     score::ScoringTruth truth = score::prepare_truth(drawing.truth, options, true);
     score::TruthLists lists = score::list_truth(truth, options);
     score::Strokes strokes = score::make_strokes(drawing.edge_response, options.threshold, options);
-    score::PixelList drawn = score::counted_pixels(strokes.thinned, lists, options);
+    score::PixelList drawn = score::counted_pixels(strokes.thinned, lists);
 };
 
 /// Of every pixel's place.
@@ -179,14 +179,14 @@ void time_thin(benchmark::State& state) {
         stage.strokes = score::make_strokes(
             stage.drawing.edge_response, stage.options.threshold, stage.options);
     }
-    state.SetLabel(core::image_hash(stage.strokes.thinned));
+    state.SetLabel(core::image_hash(stage.strokes.thinned.bytes()));
 }
 
 /// Band, ignore and the list of what is left; the copy of the mask is part of it.
 void time_band(benchmark::State& state) {
     Stage stage;
     for (auto _ : state)
-        stage.drawn = score::counted_pixels(stage.strokes.thinned, stage.lists, stage.options);
+        stage.drawn = score::counted_pixels(stage.strokes.thinned, stage.lists);
     state.SetLabel(hash_of(stage.drawn));
 }
 

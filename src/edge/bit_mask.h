@@ -28,6 +28,9 @@ class BitMask {
         return (words_[word_of(x, y)] >> (x % 64) & 1U) != 0;
     }
     void set(int x, int y) { words_[word_of(x, y)] |= std::uint64_t{1} << (x % 64); }
+    void clear(int x, int y) { words_[word_of(x, y)] &= ~(std::uint64_t{1} << (x % 64)); }
+    /// How many pixels are set.
+    [[nodiscard]] std::int64_t count() const;
     /// The same as 0 or 1 a pixel.
     [[nodiscard]] Mask bytes() const;
 
@@ -44,6 +47,7 @@ class BitMask {
 
     /// All words, the frame's included, row by row; stride() from one row to the next.
     [[nodiscard]] std::vector<std::uint64_t>& words() { return words_; }
+    [[nodiscard]] const std::vector<std::uint64_t>& words() const { return words_; }
     [[nodiscard]] std::size_t stride() const { return stride_; }
 
   private:

@@ -138,15 +138,13 @@ std::vector<TruthBin> bin_truth(const truth::Truth& traced, const score::Scoring
     return bins;
 }
 
-std::vector<BinCount> match_bins(const score::PixelList& drawn,
-                                 const std::vector<TruthBin>& bins,
-                                 const score::Disk& disk) {
+std::vector<BinCount> match_bins(score::DrawnMatcher& drawn, const std::vector<TruthBin>& bins) {
     std::vector<BinCount> counts;
     for (const TruthBin& bin : bins) {
         counts.push_back({bin.attribute,
                           bin.low,
                           bin.high,
-                          score::match_pixels(drawn, bin.pixels, disk).k,
+                          drawn.match(bin.pixels),
                           static_cast<std::int64_t>(bin.pixels.size())});
     }
     return counts;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "score/drawn_matcher.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
 #include "truth/truth.h"
@@ -53,8 +54,7 @@ struct BinCount {
 };
 
 /// Matches all that is drawn (thinned, counted_pixels) against each bin alone.
-[[nodiscard]] std::vector<BinCount> match_bins(const score::PixelList& drawn,
-                                               const std::vector<TruthBin>& bins,
-                                               const score::Disk& disk);
+[[nodiscard]] std::vector<BinCount> match_bins(score::DrawnMatcher& drawn,
+                                               const std::vector<TruthBin>& bins);
 
 }  // namespace ink::harness

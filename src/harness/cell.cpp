@@ -3,26 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "core/error.h"
-#include "core/hash.h"
-#include "harness/outside_method.h"
+#include "harness/timing.h"
+#include "harness/view_lists.h"
 #include "scene/sharing/shared_work.h"
 
 namespace ink::harness {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// The one clock: nanoseconds that `work` took.
-template <class Work>
-std::int64_t time_ns(Work work) {
-    const auto start = Clock::now();
-    work();
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count();
-}
 
 /// Nanoseconds that a stage of making ready took, or would have taken if nothing had been shared.
 template <class Work>
@@ -37,21 +25,6 @@ std::int64_t quantile(const std::vector<std::int64_t>& sorted, double q) {
     const auto rank =
         static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
     return sorted[rank];
-}
-
-/// Runs a method's stage; what it throws becomes the cell's status instead of ending the run.
-template <class Work>
-std::string failure_of(Work work) {
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        return "out of memory";
-    } catch (const core::Error& error) {
-        return error.what();
-    } catch (const std::exception& error) {
-        return fmt::format("failed: {}", error.what());
-    }
-    return "";
 }
 
 }  // namespace
@@ -75,13 +48,30 @@ score::ScoreOptions score_options(int threshold) {
 
 Scored score_image(const edge::EdgeImage& image, const score::ScoringTruth& truth, int threshold) {
     const score::ScoreOptions options = score_options(threshold);
+    score::check(options);
+    score::check_same_size(image, truth.labels);
+    return score_image(image, list_tolerances(truth), threshold);
+}
+
+Scored score_image(const edge::EdgeImage& image,
+                   std::span<const score::TruthLists> lists,
+                   int threshold) {
+    const score::ScoreOptions options = score_options(threshold);
     Scored scored;
     scored.strokes = score::make_strokes(image, threshold, options);
-    scored.at_2px = score::score_strokes(scored.strokes, truth, options);
-    scored.wrong_2px = score::wrong_pixels(scored.strokes, truth, options);
-    scored.tolerance_sweep =
-        score::tolerance_sweep_of_strokes(scored.strokes, truth, options, kTolerances_px);
-    scored.curve = score::score_curve(image, truth, options);
+    for (std::size_t i = 0; i < kTolerances_px.size(); ++i) {
+        score::PixelList drawn = score::counted_pixels(scored.strokes.thinned, lists[i]);
+        if (kTolerances_px[i] != kTolerance_px) {
+            scored.tolerance_sweep.push_back(score::match_counts(drawn, lists[i]));
+            continue;
+        }
+        scored.at_2px = score::score_lists(scored.strokes, drawn, lists[i]);
+        scored.wrong_2px = score::wrong_pixels(scored.strokes, drawn, lists[i], options);
+        scored.curve = score::score_curve_lists(image, lists[i], options);
+        scored.tolerance_sweep.push_back(
+            {scored.at_2px.k, scored.at_2px.n_pred, scored.at_2px.n_truth});
+        scored.drawn = std::move(drawn);
+    }
     return scored;
 }
 
@@ -169,51 +159,6 @@ Row PreparedMethod::row() const {
     row.bytes_per_px = method_->bytes_per_px();
     row.cost = CostFacts{method_->cost(), {}};
     return row;
-}
-
-std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>>& methods,
-                                     const scene::View& view,
-                                     const MeasureOptions& options,
-                                     std::vector<edge::EdgeImage>& images) {
-    const std::size_t count = methods.size();
-    std::vector<DrawTimes> times(count);
-    std::vector<double> spent_s(count, 0);
-    std::vector<bool> is_done(count, false);
-    const method::Frame frame{view, options.threads, options.skips};
-    images.assign(count, edge::EdgeImage());
-    edge::EdgeImage again(view.width_px, view.height_px);
-
-    for (int round = 0; round <= options.max_repetitions; ++round) {
-        for (std::size_t i = 0; i < count; ++i) {
-            if (is_done[i]) continue;
-            if (round == 0) images[i] = edge::EdgeImage(view.width_px, view.height_px);
-            edge::EdgeImage& out = round == 0 ? images[i] : again;
-            std::int64_t ns = 0;
-            std::string failure = methods[i]->failure();
-            if (failure.empty()) {
-                failure = failure_of(
-                    [&] { ns = time_ns([&] { methods[i]->method().draw(frame, out); }); });
-            }
-            if (failure.empty() && round > 0 && !(again == images[i])) {
-                failure = "failed: two drawings of one view differ";
-            }
-            if (!failure.empty()) {
-                times[i] = {{}, failure, {}};
-                is_done[i] = true;
-                continue;
-            }
-            if (const auto* outside = dynamic_cast<OutsideMethod*>(&methods[i]->method())) {
-                if (outside->draw_ns()) times[i].draw_ns.push_back(*outside->draw_ns());
-                is_done[i] = true;
-            }
-            if (round == 0) continue;
-            times[i].draw_ns.push_back(ns);
-            times[i].skips = methods[i]->method().skip_counts();
-            spent_s[i] += static_cast<double>(ns) * 1e-9;
-            is_done[i] = round >= options.min_repetitions && spent_s[i] > options.budget_s;
-        }
-    }
-    return times;
 }
 
 }  // namespace ink::harness

@@ -24,6 +24,11 @@ struct MeasureOptions {
     int min_repetitions = 3;
     int max_repetitions = 15;
     double budget_s = 0.03;  ///< a method on a view stops repeating after this much drawing
+    /// It stops before, after its least repetitions, when its median is known to this share of
+    /// itself (is_median_known); 0: never.
+    double precision = 0;
+    /// On a lane, what is counted has the machine to itself (core::run_alone).
+    bool is_alone = true;
     raster::SkipSet skips = skips_of_repeated_drawings();
 };
 
@@ -41,6 +46,7 @@ inline constexpr std::array<double, 5> kTolerances_px = {
 /// What is scored: an image, at a threshold, against a prepared truth.
 struct Scored {
     score::Strokes strokes;  ///< what of it was scored at its threshold
+    score::PixelList drawn;  ///< what of them counts at 2 px
     score::Score at_2px;
     std::vector<score::CurveCount> tolerance_sweep;  ///< at each of kTolerances_px, 1 px first
     std::array<score::CurveCount, 99> curve{};
@@ -55,6 +61,11 @@ struct Scored {
 /// Scores `image` at `threshold` with all tolerances and the whole curve at 2 px.
 [[nodiscard]] Scored score_image(const edge::EdgeImage& image,
                                  const score::ScoringTruth& truth,
+                                 int threshold);
+
+/// The same against list_tolerances() of the truth.
+[[nodiscard]] Scored score_image(const edge::EdgeImage& image,
+                                 std::span<const score::TruthLists> lists,
                                  int threshold);
 
 /// Writes the metrics of `scored` into `row`.

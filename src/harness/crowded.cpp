@@ -2,21 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "harness/cell.h"
-#include "score/matching.h"
-
 namespace ink::harness {
 
 void fill_crowded(const score::Strokes& strokes,
                   const score::Score& at_2px,
-                  const ViewTruth& truth,
+                  const ViewLists& lists,
                   Row& row) {
     row.with_crowded_2px = score::CurveCount{at_2px.k, at_2px.n_pred, at_2px.n_truth};
-    if (!truth.with_crowded) return;
-    const score::ScoreOptions options = score_options(1);  // the strokes have their threshold
-    const score::TruthLists lists = score::list_truth(*truth.with_crowded, options);
-    row.with_crowded_2px =
-        score::match_counts(score::counted_pixels(strokes.thinned, lists, options), lists);
+    if (!lists.with_crowded) return;
+    row.with_crowded_2px = score::match_counts(
+        score::counted_pixels(strokes.thinned, *lists.with_crowded), *lists.with_crowded);
 }
 
 void note_crowded(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {

@@ -4,6 +4,7 @@
 
 #include "harness/evaluations.h"
 #include "harness/tracing.h"
+#include "harness/view_lists.h"
 
 namespace ink::harness {
 
@@ -15,7 +16,7 @@ inline constexpr double kMostCrowded = 0.2;
 /// that is `at_2px`.
 void fill_crowded(const score::Strokes& strokes,
                   const score::Score& at_2px,
-                  const ViewTruth& truth,
+                  const ViewLists& lists,
                   Row& row);
 
 /// Gives the rows of a view that is too crowded the status "crowded: ..."; rows that failed keep

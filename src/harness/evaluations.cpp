@@ -94,20 +94,23 @@ void fill_truth_facts(const ViewTruth& truth, Row& row) {
 
 void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {
     const LineTruth lines = prepare_lines(truth);
+    const ViewLists lists = list_view(truth);
+    const std::vector<score::TruthLists> tolerances = list_tolerances(truth.scoring);
     const score::RandomBaseline random_baseline(
         truth.scoring, score_options(255), random_seed(evaluations.front().row));
     // Scores are not timed, so they may use every core.
     core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
         Evaluation& evaluation = evaluations[i];
         if (!evaluation.row.is_ok()) return;
-        evaluation.scored = score_image(evaluation.image, truth.scoring, evaluation.threshold);
-        fill_scores(evaluation.scored, evaluation.row);
-        fill_intersections(
-            evaluation.scored.strokes, evaluation.scored.at_2px, truth, evaluation.row);
-        fill_crowded(evaluation.scored.strokes, evaluation.scored.at_2px, truth, evaluation.row);
+        Scored& scored = evaluation.scored;
+        scored = score_image(evaluation.image, tolerances, evaluation.threshold);
+        fill_scores(scored, evaluation.row);
+        fill_intersections(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
+        fill_crowded(scored.strokes, scored.at_2px, lists, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
-        evaluation.row.lines = score_lines(evaluation.scored.strokes, lines);
-        evaluation.scored.strokes = {};
+        evaluation.row.lines = score_lines(scored.strokes, scored.drawn, lines);
+        scored.strokes = {};
+        scored.drawn = {};
         evaluation.row.image_hash = core::image_hash(evaluation.image);
     });
     for (Evaluation& evaluation : evaluations)

@@ -1,12 +1,13 @@
 #include "harness/intersection_scores.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "harness/cell.h"
 #include "harness/crowded.h"
 #include "harness/recall_groups.h"
-#include "score/matching.h"
+#include "score/drawn_matcher.h"
 
 namespace ink::harness {
 namespace {
@@ -14,33 +15,39 @@ namespace {
 using score::Intersections;
 using score::PixelList;
 
-/// What counts of some strokes against one prepared truth.
+/// What counts of some strokes against one truth.
 struct Counted {
-    score::TruthLists lists;
+    const score::TruthLists& lists;
     PixelList drawn;
+    score::DrawnMatcher matcher;
 
-    Counted(const score::Strokes& strokes, const score::ScoringTruth& truth)
-        : lists(score::list_truth(truth, score_options(1))),  // the strokes have their threshold
-          drawn(score::counted_pixels(strokes.thinned, lists, score_options(1))) {}
+    Counted(const score::Strokes& strokes, const score::TruthLists& truth_lists)
+        : lists(truth_lists),
+          drawn(score::counted_pixels(strokes.thinned, lists)),
+          matcher(drawn, lists.disk, lists.countable.width_px()) {}
 
     /// Recall of some of the true pixels; none leaves the row without the group.
-    void fill(std::string_view group, const PixelList& true_pixels, Row& row) const {
+    void fill(std::string_view group, const PixelList& true_pixels, Row& row) {
         const std::string name(group);
         row.k_by_class.erase(name);
         row.truth_px_by_class.erase(name);
         row.recall_by_class.erase(name);
         if (true_pixels.is_empty()) return;
-        const std::int64_t k = score::match_pixels(drawn, true_pixels, lists.disk).k;
+        const std::int64_t k = matcher.match(true_pixels);
         const auto n = static_cast<std::int64_t>(true_pixels.size());
         row.k_by_class[name] = k;
         row.truth_px_by_class[name] = n;
         row.recall_by_class[name] = static_cast<double>(k) / static_cast<double>(n);
     }
+    /// The same of all intersections.
+    void fill_intersections(std::string_view group, Row& row) {
+        const auto found = std::find_if(
+            lists.classes.begin(), lists.classes.end(), [](const score::ClassPixels& c) {
+                return c.label == static_cast<std::uint8_t>(truth::LineClass::intersection);
+            });
+        fill(group, found == lists.classes.end() ? PixelList() : found->pixels, row);
+    }
 };
-
-PixelList intersections_of(const score::ScoringTruth& truth) {
-    return PixelList(truth.labels, static_cast<std::uint8_t>(truth::LineClass::intersection));
-}
 
 /// Without flat intersections all are above the crease angle.
 void copy_intersections(Row& row) {
@@ -57,32 +64,56 @@ void copy_intersections(Row& row) {
 void fill_intersections(const score::Strokes& strokes,
                         const score::Score& at_2px,
                         const ViewTruth& truth,
+                        const ViewLists& lists,
                         Row& row) {
     const score::CurveCount chosen{at_2px.k, at_2px.n_pred, at_2px.n_truth};
     row.above_crease_2px = chosen;
     row.all_intersections_2px = chosen;
-    if (!truth.other) {
+    if (!lists.other) {
         copy_intersections(row);
         return;
     }
     const bool is_all = truth.intersections == Intersections::all;
-    const score::ScoringTruth& above_truth = is_all ? *truth.other : truth.scoring;
-    const score::ScoringTruth& all_truth = is_all ? truth.scoring : *truth.other;
-    const Counted above(strokes, above_truth);
-    const Counted all(strokes, all_truth);
+    Counted above(strokes, is_all ? *lists.other : lists.scoring);
+    Counted all(strokes, is_all ? lists.scoring : *lists.other);
     const Counted& other = is_all ? above : all;
     (is_all ? row.above_crease_2px : row.all_intersections_2px) =
         score::match_counts(other.drawn, other.lists);
-    above.fill(kAboveCrease, intersections_of(above_truth), row);
-    all.fill(truth::name(truth::LineClass::intersection), intersections_of(all_truth), row);
+    above.fill_intersections(kAboveCrease, row);
+    all.fill_intersections(truth::name(truth::LineClass::intersection), row);
     all.fill(kBelowCrease, truth.below_crease, row);
 }
 
-void fill_score_2px(const score::Strokes& strokes, const ViewTruth& truth, Row& row) {
-    const score::Score at_2px = score::score_strokes(strokes, truth.scoring, score_options(1));
+void fill_score_2px(const score::Strokes& strokes,
+                    const ViewTruth& truth,
+                    const ViewLists& lists,
+                    Row& row) {
+    const score::Score at_2px = score::score_lists(
+        strokes, score::counted_pixels(strokes.thinned, lists.scoring), lists.scoring);
     fill_score_2px(at_2px, row);
-    fill_intersections(strokes, at_2px, truth, row);
-    fill_crowded(strokes, at_2px, truth, row);
+    fill_intersections(strokes, at_2px, truth, lists, row);
+    fill_crowded(strokes, at_2px, lists, row);
+}
+
+void copy_score_2px(const Row& from, Row& to) {
+    to.f_2px = from.f_2px;
+    to.precision_2px = from.precision_2px;
+    to.recall_2px = from.recall_2px;
+    to.above_crease_2px = from.above_crease_2px;
+    to.all_intersections_2px = from.all_intersections_2px;
+    to.with_crowded_2px = from.with_crowded_2px;
+    to.recall_by_class = from.recall_by_class;
+    to.truth_px_by_class = from.truth_px_by_class;
+    to.k_by_class = from.k_by_class;
+    to.mean_width_px = from.mean_width_px;
+    to.k_2px = from.k_2px;
+    to.n_pred = from.n_pred;
+    to.n_truth = from.n_truth;
+    to.unmatched_duplicates = from.unmatched_duplicates;
+    to.false_positives = from.false_positives;
+    to.unmatched_truth = from.unmatched_truth;
+    to.false_negatives = from.false_negatives;
+    to.truth_px = from.truth_px;
 }
 
 }  // namespace ink::harness

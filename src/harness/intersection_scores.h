@@ -2,6 +2,7 @@
 
 #include "harness/row.h"
 #include "harness/tracing.h"
+#include "harness/view_lists.h"
 #include "score/drawing.h"
 #include "score/score.h"
 
@@ -13,9 +14,17 @@ namespace ink::harness {
 void fill_intersections(const score::Strokes& strokes,
                         const score::Score& at_2px,
                         const ViewTruth& truth,
+                        const ViewLists& lists,
                         Row& row);
 
-/// Scores strokes at 2 px and writes all that into `row`: metrics, counts, recalls.
-void fill_score_2px(const score::Strokes& strokes, const ViewTruth& truth, Row& row);
+/// Scores strokes at 2 px and writes all that into `row`: metrics, counts, recalls. `lists` are
+/// list_view() of the truth.
+void fill_score_2px(const score::Strokes& strokes,
+                    const ViewTruth& truth,
+                    const ViewLists& lists,
+                    Row& row);
+
+/// Copies what that writes: an equal image at an equal threshold scores the same.
+void copy_score_2px(const Row& from, Row& to);
 
 }  // namespace ink::harness

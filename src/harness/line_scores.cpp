@@ -1,5 +1,6 @@
 #include "harness/line_scores.h"
 
+#include "score/drawn_matcher.h"
 #include "truth/cracks.h"
 
 namespace ink::harness {
@@ -21,7 +22,8 @@ LineTruth prepare_lines(const ViewTruth& truth) {
         score::counted_curves(curves, truth.crease_rad, truth.intersections);
     const int width = truth.scoring.labels.width_px(), height = truth.scoring.labels.height_px();
     return {
-        score::list_truth(truth.scoring, options),
+        score::Disk(options.tolerance_px),
+        width,
         score::prepare_cracks(truth::draw_cracks(counted, width, height), truth.scoring, options),
         score::find_nearest_curves(curves, width, height),
         score::place_probes(counted, truth.scoring, options),
@@ -29,15 +31,16 @@ LineTruth prepare_lines(const ViewTruth& truth) {
         bin_truth(truth.traced, truth.scoring)};
 }
 
-LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth) {
+LineScores score_lines(const score::Strokes& strokes,
+                       const score::PixelList& counted,
+                       const LineTruth& truth) {
     LineScores result;
     result.cracks = score::score_cracks(strokes.drawn, truth.cracks);
     result.widths = score::measure_widths(strokes.drawn, truth.probes);
     result.positives = score::count_positives(strokes.drawn, truth.positives);
-    const score::PixelList drawn =
-        score::counted_pixels(strokes.thinned, truth.lists, harness_options());
-    result.offsets = score::measure_offsets(drawn, truth.nearest);
-    result.bins = match_bins(drawn, truth.bins, truth.lists.disk);
+    result.offsets = score::measure_offsets(counted, truth.nearest);
+    score::DrawnMatcher matcher(counted, truth.disk, truth.width_px);
+    result.bins = match_bins(matcher, truth.bins);
     return result;
 }
 

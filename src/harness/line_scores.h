@@ -23,7 +23,8 @@ struct LineScores {
 
 /// A view's truth made ready for that, from its sub-pixel curves; once a view.
 struct LineTruth {
-    score::TruthLists lists;
+    score::Disk disk;
+    int width_px = 0;
     score::CrackTruth cracks;
     score::NearestCurves nearest;
     std::vector<score::WidthProbe> probes;
@@ -33,8 +34,10 @@ struct LineTruth {
 
 [[nodiscard]] LineTruth prepare_lines(const ViewTruth& truth);
 
-/// Scores a thresholded image with the harness's band and tolerance. Only reads `truth`, so
-/// several threads may score against one.
-[[nodiscard]] LineScores score_lines(const score::Strokes& strokes, const LineTruth& truth);
+/// Scores a thresholded image with the harness's band and tolerance; `counted` is what of it counts
+/// (score::counted_pixels). Only reads `truth`, so several threads may score against one.
+[[nodiscard]] LineScores score_lines(const score::Strokes& strokes,
+                                     const score::PixelList& counted,
+                                     const LineTruth& truth);
 
 }  // namespace ink::harness

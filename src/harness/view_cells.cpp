@@ -2,31 +2,60 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <map>
 #include <new>
+#include <utility>
 
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "harness/crowded.h"
 #include "harness/intersection_scores.h"
+#include "harness/view_lists.h"
 
 namespace ink::harness {
 namespace {
 
-/// Adds baselines, and writes into every row what does not depend on its score.
+/// Writes into every row what does not depend on its score.
 void prepare_rows(const scene::Scene& scene,
                   const scene::View& view,
                   const TracedView& traced,
                   const CellOptions& options,
                   std::vector<Evaluation>& evaluations) {
-    std::vector<Evaluation> baselines = baseline_evaluations(traced.truth);
-    std::move(baselines.begin(), baselines.end(), std::back_inserter(evaluations));
     for (Evaluation& evaluation : evaluations) {
         if (!traced.has_truth()) evaluation.row.status = traced.failure;
         fill_place(scene, view, options, evaluation.row);
         if (evaluation.row.cost) evaluation.row.cost->frame = traced.counts;
     }
     if (traced.check) note_crosscheck(*traced.check, evaluations);
+}
+
+void add_baselines(const TracedView& traced, std::vector<Evaluation>& evaluations) {
+    std::vector<Evaluation> baselines = baseline_evaluations(traced.truth);
+    std::move(baselines.begin(), baselines.end(), std::back_inserter(evaluations));
+}
+
+/// For each evaluation the first that has the same image and threshold: many settings of a method
+/// draw the same on most scenes. Those that failed stand for themselves.
+std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations) {
+    std::map<std::pair<std::string, int>, std::vector<std::size_t>> known;
+    std::vector<std::size_t> firsts(evaluations.size());
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        const Evaluation& evaluation = evaluations[i];
+        firsts[i] = i;
+        if (!evaluation.row.is_ok()) continue;
+        auto& alike = known[{evaluation.row.image_hash, evaluation.threshold}];
+        const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t first) {
+            return evaluations[first].image == evaluation.image;
+        });
+        if (found == alike.end()) {
+            alike.push_back(i);
+        } else {
+            firsts[i] = *found;
+        }
+    }
+    return firsts;
 }
 
 }  // namespace
@@ -71,6 +100,7 @@ void finish_evaluations(const scene::Scene& scene,
                         const TracedView& traced,
                         const CellOptions& options,
                         std::vector<Evaluation>& evaluations) {
+    add_baselines(traced, evaluations);
     prepare_rows(scene, view, traced, options, evaluations);
     if (!traced.has_truth()) return;
     score_evaluations(traced.truth, evaluations);
@@ -82,20 +112,41 @@ void finish_briefly(const scene::Scene& scene,
                     const TracedView& traced,
                     const CellOptions& options,
                     std::vector<Evaluation>& evaluations) {
+    add_baselines(traced, evaluations);
+    finish_settings(scene, view, traced, options, evaluations);
+}
+
+void finish_settings(const scene::Scene& scene,
+                     const scene::View& view,
+                     const TracedView& traced,
+                     const CellOptions& options,
+                     std::vector<Evaluation>& evaluations) {
     prepare_rows(scene, view, traced, options, evaluations);
     if (!traced.has_truth()) return;
     // Scores are not timed, so they may use every core.
-    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
-        Evaluation& evaluation = evaluations[i];
-        if (!evaluation.row.is_ok()) return;
-        const score::ScoreOptions at_2px = score_options(evaluation.threshold);
-        fill_score_2px(score::make_strokes(evaluation.image, evaluation.threshold, at_2px),
-                       traced.truth,
-                       evaluation.row);
-        evaluation.row.image_hash = core::image_hash(evaluation.image);
+    const auto for_each = [&](const auto& body) {
+        core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+            if (evaluations[i].row.is_ok()) body(i);
+        });
+    };
+    for_each([&](std::size_t i) {
+        evaluations[i].row.image_hash = core::image_hash(evaluations[i].image);
     });
-    for (Evaluation& evaluation : evaluations)
-        fill_truth_facts(traced.truth, evaluation.row);
+    const ViewLists lists = list_view(traced.truth);
+    const std::vector<std::size_t> firsts = first_equals(evaluations);
+    for_each([&](std::size_t i) {
+        if (firsts[i] != i) return;
+        const int threshold = evaluations[i].threshold;
+        fill_score_2px(
+            score::make_strokes(evaluations[i].image, threshold, score_options(threshold)),
+            traced.truth,
+            lists,
+            evaluations[i].row);
+    });
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        if (firsts[i] != i) copy_score_2px(evaluations[firsts[i]].row, evaluations[i].row);
+        fill_truth_facts(traced.truth, evaluations[i].row);
+    }
     note_crowded(traced.truth, evaluations);
 }
 

@@ -62,4 +62,11 @@ void finish_briefly(const scene::Scene& scene,
                     const CellOptions& options,
                     std::vector<Evaluation>& evaluations);
 
+/// The same without baselines. Equal images at equal thresholds are scored once.
+void finish_settings(const scene::Scene& scene,
+                     const scene::View& view,
+                     const TracedView& traced,
+                     const CellOptions& options,
+                     std::vector<Evaluation>& evaluations);
+
 }  // namespace ink::harness

@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 
-#include "score/matching.h"
 #include "score/wrong_pixels.h"
 #include "truth/curve_map.h"
 
@@ -104,19 +103,20 @@ double CancellationCount::agreement() const {
 }
 
 CancellationCount count_cancellation(const score::PixelList& kind,
-                                     const score::PixelList& predicted,
-                                     const score::PixelList& measured,
-                                     const score::Disk& disk) {
+                                     CountedInk& predicted,
+                                     CountedInk& measured) {
     CancellationCount count;
     count.n_truth = static_cast<std::int64_t>(kind.size());
-    count.predicted_missed = count.n_truth - score::match_pixels(predicted, kind, disk).k;
-    count.measured_missed = count.n_truth - score::match_pixels(measured, kind, disk).k;
-    const auto is_predicted = score::within_reach(kind, predicted, disk);
-    const auto is_measured = score::within_reach(kind, measured, disk);
-    for (std::size_t i = 0; i < kind.size(); ++i) {
-        count.predicted_false_negatives += is_predicted[i] == 0 ? 1 : 0;
-        count.measured_false_negatives += is_measured[i] == 0 ? 1 : 0;
-        count.both_false_negatives += is_predicted[i] == 0 && is_measured[i] == 0 ? 1 : 0;
+    count.predicted_missed = count.n_truth - predicted.match(kind);
+    count.measured_missed = count.n_truth - measured.match(kind);
+    for (int y = 0; y < kind.height_px(); ++y) {
+        for (std::size_t i = kind.row_begin(y); i < kind.row_begin(y + 1); ++i) {
+            const bool is_predicted = predicted.is_near(kind.x(i), y);
+            const bool is_measured = measured.is_near(kind.x(i), y);
+            count.predicted_false_negatives += is_predicted ? 0 : 1;
+            count.measured_false_negatives += is_measured ? 0 : 1;
+            count.both_false_negatives += is_predicted || is_measured ? 0 : 1;
+        }
     }
     return count;
 }

@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "score/drawn_matcher.h"
 #include "score/pixel_list.h"
+#include "score/reach.h"
 #include "score/score.h"
 #include "truth/line_class.h"
 #include "truth/truth.h"
@@ -58,12 +61,32 @@ struct CancellationCount {
     [[nodiscard]] bool operator==(const CancellationCount&) const = default;
 };
 
-/// Counts of one kind: `predicted` and `measured` are thinned ink that counts
-/// (score::counted_pixels).
+/// Thinned ink that counts (score::counted_pixels), ready to be held against one kind after the
+/// other.
+class CountedInk {
+  public:
+    CountedInk(score::PixelList pixels, const score::Disk& disk, int width_px)
+        : pixels_(std::move(pixels)),
+          matcher_(pixels_, disk, width_px),
+          reach_(score::reach_of(pixels_, disk, width_px)) {}
+    CountedInk(const CountedInk&) = delete;
+    CountedInk& operator=(const CountedInk&) = delete;
+
+    /// How many of `kind` it is matched with at most, one to one.
+    [[nodiscard]] std::int64_t match(const score::PixelList& kind) { return matcher_.match(kind); }
+    /// Whether some of it is in reach of a pixel.
+    [[nodiscard]] bool is_near(int x, int y) const { return reach_.is_set(x, y); }
+
+  private:
+    score::PixelList pixels_;
+    score::DrawnMatcher matcher_;  ///< of pixels_
+    edge::BitMask reach_;
+};
+
+/// Counts of one kind.
 [[nodiscard]] CancellationCount count_cancellation(const score::PixelList& kind,
-                                                   const score::PixelList& predicted,
-                                                   const score::PixelList& measured,
-                                                   const score::Disk& disk);
+                                                   CountedInk& predicted,
+                                                   CountedInk& measured);
 
 /// The counts of a method with a declared code, of one kind of line on one view.
 struct CancellationRow {

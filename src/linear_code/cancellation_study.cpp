@@ -1,6 +1,7 @@
 #include "linear_code/cancellation_study.h"
 
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "core/parallel.h"
 #include "edge/thin.h"
@@ -28,35 +29,32 @@ struct CountedTruth {
     score::TruthLists lists;
 };
 
-score::PixelList counted_positives(const edge::Mask& drawn,
-                                   const CountedTruth& counted,
-                                   const score::ScoreOptions& options) {
-    return score::counted_pixels(edge::thin(drawn), counted.lists, options);
+score::PixelList counted_positives(const edge::Mask& drawn, const CountedTruth& counted) {
+    edge::BitMask thinned(drawn);
+    edge::thin(thinned);
+    return score::counted_pixels(std::move(thinned), counted.lists);
 }
 
 void fill_rows(const harness::ViewTruth& truth, const CountedTruth& counted, Study& study) {
     const harness::Evaluation& evaluation = study.evaluation;
-    const score::ScoreOptions options = harness::score_options(evaluation.threshold);
-    const score::PixelList predicted = counted_positives(
-        predicted_positives(
-            study.code, truth.traced.layers.triangle, counted.seeing, study.declared),
-        counted,
-        options);
-    const score::PixelList measured = counted_positives(
-        edge::threshold(evaluation.image, evaluation.threshold), counted, options);
+    const auto ink_of = [&](const edge::Mask& drawn) {
+        return CountedInk(counted_positives(drawn, counted), counted.lists.disk, drawn.width_px());
+    };
+    CountedInk predicted = ink_of(predicted_positives(
+        study.code, truth.traced.layers.triangle, counted.seeing, study.declared));
+    CountedInk measured = ink_of(edge::threshold(evaluation.image, evaluation.threshold));
     const double silent_deg =
         glm::degrees(silent_deviation_rad(*study.declared.code, study.declared.threshold));
     for (const auto& [kind, pixels] : counted.kinds) {
-        study.rows.push_back(
-            {.method = evaluation.row.method,
-             .scene = evaluation.row.scene,
-             .view = evaluation.row.view,
-             .split = evaluation.row.split,
-             .width_px = evaluation.row.width,
-             .height_px = evaluation.row.height,
-             .silent_deg = silent_deg,
-             .kind = kind,
-             .count = count_cancellation(pixels, predicted, measured, counted.lists.disk)});
+        study.rows.push_back({.method = evaluation.row.method,
+                              .scene = evaluation.row.scene,
+                              .view = evaluation.row.view,
+                              .split = evaluation.row.split,
+                              .width_px = evaluation.row.width,
+                              .height_px = evaluation.row.height,
+                              .silent_deg = silent_deg,
+                              .kind = kind,
+                              .count = count_cancellation(pixels, predicted, measured)});
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace ink::score {
 namespace {
@@ -263,28 +265,42 @@ void mark(const PixelList& pixels, const Box& box, std::vector<Bits>& words) {
     }
 }
 
-}  // namespace
-
-MatchCounts match_bits(const PixelList& left, const PixelList& right, const Disk& disk) {
-    if (left.is_empty() || right.is_empty()) return {};
-    // Only what is near both can be matched.
+/// A matcher of the two lists, on the part of the image where they are near each other; nothing if
+/// they nowhere are.
+std::optional<BitMatcher> matcher_of(const PixelList& left,
+                                     const PixelList& right,
+                                     const Disk& disk) {
+    if (left.is_empty() || right.is_empty()) return std::nullopt;
     const Box a = box_of(left), b = box_of(right);
     const int reach = disk.radius_px();
     const Box box{std::max({0, std::max(a.x0, b.x0) - reach}),
                   std::max({0, std::max(a.y0, b.y0) - reach}),
                   std::min(std::max(a.x1, b.x1), std::min(a.x1, b.x1) + reach),
                   std::min(std::max(a.y1, b.y1), std::min(a.y1, b.y1) + reach)};
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) return {};
-    BitMatcher matcher(box.x1 - box.x0, box.y1 - box.y0, disk);
-    std::vector<Bits> words(matcher.word_count());
+    if (box.x0 >= box.x1 || box.y0 >= box.y1) return std::nullopt;
+    std::optional<BitMatcher> matcher(std::in_place, box.x1 - box.x0, box.y1 - box.y0, disk);
+    std::vector<Bits> words(matcher->word_count());
     mark(left, box, words);
-    matcher.set_left(words);
+    matcher->set_left(words);
     std::fill(words.begin(), words.end(), 0);
     mark(right, box, words);
-    matcher.set_right(words);
-    return {.k = matcher.match(),
-            .left_reached = matcher.left_reached(),
-            .right_reached = matcher.right_reached()};
+    matcher->set_right(words);
+    return matcher;
+}
+
+}  // namespace
+
+MatchCounts match_bits(const PixelList& left, const PixelList& right, const Disk& disk) {
+    std::optional<BitMatcher> matcher = matcher_of(left, right, disk);
+    if (!matcher) return {};
+    return {.k = matcher->match(),
+            .left_reached = matcher->left_reached(),
+            .right_reached = matcher->right_reached()};
+}
+
+std::int64_t count_pairs_in_bits(const PixelList& left, const PixelList& right, const Disk& disk) {
+    std::optional<BitMatcher> matcher = matcher_of(left, right, disk);
+    return matcher ? matcher->match() : 0;
 }
 
 }  // namespace ink::score

@@ -83,5 +83,9 @@ class BitMatcher {
 [[nodiscard]] MatchCounts match_bits(const PixelList& left,
                                      const PixelList& right,
                                      const Disk& disk);
+/// count_pairs() for such a disk.
+[[nodiscard]] std::int64_t count_pairs_in_bits(const PixelList& left,
+                                               const PixelList& right,
+                                               const Disk& disk);
 
 }  // namespace ink::score

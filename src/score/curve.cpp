@@ -12,6 +12,7 @@
 #include "edge/thin.h"
 #include "score/bit_matcher.h"
 #include "score/drawing.h"
+#include "score/reach.h"
 #include "score/score.h"
 
 namespace ink::score {
@@ -58,78 +59,24 @@ class ByResponse {
     std::vector<Place> places_;
 };
 
-/// Sets the pixels from `first` to before `end` of a row.
-void set_run(std::uint64_t* row, int first, int end) {
-    for (int x = first; x < end;) {
-        const int stop = std::min(end, (x / 64 + 1) * 64);
-        row[x / 64] |= (~std::uint64_t{0} >> (64 - (stop - x))) << (x % 64);
-        x = stop;
-    }
-}
-
-/// The row of a mask's pixels; `y` within the image.
-std::uint64_t* row_of(edge::BitMask& mask, int y) {
-    return mask.words().data() + static_cast<std::size_t>(y + 1) * mask.stride() + 1;
-}
-
-/// All pixels that have one of `pixels` within the disk.
-edge::BitMask in_reach_of(const PixelList& pixels, const Disk& disk, int width_px) {
-    edge::BitMask mask(width_px, pixels.height_px());
-    for (int y = 0; y < pixels.height_px(); ++y) {
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            const int first = std::max(0, y - disk.radius_px());
-            const int last = std::min(pixels.height_px() - 1, y + disk.radius_px());
-            for (int v = first; v <= last; ++v) {
-                const int half = disk.half_width_px(v - y);
-                set_run(row_of(mask, v),
-                        std::max(0, pixels.x(i) - half),
-                        std::min(width_px, pixels.x(i) + half + 1));
-            }
-        }
-    }
-    return mask;
-}
-
-/// The pixels that count if they are drawn: what counted_pixels() takes out is the same at every
-/// threshold.
-edge::BitMask countable(const TruthLists& lists, int width_px, int band_px) {
-    const int height_px = lists.truth.height_px();
-    edge::BitMask mask(width_px, height_px);
-    for (int y = band_px; y < height_px - band_px; ++y)
-        set_run(row_of(mask, y), band_px, width_px - band_px);
-    if (lists.ignore.is_empty()) return mask;
-    edge::BitMask ignored = in_reach_of(lists.ignore, lists.disk, width_px);
-    edge::BitMask wanted = in_reach_of(lists.truth, lists.disk, width_px);
-    for (std::size_t i = 0; i < mask.words().size(); ++i)
-        mask.words()[i] &= ~ignored.words()[i] | wanted.words()[i];
-    return mask;
-}
-
 /// Counts one mask after the other against one truth.
 class CurveCounter {
   public:
-    CurveCounter(const TruthLists& lists, int width_px, const ScoreOptions& options)
-        : lists_(lists),
-          options_(options),
-          countable_(countable(lists, width_px, options.band_px)) {
+    explicit CurveCounter(const TruthLists& lists) : lists_(lists) {
         if (!BitMatcher::takes(lists.disk)) return;
+        const int width_px = lists.countable.width_px();
         matcher_.emplace(width_px, lists.truth.height_px(), lists.disk);
-        edge::BitMask truth(width_px, lists.truth.height_px());
-        for (int y = 0; y < lists.truth.height_px(); ++y) {
-            for (std::size_t i = lists.truth.row_begin(y); i < lists.truth.row_begin(y + 1); ++i)
-                truth.set(lists.truth.x(i), y);
-        }
-        matcher_->set_right(truth.words());
+        matcher_->set_right(mask_of(lists.truth, width_px).words());
     }
 
     /// `drawn` is thin, and changed by this.
     [[nodiscard]] CurveCount count(edge::BitMask& drawn) {
-        if (!matcher_) return match_counts(counted_pixels(drawn, lists_, options_), lists_);
+        if (!matcher_) return match_counts(counted_pixels(std::move(drawn), lists_), lists_);
         CurveCount result{.n_truth = static_cast<std::int64_t>(lists_.truth.size())};
         for (std::size_t i = 0; i < drawn.words().size(); ++i) {
             std::uint64_t& word = drawn.words()[i];
             if (word == 0) continue;
-            word &= countable_.words()[i];
+            word &= lists_.countable.words()[i];
             result.n_pred += std::popcount(word);
         }
         matcher_->set_left(drawn.words());
@@ -139,8 +86,6 @@ class CurveCounter {
 
   private:
     const TruthLists& lists_;
-    const ScoreOptions& options_;
-    edge::BitMask countable_;
     std::optional<BitMatcher> matcher_;
 };
 
@@ -161,10 +106,15 @@ double CurveCount::f() const {
 std::array<CurveCount, 99> score_curve(const edge::EdgeImage& prediction,
                                        const ScoringTruth& truth,
                                        const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(prediction, truth, options);
+    return score_curve_lists(prediction, checked_lists(prediction, truth, options), options);
+}
+
+std::array<CurveCount, 99> score_curve_lists(const edge::EdgeImage& prediction,
+                                             const TruthLists& lists,
+                                             const ScoreOptions& options) {
     const ByResponse pixels(prediction);
     std::array<CurveCount, 99> curve;
-    CurveCounter counter(lists, prediction.width_px(), options);
+    CurveCounter counter(lists);
     // From the highest threshold down, each mask is the one before and some pixels more.
     edge::BitMask drawn(prediction.width_px(), prediction.height_px());
     std::size_t n_drawn = 0;
@@ -189,15 +139,11 @@ std::vector<CurveCount> tolerance_sweep_of_strokes(const Strokes& strokes,
                                                    const ScoreOptions& options,
                                                    std::span<const double> tolerances_px) {
     std::vector<CurveCount> tolerance_sweep;
-    if (tolerances_px.empty()) return tolerance_sweep;
     ScoreOptions at = options;
-    at.tolerance_px = tolerances_px.front();
-    TruthLists lists = checked_lists(strokes.drawn, truth, at);
     for (const double tolerance_px : tolerances_px) {
         at.tolerance_px = tolerance_px;
-        check(at);
-        lists.disk = Disk(tolerance_px);
-        tolerance_sweep.push_back(match_counts(counted_pixels(strokes.thinned, lists, at), lists));
+        const TruthLists lists = checked_lists(strokes.drawn, truth, at);
+        tolerance_sweep.push_back(match_counts(counted_pixels(strokes.thinned, lists), lists));
     }
     return tolerance_sweep;
 }

@@ -9,38 +9,45 @@
 #include "core/error.h"
 #include "edge/thin.h"
 #include "score/matching.h"
+#include "score/reach.h"
 
 namespace ink::score {
 namespace {
 
-std::int64_t count(const edge::Mask& mask) {
-    return std::count(mask.data(), mask.data() + mask.size(), std::uint8_t{1});
+/// The true pixels of each label, from the list of all.
+std::vector<ClassPixels> classes_of(const PixelList& all, const ScoringTruth& truth) {
+    std::vector<ClassPixels> classes;
+    if (truth.is_binary) return classes;
+    std::vector<std::uint8_t> is_other(all.size());
+    for (const std::uint8_t label : truth.labels_in_use) {
+        for (int y = 0; y < all.height_px(); ++y) {
+            const std::uint8_t* row = truth.labels.row(y);
+            for (std::size_t i = all.row_begin(y); i < all.row_begin(y + 1); ++i)
+                is_other[i] = row[all.x(i)] != label;
+        }
+        classes.push_back({label, all});
+        classes.back().pixels.drop(is_other);
+    }
+    return classes;
 }
 
-/// Takes out what only an ignored pixel is in reach of.
-void drop_ignored(PixelList& pixels, const TruthLists& lists) {
-    if (lists.ignore.is_empty()) return;
-    std::vector<std::uint8_t> is_dropped = within_reach(pixels, lists.ignore, lists.disk);
-    const auto has_truth = within_reach(pixels, lists.truth, lists.disk);
-    for (std::size_t i = 0; i < is_dropped.size(); ++i) {
-        if (has_truth[i] != 0) is_dropped[i] = 0;
-    }
-    pixels.drop(is_dropped);
+/// Of anything that has a width and a height.
+template <class Drawn, class Truth>
+void check_sizes(const Drawn& drawn, const Truth& truth) {
+    if (drawn.width_px() == truth.width_px() && drawn.height_px() == truth.height_px()) return;
+    throw core::Error("score",
+                      fmt::format("the prediction is {} x {} px and the truth {} x {} px",
+                                  drawn.width_px(),
+                                  drawn.height_px(),
+                                  truth.width_px(),
+                                  truth.height_px()),
+                      "two pictures of one size");
 }
 
 }  // namespace
 
 void check_same_size(const edge::EdgeImage& prediction, const core::Image<std::uint8_t>& truth) {
-    if (prediction.width_px() == truth.width_px() && prediction.height_px() == truth.height_px()) {
-        return;
-    }
-    throw core::Error("score",
-                      fmt::format("the prediction is {} x {} px and the truth {} x {} px",
-                                  prediction.width_px(),
-                                  prediction.height_px(),
-                                  truth.width_px(),
-                                  truth.height_px()),
-                      "two pictures of one size");
+    check_sizes(prediction, truth);
 }
 
 void clear_band(core::Image<std::uint8_t>& image, int band_px) {
@@ -60,14 +67,20 @@ Strokes make_strokes(const edge::EdgeImage& prediction,
                      const ScoreOptions& options) {
     Strokes strokes;
     strokes.drawn = edge::threshold(prediction, threshold);
-    strokes.thinned = options.thin ? edge::thin(strokes.drawn) : strokes.drawn;
-    strokes.n_drawn = count(strokes.drawn);
-    strokes.n_thinned = options.thin ? count(strokes.thinned) : strokes.n_drawn;
+    strokes.thinned = edge::BitMask(strokes.drawn);
+    strokes.n_drawn = strokes.thinned.count();
+    if (options.thin) edge::thin(strokes.thinned);
+    strokes.n_thinned = options.thin ? strokes.thinned.count() : strokes.n_drawn;
     return strokes;
 }
 
 TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options) {
-    return {PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px)};
+    TruthLists lists{
+        PixelList(truth.labels), PixelList(truth.ignore), Disk(options.tolerance_px), {}, {}};
+    lists.countable = countable_pixels(
+        lists.truth, lists.ignore, lists.disk, truth.labels.width_px(), options.band_px);
+    lists.classes = classes_of(lists.truth, truth);
+    return lists;
 }
 
 TruthLists checked_lists(const edge::EdgeImage& prediction,
@@ -78,23 +91,15 @@ TruthLists checked_lists(const edge::EdgeImage& prediction,
     return list_truth(truth, options);
 }
 
-PixelList counted_pixels(edge::Mask drawn, const TruthLists& lists, const ScoreOptions& options) {
-    clear_band(drawn, options.band_px);
-    PixelList pixels(drawn);
-    drop_ignored(pixels, lists);
-    return pixels;
-}
-
-PixelList counted_pixels(const edge::BitMask& drawn,
-                         const TruthLists& lists,
-                         const ScoreOptions& options) {
-    PixelList pixels(drawn, options.band_px);
-    drop_ignored(pixels, lists);
-    return pixels;
+PixelList counted_pixels(edge::BitMask drawn, const TruthLists& lists) {
+    check_sizes(drawn, lists.countable);
+    for (std::size_t i = 0; i < drawn.words().size(); ++i)
+        drawn.words()[i] &= lists.countable.words()[i];
+    return {drawn, 0};
 }
 
 CurveCount match_counts(const PixelList& drawn, const TruthLists& lists) {
-    return {.k = match_pixels(drawn, lists.truth, lists.disk).k,
+    return {.k = count_pairs(drawn, lists.truth, lists.disk),
             .n_pred = static_cast<std::int64_t>(drawn.size()),
             .n_truth = static_cast<std::int64_t>(lists.truth.size())};
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "edge/bit_mask.h"
 #include "edge/edge_image.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
@@ -15,7 +17,7 @@ namespace ink::score {
 /// A thresholded picture: all that is drawn, and the same made thin. Nothing is taken out yet.
 struct Strokes {
     edge::Mask drawn;
-    edge::Mask thinned;  ///< `drawn` again where the options say not to thin
+    edge::BitMask thinned;  ///< `drawn` again where the options say not to thin
     std::int64_t n_drawn = 0;
     std::int64_t n_thinned = 0;
 
@@ -30,14 +32,23 @@ struct Strokes {
                                    int threshold,
                                    const ScoreOptions& options);
 
-/// The truth's side of a comparison, as lists.
+/// True pixels of one label.
+struct ClassPixels {
+    std::uint8_t label = 0;
+    PixelList pixels;
+};
+
+/// The truth's side of a comparison at one tolerance, as lists: made once for all images that are
+/// scored against one truth.
 struct TruthLists {
     PixelList truth;
     PixelList ignore;
     Disk disk;
+    edge::BitMask countable;           ///< the pixels that count if something is drawn there
+    std::vector<ClassPixels> classes;  ///< of `truth`, by label, ascending; none if it is binary
 };
 
-/// Lists a truth's pixels, and those under its ignore map, for the options' tolerance.
+/// Lists a truth's pixels, and those under its ignore map, for the options' tolerance and band.
 [[nodiscard]] TruthLists list_truth(const ScoringTruth& truth, const ScoreOptions& options);
 
 /// The same, if options and sizes will do. Throws core::Error as score() does if not.
@@ -46,15 +57,9 @@ struct TruthLists {
                                        const ScoreOptions& options);
 
 /// Takes band and ignore out of drawn pixels: of those left by the band, one with an ignored pixel
-/// and no truth pixel within the tolerance is dropped. What is left counts.
-[[nodiscard]] PixelList counted_pixels(edge::Mask drawn,
-                                       const TruthLists& lists,
-                                       const ScoreOptions& options);
-
-/// The same of a mask with a bit a pixel.
-[[nodiscard]] PixelList counted_pixels(const edge::BitMask& drawn,
-                                       const TruthLists& lists,
-                                       const ScoreOptions& options);
+/// and no truth pixel within the tolerance is dropped. What is left counts. Throws core::Error,
+/// which names both sizes, if the two differ in size.
+[[nodiscard]] PixelList counted_pixels(edge::BitMask drawn, const TruthLists& lists);
 
 /// Matches what counts of a drawing with the truth.
 [[nodiscard]] CurveCount match_counts(const PixelList& drawn, const TruthLists& lists);
@@ -67,12 +72,22 @@ struct TruthLists {
                                   const ScoringTruth& truth,
                                   const ScoreOptions& options);
 
+/// The same where truth and drawing are at hand as lists: `drawn` is what counts of the strokes.
+[[nodiscard]] Score score_lists(const Strokes& strokes,
+                                const PixelList& drawn,
+                                const TruthLists& lists);
+
 /// The same of score_tolerance_sweep().
 [[nodiscard]] std::vector<CurveCount> tolerance_sweep_of_strokes(
     const Strokes& strokes,
     const ScoringTruth& truth,
     const ScoreOptions& options,
     std::span<const double> tolerances_px);
+
+/// The same of score_curve(), with the truth as lists. Reads `thin` of the options.
+[[nodiscard]] std::array<CurveCount, 99> score_curve_lists(const edge::EdgeImage& prediction,
+                                                           const TruthLists& lists,
+                                                           const ScoreOptions& options);
 
 /// Sets the pixels closer than `band_px` to the frame to 0.
 void clear_band(core::Image<std::uint8_t>& image, int band_px);

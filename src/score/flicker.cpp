@@ -36,7 +36,7 @@ MotionFrame motion_frame(const edge::Mask& thinned,
     check(options);
     check_same_size(thinned, truth.labels);
     TruthLists lists = list_truth(truth, options);
-    PixelList counted = counted_pixels(thinned, lists, options);
+    PixelList counted = counted_pixels(edge::BitMask(thinned), lists);
     return {PixelList(thinned), std::move(counted), std::move(lists.truth)};
 }
 

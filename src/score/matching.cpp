@@ -210,6 +210,11 @@ std::int64_t maximum_matching(const CandidateGraph& graph) {
     return matcher.size();
 }
 
+std::int64_t count_pairs(const PixelList& left, const PixelList& right, const Disk& disk) {
+    if (BitMatcher::takes(disk)) return count_pairs_in_bits(left, right, disk);
+    return match_pixels(left, right, disk).k;
+}
+
 MatchCounts match_pixels(const PixelList& left, const PixelList& right, const Disk& disk) {
     if (BitMatcher::takes(disk)) return match_bits(left, right, disk);
     if (left.size() > right.size()) {

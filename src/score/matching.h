@@ -51,4 +51,9 @@ struct MatchCounts {
                                        const PixelList& right,
                                        const Disk& disk);
 
+/// match_pixels().k alone, which takes less.
+[[nodiscard]] std::int64_t count_pairs(const PixelList& left,
+                                       const PixelList& right,
+                                       const Disk& disk);
+
 }  // namespace ink::score

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "score/drawing.h"
 #include "score/score.h"
 
 namespace ink::score {
@@ -17,15 +18,14 @@ namespace ink::score {
 /// is small against F, since each of n pixels is an independent trial but for competition.
 class RandomBaseline {
   public:
-    /// `truth` must outlive this; the same seed gives the same images everywhere.
+    /// The same seed gives the same images everywhere.
     RandomBaseline(const ScoringTruth& truth, const ScoreOptions& options, std::uint64_t seed);
 
     /// The counts of a random image of `n_drawn` pixels (of all there are, if they are fewer).
     [[nodiscard]] CurveCount counts(std::int64_t n_drawn) const;
 
   private:
-    const ScoringTruth& truth_;
-    ScoreOptions options_;
+    TruthLists lists_;
     std::uint64_t seed_;
     std::vector<std::uint32_t> places_;  ///< those that count, row by row
 };

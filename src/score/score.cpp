@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "edge/thin.h"
 #include "score/drawing.h"
+#include "score/drawn_matcher.h"
 #include "score/matching.h"
 #include "score/pixel_list.h"
 
@@ -60,15 +61,14 @@ bool is_binary(const std::vector<std::uint8_t>& labels) {
 
 /// Each class against all that is drawn, with a matching of its own: which of the equally good
 /// global matchings was found must not decide a recall.
-std::vector<ClassCount> match_classes(const PixelList& drawn,
-                                      const ScoringTruth& truth,
-                                      const Disk& disk) {
+std::vector<ClassCount> match_classes(const PixelList& drawn, const TruthLists& lists) {
+    if (lists.classes.empty()) return {};
+    DrawnMatcher matcher(drawn, lists.disk, lists.countable.width_px());
     std::vector<ClassCount> classes;
-    for (const std::uint8_t label : truth.labels_in_use) {
-        const PixelList of_class(truth.labels, label);
-        classes.push_back({.label = label,
-                           .k = match_pixels(drawn, of_class, disk).k,
-                           .n_truth = static_cast<std::int64_t>(of_class.size())});
+    for (const ClassPixels& of_class : lists.classes) {
+        classes.push_back({.label = of_class.label,
+                           .k = matcher.match(of_class.pixels),
+                           .n_truth = static_cast<std::int64_t>(of_class.pixels.size())});
     }
     return classes;
 }
@@ -123,8 +123,11 @@ ScoringTruth prepare_truth(const core::Image<std::uint8_t>& labels,
 Score score_strokes(const Strokes& strokes,
                     const ScoringTruth& truth,
                     const ScoreOptions& options) {
-    const TruthLists lists = checked_lists(strokes.thinned, truth, options);
-    const PixelList drawn = counted_pixels(strokes.thinned, lists, options);
+    const TruthLists lists = checked_lists(strokes.drawn, truth, options);
+    return score_lists(strokes, counted_pixels(strokes.thinned, lists), lists);
+}
+
+Score score_lists(const Strokes& strokes, const PixelList& drawn, const TruthLists& lists) {
     const MatchCounts counts = match_pixels(drawn, lists.truth, lists.disk);
     Score result;
     result.k = counts.k;
@@ -135,7 +138,7 @@ Score score_strokes(const Strokes& strokes,
     result.unmatched_truth = counts.right_reached - counts.k;
     result.false_negatives = result.n_truth - counts.right_reached;
     result.mean_width_px = strokes.mean_width_px();
-    if (!truth.is_binary) result.classes = match_classes(drawn, truth, lists.disk);
+    result.classes = match_classes(drawn, lists);
     return result;
 }
 

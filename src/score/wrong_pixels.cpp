@@ -1,17 +1,16 @@
 #include "score/wrong_pixels.h"
 
-#include <utility>
+#include "score/reach.h"
 
 namespace ink::score {
 namespace {
 
-/// The pixels of `from` that have none of `to` in reach.
-std::vector<Pixel> out_of_reach(const PixelList& from, const PixelList& to, const Disk& disk) {
-    const std::vector<std::uint8_t> is_reached = within_reach(from, to, disk);
+/// The pixels of `from` that are not in a mask.
+std::vector<Pixel> outside(const PixelList& from, const edge::BitMask& mask) {
     std::vector<Pixel> pixels;
     for (int y = 0; y < from.height_px(); ++y) {
         for (std::size_t i = from.row_begin(y); i < from.row_begin(y + 1); ++i) {
-            if (is_reached[i] == 0) pixels.push_back({from.x(i), y});
+            if (!mask.is_set(from.x(i), y)) pixels.push_back({from.x(i), y});
         }
     }
     return pixels;
@@ -20,17 +19,23 @@ std::vector<Pixel> out_of_reach(const PixelList& from, const PixelList& to, cons
 }  // namespace
 
 WrongPixels wrong_pixels(const Strokes& strokes,
+                         const PixelList& drawn,
+                         const TruthLists& lists,
+                         const ScoreOptions& options) {
+    const int width_px = lists.countable.width_px();
+    WrongPixels wrong{
+        .false_positives = outside(drawn, reach_of(lists.truth, lists.disk, width_px)),
+        .false_negatives = outside(lists.truth, reach_of(drawn, lists.disk, width_px)),
+        .drawn = strokes.drawn};
+    clear_band(wrong.drawn, options.band_px);
+    return wrong;
+}
+
+WrongPixels wrong_pixels(const Strokes& strokes,
                          const ScoringTruth& truth,
                          const ScoreOptions& options) {
-    check(options);
-    check_same_size(strokes.drawn, truth.labels);
-    const TruthLists lists = list_truth(truth, options);
-    const PixelList counted = counted_pixels(strokes.thinned, lists, options);
-    edge::Mask drawn = strokes.drawn;
-    clear_band(drawn, options.band_px);
-    return {.false_positives = out_of_reach(counted, lists.truth, lists.disk),
-            .false_negatives = out_of_reach(lists.truth, counted, lists.disk),
-            .drawn = std::move(drawn)};
+    const TruthLists lists = checked_lists(strokes.drawn, truth, options);
+    return wrong_pixels(strokes, counted_pixels(strokes.thinned, lists), lists, options);
 }
 
 WrongPixels wrong_pixels(const edge::EdgeImage& prediction,

@@ -35,6 +35,13 @@ struct WrongPixels {
                                        const ScoringTruth& truth,
                                        const ScoreOptions& options);
 
+/// The same where truth and drawing are at hand as lists: `drawn` is what counts of the strokes,
+/// with these options.
+[[nodiscard]] WrongPixels wrong_pixels(const Strokes& strokes,
+                                       const PixelList& drawn,
+                                       const TruthLists& lists,
+                                       const ScoreOptions& options);
+
 /// The same of strokes that were made already with these options; `threshold` is not read.
 [[nodiscard]] WrongPixels wrong_pixels(const Strokes& strokes,
                                        const ScoringTruth& truth,

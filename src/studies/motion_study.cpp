@@ -47,8 +47,9 @@ void take(const Image& image,
     const score::Strokes strokes =
         score::make_strokes(image.edge_response, image.threshold, options);
     Record& record = image.record;
-    record.frames.push_back(score::motion_frame(strokes.thinned, scoring, options));
-    record.sights.push_back(score::see_features(curves, strokes.thinned, scoring, options));
+    const edge::Mask thinned = strokes.thinned.bytes();
+    record.frames.push_back(score::motion_frame(thinned, scoring, options));
+    record.sights.push_back(score::see_features(curves, thinned, scoring, options));
     record.images.bytes(image.edge_response.data(), image.edge_response.size());
 }
 

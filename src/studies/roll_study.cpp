@@ -109,7 +109,7 @@ std::vector<RollSample> see_creases(const edge::EdgeImage& image,
     const score::ScoringTruth scoring = unbanded_truth(truth, score::Intersections::above_crease);
     std::vector<RollSample> samples(creases.size());
     for (const score::FeatureSight& sight :
-         score::see_features(truth.curves, strokes.thinned, scoring, options)) {
+         score::see_features(truth.curves, strokes.thinned.bytes(), scoring, options)) {
         if (sight.feature.line_class != truth::LineClass::crease) continue;
         for (std::size_t i = 0; i < creases.size(); ++i) {
             if (creases[i].edge != sight.feature.edge) continue;

@@ -115,8 +115,8 @@ std::vector<score::CurveCount> TuneBench::view_counts(const harness::MethodConfi
         const BenchView& view = views_[i];
         score::Strokes strokes = score::make_strokes(images[i], options.threshold, options);
         const score::PixelList drawn =
-            score::counted_pixels(std::move(strokes.thinned), view.lists, options);
-        by_view[i] = {.k = score::match_pixels(drawn, view.lists.truth, view.lists.disk).k,
+            score::counted_pixels(std::move(strokes.thinned), view.lists);
+        by_view[i] = {.k = score::count_pairs(drawn, view.lists.truth, view.lists.disk),
                       .n_pred = static_cast<std::int64_t>(drawn.size()),
                       .n_truth = static_cast<std::int64_t>(view.lists.truth.size())};
     });

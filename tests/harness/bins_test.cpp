@@ -120,16 +120,19 @@ TEST(Bins, AreMatchedEachAlone) {
     core::Image<std::uint8_t> drawn(100, 100);
     for (int x = 10; x < 20; ++x)
         drawn.at(x, 12) = 1;
-    const auto counts =
-        match_bins(score::PixelList(drawn), bin_truth(made.traced, made.scoring), score::Disk(1));
+    const score::PixelList pixels(drawn);
+    const auto matched = [&](double tolerance_px) {
+        score::DrawnMatcher matcher(pixels, score::Disk(tolerance_px), 100);
+        return match_bins(matcher, bin_truth(made.traced, made.scoring));
+    };
+    const auto counts = matched(1);
     std::vector<std::tuple<std::size_t, double, std::int64_t, std::int64_t>> distances;
     for (const BinCount& c : counts) {
         if (c.attribute == 3) distances.emplace_back(c.attribute, c.low, c.k, c.n_truth);
     }
     using Line = std::tuple<std::size_t, double, std::int64_t, std::int64_t>;
     EXPECT_EQ(distances, (std::vector<Line>{{3, 0, 0, 20}, {3, 0.8, 10, 20}}));
-    const auto wide =
-        match_bins(score::PixelList(drawn), bin_truth(made.traced, made.scoring), score::Disk(2));
+    const auto wide = matched(2);
     // Both find ten: what one bin takes is not taken from the other.
     EXPECT_EQ(wide.back().k, 10);
     EXPECT_EQ(wide[wide.size() - 2].k, 10);

@@ -7,6 +7,7 @@
 #include "harness/cell.h"
 #include "harness/line_scores.h"
 #include "harness/suite.h"
+#include "harness/view_lists.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
 #include "tests/shared_files.h"
@@ -100,13 +101,14 @@ void expect_symmetry(const edge::EdgeImage& image, int threshold, const ViewTrut
 void expect_bins(const ViewTruth& truth) {
     const LineTruth lines = prepare_lines(truth);
     const auto strokes = score::make_strokes(drawing_of(truth.scoring), 128, score_options(128));
-    const LineScores s = score_lines(strokes, lines);
+    const score::PixelList drawn = score::counted_pixels(strokes.thinned, list_view(truth).scoring);
+    const LineScores s = score_lines(strokes, drawn, lines);
     std::array<std::int64_t, 4> n_truth{};
     for (const BinCount& bin : s.bins) {
         EXPECT_EQ(bin.k, bin.n_truth);
         n_truth[bin.attribute] += bin.n_truth;
     }
-    const auto all = static_cast<std::int64_t>(lines.lists.truth.size());
+    const auto all = static_cast<std::int64_t>(drawn.size());
     EXPECT_EQ(n_truth[2], all);  // every line has a view angle and a distance
     EXPECT_EQ(n_truth[3], all);
     EXPECT_LE(n_truth[0], all);

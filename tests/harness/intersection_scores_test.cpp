@@ -50,7 +50,8 @@ class Crossings : public testing::Test {
 
     static Row scored(const edge::EdgeImage& image, const ViewTruth& truth) {
         Row row;
-        fill_score_2px(score::make_strokes(image, 128, score_options(128)), truth, row);
+        fill_score_2px(
+            score::make_strokes(image, 128, score_options(128)), truth, list_view(truth), row);
         return row;
     }
 

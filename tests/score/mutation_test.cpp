@@ -56,7 +56,7 @@ Report report_on(const Image& drawn, double tolerance_px) {
     const auto scoring = score::prepare_truth(lines(1), options, true);
     const auto strokes = score::make_strokes(drawn, 1, options);
     const auto thinned =
-        score::counted_pixels(strokes.thinned, score::list_truth(scoring, options), options);
+        score::counted_pixels(strokes.thinned, score::list_truth(scoring, options));
     const auto cracks = truth::draw_cracks(curves, kSize_px, kSize_px);
     return {score::score(drawn, scoring, options),
             score::score_cracks(strokes.drawn, score::prepare_cracks(cracks, scoring, options)),

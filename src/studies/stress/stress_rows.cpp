@@ -71,7 +71,8 @@ void score_evaluation(const StressTruth& truth, harness::Evaluation& evaluation)
     if (!evaluation.row.is_ok()) return;
     const score::Strokes strokes = score::make_strokes(
         evaluation.image, evaluation.threshold, harness::score_options(evaluation.threshold));
-    harness::fill_score_2px(strokes, *truth.truth, evaluation.row);
+    harness::fill_score_2px(
+        strokes, *truth.truth, harness::list_view(*truth.truth), evaluation.row);
     evaluation.row.image_hash = core::image_hash(evaluation.image);
     harness::fill_truth_facts(*truth.truth, evaluation.row);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "edge/bit_mask.h"
+#include "score/bit_matcher.h"
+#include "score/pixel_list.h"
+
+namespace ink::score {
+
+/// Matches the drawn pixels of one image with one set of true pixels after the other: classes,
+/// bins, kinds. What belongs to the image alone is made once.
+class DrawnMatcher {
+  public:
+    /// `drawn` must outlive this.
+    DrawnMatcher(const PixelList& drawn, const Disk& disk, int width_px);
+
+    /// The size of a maximum one-to-one matching with `truth`, of the image's size:
+    /// match_pixels().k.
+    [[nodiscard]] std::int64_t match(const PixelList& truth);
+
+  private:
+    const PixelList& drawn_;
+    Disk disk_;
+    edge::BitMask truth_;                ///< all 0 between two calls
+    std::optional<BitMatcher> matcher_;  ///< for disks that it takes
+};
+
+}  // namespace ink::score
