@@ -22,9 +22,11 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How many groups may run at a time, so that each drawing that is timed has cores of its own.
+/// How many groups may run at a time. Where times are measured, as many as there are cores: each
+/// drawing that is timed has the machine to itself. Elsewhere each drawing has cores of its own.
 int most_lanes(const Plan& plan) {
-    return std::max(1, core::hardware_threads() / std::max(1, plan.timed_threads));
+    const int threads = plan.times ? 1 : std::max(1, plan.timed_threads);
+    return std::max(1, core::hardware_threads() / threads);
 }
 
 }  // namespace
@@ -147,11 +149,15 @@ bool BlockWork::compute(std::size_t i) {
         progress_->report(static_cast<int>(wanted_.size() - missing_.size()), block.key);
     }
     const auto begin = Clock::now();
-    const BlockResult result = block.run();
+    BlockResult result = block.run();
     if (block.may_be_cut && harness::is_interrupted()) return false;
     const double seconds = seconds_since(begin);
-    store_.write(i, {block.key, seconds, result.faults}, result);
+    {
+        const StageTimer timer(result.stages, WorkStage::writing);
+        store_.write(i, {block.key, seconds, result.faults}, result);
+    }
     const std::lock_guard lock(mutex_);
+    stages_.add(result.stages);
     std::erase(missing_, i);
     note(i, seconds);
     if (!has_said_ && seconds_since(start_) > kFirstWord_s && !missing_.empty()) {

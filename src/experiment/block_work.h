@@ -26,8 +26,9 @@ struct Shard {
 /// The blocks of a run: which are wanted, which are there, and the work of computing the others.
 ///
 /// Groups of blocks run beside each other, each on a lane (core::run_lanes): a drawing that is
-/// timed has its cores to itself, and other cores score, trace or time other scenes meanwhile.
-/// Blocks without a group come last and run alone. Borrows plan and store.
+/// timed has the machine to itself (core::run_alone); else some trace, draw and score their scenes
+/// while others do so with theirs. Blocks without a group come last and run alone. Borrows plan and
+/// store.
 class BlockWork {
   public:
     BlockWork(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted);
@@ -38,6 +39,9 @@ class BlockWork {
     /// Computes what is missing, on at most so many lanes (0: as many as fit the machine); false if
     /// an end was asked for before all was there. Rethrows what a block throws.
     [[nodiscard]] bool run(int lanes, const std::function<void(const std::string&)>& say);
+
+    /// What the blocks that were computed spent their time on.
+    [[nodiscard]] const StageTimes& stages() const { return stages_; }
 
     /// Keys of the blocks of the whole plan that are not there.
     [[nodiscard]] std::vector<std::string> missing_of_plan() const;
@@ -59,6 +63,7 @@ class BlockWork {
     int lanes_ = 1;
     double known_work_ = 0;
     double known_s_ = 0;
+    StageTimes stages_;
 
     // What lanes share while they work; all above belongs to it, too.
     std::mutex mutex_;

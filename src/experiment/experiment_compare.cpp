@@ -5,14 +5,13 @@
 #include <memory>
 #include <set>
 
+#include "experiment/compare_blocks.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/view_bench.h"
 #include "harness/sweep.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
-#include "harness/view_images.h"
-#include "linear_code/cancellation_study.h"
 #include "linear_code/cancellation_table.h"
 
 namespace ink::experiment {
@@ -30,16 +29,6 @@ constexpr int kMotionFrames = 24;
 constexpr double kPrepare_s_per_triangle = 1e-6;
 constexpr double kTruth_s_per_triangle = 4e-6;
 
-/// Where a block's cells are.
-struct BlockPlace {
-    std::size_t scene = 0;
-    const scene::View* view = nullptr;
-    int threads = 1;
-    std::int64_t first_cell = 0;  ///< the number of the first method's row
-    bool is_first_view = false;   ///< of its scene: methods are made ready there
-    bool keeps_images = false;
-};
-
 std::string place_text(const ViewBench& bench, const BlockPlace& at) {
     return fmt::format("{} {} {}x{} threads {}",
                        bench.scenes()[at.scene].name,
@@ -47,123 +36,6 @@ std::string place_text(const ViewBench& bench, const BlockPlace& at) {
                        at.view->width_px,
                        at.view->height_px,
                        at.threads);
-}
-
-void add_side_tables(std::int64_t cell,
-                     const harness::Evaluation& evaluation,
-                     BlockResult& result) {
-    if (!evaluation.row.is_ok() || !evaluation.row.lines) return;
-    result.lines["curves.csv"] += harness::curve_lines(cell, evaluation.scored.curve);
-    result.lines["tolerances.csv"] +=
-        harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
-    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
-}
-
-/// What the methods drew of a view, and have inside if that is kept.
-struct DrawnMethods {
-    std::vector<harness::Evaluation> evaluations;
-    std::vector<harness::MethodLayers> layers;
-};
-
-/// Draws all methods in turns, as many at a time as fit into memory.
-DrawnMethods draw_methods(ViewBench& bench,
-                          const BlockPlace& at,
-                          const harness::MeasureOptions& measure,
-                          bool keeps_layers) {
-    DrawnMethods drawn;
-    for (std::size_t first = 0; first < bench.configs().size();
-         first += bench.most_at_once(at.scene)) {
-        auto& methods = bench.methods(at.scene, first);
-        auto evaluations = harness::method_evaluations(methods, *at.view, measure);
-        for (std::size_t i = 0; keeps_layers && i < methods.size(); ++i) {
-            if (!evaluations[i].row.is_ok()) continue;
-            drawn.layers.push_back(
-                harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
-        }
-        std::move(evaluations.begin(), evaluations.end(), std::back_inserter(drawn.evaluations));
-    }
-    return drawn;
-}
-
-/// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
-BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
-    const scene::Scene& scene = bench.scenes()[at.scene];
-    const harness::CellOptions options = bench.cell_options(at.threads);
-    const bool is_full = bench.experiment().full_scores;
-    const harness::TracedView& traced = bench.traced(at.scene, *at.view);
-    const bool keeps_images = at.keeps_images && traced.has_truth();
-    DrawnMethods drawn = draw_methods(bench, at, options.measure, keeps_images);
-    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
-    BlockResult result;
-    if (is_full) {
-        harness::finish_evaluations(scene, *at.view, traced, options, evaluations);
-    } else {
-        harness::finish_briefly(scene, *at.view, traced, options, evaluations);
-    }
-    if (is_full && traced.has_truth()) {
-        harness::MissPredictor& predictor = bench.predictor(at.scene);
-        harness::attribute_evaluations(traced.truth, *at.view, predictor, evaluations);
-        for (const linear_code::CancellationRow& row :
-             linear_code::study_cancellation(traced.truth, *at.view, predictor, evaluations)) {
-            const auto evaluation = std::find_if(
-                evaluations.begin(), evaluations.end(), [&](const harness::Evaluation& s) {
-                    return s.row.method == row.method;
-                });
-            result.lines["cancellation.csv"] += linear_code::cancellation_line(
-                at.first_cell + (evaluation - evaluations.begin()), row);
-        }
-    }
-    harness::check_baselines(evaluations, result.faults);
-    std::int64_t cell = at.first_cell;
-    for (harness::Evaluation& evaluation : evaluations) {
-        if (!bench.experiment().times) clear_times(evaluation.row);
-        result.lines["rows.csv"] +=
-            harness::row_line(cell, harness::Study::compare, evaluation.row);
-        result.lines["cost.csv"] += harness::cost_line(cell, evaluation.row);
-        add_side_tables(cell, evaluation, result);
-        ++cell;
-    }
-    if (keeps_images) {
-        result.files = harness::image_files(traced.truth, scene, evaluations, drawn.layers);
-    }
-    return result;
-}
-
-/// Some settings of the n-th method.
-struct SettingsPart {
-    std::size_t method = 0;
-    std::size_t first = 0;  ///< the number of the first setting, from 1
-    std::vector<harness::MethodConfig> settings;
-    /// A grid asks for errors over many settings: they share what they prepare. A method's own
-    /// sweep is timed against other methods: each setting has memory of its own, as these have.
-    Preparation preparation = Preparation::copied;
-};
-
-/// Settings of one method: lines of sweep.csv, without baselines.
-BlockResult run_settings(ViewBench& bench,
-                         const BlockPlace& at,
-                         const SettingsPart& part,
-                         const std::vector<std::string>& swept) {
-    harness::CellOptions options = bench.cell_options(at.threads);
-    // Times to a few percent do for a front, and there are many settings.
-    const harness::MeasureOptions brief = harness::SweepOptions{}.measure;
-    options.measure.min_repetitions = brief.min_repetitions;
-    options.measure.max_repetitions =
-        std::min(brief.max_repetitions, options.measure.max_repetitions);
-    options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
-    auto methods = bench.prepared(part.settings, at.scene, part.preparation);
-    std::vector<harness::Evaluation> evaluations =
-        harness::method_evaluations(methods, *at.view, options.measure);
-    const harness::TracedView& traced = bench.traced(at.scene, *at.view);
-    harness::finish_briefly(bench.scenes()[at.scene], *at.view, traced, options, evaluations);
-    BlockResult result;
-    const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
-    for (std::size_t i = 0; i < part.settings.size(); ++i) {
-        if (!bench.experiment().times) clear_times(evaluations[i].row);
-        result.lines["sweep.csv"] +=
-            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, evaluations[i].row);
-    }
-    return result;
 }
 
 /// What a block has to do.

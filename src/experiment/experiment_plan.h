@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiment/experiment.h"
+#include "experiment/stage_times.h"
 #include "harness/tables/table.h"
 #include "harness/tracing.h"
 
@@ -24,6 +25,7 @@ struct BlockResult {
     std::map<std::string, std::string> lines;  ///< by table, every line ended; none: no entry
     std::map<std::string, std::string> files;  ///< images: path inside the run folder, bytes
     std::vector<std::string> faults;           ///< why the whole run would be invalid
+    StageTimes stages = {};                    ///< what it spent its time on, where that is known
 };
 
 /// What is computed together: the cells of one view, whose drawings take turns (A B C A B C), so

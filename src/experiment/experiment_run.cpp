@@ -161,7 +161,9 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     outcome.is_interrupted = !is_done;
     if (is_done) {
         const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-        options.say(fmt::format("done after {}", duration_text(elapsed_s)));
+        const std::string stages = work.stages().text();
+        options.say(fmt::format(
+            "done after {}{}{}", duration_text(elapsed_s), stages.empty() ? "" : ": ", stages));
     }
     return outcome;
 }

@@ -22,8 +22,11 @@ constexpr std::size_t kTrianglesAtOnce = 1'500'000;
 /// Triangles times results of preparation that are kept to be shared: a hundred bytes each. No more
 /// results than methods and settings ask for, and no fewer than one method does.
 constexpr std::size_t kTrianglesKept = 6'000'000;
-constexpr std::size_t kLeastKept = 6;
+constexpr std::size_t kLeastKept = 8;
 constexpr std::size_t kMostKept = 64;
+
+/// Medians of draw times are wanted to this share of themselves: what two runs differ by anyway.
+constexpr double kPrecision = 0.02;
 
 }  // namespace
 
@@ -59,10 +62,13 @@ const scene::View& ViewBench::view(std::size_t scene, const ImageSize& size, std
 harness::CellOptions ViewBench::cell_options(int threads) const {
     harness::CellOptions options{{}, trace_, experiment_.seed};
     options.measure.threads = threads;
-    options.measure.max_repetitions = experiment_.repetitions;
-    options.measure.min_repetitions =
-        std::min(options.measure.min_repetitions, experiment_.repetitions);
+    // Where no time is kept, one drawing more shows whether two are equal.
+    const int repetitions = experiment_.times ? experiment_.repetitions : 1;
+    options.measure.max_repetitions = repetitions;
+    options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
     options.measure.budget_s = experiment_.budget_s;
+    options.measure.precision = kPrecision;
+    options.measure.is_alone = experiment_.times;
     options.measure.skips = skips_;
     return options;
 }
@@ -106,9 +112,15 @@ std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
     if (preparation != Preparation::own) use.emplace(*desk_of(scene).shared);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
     const std::vector<std::unique_ptr<harness::PreparedMethod>> none;
-    for (const harness::MethodConfig& config : configs)
-        methods.push_back(std::make_unique<harness::PreparedMethod>(
-            config, scenes_[scene], preparation == Preparation::shared ? methods : none));
+    const auto prepare = [&] {
+        for (const harness::MethodConfig& config : configs) {
+            core::pause();
+            methods.push_back(std::make_unique<harness::PreparedMethod>(
+                config, scenes_[scene], preparation == Preparation::shared ? methods : none));
+        }
+    };
+    const bool is_timed = preparation == Preparation::own && experiment_.times;
+    is_timed ? core::run_alone(prepare) : prepare();
     return methods;
 }
 

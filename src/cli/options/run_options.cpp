@@ -55,8 +55,8 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
         .add_option(
             "--lanes",
             options.lanes,
-            "Scenes worked on at a time, at most; more than 1 is quicker, and disturbs times "
-            "(default: 1, with --no-times one per core)")
+            "Scenes worked on at a time, at most; while one is timed the others stand still "
+            "(default: one per core)")
         ->type_name("N")
         ->check(CLI::PositiveNumber);
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
@@ -90,9 +90,7 @@ void run_to_end(experiment::Experiment experiment,
     run.out = options.out.empty() ? std::filesystem::path("inkbench-out") / experiment.name
                                   : std::filesystem::path(options.out);
     run.is_forced = options.is_forced;
-    // Neighbours on other cores slow timed drawings down: measured, medians grow by 14 % on two
-    // cores that share a processor.
-    run.lanes = options.lanes > 0 ? options.lanes : experiment.times ? 1 : 0;
+    run.lanes = options.lanes;
     if (!core::progress_display().is_quiet) run.say = say;
     const experiment::Plan plan = make_plan(experiment, cache_folder(cache));
     if (options.is_dry) {

@@ -1,0 +1,158 @@
+#include "experiment/compare_blocks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "experiment/stage_times.h"
+#include "harness/sweep.h"
+#include "harness/tables/cost_tables.h"
+#include "harness/tables/score_tables.h"
+#include "harness/tables/sweep_table.h"
+#include "harness/view_images.h"
+#include "linear_code/cancellation_study.h"
+#include "linear_code/cancellation_table.h"
+
+namespace ink::experiment {
+namespace {
+
+void add_side_tables(std::int64_t cell,
+                     const harness::Evaluation& evaluation,
+                     BlockResult& result) {
+    if (!evaluation.row.is_ok() || !evaluation.row.lines) return;
+    result.lines["curves.csv"] += harness::curve_lines(cell, evaluation.scored.curve);
+    result.lines["tolerances.csv"] +=
+        harness::tolerance_lines(cell, evaluation.row.tolerance_sweep);
+    result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
+}
+
+/// What the methods drew of a view, and have inside if that is kept.
+struct DrawnMethods {
+    std::vector<harness::Evaluation> evaluations;
+    std::vector<harness::MethodLayers> layers;
+};
+
+/// Draws all methods in turns, as many at a time as fit into memory.
+DrawnMethods draw_methods(ViewBench& bench,
+                          const BlockPlace& at,
+                          bool keeps_layers,
+                          StageTimes& stages) {
+    const harness::MeasureOptions measure = bench.cell_options(at.threads).measure;
+    DrawnMethods drawn;
+    for (std::size_t first = 0; first < bench.configs().size();
+         first += bench.most_at_once(at.scene)) {
+        auto& methods = [&]() -> auto& {
+            const StageTimer timer(stages, WorkStage::prepare);
+            return bench.methods(at.scene, first);
+        }
+        ();
+        const StageTimer timer(stages, WorkStage::draw);
+        auto evaluations = harness::method_evaluations(methods, *at.view, measure);
+        for (std::size_t i = 0; keeps_layers && i < methods.size(); ++i) {
+            if (!evaluations[i].row.is_ok()) continue;
+            drawn.layers.push_back(
+                harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
+        }
+        std::move(evaluations.begin(), evaluations.end(), std::back_inserter(drawn.evaluations));
+    }
+    return drawn;
+}
+
+const harness::TracedView& trace(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
+    const StageTimer timer(stages, WorkStage::truth);
+    return bench.traced(at.scene, *at.view);
+}
+
+/// Why the scored evaluations are wrong where they are, and what codes had to miss.
+void explain(ViewBench& bench,
+             const BlockPlace& at,
+             const harness::ViewTruth& truth,
+             std::vector<harness::Evaluation>& evaluations,
+             BlockResult& result) {
+    harness::MissPredictor& predictor = bench.predictor(at.scene);
+    {
+        const StageTimer timer(result.stages, WorkStage::causes);
+        harness::attribute_evaluations(truth, *at.view, predictor, evaluations);
+    }
+    const StageTimer timer(result.stages, WorkStage::cancellation);
+    for (const linear_code::CancellationRow& row :
+         linear_code::study_cancellation(truth, *at.view, predictor, evaluations)) {
+        const auto evaluation =
+            std::find_if(evaluations.begin(), evaluations.end(), [&](const harness::Evaluation& s) {
+                return s.row.method == row.method;
+            });
+        result.lines["cancellation.csv"] +=
+            linear_code::cancellation_line(at.first_cell + (evaluation - evaluations.begin()), row);
+    }
+}
+
+}  // namespace
+
+BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
+    const scene::Scene& scene = bench.scenes()[at.scene];
+    const harness::CellOptions options = bench.cell_options(at.threads);
+    const bool is_full = bench.experiment().full_scores;
+    BlockResult result;
+    const harness::TracedView& traced = trace(bench, at, result.stages);
+    const bool keeps_images = at.keeps_images && traced.has_truth();
+    DrawnMethods drawn = draw_methods(bench, at, keeps_images, result.stages);
+    std::vector<harness::Evaluation>& evaluations = drawn.evaluations;
+    {
+        const StageTimer timer(result.stages, WorkStage::score);
+        const auto finish = is_full ? harness::finish_evaluations : harness::finish_briefly;
+        finish(scene, *at.view, traced, options, evaluations);
+    }
+    if (is_full && traced.has_truth()) explain(bench, at, traced.truth, evaluations, result);
+    harness::check_baselines(evaluations, result.faults);
+    std::int64_t cell = at.first_cell;
+    for (harness::Evaluation& evaluation : evaluations) {
+        if (!bench.experiment().times) clear_times(evaluation.row);
+        result.lines["rows.csv"] +=
+            harness::row_line(cell, harness::Study::compare, evaluation.row);
+        result.lines["cost.csv"] += harness::cost_line(cell, evaluation.row);
+        add_side_tables(cell, evaluation, result);
+        ++cell;
+    }
+    if (keeps_images) {
+        const StageTimer timer(result.stages, WorkStage::images);
+        result.files = harness::image_files(traced.truth, scene, evaluations, drawn.layers);
+    }
+    return result;
+}
+
+BlockResult run_settings(ViewBench& bench,
+                         const BlockPlace& at,
+                         const SettingsPart& part,
+                         const std::vector<std::string>& swept) {
+    harness::CellOptions options = bench.cell_options(at.threads);
+    // Times to a few percent do for a front, and there are many settings.
+    const harness::MeasureOptions brief = harness::SweepOptions{}.measure;
+    options.measure.min_repetitions = brief.min_repetitions;
+    options.measure.max_repetitions =
+        std::min(brief.max_repetitions, options.measure.max_repetitions);
+    options.measure.budget_s = std::min(brief.budget_s, options.measure.budget_s);
+    BlockResult result;
+    auto methods = [&] {
+        const StageTimer timer(result.stages, WorkStage::prepare);
+        return bench.prepared(part.settings, at.scene, part.preparation);
+    }();
+    std::vector<harness::Evaluation> evaluations = [&] {
+        const StageTimer timer(result.stages, WorkStage::draw);
+        return harness::method_evaluations(methods, *at.view, options.measure);
+    }();
+    const harness::TracedView& traced = trace(bench, at, result.stages);
+    {
+        const StageTimer timer(result.stages, WorkStage::score);
+        harness::finish_settings(bench.scenes()[at.scene], *at.view, traced, options, evaluations);
+    }
+    const std::int64_t cell = at.first_cell + static_cast<std::int64_t>(part.method);
+    for (std::size_t i = 0; i < part.settings.size(); ++i) {
+        if (!bench.experiment().times) clear_times(evaluations[i].row);
+        result.lines["sweep.csv"] +=
+            harness::sweep_line(cell, static_cast<int>(part.first + i), swept, evaluations[i].row);
+    }
+    return result;
+}
+
+}  // namespace ink::experiment

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiment/experiment_plan.h"
+#include "experiment/view_bench.h"
+
+namespace ink::experiment {
+
+/// Where a block's cells are.
+struct BlockPlace {
+    std::size_t scene = 0;
+    const scene::View* view = nullptr;
+    int threads = 1;
+    std::int64_t first_cell = 0;  ///< the number of the first method's row
+    bool is_first_view = false;   ///< of its scene: methods are made ready there
+    bool keeps_images = false;
+};
+
+/// Some settings of the n-th method.
+struct SettingsPart {
+    std::size_t method = 0;
+    std::size_t first = 0;  ///< the number of the first setting, from 1
+    std::vector<harness::MethodConfig> settings;
+    /// A grid asks for errors over many settings: they share what they prepare. A method's own
+    /// sweep is timed against other methods: each setting has memory of its own, as these have.
+    Preparation preparation = Preparation::copied;
+};
+
+/// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
+[[nodiscard]] BlockResult run_methods(ViewBench& bench, const BlockPlace& at);
+
+/// Settings of one method: lines of sweep.csv, without baselines. `swept` are its parameters'
+/// columns.
+[[nodiscard]] BlockResult run_settings(ViewBench& bench,
+                                       const BlockPlace& at,
+                                       const SettingsPart& part,
+                                       const std::vector<std::string>& swept);
+
+}  // namespace ink::experiment
