@@ -115,7 +115,7 @@ std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>
                                      std::vector<edge::EdgeImage>& images) {
     Turns turns(methods, view, options, images);
     turns.begin();
-    if (options.max_repetitions > 0 && !turns.is_done()) core::run_alone([&] { turns.repeat(); });
+    if (options.max_repetitions > 0 && !turns.is_done()) turns.repeat();
     return turns.take_times();
 }
 
