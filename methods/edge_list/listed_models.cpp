@@ -1,13 +1,17 @@
 #include "methods/edge_list/listed_models.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "buffers/vertex_weld.h"
 #include "core/error.h"
 #include "scene/predicates.h"
+#include "scene/sharing/shared_work.h"
 #include "scene/surface.h"
 
 namespace ink::methods {
@@ -38,38 +42,51 @@ buffers::EdgeKind kind_of(int facing0, int facing1, bool is_crease, EdgeOnRule e
 
 }  // namespace
 
-std::shared_ptr<const ListedModels::List> ListedModels::make_list(
-    const std::vector<Corner>& corners,
-    const std::vector<glm::dvec3>& points,
-    const std::vector<scene::Triangle>& triangles) {
-    auto list = std::make_shared<List>();
+ListedModels::Built ListedModels::build(const std::vector<Corner>& corners,
+                                        const std::vector<glm::dvec3>& points,
+                                        const std::vector<scene::Triangle>& triangles) const {
+    Built built;
     const buffers::VertexWeld weld = buffers::weld_vertices(points, 0);
-    list->faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
-    check_size(builder_, list->faces.size());
-    EdgeListing listing = list_edges(list->faces, builder_);
-    list->edges = std::move(listing.edges);
+    List& list = built.list;
+    list.faces = buffers::weld_faces(weld, points, triangles, buffers::DoubleFaces::keep).faces;
+    check_size(builder_, list.faces.size());
+    EdgeListing listing = list_edges(list.faces, builder_);
+    list.edges = std::move(listing.edges);
     for (const std::uint32_t vertex : weld.first_of)
-        list->places.push_back(corners[vertex]);
-    counts_.lookups += listing.counts.lookups;
-    counts_.comparisons += listing.counts.comparisons;
-    counts_.longest = std::max(counts_.longest, listing.counts.longest);
-    return list;
+        list.places.push_back(corners[vertex]);
+    built.counts = listing.counts;
+    return built;
+}
+
+template <class Build>
+std::shared_ptr<const ListedModels::List> ListedModels::make_list(const scene::Scene& scene,
+                                                                  const std::string& what,
+                                                                  Build build) {
+    const std::string name = fmt::format("edge list {} {}", static_cast<int>(builder_), what);
+    Built built = scene::shared(scene, name, build);
+    counts_.lookups += built.counts.lookups;
+    counts_.comparisons += built.counts.comparisons;
+    counts_.longest = std::max(counts_.longest, built.counts.longest);
+    return std::make_shared<const List>(std::move(built.list));
 }
 
 void ListedModels::prepare_objects(const scene::Scene& scene) {
     std::vector<std::shared_ptr<const List>> lists;  // a mesh used twice is listed once
-    for (const scene::Mesh& mesh : scene.meshes) {
-        std::vector<Corner> corners(mesh.positions.size());
-        for (std::uint32_t v = 0; v < corners.size(); ++v)
-            corners[v].vertex = v;
-        const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
-        lists.push_back(make_list(corners, points, mesh.triangles));
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        lists.push_back(make_list(scene, fmt::format("mesh {}", m), [&] {
+            const scene::Mesh& mesh = scene.meshes[m];
+            std::vector<Corner> corners(mesh.positions.size());
+            for (std::uint32_t v = 0; v < corners.size(); ++v)
+                corners[v].vertex = v;
+            const std::vector<glm::dvec3> points(mesh.positions.begin(), mesh.positions.end());
+            return build(corners, points, mesh.triangles);
+        }));
     }
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
         placed_.push_back({lists[scene.instances[i].mesh], i, {}, {}, {}});
 }
 
-void ListedModels::prepare_scene(const scene::Scene& scene) {
+ListedModels::Built ListedModels::build_scene(const scene::Scene& scene) const {
     std::vector<Corner> corners;
     std::vector<glm::dvec3> points;
     std::vector<scene::Triangle> triangles;
@@ -88,7 +105,12 @@ void ListedModels::prepare_scene(const scene::Scene& scene) {
             triangles.push_back(corner);
         }
     }
-    placed_.push_back({make_list(corners, points, triangles), 0, {}, {}, {}});
+    return build(corners, points, triangles);
+}
+
+void ListedModels::prepare_scene(const scene::Scene& scene) {
+    auto list = make_list(scene, "scene", [&] { return build_scene(scene); });
+    placed_.push_back({std::move(list), 0, {}, {}, {}});
 }
 
 void ListedModels::prepare(const scene::Scene& scene) {

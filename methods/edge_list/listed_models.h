@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "buffers/known_edge.h"
@@ -71,10 +72,20 @@ class ListedModels {
 
     void prepare_objects(const scene::Scene& scene);
     void prepare_scene(const scene::Scene& scene);
-    [[nodiscard]] std::shared_ptr<const List> make_list(
-        const std::vector<Corner>& corners,
-        const std::vector<glm::dvec3>& points,
-        const std::vector<scene::Triangle>& triangles);
+    /// A list, and what it cost to build.
+    struct Built {
+        List list;
+        BuildCounts counts;
+    };
+    [[nodiscard]] Built build(const std::vector<Corner>& corners,
+                              const std::vector<glm::dvec3>& points,
+                              const std::vector<scene::Triangle>& triangles) const;
+    [[nodiscard]] Built build_scene(const scene::Scene& scene) const;
+    /// Keeps what `build` gives, which is shared under the name of `what`.
+    template <class Build>
+    [[nodiscard]] std::shared_ptr<const List> make_list(const scene::Scene& scene,
+                                                        const std::string& what,
+                                                        Build build);
     void place(Placed& placed, const scene::Scene& scene) const;
     static void append_lines(const Placed& placed,
                              const std::vector<std::int8_t>& facings,

@@ -1,11 +1,15 @@
 #include "buffers/triangle_edges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "core/parallel.h"
 #include "scene/components.h"
 #include "scene/predicates.h"
+#include "scene/sharing/shared_work.h"
 #include "scene/topology.h"
 
 namespace ink::buffers {
@@ -43,9 +47,8 @@ bool is_inner(const scene::Topology& topology, const scene::Edge& edge) {
 
 }  // namespace
 
-void TriangleEdges::find_lines(const scene::Scene& scene) {
-    lines_.clear();
-    faces_.clear();
+TriangleEdges::Lines TriangleEdges::lines_of(const scene::Scene& scene) const {
+    Lines found;
     const scene::Topology topology = scene::weld(scene);
     for (const scene::Edge& edge : topology.edges) {
         if (edges_ == WireEdges::polygons && is_inner(topology, edge)) continue;
@@ -56,11 +59,19 @@ void TriangleEdges::find_lines(const scene::Scene& scene) {
             const bool has_next =
                 i + 1 < faces.size() && topology.faces[faces[i + 1]].object == face.object;
             if (has_next) ++i;
-            lines_.push_back(line_of(topology, surface_, face, edge));
-            lines_.back().is_both_ways = has_next;
-            faces_.push_back({face.triangle, topology.faces[faces[i]].triangle});
+            found.lines.push_back(line_of(topology, surface_, face, edge));
+            found.lines.back().is_both_ways = has_next;
+            found.faces.push_back({face.triangle, topology.faces[faces[i]].triangle});
         }
     }
+    return found;
+}
+
+void TriangleEdges::find_lines(const scene::Scene& scene) {
+    const std::string name = fmt::format("triangle edges {}", static_cast<int>(edges_));
+    Lines found = scene::shared(scene, name, [&] { return lines_of(scene); });
+    lines_ = std::move(found.lines);
+    faces_ = std::move(found.faces);
 }
 
 void TriangleEdges::prepare(const scene::Scene& scene) {

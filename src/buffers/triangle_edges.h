@@ -53,6 +53,11 @@ class TriangleEdges {
         std::uint32_t second = 0;
     };
 
+    struct Lines {
+        std::vector<raster::Line> lines;
+        std::vector<Faces> faces;  ///< one per line
+    };
+    [[nodiscard]] Lines lines_of(const scene::Scene& scene) const;
     void find_lines(const scene::Scene& scene);
     void find_sides(const method::Frame& frame);
 

@@ -83,6 +83,22 @@ void for_each_corner(const Scene& scene, Visit visit) {
     }
 }
 
+Sphere sphere_of(const Scene& scene) {
+    // The box's centre, and the farthest corner from it: at most sqrt(3) too large, and stable.
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    for_each_corner(scene, [&](const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    });
+    if (!(low.x <= high.x)) return {};
+    Sphere sphere{(low + high) * 0.5, 0};
+    for_each_corner(scene, [&](const glm::dvec3& p) {
+        sphere.radius = std::max(sphere.radius, glm::length(p - sphere.center_world));
+    });
+    return sphere;
+}
+
 }  // namespace
 
 std::string_view split_name(Split split) {
@@ -110,19 +126,7 @@ std::size_t triangle_count(const Scene& scene) {
 }
 
 Sphere bounding_sphere(const Scene& scene) {
-    // The box's centre, and the farthest corner from it: at most sqrt(3) too large, and stable.
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-    for_each_corner(scene, [&](const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    });
-    if (!(low.x <= high.x)) return {};
-    Sphere sphere{(low + high) * 0.5, 0};
-    for_each_corner(scene, [&](const glm::dvec3& p) {
-        sphere.radius = std::max(sphere.radius, glm::length(p - sphere.center_world));
-    });
-    return sphere;
+    return shared(scene, "bounds", [&] { return sphere_of(scene); });
 }
 
 void check_scene(const Scene& scene) {
