@@ -16,9 +16,10 @@ namespace ink::scene {
 /// What was worked out of one scene, for all who ask for the same of it: many methods prepare
 /// themselves by welding, flattening and clustering one scene alike.
 ///
-/// While a Use of it lives, flatten(), weld(), make_clusters() and scene_hash() on that thread give
-/// copies of what they made before: the same results in memory of their own. The scene is borrowed
-/// and must not change meanwhile. For one thread at a time.
+/// While a Use of it lives, flatten(), weld(), make_clusters(), bounding_sphere(), scene_hash() and
+/// what else calls shared() on that thread give copies of what they made before: the same results
+/// in memory of their own. The scene is borrowed and must not change meanwhile. For one thread at a
+/// time.
 class SharedWork {
   public:
     /// Keeps the `most` results that were asked for last.
