@@ -58,7 +58,7 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
             "Scenes worked on at a time, at most; while one is timed the others stand still "
             "(default: one per core)")
         ->type_name("N")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 1024));
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
     command.add_flag("--status",
                      options.is_status,
