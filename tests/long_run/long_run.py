@@ -191,6 +191,12 @@ def begin_second(run):
         run.fault(f"a second process in the folder ended with {second.returncode}")
 
 
+def set_back(run, process, clock):
+    """The clock of a run that computes."""
+    clock.set("-2d")
+    run.clocks += process.poll() is None
+
+
 def disturb(run, arguments, disk, clock, calm_seconds):
     """Stretches that end with a kill until the time is over, then one to the end."""
     chance = random.Random(arguments.seed)
@@ -211,8 +217,8 @@ def disturb(run, arguments, disk, clock, calm_seconds):
             watch(process, 2)
             if process.poll() is None:
                 begin_second(run)
-        watch(process, 1e9 if is_last else chance.uniform(2, longest), (lambda: clock.set("-2d")) if is_clock_turn else None)
-        run.clocks += bool(is_clock_turn)
+        seconds = 1e9 if is_last else chance.uniform(2, longest)
+        watch(process, seconds, (lambda: set_back(run, process, clock)) if is_clock_turn else None)
         if process.poll() is None:
             kill(process)
             run.kills += 1
@@ -220,7 +226,6 @@ def disturb(run, arguments, disk, clock, calm_seconds):
         if process.returncode not in (0, 3):
             run.fault(f"the run ended with {process.returncode}")
             return
-        # Done before its time: what is done is done again by none, so there is nothing left to disturb.
         say(f"done with exit code {process.returncode} after {run.disturbances()}")
         return
 
