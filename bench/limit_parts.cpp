@@ -26,7 +26,8 @@ void SmoothValue::compute(const raster::CornerBatch& in, const raster::CornerPla
 }
 
 void LimitSink::finish(const raster::Tile& tile) {
-    benchmark::DoNotOptimize(tile.depth);
+    const void* depth = tile.depth;
+    benchmark::DoNotOptimize(depth);
     if (!filters_) return;
     const core::ImageView<std::uint8_t> to{
         out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <ostream>
 
+#include "bench/run_error.h"
+
 namespace ink::bench {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr const char* kYardstick = "memcpy/u8/1080p";
 using Run = benchmark::BenchmarkReporter::Run;
 
 bool is_repetition(const Run& run) {
-    return run.run_type == Run::RT_Iteration && !run.error_occurred && run.iterations > 0;
+    return run.run_type == Run::RT_Iteration && error_of(run).empty() && run.iterations > 0;
 }
 
 /// The name without its number of threads, on which no result may depend.
@@ -56,7 +58,7 @@ void Results::add(const std::vector<Run>& runs) {
         if (run.run_type != Run::RT_Iteration) continue;
         Row& row = rows_[run.family_index];
         row.name = run.run_name.str();
-        if (run.error_occurred) row.error = run.error_message;
+        if (const std::string error = error_of(run); !error.empty()) row.error = error;
         if (!is_repetition(run)) continue;
         if (row.times_s.empty()) row.hash = run.report_label;
         row.is_stable = row.is_stable && row.hash == run.report_label;
@@ -92,7 +94,8 @@ void TableReporter::ReportRuns(const std::vector<Run>& runs) {
     std::vector<Run> shown;
     for (const Run& run : runs) {
         const bool is_only = run.run_type == Run::RT_Iteration && run.repetitions == 1;
-        if (is_only || run.error_occurred || run.aggregate_name == "median") shown.push_back(run);
+        const bool has_failed = !error_of(run).empty();
+        if (is_only || has_failed || run.aggregate_name == "median") shown.push_back(run);
     }
     if (!shown.empty()) ConsoleReporter::ReportRuns(shown);
 }
