@@ -119,11 +119,15 @@ template <class T, class Order>
 core::Image<T> shrink_by(const core::Image<T>& image, int factor, Order matters_more) {
     assert(factor >= 1);
     const auto shrunk = [factor](int size) { return (size + factor - 1) / factor; };
+    if (factor == 1) return image;
     core::Image<T> small(shrunk(image.width_px()), shrunk(image.height_px()));
     for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            T& kept = small.at(x / factor, y / factor);
-            if (matters_more(image.at(x, y), kept)) kept = image.at(x, y);
+        const T* from = image.row(y);
+        T* const to = small.row(y / factor);
+        for (int x = 0; x < small.width_px(); ++x) {
+            const int end = std::min((x + 1) * factor, image.width_px()) - x * factor;
+            for (int i = 0; i < end; ++i, ++from)
+                if (matters_more(*from, to[x])) to[x] = *from;
         }
     }
     return small;
@@ -157,39 +161,47 @@ core::Image<std::uint8_t> shrink(const core::Image<std::uint8_t>& labels, int fa
         labels, factor, [&](std::uint8_t a, std::uint8_t b) { return rank(a) < rank(b); });
 }
 
-Marks mark_errors(const core::Image<std::uint8_t>& labels,
-                  const edge::EdgeImage& edge_response,
-                  const MarkOptions& options) {
-    assert(labels.width_px() == edge_response.width_px() &&
-           labels.height_px() == edge_response.height_px());
-    Marks marks(labels.width_px(), labels.height_px());
-    if (marks.is_empty()) return marks;
-
+ErrorMarker::ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options)
+    : labels_(labels) {
     score::ScoreOptions scoring;
     scoring.band_px = options.band_px;
     scoring.ignore_label = kIgnoreLabel;
-    const score::ScoringTruth truth = score::prepare_truth(labels, scoring, true);
+    truth_ = score::prepare_truth(labels, scoring, true);
+}
+
+Marks ErrorMarker::mark(const edge::EdgeImage& edge_response, const MarkOptions& options) const {
+    assert(labels_.width_px() == edge_response.width_px() &&
+           labels_.height_px() == edge_response.height_px());
+    Marks marks(labels_.width_px(), labels_.height_px());
+    if (marks.is_empty()) return marks;
+
     const edge::Mask drawn = edge::threshold(edge_response, options.threshold);
     const edge::Mask thin = edge::thin(drawn);
-    const ThinMarks thin_marks = judge(thin, truth, options);
+    const ThinMarks thin_marks = judge(thin, truth_, options);
     std::vector<int> owner(thin.size(), -1);
     for (std::size_t i = 0; i < owner.size(); ++i) {
         if (thin.data()[i] != 0) owner[i] = static_cast<int>(i);
     }
     spread_owners(drawn, owner);
     const WrongMarks wrong(marks, options.wrong);
-    const edge::Mask is_found = near(truth.labels, thin_marks.is_counted, options.tolerance_px);
+    const edge::Mask is_found = near(truth_.labels, thin_marks.is_counted, options.tolerance_px);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (drawn.data()[i] != 0) {
             const auto thinned = static_cast<std::size_t>(owner[i]);
             marks.data()[i] = thin_marks.of(thinned, wrong.false_positives.data()[thinned]);
-        } else if (labels.data()[i] == kIgnoreLabel) {
+        } else if (labels_.data()[i] == kIgnoreLabel) {
             marks.data()[i] = Mark::ignored;
         }
-        const bool is_missing = truth.labels.data()[i] != 0 && is_found.data()[i] == 0;
+        const bool is_missing = truth_.labels.data()[i] != 0 && is_found.data()[i] == 0;
         if (is_missing) marks.data()[i] = wrong.false_negatives.data()[i];
     }
     return marks;
+}
+
+Marks mark_errors(const core::Image<std::uint8_t>& labels,
+                  const edge::EdgeImage& edge_response,
+                  const MarkOptions& options) {
+    return ErrorMarker(labels, options).mark(edge_response, options);
 }
 
 }  // namespace ink::draw

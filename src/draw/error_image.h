@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "edge/edge_image.h"
 #include "score/attribution.h"
+#include "score/score.h"
 
 namespace ink::draw {
 
@@ -55,6 +56,21 @@ struct MarkOptions {
 [[nodiscard]] Marks mark_errors(const core::Image<std::uint8_t>& labels,
                                 const edge::EdgeImage& edge_response,
                                 const MarkOptions& options);
+
+/// The same for many images of one view, whose truth is prepared once.
+class ErrorMarker {
+  public:
+    /// `labels` is borrowed; the band of `options` is that of all images.
+    ErrorMarker(const core::Image<std::uint8_t>& labels, const MarkOptions& options);
+
+    /// mark_errors() with the band that the truth was prepared with. Many threads may call it.
+    [[nodiscard]] Marks mark(const edge::EdgeImage& edge_response,
+                             const MarkOptions& options) const;
+
+  private:
+    const core::Image<std::uint8_t>& labels_;
+    score::ScoringTruth truth_;
+};
 
 /// Marks in colour: paper white, hits dark, ignored grey, missing lines warm and false ones cool,
 /// each cause in its own (palette.h).

@@ -200,19 +200,24 @@ std::optional<ShownView> read_shown_view(const fs::path& run, const std::vector<
     if (!fs::exists(folder / kTruth)) return std::nullopt;
     ShownView view{rows.front().scene, rows.front().view, image_io::read_gray(folder / kTruth), {}};
     std::set<std::string> methods_there;
+    std::vector<const Row*> shown;
     for (const Row& row : rows) {
-        const fs::path file = folder / (file_name(row.method) + ".png");
         // Rows of other sizes and numbers of threads have no images of their own.
         const bool is_of_row =
             row.width == view.labels.width_px() && row.height == view.labels.height_px();
-        if (!is_kept(row) || !is_of_row || !fs::exists(file)) continue;
-        if (!methods_there.insert(row.method).second) continue;
-        view.images.push_back(
-            {row.method,
-             read_sized(file, view.labels),
-             row.threshold.value_or(128),
-             wrong_pixels(folder / (file_name(row.method) + ".errors.png"), view.labels)});
+        const bool has_image =
+            is_kept(row) && is_of_row && fs::exists(folder / (file_name(row.method) + ".png"));
+        if (has_image && methods_there.insert(row.method).second) shown.push_back(&row);
     }
+    view.images.resize(shown.size());
+    core::parallel_for(shown.size(), core::hardware_threads(), [&](std::size_t i) {
+        const Row& row = *shown[i];
+        const std::string name = file_name(row.method);
+        view.images[i] = {row.method,
+                          read_sized(folder / (name + ".png"), view.labels),
+                          row.threshold.value_or(128),
+                          wrong_pixels(folder / (name + ".errors.png"), view.labels)};
+    });
     return view;
 }
 

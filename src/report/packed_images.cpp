@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "core/image.h"
@@ -39,40 +39,65 @@ std::string png_of(const Codes& codes) {
     return base64(image_io::encode_png(codes));
 }
 
-std::string truth_png(const Codes& labels, int factor) {
-    return png_of(factor == 1 ? labels : draw::shrink(labels, factor));
-}
+/// By how much images may be shrunk, the first choice first.
+constexpr std::array kFactors = {1, 2, 4, 8};
 
-std::string method_png(const harness::ShownView& view,
-                       const harness::MethodImage& image,
-                       int factor) {
-    draw::Marks marks = draw::mark_errors(
-        view.labels, image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
-    if (factor > 1) marks = draw::shrink(marks, factor);
+/// Something at each of kFactors; empty where nobody wants that.
+using AtFactors = std::array<std::string, kFactors.size()>;
+
+Codes codes_of(const draw::Marks& marks) {
     Codes codes(marks.width_px(), marks.height_px());
-    for (std::size_t i = 0; i < codes.size(); ++i)
-        codes.data()[i] = static_cast<std::uint8_t>(marks.data()[i]);
-    return png_of(codes);
+    std::transform(marks.data(), marks.data() + marks.size(), codes.data(), [](draw::Mark mark) {
+        return static_cast<std::uint8_t>(mark);
+    });
+    return codes;
 }
 
-/// A view's entry: its key, and its images as JSON.
-std::string packed_view(const harness::ShownView& view, int factor) {
-    std::vector<std::string> pngs(view.images.size() + 1);
-    core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
-        pngs[i] =
-            i == 0 ? truth_png(view.labels, factor) : method_png(view, view.images[i - 1], factor);
-    });
-    std::string methods;
-    for (std::size_t i = 1; i < pngs.size(); ++i) {
-        methods += fmt::format(
-            "{}{}:\"{}\"", i == 1 ? "" : ",", json_text(view.images[i - 1].method), pngs[i]);
+/// The PNGs of an image, from the factor of index `first` on.
+template <class Picture, class CodesOf>
+AtFactors pngs_of(const Picture& picture, std::size_t first, CodesOf codes_of_picture) {
+    AtFactors pngs;
+    Picture small = draw::shrink(picture, kFactors[first]);
+    for (std::size_t f = first; f < kFactors.size(); ++f) {
+        // What matters most of blocks matters most of the block that they make.
+        if (f > first) small = draw::shrink(small, kFactors[f] / kFactors[f - 1]);
+        pngs[f] = png_of(codes_of_picture(small));
     }
-    return fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
-                       json_text(view.scene + "\n" + view.view),
-                       view.labels.width_px(),
-                       view.labels.height_px(),
-                       pngs[0],
-                       methods);
+    return pngs;
+}
+
+/// A view's entry: its key, and its images as JSON; from the factor of index `first` on.
+AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
+    const draw::ErrorMarker marker(view.labels, {});
+    std::vector<AtFactors> pngs(view.images.size() + 1);
+    core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (i == 0) {
+            pngs[i] = pngs_of(view.labels, first, [](const Codes& labels) { return labels; });
+            return;
+        }
+        const harness::MethodImage& image = view.images[i - 1];
+        const draw::Marks marks = marker.mark(
+            image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
+        pngs[i] = pngs_of(marks, first, codes_of);
+    });
+    AtFactors packed;
+    for (std::size_t f = first; f < kFactors.size(); ++f) {
+        std::string methods;
+        for (std::size_t i = 1; i < pngs.size(); ++i) {
+            methods += fmt::format("{}{}:\"{}\"",
+                                   i == 1 ? "" : ",",
+                                   json_text(view.images[i - 1].method),
+                                   pngs[i][f]);
+        }
+        packed[f] =
+            fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
+                        json_text(view.scene + "\n" + view.view),
+                        view.labels.width_px(),
+                        view.labels.height_px(),
+                        pngs[0][f],
+                        methods);
+    }
+    return packed;
 }
 
 /// One view of a run, of which the run folder may hold images.
@@ -103,40 +128,38 @@ std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs)
     return ordered;
 }
 
-/// The images of every view at 1/factor of their size; nothing if they exceed the budget, unless
-/// `may_leave_out`: then those that fit.
-std::optional<std::vector<std::string>> packed_at(const std::vector<experiment::RunData>& runs,
-                                                  const std::vector<ViewPlace>& places,
-                                                  int factor,
-                                                  std::size_t budget_bytes,
-                                                  bool may_leave_out) {
-    std::vector<std::string> of_run(runs.size());
-    std::size_t size_bytes = 0;
-    for (const ViewPlace& place : places) {
-        const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
-        if (!view) continue;
-        const std::string packed = packed_view(*view, factor);
-        size_bytes += packed.size();
-        if (size_bytes > budget_bytes) {
-            if (may_leave_out) break;
-            return std::nullopt;
-        }
-        of_run[place.run] += (of_run[place.run].empty() ? "" : ",") + packed;
+/// The images of all views at one factor, as far as they are within the budget.
+struct Packed {
+    std::vector<std::string> of_run;
+    std::size_t size_bytes = 0;  ///< with the first view that was too much
+
+    void add(std::size_t run, const std::string& view, std::size_t budget_bytes) {
+        if (size_bytes > budget_bytes) return;
+        size_bytes += view.size();
+        if (size_bytes > budget_bytes) return;
+        of_run[run] += (of_run[run].empty() ? "" : ",") + view;
     }
-    return of_run;
-}
+};
 
 }  // namespace
 
 std::string packed_images(const std::vector<experiment::RunData>& runs, std::size_t budget_bytes) {
-    const std::vector<ViewPlace> places = view_places(runs);
-    std::optional<std::vector<std::string>> of_run;
-    for (const int factor : {1, 2, 4, 8}) {
-        of_run = packed_at(runs, places, factor, budget_bytes, factor == 8);
-        if (of_run) break;
+    std::array<Packed, kFactors.size()> packed;
+    packed.fill({std::vector<std::string>(runs.size())});
+    // Each image is read and marked once: what is too much at one factor is there at the next.
+    std::size_t first = 0;
+    for (const ViewPlace& place : view_places(runs)) {
+        const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
+        if (!view) continue;
+        const AtFactors at_factors = packed_view(*view, first);
+        for (std::size_t f = first; f < kFactors.size(); ++f)
+            packed[f].add(place.run, at_factors[f], budget_bytes);
+        while (first + 1 < kFactors.size() && packed[first].size_bytes > budget_bytes)
+            packed[first++] = {};
+        if (packed[first].size_bytes > budget_bytes) break;
     }
     std::string text;
-    for (const std::string& views : *of_run)
+    for (const std::string& views : packed[first].of_run)
         text += fmt::format("{}{{{}}}", text.empty() ? "" : ",", views);
     return "[" + text + "]";
 }
