@@ -6,8 +6,10 @@
 namespace ink::core {
 namespace {
 
+/// Highway's fallback is EMU128 where the compiler can be trusted with it (g++ 12.3 and later),
+/// else SCALAR: here both have the one name.
 SimdTarget with_name(std::int64_t bit) {
-    return {bit, hwy::TargetName(bit)};
+    return {bit, hwy::TargetName(bit == HWY_EMU128 ? HWY_SCALAR : bit)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace ink::core {
 /// One instruction set that the kernels were compiled for.
 struct SimdTarget {
     std::int64_t bit = 0;  ///< Highway's
-    std::string name;      ///< "SCALAR", "AVX2", "AVX3" (AVX-512), ...
+    std::string name;      ///< "SCALAR" (Highway's fallback), "AVX2", "AVX3" (AVX-512), ...
 };
 
 /// Those that kernels were compiled for and this machine can run, the best first, scalar last.

@@ -34,7 +34,7 @@ struct Cross {
 /// bytes and as bits, and moves masks to where they cost an instruction more.
 template <class V>
 HWY_INLINE V as_is(V v) {
-#if HWY_COMPILER_GCC_ACTUAL && HWY_TARGET != HWY_SCALAR
+#if HWY_COMPILER_GCC_ACTUAL && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
     asm("" : "+v"(v.raw));
 #endif
     return v;

@@ -6,14 +6,14 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
 #include <string>
 
 namespace ink::image_io {
 
-/// Another library's message on one line, short enough for one.
+/// The first line of another library's message, short enough for one: what follows are
+/// consequences.
 [[nodiscard]] inline std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    text = text.substr(0, text.find('\n'));
     constexpr std::size_t kLongest = 160;
     if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
     return text;

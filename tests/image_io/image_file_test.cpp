@@ -166,7 +166,7 @@ TEST_F(ImageFile, RefusesSixteenBitsAndAbsurdSizes) {
     EXPECT_THAT(refusal_of(file_of("deep.pgm", anymap("P5\n2 2\n65535\n", 8))),
                 testing::HasSubstr("not 8-bit"));
     EXPECT_THAT(refusal_of(file_of("huge.pgm", anymap("P5\n100000 100000\n255\n", 8))),
-                testing::HasSubstr("100000 x 100000"));
+                testing::ContainsRegex("100000 ?x ?100000"));
 }
 
 TEST_F(ImageFile, ReadsWhatTheOraclesOwnReaderReads) {
