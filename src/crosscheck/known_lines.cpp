@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <ranges>
 
 namespace ink::crosscheck {
 namespace {
@@ -24,8 +23,8 @@ KnownLines::KnownLines(const SampleCells& cells,
         ++first_[cells.index(p.cell)];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     // From behind the last of each cell forwards: the order stays, and each ends at its first.
-    for (const CellPoint& p : std::views::reverse(points))
-        points_[--first_[cells.index(p.cell)]] = p.point;
+    for (auto p = points.rbegin(); p != points.rend(); ++p)
+        points_[--first_[cells.index(p->cell)]] = p->point;
 }
 
 bool KnownLines::has_near(const glm::dvec2& p_px,

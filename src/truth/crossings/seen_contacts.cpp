@@ -30,9 +30,13 @@ void join_stretches(std::vector<Contact>& contacts) {
 
 void sort_once(std::vector<CoplanarPair>& pairs) {
     const auto key = [](const CoplanarPair& pair) { return std::tie(pair.face, pair.lower_face); };
-    std::ranges::sort(pairs, {}, key);
-    const auto twice = std::ranges::unique(pairs, {}, key);
-    pairs.erase(twice.begin(), twice.end());
+    // clang 14, the fuzzers' compiler, takes no views of Debian 12's library: no
+    // std::ranges::unique.
+    std::sort(
+        pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    const auto twice = std::unique(
+        pairs.begin(), pairs.end(), [&](const auto& a, const auto& b) { return key(a) == key(b); });
+    pairs.erase(twice, pairs.end());
 }
 
 }  // namespace
