@@ -3,13 +3,14 @@
 
     tests/long_run/long_run.py PROGRAM [--minutes 60] [--cells 20000] [--seed 1] [--folder DIR]
 
-Computes a grid of about so many cells, first undisturbed, then in a folder of its own while
-- it is killed with -9 at random times, for so many minutes,
+Computes a grid of about so many cells, first undisturbed, then again and again for so many minutes, each time in a new
+folder, while
+- it is killed with -9 at random times,
 - its disk fills up twice (a small file system, which needs root),
 - the clock is set back by two days while it computes (needs Debian's faketime),
 - a second process begins in the same folder, which must be refused.
-What cannot be had is left out, and said so. In the end every table and picture is compared byte by byte
-with the undisturbed run's, and no file may be there that the other lacks. Exit code 1: something was lost, came twice or grew.
+What cannot be had is left out, and said so. In the end every table and picture of each is compared byte by byte with
+the undisturbed run's, and no file may be there that the other lacks. Exit code 1: something was lost, came twice or grew.
 """
 
 import argparse
@@ -51,7 +52,7 @@ own_views = 0
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
-    parser.add_argument("--minutes", type=float, default=60, help="how long it is killed again and again")
+    parser.add_argument("--minutes", type=float, default=60, help="how long runs are disturbed")
     parser.add_argument("--cells", type=int, default=20000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folder", type=Path, help="where to work; kept (default: a folder that is removed)")
@@ -135,6 +136,8 @@ class LongRun:
     def is_computed(self):
         """Whether only the page is left to write, of which the folder is free already."""
         record = self.command[-1] / "run.toml"
+        if not record.exists():
+            return False
         return tomllib.loads(record.read_text(encoding="utf-8"))["progress"]["state"] != "unfinished"
 
     def fault(self, text):
@@ -146,11 +149,11 @@ class LongRun:
                 f"{self.refusals} second processes refused")
 
 
-def watch(process, seconds, at_half=None):
-    """Waits until the process has ended or the seconds are over; its memory every half second."""
+def watch(process, seconds, at_half=None, is_over=lambda: False):
+    """Waits until the process has ended, the seconds are over or it says so; its memory every half second."""
     began = time.monotonic()
     samples = []
-    while process.poll() is None and time.monotonic() - began < seconds:
+    while process.poll() is None and time.monotonic() - began < seconds and not is_over():
         time.sleep(0.5)
         samples.append(memory_mib(process.pid))
         if at_half and time.monotonic() - began > seconds / 2:
@@ -172,10 +175,11 @@ def fill_disk(run, disk):
     if process.poll() is None:
         kill(process)
         run.fault("on a full disk the run went on for ten minutes")
-    elif process.returncode != BAD_INPUT:
+    elif process.returncode == BAD_INPUT:
+        run.full_disks += 1
+    elif process.returncode not in (0, 3):  # so little was left that it fitted
         run.fault(f"on a full disk the run ended with {process.returncode}")
     disk.resize(disk.size_mib)
-    run.full_disks += 1
 
 
 def begin_second(run):
@@ -197,19 +201,17 @@ def set_back(run, process, clock):
     run.clocks += process.poll() is None
 
 
-def disturb(run, arguments, disk, clock, calm_seconds):
-    """Stretches that end with a kill until the time is over, then one to the end."""
-    chance = random.Random(arguments.seed)
-    end = time.monotonic() + 60 * arguments.minutes
+def disturb(run, chance, disk, clock, calm_seconds):
+    """Stretches that end with a kill, until one comes to the end."""
     # Resumed so often that some ten kills fall on what is computed, and not all of it on the first stretches.
-    longest = max(6.0, min(calm_seconds / 8, 240.0))
-    turn = 0
+    longest = max(3.0, min(calm_seconds / 4, 240.0))
+    turn = full_disks = 0
     while True:
         turn += 1
-        if disk.is_small and run.full_disks < 2 and turn % 5 == 0:
+        if disk.is_small and full_disks < 2 and turn % 3 == 0:
+            full_disks += 1
             fill_disk(run, disk)
             continue
-        is_last = time.monotonic() > end
         is_clock_turn = clock.environment and turn % 3 == 2
         clock.set("+0")
         process = run.start()
@@ -217,7 +219,7 @@ def disturb(run, arguments, disk, clock, calm_seconds):
             watch(process, 2)
             if process.poll() is None:
                 begin_second(run)
-        seconds = 1e9 if is_last else chance.uniform(2, longest)
+        seconds = chance.uniform(1, longest)
         watch(process, seconds, (lambda: set_back(run, process, clock)) if is_clock_turn else None)
         if process.poll() is None:
             kill(process)
@@ -225,8 +227,6 @@ def disturb(run, arguments, disk, clock, calm_seconds):
             continue
         if process.returncode not in (0, 3):
             run.fault(f"the run ended with {process.returncode}")
-            return
-        say(f"done with exit code {process.returncode} after {run.disturbances()}")
         return
 
 
@@ -237,6 +237,15 @@ def compare_folders(expected, found):
     compared = sorted(n for n in names & others if n.suffix in (".csv", ".png"))
     differing = [n for n in compared if not filecmp.cmp(expected / n, found / n, shallow=False)]
     return len(compared), differing, sorted(names - others), sorted(others - names)
+
+
+def judge_equality(run, expected, found):
+    """Names what differs between the folders; how many files were compared."""
+    compared, *names = compare_folders(expected, found)
+    for what, some in zip(("differs", "is missing", "is new"), names):
+        for name in some[:20]:
+            run.fault(f"{name} {what}")
+    return compared
 
 
 def judge_growth(run, samples):
@@ -269,21 +278,28 @@ def main():
             began = time.monotonic()
             calm = LongRun(arguments.program, experiment, folder / "calm", log)
             process = calm.start()
-            samples = watch(process, 1e9)
+            samples = watch(process, 1e9, is_over=calm.is_computed)
+            of_page = watch(process, 1e9)
             if process.returncode not in (0, 3):
                 sys.exit(f"long_run: the undisturbed run ended with {process.returncode}; see {folder / 'log.txt'}")
             seconds = time.monotonic() - began
             with open(folder / "calm/rows.csv", encoding="utf-8") as rows:
                 count = sum(1 for _ in rows) - 1
-            say(f"{count} rows in {seconds / 60:.0f} minutes; now a disturbed one for {arguments.minutes:g} minutes or until it is done")
+            say(f"{count} rows in {seconds / 60:.0f} minutes; now disturbed ones for {arguments.minutes:g} minutes")
             run = LongRun(arguments.program, experiment, folder / "disk/run", log, clock.environment)
             judge_growth(run, samples)
-            disturb(run, arguments, disk, clock, seconds)
-        compared, *names = compare_folders(folder / "calm", folder / "disk/run")
-        for what, some in zip(("differs", "is missing", "is new"), names):
-            for name in some[:20]:
-                run.fault(f"{name} {what}")
-        say(f"{compared} tables and pictures compared, {len(names[0])} differ, {len(names[1])} missing, {len(names[2])} new")
+            say(f"memory at most {max(of_page, default=0):.0f} MiB while the page of all rows was written")
+            chance = random.Random(arguments.seed)
+            end = time.monotonic() + 60 * arguments.minutes
+            runs = compared = 0
+            while runs == 0 or time.monotonic() < end:
+                shutil.rmtree(folder / "disk/run", ignore_errors=True)
+                disturb(run, chance, disk, clock, seconds)
+                compared += judge_equality(run, folder / "calm", folder / "disk/run")
+                runs += 1
+                say(f"{runs} runs, {run.disturbances()}, {compared} tables and pictures compared")
+                if run.faults:
+                    break
         say("nothing lost, nothing twice" if not run.faults else f"{len(run.faults)} faults")
         return 1 if run.faults else 0
     finally:
