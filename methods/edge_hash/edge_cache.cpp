@@ -1,11 +1,27 @@
 #include "methods/edge_hash/edge_cache.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
 #include "core/hash.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::methods {
+namespace {
+
+/// The edges of a soup whose points have this hash: a copy where several methods on a scene share
+/// their work.
+SoupEdges shared_edges(const Soup& soup, double epsilon, std::uint64_t hash) {
+    const auto make = [&] { return find_edges(soup, epsilon); };
+    scene::SharedWork* work = scene::SharedWork::current();
+    if (work == nullptr) return make();
+    const std::uint64_t triangles = core::Hasher().items(soup.triangles).result();
+    return work->get(fmt::format("soup edges {} {} {}", hash, triangles, epsilon), make);
+}
+
+}  // namespace
 
 void EdgeCache::reset(std::size_t models) {
     models_.assign(models, {});
@@ -35,7 +51,7 @@ std::shared_ptr<const SoupEdges> EdgeCache::edges_of(std::size_t model, const So
     }
     make_room(frames);
     ++counts_.built;
-    auto edges = std::make_shared<const SoupEdges>(find_edges(soup, epsilon_));
+    auto edges = std::make_shared<const SoupEdges>(shared_edges(soup, epsilon_, frame));
     frames[frame] = {edges, asked_};
     return edges;
 }

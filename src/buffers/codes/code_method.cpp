@@ -1,11 +1,14 @@
 #include "buffers/codes/code_method.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "buffers/packed_sink.h"
 #include "raster/pass/needed_rows.h"
+#include "scene/sharing/shared_work.h"
 
 namespace ink::buffers {
 namespace {
@@ -144,7 +147,23 @@ void CodeMethod::make_codes(const scene::Scene& scene) {
                                   static_cast<float>(px_world * setup_.length_px));
         }
     }
-    take(surface_codes_.codes(lengths_world_));
+    const auto make = [&] { return surface_codes_.codes(lengths_world_); };
+    take(scene.animation ? make() : scene::shared(scene, name_of_codes(), make));
+}
+
+/// What codes of a scene that does not move depend on.
+std::string CodeMethod::name_of_codes() const {
+    return fmt::format("surface codes {} {} {} {} {} {} {} {} {} {}",
+                       params_.crease_deg,
+                       params_.weld_epsilon,
+                       setup_.turn_rad,
+                       setup_.rounds,
+                       setup_.range.lowest,
+                       setup_.range.highest,
+                       setup_.range.least_difference,
+                       setup_.range.is_second,
+                       setup_.bytes,
+                       lengths_world_.empty() ? 0 : lengths_world_.front());
 }
 
 void CodeMethod::take(std::vector<std::uint32_t> codes) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "buffers/codes/surface_codes.h"
@@ -84,6 +85,7 @@ class CodeMethod : public method::Method {
                                const method::Frame& frame,
                                bool may_leave_out);
     void make_codes(const scene::Scene& scene);
+    [[nodiscard]] std::string name_of_codes() const;
     void take(std::vector<std::uint32_t> codes);
     void follow_view();
     void order_codes(const raster::LaneMesh& mesh);
