@@ -22,10 +22,12 @@ namespace {
 
 /// What lanes share.
 struct Lanes {
-    explicit Lanes(int count) : busy(count), gate(count) {}
+    Lanes(int count, Others of_one_alone) : busy(count), others(of_one_alone), gate(count) {}
 
     std::atomic<int> busy;  ///< lanes that have not ended
-    QuietGate gate;         ///< every thread that works on a lane is inside
+    const Others others;
+    QuietGate gate;            ///< every thread that works on a lane is inside
+    std::mutex one_at_a_time;  ///< instead of the gate, where others work on
 };
 
 /// Where a thread works: on which lane, and beside which others.
@@ -34,9 +36,14 @@ struct Post {
     Lanes* lanes = nullptr;  ///< nothing outside of lanes
     bool is_alone = false;
 
-    /// Nothing for a thread that never has to wait for other lanes; the last one has none left.
+    /// Whether other lanes may work while this one does.
+    [[nodiscard]] bool has_others() const {
+        if (!lanes || lanes->busy == 1) return false;
+        return !is_alone || lanes->others == Others::work_on;
+    }
+    /// Nothing for a thread that never has to stand still; the last lane has none to wait for.
     [[nodiscard]] QuietGate* gate() const {
-        return is_alone || !lanes || lanes->busy == 1 ? nullptr : &lanes->gate;
+        return has_others() && lanes->others == Others::stand_still ? &lanes->gate : nullptr;
     }
 };
 
@@ -105,19 +112,23 @@ class OutsideGuard {
 /// Has the thread alone while it lives.
 class AloneGuard {
   public:
-    explicit AloneGuard(QuietGate& gate) : gate_(gate) {
-        wait_at_gate([&] { gate_.begin_alone(); });
+    explicit AloneGuard(Lanes& lanes) : lanes_(lanes) {
+        wait_at_gate(
+            [&] { stands_still() ? lanes_.gate.begin_alone() : lanes_.one_at_a_time.lock(); });
         this_post().is_alone = true;
     }
     ~AloneGuard() {
         this_post().is_alone = false;
-        wait_at_gate([&] { gate_.end_alone(); });
+        wait_at_gate(
+            [&] { stands_still() ? lanes_.gate.end_alone() : lanes_.one_at_a_time.unlock(); });
     }
     AloneGuard(const AloneGuard&) = delete;
     AloneGuard& operator=(const AloneGuard&) = delete;
 
   private:
-    QuietGate& gate_;
+    [[nodiscard]] bool stands_still() const { return lanes_.others == Others::stand_still; }
+
+    Lanes& lanes_;
 };
 
 using Range = std::function<void(std::size_t first, std::size_t end)>;
@@ -201,10 +212,10 @@ int hardware_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void run_lanes(int count, const std::function<void(int)>& body) {
+void run_lanes(int count, const std::function<void(int)>& body, Others others) {
     assert(count >= 1 && this_post().lanes == nullptr);
     if (count == 1) return body(0);
-    Lanes lanes(count);
+    Lanes lanes(count, others);
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
     std::vector<std::thread> threads;
     for (int lane = 0; lane < count; ++lane) {
@@ -226,9 +237,9 @@ void run_lanes(int count, const std::function<void(int)>& body) {
 }
 
 void run_alone(const std::function<void()>& work) {
-    QuietGate* gate = this_post().gate();
-    if (!gate) return work();
-    const AloneGuard alone(*gate);
+    const Post& post = this_post();
+    if (post.is_alone || !post.has_others()) return work();
+    const AloneGuard alone(*post.lanes);
     work();
 }
 
@@ -247,7 +258,7 @@ int this_lane() {
 
 int share_of_threads() {
     const Post& post = this_post();
-    if (!post.gate()) return hardware_threads();
+    if (!post.has_others()) return hardware_threads();
     return std::max(1, hardware_threads() / std::max(1, post.lanes->busy.load()));
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "harness/disturbance.h"
 #include "harness/interrupt.h"
 
 namespace ink::experiment {
@@ -98,6 +99,25 @@ std::vector<BlockWork::Group> BlockWork::missing_groups() const {
     return groups;
 }
 
+/// What the other lanes do while one is timed: they stand still where they would be noticed.
+core::Others BlockWork::others_beside_timed() {
+    if (lanes_ == 1) return core::Others::stand_still;
+    lanes_text_ = fmt::format(" on {} lanes", lanes_);
+    if (!plan_.times) return core::Others::stand_still;
+    // A timed drawing on many threads needs the cores of the others.
+    if (plan_.timed_threads > 1) {
+        lanes_text_ += ", the others still while one is timed";
+        return core::Others::stand_still;
+    }
+    const double ratio = harness::measure_disturbance(lanes_ - 1);
+    const bool goes_on = ratio <= harness::kNoDisturbance;
+    lanes_text_ +=
+        fmt::format(", the others {} while one is timed (a loop takes {:.3f} x beside them)",
+                    goes_on ? "at work" : "still",
+                    ratio);
+    return goes_on ? core::Others::work_on : core::Others::stand_still;
+}
+
 bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& say) {
     core::Progress progress(plan_.name, static_cast<int>(wanted_.size()));
     progress_ = &progress;
@@ -109,7 +129,8 @@ bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& sa
     lanes_ = std::clamp(lanes_, 1, std::max(1, static_cast<int>(groups.size())));
     next_group_ = 0;
     is_stopped_ = false;
-    core::run_lanes(lanes_, [&](int) { work_through(groups); });
+    core::run_lanes(
+        lanes_, [&](int) { work_through(groups); }, others_beside_timed());
     const std::vector<std::size_t> alone = missing_;
     for (const std::size_t i : alone)
         if (is_stopped_ || !compute(i)) return false;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/parallel.h"
 #include "core/progress.h"
 #include "experiment/block_store.h"
 #include "experiment/experiment_plan.h"
@@ -25,10 +26,10 @@ struct Shard {
 
 /// The blocks of a run: which are wanted, which are there, and the work of computing the others.
 ///
-/// Groups of blocks run beside each other, each on a lane (core::run_lanes): a drawing that is
-/// timed has the machine to itself (core::run_alone); else some trace, draw and score their scenes
-/// while others do so with theirs. Blocks without a group come last and run alone. Borrows plan and
-/// store.
+/// Groups of blocks run beside each other, each on a lane (core::run_lanes): some trace, draw and
+/// score their scenes while others do so with theirs. One lane is timed at a time
+/// (core::run_alone); the others stand still meanwhile unless they were found not to disturb it.
+/// Blocks without a group come last and run alone. Borrows plan and store.
 class BlockWork {
   public:
     BlockWork(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted);
@@ -39,6 +40,9 @@ class BlockWork {
     /// Computes what is missing, on at most so many lanes (0: as many as fit the machine); false if
     /// an end was asked for before all was there. Rethrows what a block throws.
     [[nodiscard]] bool run(int lanes, const std::function<void(const std::string&)>& say);
+
+    /// On how many lanes it ran and what they did beside timed drawings: " on 2 lanes, ...", or "".
+    [[nodiscard]] const std::string& lanes_text() const { return lanes_text_; }
 
     /// What the blocks that were computed spent their time on.
     [[nodiscard]] const StageTimes& stages() const { return stages_; }
@@ -51,6 +55,7 @@ class BlockWork {
 
     [[nodiscard]] std::string estimate() const;
     [[nodiscard]] std::vector<Group> missing_groups() const;
+    [[nodiscard]] core::Others others_beside_timed();
     [[nodiscard]] double work_of(const Group& group) const;
     void work_through(const std::vector<Group>& groups);
     [[nodiscard]] bool compute(std::size_t block);
@@ -61,6 +66,7 @@ class BlockWork {
     std::vector<std::size_t> wanted_;
     std::vector<std::size_t> missing_;
     int lanes_ = 1;
+    std::string lanes_text_;
     double known_work_ = 0;
     double known_s_ = 0;
     StageTimes stages_;

@@ -24,10 +24,11 @@ constexpr int kBaselines = 4;
 constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
 
-/// In the mean of all methods. With these a comparison of a scan of 69 thousand triangles was said
-/// to take 24 s and took 24.5.
-constexpr double kPrepare_s_per_triangle = 1e-6;
-constexpr double kTruth_s_per_triangle = 4e-6;
+/// In the mean of all methods over the catalogue, of one lane.
+constexpr double kPrepare_s_per_triangle = 2.5e-7;
+constexpr double kTruth_s_per_triangle = 2.5e-6;
+/// Two lanes at work; they wait for each other now and then.
+constexpr double kShareOfTwoLanes = 0.55;
 
 std::string place_text(const ViewBench& bench, const BlockPlace& at) {
     return fmt::format("{} {} {}x{} threads {}",
@@ -52,14 +53,14 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const Experiment& experiment = bench.experiment();
     const double mpx = 1e-6 * at.view->width_px * at.view->height_px;
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
-    const double draws = work.is_full ? experiment.repetitions : 4;
-    const double draw_s = std::min(draws * (0.006 * mpx + 4e-8 * triangles),
+    const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 3;
+    const double draw_s = std::min(draws * (0.0025 * mpx + 2e-8 * triangles),
                                    work.is_full ? experiment.budget_s : 0.03);
-    const double score_s = (work.is_full && experiment.full_scores ? 0.12 : 0.02) * mpx;
+    const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;
     const double truth_s =
-        work.is_full ? 0.05 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.01;
-    return work.cells * (0.002 + draw_s + score_s) +
-           work.prepared * kPrepare_s_per_triangle * triangles + truth_s;
+        work.is_full ? 0.1 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.003;
+    return kShareOfTwoLanes * (work.cells * (0.001 + draw_s + score_s) +
+                               work.prepared * kPrepare_s_per_triangle * triangles + truth_s);
 }
 
 /// All settings over which a method is swept on the n-th view: its grids', then its own.

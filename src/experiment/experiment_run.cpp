@@ -162,8 +162,11 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     if (is_done) {
         const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
         const std::string stages = work.stages().text();
-        options.say(fmt::format(
-            "done after {}{}{}", duration_text(elapsed_s), stages.empty() ? "" : ": ", stages));
+        options.say(fmt::format("done after {}{}{}{}",
+                                duration_text(elapsed_s),
+                                work.lanes_text(),
+                                stages.empty() ? "" : ": ",
+                                stages));
     }
     return outcome;
 }

@@ -9,9 +9,9 @@ namespace ink::harness {
 
 /// How the settings of a method's sweep are drawn and timed beside the methods themselves.
 struct SweepOptions {
-    /// A front needs times to a few percent, and takes medians over views: few repetitions do, and
-    /// one where a frame is long. While these are drawn nothing else is: they are to be short.
-    MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 3, .budget_s = 0.006};
+    /// A front takes medians over views, of which a scene has one and a suite dozens: two times of
+    /// a setting do there, and one where a frame is long. They are most of what a comparison times.
+    MeasureOptions measure{.min_repetitions = 1, .max_repetitions = 2, .budget_s = 0.003};
 };
 
 /// The settings over which `config` is swept, each as a configuration: what the user set, with a

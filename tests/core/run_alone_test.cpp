@@ -115,6 +115,61 @@ TEST_P(RunAlone, LoopsWithinItHaveTheWholeMachine) {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, RunAlone, testing::Values(1, 2, 3, 8));
 
+TEST_P(RunAlone, OneAtATimeIsAloneWhereOthersWorkOn) {
+    std::atomic<int> alone = 0, most = 0, calls = 0;
+    run_lanes(
+        GetParam(),
+        [&](int) {
+            for (int i = 0; i < 10; ++i) {
+                run_alone([&] {
+                    most = std::max(most.load(), ++alone);
+                    run_alone(dawdle);  // is alone already
+                    ++calls;
+                    --alone;
+                });
+            }
+        },
+        Others::work_on);
+    EXPECT_EQ(calls, 10 * GetParam());
+    EXPECT_EQ(most, 1);
+}
+
+TEST_P(RunAlone, OthersWorkOnMeanwhile) {
+    std::atomic<int> steps = 0;
+    run_lanes(
+        GetParam(),
+        [&](int lane) {
+            if (lane > 0) {
+                parallel_for(10, hardware_threads(), [&](std::size_t) { ++steps; });
+                return;
+            }
+            run_alone([&] {
+                while (steps < 10 * (GetParam() - 1))
+                    std::this_thread::yield();  // for ever, if they stood still
+            });
+        },
+        Others::work_on);
+    EXPECT_EQ(steps, 10 * (GetParam() - 1));
+}
+
+TEST(RunAlone, KeepsItsShareOfTheMachineWhereOthersWorkOn) {
+    std::atomic<int> here = 0;
+    run_lanes(
+        2,
+        [&](int) {
+            ++here;
+            run_alone([&] {
+                while (here < 2)
+                    std::this_thread::yield();
+                EXPECT_EQ(share_of_threads(), std::max(1, hardware_threads() / 2));
+            });
+            ++here;
+            while (here < 4)
+                std::this_thread::yield();  // else the other would have the whole machine
+        },
+        Others::work_on);
+}
+
 TEST(RunAlone, IsAPlainCallOutsideOfLanes) {
     const double before_s = waited_s();
     const auto caller = std::this_thread::get_id();

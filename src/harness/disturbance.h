@@ -1,0 +1,16 @@
+#pragma once
+
+namespace ink::harness {
+
+/// How many times as long a loop takes while `others` threads do the same beside it: 1 is no
+/// disturbance at all, 1.5 and more are two threads on one core.
+///
+/// The loop reads and writes four megabytes, a plane of a 720p frame, as drawing and scoring do.
+/// Median of many pairs in turns; takes about a tenth of a second. `others` >= 0; of none, or more
+/// than the machine has cores for, the answer is 1, or what they cost.
+[[nodiscard]] double measure_disturbance(int others);
+
+/// Draw times of two runs differ by more than this share whatever is done.
+inline constexpr double kNoDisturbance = 1.03;
+
+}  // namespace ink::harness
