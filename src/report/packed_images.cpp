@@ -76,18 +76,16 @@ AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
             return;
         }
         const harness::MethodImage& image = view.images[i - 1];
-        const draw::Marks marks = marker.mark(
-            image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
+        const draw::Marks marks =
+            marker.mark(image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
         pngs[i] = pngs_of(marks, first, codes_of);
     });
     AtFactors packed;
     for (std::size_t f = first; f < kFactors.size(); ++f) {
         std::string methods;
         for (std::size_t i = 1; i < pngs.size(); ++i) {
-            methods += fmt::format("{}{}:\"{}\"",
-                                   i == 1 ? "" : ",",
-                                   json_text(view.images[i - 1].method),
-                                   pngs[i][f]);
+            methods += fmt::format(
+                "{}{}:\"{}\"", i == 1 ? "" : ",", json_text(view.images[i - 1].method), pngs[i][f]);
         }
         packed[f] =
             fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
