@@ -4,6 +4,8 @@
 
 #include "score/drawing.h"
 #include "score/motion.h"
+#include "score/pixel_list.h"
+#include "score/reach.h"
 
 namespace ink::score {
 namespace {
@@ -20,26 +22,13 @@ Feature feature_of(const truth::Curve& curve) {
 }
 
 /// 1 for each pixel with one of `lines` (not 0) in reach.
-edge::Mask reach_of(const core::Image<std::uint8_t>& lines, const Disk& disk) {
-    edge::Mask reach(lines.width_px(), lines.height_px());
-    for (int y = 0; y < lines.height_px(); ++y) {
-        for (int x = 0; x < lines.width_px(); ++x) {
-            if (lines.at(x, y) == 0) continue;
-            for (int dy = -disk.radius_px(); dy <= disk.radius_px(); ++dy) {
-                const int half = disk.half_width_px(dy);
-                if (y + dy < 0 || y + dy >= lines.height_px()) continue;
-                const int first = std::max(0, x - half);
-                const int last = std::min(lines.width_px() - 1, x + half);
-                std::fill(reach.row(y + dy) + first, reach.row(y + dy) + last + 1, std::uint8_t{1});
-            }
-        }
-    }
-    return reach;
+edge::Mask near_lines(const core::Image<std::uint8_t>& lines, double tolerance_px) {
+    return reach_of(PixelList(lines), Disk(tolerance_px), lines.width_px()).bytes();
 }
 
 /// 1 for each pixel in which a line is asked for.
 edge::Mask asked_pixels(const ScoringTruth& truth, const ScoreOptions& options) {
-    edge::Mask asked = reach_of(truth.labels, Disk(options.tolerance_px));
+    edge::Mask asked = near_lines(truth.labels, options.tolerance_px);
     clear_band(asked, options.band_px);
     for (std::size_t i = 0; i < asked.size() && !truth.ignore.is_empty(); ++i) {
         if (truth.ignore.data()[i] != 0) asked.data()[i] = 0;
@@ -82,7 +71,7 @@ std::vector<FeatureSight> see_features(std::span<const truth::Curve> curves,
     check(options);
     check_same_size(thinned, truth.labels);
     const edge::Mask asked = asked_pixels(truth, options);
-    const edge::Mask reach = reach_of(thinned, Disk(options.tolerance_px));
+    const edge::Mask reach = near_lines(thinned, options.tolerance_px);
     std::map<Feature, FeatureSight> sights;
     for (const truth::Curve& curve : curves) {
         const double dx = curve.end.x_px - curve.begin.x_px;
