@@ -140,6 +140,15 @@ class LongRun:
             return False
         return tomllib.loads(record.read_text(encoding="utf-8"))["progress"]["state"] != "unfinished"
 
+    def has_all_blocks(self):
+        """Whether every cell is computed, and tables and page are left to write."""
+        blocks = self.command[-1] / "blocks"
+        record = self.command[-1] / "run.toml"
+        if not record.exists():
+            return False
+        wanted = tomllib.loads(record.read_text(encoding="utf-8"))["progress"]["blocks"]
+        return self.is_computed() or (blocks.exists() and sum(1 for _ in blocks.iterdir()) >= wanted)
+
     def fault(self, text):
         say("FAULT: " + text)
         self.faults.append(text)
@@ -278,8 +287,8 @@ def main():
             began = time.monotonic()
             calm = LongRun(arguments.program, experiment, folder / "calm", log)
             process = calm.start()
-            samples = watch(process, 1e9, is_over=calm.is_computed)
-            of_page = watch(process, 1e9)
+            samples = watch(process, 1e9, is_over=calm.has_all_blocks)
+            at_end = watch(process, 1e9)
             if process.returncode not in (0, 3):
                 sys.exit(f"long_run: the undisturbed run ended with {process.returncode}; see {folder / 'log.txt'}")
             seconds = time.monotonic() - began
@@ -288,7 +297,7 @@ def main():
             say(f"{count} rows in {seconds / 60:.0f} minutes; now disturbed ones for {arguments.minutes:g} minutes")
             run = LongRun(arguments.program, experiment, folder / "disk/run", log, clock.environment)
             judge_growth(run, samples)
-            say(f"memory at most {max(of_page, default=0):.0f} MiB while the page of all rows was written")
+            say(f"memory at most {max(at_end, default=0):.0f} MiB while tables and page of all rows were written")
             chance = random.Random(arguments.seed)
             end = time.monotonic() + 60 * arguments.minutes
             runs = compared = 0
