@@ -162,9 +162,12 @@ def watch(process, seconds, at_half=None, is_over=lambda: False):
     """Waits until the process has ended, the seconds are over or it says so; its memory every half second."""
     began = time.monotonic()
     samples = []
-    while process.poll() is None and time.monotonic() - began < seconds and not is_over():
+    while process.poll() is None and time.monotonic() - began < seconds:
         time.sleep(0.5)
-        samples.append(memory_mib(process.pid))
+        used_mib = memory_mib(process.pid)
+        if is_over():
+            break
+        samples.append(used_mib)
         if at_half and time.monotonic() - began > seconds / 2:
             at_half()
             at_half = None
