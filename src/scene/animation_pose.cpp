@@ -89,7 +89,10 @@ void pose_camera(const CameraMotion& motion,
     const glm::dmat4& world_from_eye = world_from_node[motion.eye_node];
     const glm::dvec3 eye_world = world_from_eye * glm::dvec4(motion.p_eye, 1);
     glm::dvec3 target_world = world_from_node[motion.target_node] * glm::dvec4(motion.p_target, 1);
-    if (glm::length(target_world - eye_world) == 0) target_world = eye_world + glm::dvec3(0, 0, -1);
+    if (glm::length(target_world - eye_world) == 0) {
+        // Far out a step of 1 would be lost in rounding.
+        target_world.z -= std::max(1.0, glm::length(eye_world));
+    }
     const Camera posed =
         look_at(eye_world, target_world, glm::dmat3(world_from_eye) * motion.up, camera.fov_y_rad);
     camera.eye_world = posed.eye_world;

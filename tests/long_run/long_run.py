@@ -194,17 +194,24 @@ def fill_disk(run, disk):
     disk.resize(disk.size_mib)
 
 
-def begin_second(run):
-    """A second process while the first holds the folder."""
+def begin_second(run, first):
+    """A second process in the first one's folder: one of both must be refused, on a busy machine the one begun first."""
     second = run.start()
-    watch(second, 60)
+    began = time.monotonic()
+    while first.poll() is None and second.poll() is None and time.monotonic() - began < 60:
+        time.sleep(0.1)
+    if second.poll() == BAD_INPUT:
+        run.refusals += 1
+        return
+    if first.poll() == BAD_INPUT:
+        run.refusals += 1
+    elif second.poll() is None and first.poll() is None:
+        run.fault("of two processes in one folder none was refused within a minute")
+    elif not run.is_computed():
+        run.fault(f"of two processes in one folder one ended with {first.poll()}, the other with {second.poll()}")
     if second.poll() is None:
         kill(second)
-        run.fault("a second process in the folder was not refused within a minute")
-    elif second.returncode == BAD_INPUT:
-        run.refusals += 1
-    elif not run.is_computed():
-        run.fault(f"a second process in the folder ended with {second.returncode}")
+        run.kills += 1
 
 
 def set_back(run, process, clock):
@@ -230,7 +237,9 @@ def disturb(run, chance, disk, clock, calm_seconds):
         if turn % 4 == 1:
             watch(process, 2)
             if process.poll() is None:
-                begin_second(run)
+                begin_second(run, process)
+            if process.poll() == BAD_INPUT:
+                continue
         seconds = chance.uniform(1, longest)
         watch(process, seconds, (lambda: set_back(run, process, clock)) if is_clock_turn else None)
         if process.poll() is None:

@@ -301,6 +301,17 @@ TEST(AnimationCamera, OneInsideItsTargetLooksAlongMinusZ) {
     EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
 }
 
+TEST(AnimationCamera, OneInsideItsTargetLooksAlongMinusZWhereOneIsLostInRounding) {
+    Scene scene = filmed_cubes({3e20, 0, 0});
+    Animation animation = *scene.animation;
+    animation.cameras[0].p_target = animation.cameras[0].p_eye;
+    scene.animation = std::make_shared<const Animation>(animation);
+    check_animation(scene, animation);
+    pose_scene(scene, 1);
+    EXPECT_EQ(scene.cameras[0].eye_world.x, 3e20);
+    EXPECT_EQ(scene.cameras[0].view_from_world, glm::dmat3(1));
+}
+
 TEST(AnimationCamera, OnesWithoutANodeStay) {
     Scene scene = filmed_cubes({0, 0, 9});
     Animation animation = *scene.animation;
