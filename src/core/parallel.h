@@ -10,8 +10,8 @@ namespace ink::core {
 /// `threads` = 1 is a plain loop on the calling thread, in order: no library is entered. With more,
 /// the order is unspecified, so `body` must write only what belongs to its own i. The first
 /// exception that a body throws is rethrown here. `threads` < 1 is a caller's bug. On a lane
-/// (run_lanes) no more threads are used than its share, and it pauses between two calls while
-/// another lane is alone: who holds a lock that another lane may want does not come here.
+/// (run_lanes) no more threads are used than its share, and it calls pause() between two calls: who
+/// holds a lock that another lane may want does not come here.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// The number of hardware threads, at least 1: the default of every `--threads`.
@@ -41,8 +41,8 @@ void run_lanes(int count,
 /// lanes, and within such work, this only calls it.
 void run_alone(const std::function<void()>& work);
 
-/// Stands still while another lane is alone. Long work without a parallel_for calls this between
-/// its steps, or the others wait for it.
+/// Stands still while another lane is alone; with Others::work_on it does nothing. Long work
+/// without a parallel_for calls this between its steps, or the others wait for it.
 void pause();
 
 /// Seconds that the calling thread has stood still so far, or waited to be alone.

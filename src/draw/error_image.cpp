@@ -8,6 +8,7 @@
 
 #include "draw/palette.h"
 #include "edge/thin.h"
+#include "score/drawing.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
 #include "truth/line_class.h"
@@ -18,16 +19,6 @@ namespace {
 using truth::LineClass;
 
 constexpr auto kIgnoreLabel = static_cast<std::uint8_t>(LineClass::ignore);
-
-/// `mask` without what is closer than `band_px` to the frame.
-edge::Mask without_band(const edge::Mask& mask, int band_px) {
-    edge::Mask inner(mask.width_px(), mask.height_px());
-    for (int y = band_px; y < mask.height_px() - band_px; ++y) {
-        for (int x = band_px; x < mask.width_px() - band_px; ++x)
-            inner.at(x, y) = mask.at(x, y);
-    }
-    return inner;
-}
 
 /// 1 at the pixels of `from` that have a pixel of `to` within the tolerance.
 edge::Mask near(const edge::Mask& from, const edge::Mask& to, double tolerance_px) {
@@ -102,7 +93,8 @@ ThinMarks judge(const edge::Mask& thin,
                 const score::ScoringTruth& truth,
                 const MarkOptions& options) {
     ThinMarks marks;
-    marks.is_counted = without_band(thin, options.band_px);
+    marks.is_counted = thin;
+    score::clear_band(marks.is_counted, options.band_px);
     marks.is_hit = near(marks.is_counted, truth.labels, options.tolerance_px);
     marks.is_excused = near(marks.is_counted, truth.ignore, options.tolerance_px);
     return marks;

@@ -23,8 +23,8 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How many groups may run at a time. Where times are measured, as many as there are cores: each
-/// drawing that is timed has the machine to itself. Elsewhere each drawing has cores of its own.
+/// How many groups may run at a time. Where times are measured, as many as there are cores: one is
+/// timed at a time. Elsewhere each drawing has cores of its own.
 int most_lanes(const Plan& plan) {
     const int threads = plan.times ? 1 : std::max(1, plan.timed_threads);
     return std::max(1, core::hardware_threads() / threads);

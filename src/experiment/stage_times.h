@@ -17,7 +17,7 @@ enum class WorkStage {
     cancellation,  ///< what declared codes must miss
     images,        ///< PNG files
     writing,       ///< tables and images to disk
-    waiting,       ///< standing still while another lane had the machine to itself
+    waiting,       ///< for another lane that was timed
 };
 inline constexpr std::size_t kStageCount = 9;
 

@@ -5,6 +5,7 @@
 #include <barrier>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <thread>
 #include <vector>
 

@@ -6,11 +6,10 @@ namespace ink::harness {
 /// disturbance at all, 1.5 and more are two threads on one core.
 ///
 /// The loop reads and writes four megabytes, a plane of a 720p frame, as drawing and scoring do.
-/// Median of many pairs in turns; takes about a tenth of a second. `others` >= 0; of none, or more
-/// than the machine has cores for, the answer is 1, or what they cost.
+/// Median of many pairs in turns; takes about a tenth of a second. `others` >= 0.
 [[nodiscard]] double measure_disturbance(int others);
 
-/// Draw times of two runs differ by more than this share whatever is done.
+/// Up to here neighbours do not count: medians of two runs differ by as much anyway.
 inline constexpr double kNoDisturbance = 1.03;
 
 }  // namespace ink::harness

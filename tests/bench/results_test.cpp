@@ -19,7 +19,7 @@ void break_off(Run& run, const std::string& message) {
         run.error_occurred = true;
         run.error_message = message;
     } else {
-        run.skipped = static_cast<decltype(run.skipped)>(2);
+        run.skipped = static_cast<decltype(run.skipped)>(2);  // SkippedWithError
         run.skip_message = message;
     }
 }

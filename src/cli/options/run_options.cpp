@@ -55,8 +55,7 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
         .add_option("--lanes",
                     options.lanes,
                     "Scenes worked on at a time, at most; one is timed at a time, and the others "
-                    "stand still "
-                    "meanwhile where they would disturb it (default: one per core)")
+                    "stand still meanwhile where they would disturb it (default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
