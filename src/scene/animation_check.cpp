@@ -254,6 +254,8 @@ void check_reach(const Scene& scene, const Animation& animation, const Complaint
     for (const CameraMotion& camera : animation.cameras) {
         if (camera.eye_node == kNoNode) continue;
         check(reach[camera.eye_node].of(glm::length(camera.p_eye)));
+        // Its up is turned and scaled, not moved.
+        check(reach[camera.eye_node].grows * glm::length(camera.up));
         check(reach[camera.target_node].of(glm::length(camera.p_target)));
     }
     for (const Skin& skin : animation.skins) {

@@ -21,6 +21,15 @@ glm::dvec3 least_aligned_axis(const glm::dvec3& direction) {
     return size.y <= size.z ? glm::dvec3{0, 1, 0} : glm::dvec3{0, 0, 1};
 }
 
+/// The same direction, exactly: times a power of two, so that its length is near 1 and its square
+/// stays within the range of numbers. Zero stays zero.
+glm::dvec3 near_unit(const glm::dvec3& v) {
+    const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (most == 0) return v;
+    const int down = -std::ilogb(most);
+    return {std::scalbn(v.x, down), std::scalbn(v.y, down), std::scalbn(v.z, down)};
+}
+
 }  // namespace
 
 Camera look_at(const glm::dvec3& eye_world,
@@ -37,9 +46,10 @@ Camera look_at(const glm::dvec3& eye_world,
             "camera", "eye and target are the same point or too far apart", "two different points");
     }
     const glm::dvec3 back = view_direction / -distance;
-    glm::dvec3 right = glm::cross(up_world, back);
+    const glm::dvec3 up_near_unit = near_unit(up_world);
+    glm::dvec3 right = glm::cross(up_near_unit, back);
     // Below this the direction of `right` is rounding noise, not the user's up.
-    if (glm::length(right) <= 1e-9 * glm::length(up_world) || glm::length(up_world) == 0) {
+    if (glm::length(right) <= 1e-9 * glm::length(up_near_unit)) {
         right = glm::cross(least_aligned_axis(back), back);
     }
     right = glm::normalize(right);

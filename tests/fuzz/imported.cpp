@@ -16,12 +16,13 @@ constexpr std::uint64_t kMostTriangles = 1 << 20;
 
 std::vector<std::byte> stream_of(const import::ImportReply& reply) {
     std::vector<std::byte> stream;
-    import::write_reply(reply, [&](const void* data, std::size_t size) {
+    const auto append = [&](const void* data, std::size_t size) {
         const auto* bytes = static_cast<const std::byte*>(data);
-    stream.insert(stream.end(), bytes, bytes + size);
-});
-return stream;
-}  // namespace
+        stream.insert(stream.end(), bytes, bytes + size);
+    };
+    import::write_reply(reply, append);
+    return stream;
+}
 
 void check_poses(scene::Scene scene) {
     const double end_s = scene.animation->duration_s;
@@ -35,7 +36,7 @@ void check_poses(scene::Scene scene) {
     scene::check_scene(scene);
 }
 
-}  // namespace ink::fuzz
+}  // namespace
 
 void expect_scene_or_error(const import::ImportReply& reply) {
     const std::vector<std::byte> stream = stream_of(reply);

@@ -347,6 +347,8 @@ TEST(AnimationCheck, RefusesCamerasThatDoNotFit) {
               "a camera has a place that is not finite");
     EXPECT_THAT(complaint(scene, [](Animation& a) { a.cameras[0].p_eye.x = 1e40; }),
                 testing::StartsWith("it may reach"));
+    EXPECT_THAT(complaint(scene, [](Animation& a) { a.cameras[0].up.x = 1e200; }),
+                testing::StartsWith("it may reach"));
 }
 
 TEST(AnimationCheck, RefusesWhatDoesNotFitTheScene) {

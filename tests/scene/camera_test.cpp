@@ -50,6 +50,16 @@ TEST(Camera, UpAlongTheViewDirectionStillGivesARotation) {
     EXPECT_NEAR(glm::determinant(camera.view_from_world), 1, 1e-12);
 }
 
+TEST(Camera, TheLengthOfUpDoesNotMatter) {
+    const glm::dmat3 expected =
+        look_at({0, 1, 5}, {0.3, 0, 0}, {0.25, 1, 0}, kRightAngle_rad).view_from_world;
+    for (const double length : {0x1p-900, 0x1p-30, 0x1p30, 0x1p900}) {
+        const glm::dvec3 up = length * glm::dvec3(0.25, 1, 0);
+        EXPECT_EQ(look_at({0, 1, 5}, {0.3, 0, 0}, up, kRightAngle_rad).view_from_world, expected)
+            << length;
+    }
+}
+
 TEST(Camera, EyeOnTargetIsAnError) {
     EXPECT_THROW((void)look_at({1, 1, 1}, {1, 1, 1}, {0, 1, 0}, 0.7), core::Error);
     EXPECT_THROW((void)look_at({1, 1, 1}, {NAN, 1, 1}, {0, 1, 0}, 0.7), core::Error);
