@@ -198,7 +198,7 @@ def begin_second(run, first):
     """A second process in the first one's folder: one of both must be refused, on a busy machine the one begun first."""
     second = run.start()
     began = time.monotonic()
-    while first.poll() is None and second.poll() is None and time.monotonic() - began < 60:
+    while first.poll() is None and second.poll() is None and time.monotonic() - began < 600:
         time.sleep(0.1)
     if second.poll() == BAD_INPUT:
         run.refusals += 1
@@ -206,7 +206,7 @@ def begin_second(run, first):
     if first.poll() == BAD_INPUT:
         run.refusals += 1
     elif second.poll() is None and first.poll() is None:
-        run.fault("of two processes in one folder none was refused within a minute")
+        run.fault("of two processes in one folder none was refused within ten minutes")
     elif not run.is_computed():
         run.fault(f"of two processes in one folder one ended with {first.poll()}, the other with {second.poll()}")
     if second.poll() is None:
