@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "core/image.h"
 
@@ -37,6 +38,12 @@ class Hasher {
         return value(v.size()).bytes(v.data(), v.size_bytes());
     }
 
+    /// Does hashers[i].bytes(data[i], size) for every i, four at a time: a hash waits for each of
+    /// its steps, so four take little longer than one. As many hashers as data.
+    static void bytes_beside(std::span<Hasher> hashers,
+                             std::span<const void* const> data,
+                             std::size_t size);
+
     [[nodiscard]] std::uint64_t result() const { return state_; }
     /// Sixteen lower-case hexadecimal digits.
     [[nodiscard]] std::string hex() const;
@@ -53,6 +60,29 @@ template <class T>
     hasher.value(image.width_px()).value(image.height_px());
     hasher.bytes(image.data(), image.size() * sizeof(T));
     return hasher.hex();
+}
+
+/// The hash of each image, as image_hash has it; of images of one size in a third of the time.
+template <class T>
+[[nodiscard]] std::vector<std::string> image_hashes(std::span<const Image<T>* const> images) {
+    std::vector<std::string> hashes;
+    for (std::size_t begin = 0; begin < images.size();) {
+        const Image<T>& first = *images[begin];
+        std::vector<Hasher> hashers;
+        std::vector<const void*> data;
+        for (std::size_t i = begin; i < images.size(); ++i) {
+            const Image<T>& image = *images[i];
+            if (image.width_px() != first.width_px() || image.height_px() != first.height_px())
+                break;
+            hashers.push_back(Hasher().value(image.width_px()).value(image.height_px()));
+            data.push_back(image.data());
+        }
+        Hasher::bytes_beside(hashers, data, first.size() * sizeof(T));
+        for (const Hasher& hasher : hashers)
+            hashes.push_back(hasher.hex());
+        begin += hashers.size();
+    }
+    return hashes;
 }
 
 }  // namespace ink::core

@@ -50,6 +50,9 @@ void fill_truth_facts(const ViewTruth& truth, Row& row);
 /// has random images of its own: the rows must have scene, view and seed.
 void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
 
+/// Writes the hash of its image into the row of every evaluation that did not fail.
+void fill_image_hashes(std::vector<Evaluation>& evaluations);
+
 /// Why each scored evaluation is wrong where it is.
 void attribute_evaluations(const ViewTruth& truth,
                            const scene::View& view,

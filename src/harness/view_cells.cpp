@@ -8,7 +8,6 @@
 #include <new>
 #include <utility>
 
-#include "core/hash.h"
 #include "core/parallel.h"
 #include "harness/crowded.h"
 #include "harness/intersection_scores.h"
@@ -123,19 +122,12 @@ void finish_settings(const scene::Scene& scene,
                      std::vector<Evaluation>& evaluations) {
     prepare_rows(scene, view, traced, options, evaluations);
     if (!traced.has_truth()) return;
-    // Scores are not timed, so they may use every core.
-    const auto for_each = [&](const auto& body) {
-        core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
-            if (evaluations[i].row.is_ok()) body(i);
-        });
-    };
-    for_each([&](std::size_t i) {
-        evaluations[i].row.image_hash = core::image_hash(evaluations[i].image);
-    });
+    fill_image_hashes(evaluations);
     const ViewLists lists = list_view(traced.truth);
     const std::vector<std::size_t> firsts = first_equals(evaluations);
-    for_each([&](std::size_t i) {
-        if (firsts[i] != i) return;
+    // Scores are not timed, so they may use every core.
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (firsts[i] != i || !evaluations[i].row.is_ok()) return;
         const int threshold = evaluations[i].threshold;
         fill_score_2px(
             score::make_strokes(evaluations[i].image, threshold, score_options(threshold)),

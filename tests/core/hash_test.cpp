@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace ink::core {
 namespace {
 
@@ -22,6 +24,22 @@ TEST(Hasher, GoldenValueDoesNotChangeBetweenVersions) {
 
 TEST(ImageHash, TellsSizeFromContent) {
     EXPECT_NE(image_hash(Image<int>(2, 3)), image_hash(Image<int>(3, 2)));
+}
+
+TEST(ImageHashes, AreThoseOfTheImagesOneByOne) {
+    // Seven of a size whose bytes are no multiple of eight, then others.
+    std::vector<Image<std::uint8_t>> images(7, Image<std::uint8_t>(13, 3));
+    images.emplace_back();
+    images.emplace_back(3, 13);
+    std::vector<const Image<std::uint8_t>*> all;
+    std::vector<std::string> expected;
+    for (Image<std::uint8_t>& image : images) {
+        std::iota(image.data(), image.data() + image.size(), static_cast<std::uint8_t>(all.size()));
+        all.push_back(&image);
+        expected.push_back(image_hash(image));
+    }
+    EXPECT_EQ(image_hashes<std::uint8_t>(all), expected);
+    EXPECT_TRUE(image_hashes<std::uint8_t>({}).empty());
 }
 
 }  // namespace
