@@ -159,7 +159,8 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                            work_s(*bench, at, {cells, at.is_first_view ? cells : 0, true}),
                            false,
                            [bench, at] { return run_methods(*bench, at); },
-                           at.scene});
+                           at.scene,
+                           [bench, at] { expect_methods(*bench, at); }});
     for (std::size_t m = 0; m < bench->configs().size(); ++m) {
         const std::vector<harness::MethodConfig> settings =
             settings_of(*bench, bench->configs()[m], nth_view);

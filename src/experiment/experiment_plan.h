@@ -40,6 +40,9 @@ struct Block {
     /// Blocks of one group share what they make ready: they run one after the other, beside those
     /// of other groups. A block without a group has the machine to itself.
     std::optional<std::size_t> group = std::nullopt;
+    /// If there is one, it is called on the group's lane before the first block of the group runs:
+    /// this block will run, too.
+    std::function<void()> expect = {};
 };
 
 /// An experiment taken apart: the order of blocks is the order of lines in every table.

@@ -14,11 +14,6 @@
 namespace ink::experiment {
 namespace {
 
-/// Triangles times methods that are ready together on a lane: a method prepares 600 bytes a
-/// triangle in the mean, and twice 1 GB beside the truths of large scenes keep a comparison of all
-/// methods below 4 on two cores.
-constexpr std::size_t kTrianglesAtOnce = 1'500'000;
-
 /// Triangles times results of preparation that are kept to be shared: a hundred bytes each. No more
 /// results than methods and settings ask for; with fewer than the least, methods that come again
 /// for the next view or setting find nothing of theirs left.
@@ -31,10 +26,13 @@ constexpr double kPrecision = 0.02;
 
 }  // namespace
 
-ViewBench::ViewBench(const Experiment& experiment, harness::TraceOptions trace)
+ViewBench::ViewBench(const Experiment& experiment,
+                     harness::TraceOptions trace,
+                     std::size_t triangles_at_once)
     : experiment_(experiment),
       trace_(std::move(trace)),
       configs_(configs_of(experiment)),
+      triangles_at_once_(triangles_at_once),
       desks_(static_cast<std::size_t>(core::hardware_threads())) {
     trace_.crosscheck = experiment.crosscheck;
     skips_ = harness::without_skips(harness::skips_of_repeated_drawings(),
@@ -89,7 +87,7 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 
 std::size_t ViewBench::most_at_once(std::size_t scene) const {
     const std::size_t triangles = std::max<std::size_t>(1, triangle_count(scenes_[scene]));
-    return std::max<std::size_t>(1, kTrianglesAtOnce / triangles);
+    return std::max<std::size_t>(1, triangles_at_once_ / triangles);
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,
