@@ -22,6 +22,11 @@ class BlurredSilhouette : public method::Method {
     explicit BlurredSilhouette(const Params& params);
 
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
+    [[nodiscard]] bool prepare_like(const method::Method& other,
+                                    const scene::Scene& scene) override {
+        const auto* same = dynamic_cast<const BlurredSilhouette*>(&other);
+        return same != nullptr && ids_.prepare_like(same->ids_, scene);
+    }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `mask`: 255 where an object is, before the blur.

@@ -17,6 +17,11 @@ class Ids : public method::Method {
     explicit Ids(const Params& params);
 
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
+    [[nodiscard]] bool prepare_like(const method::Method& other,
+                                    const scene::Scene& scene) override {
+        const auto* same = dynamic_cast<const Ids*>(&other);
+        return same != nullptr && ids_.prepare_like(same->ids_, scene);
+    }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `ids`, see IdPass.

@@ -18,6 +18,11 @@ class JumpFlood : public method::Method {
     explicit JumpFlood(const Params& params);
 
     void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
+    [[nodiscard]] bool prepare_like(const method::Method& other,
+                                    const scene::Scene& scene) override {
+        const auto* same = dynamic_cast<const JumpFlood*>(&other);
+        return same != nullptr && ids_.prepare_like(same->ids_, scene);
+    }
     void pose(const scene::Scene& scene) override { ids_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `ids`, see IdPass.

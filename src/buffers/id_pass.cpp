@@ -75,6 +75,17 @@ void IdPass::prepare(const scene::Scene& scene) {
     have_ids_changed_ = true;
 }
 
+bool IdPass::prepare_like(const IdPass& other, const scene::Scene& scene) {
+    if (!inputs_.prepare_like(other.inputs_)) return false;
+    const bool has_same_ids = params_.of == other.params_.of &&
+                              params_.crease_deg == other.params_.crease_deg &&
+                              params_.weld_epsilon == other.params_.weld_epsilon;
+    ids_ = has_same_ids ? other.ids_ : ids_of(scene);
+    posed_hash_ = scene::scene_hash(scene);
+    have_ids_changed_ = true;
+    return true;
+}
+
 void IdPass::pose(const scene::Scene& scene) {
     inputs_.pose(scene);
     const bool bends_count =

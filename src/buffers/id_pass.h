@@ -66,6 +66,8 @@ class IdPass {
     IdPass(const IdParams& params, int halo_px);
 
     void prepare(const scene::Scene& scene);
+    /// See SurfaceInputs::prepare_like; ids are taken over, too, if they are of the same.
+    [[nodiscard]] bool prepare_like(const IdPass& other, const scene::Scene& scene);
     void pose(const scene::Scene& scene);
     [[nodiscard]] bool is_empty() const { return inputs_.is_empty(); }
     [[nodiscard]] const raster::PassFormat& format() const { return format_; }

@@ -93,6 +93,7 @@ std::size_t ViewBench::most_at_once(std::size_t scene) const {
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,
                                                                           std::size_t first) {
     Desk& desk = desk_of(scene);
+    desk.left.clear();
     if (!desk.methods.empty() && first == desk.first_method) return desk.methods;
     desk.methods.clear();
     const std::size_t end = first + std::min(configs_.size() - first, most_at_once(scene));
@@ -110,12 +111,17 @@ std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
     std::optional<scene::SharedWork::Use> use;
     if (preparation != Preparation::own) use.emplace(*desk_of(scene).shared);
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods;
-    const std::vector<std::unique_ptr<harness::PreparedMethod>> none;
+    std::vector<std::unique_ptr<harness::PreparedMethod>> none;
+    auto& left = preparation == Preparation::copied ? desk_of(scene).left : none;
     const auto prepare = [&] {
         for (const harness::MethodConfig& config : configs) {
             core::pause();
             methods.push_back(std::make_unique<harness::PreparedMethod>(
-                config, scenes_[scene], preparation == Preparation::shared ? methods : none));
+                config, scenes_[scene], preparation == Preparation::shared ? methods : left));
+            if (left.empty()) continue;
+            // One comes, one goes: no more are ready at a time than fit into memory.
+            const std::size_t taken = methods.back()->taken_from().value_or(0);
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(taken));
         }
     };
     const bool is_timed = preparation == Preparation::own && experiment_.times;

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "experiment/drawn_methods.h"
@@ -18,7 +19,8 @@ namespace ink::experiment {
 enum class Preparation {
     own,     ///< each by itself, from nothing: what preparing costs is measured
     copied,  ///< what several work out alike is made once (scene::SharedWork), and each has a copy,
-             ///< so that each is timed with memory of its own, as other methods are
+             ///< so that each is timed with memory of its own, as other methods are; or it takes
+             ///< over what another one leaves behind that is no longer needed
     shared  ///< those that would prepare the same share it: many settings cost little more than one
 };
 
@@ -64,6 +66,12 @@ class ViewBench {
         const std::vector<harness::MethodConfig>& configs,
         std::size_t scene,
         Preparation preparation);
+    /// Takes methods that are no longer needed: the next ones that are made ready as copies take
+    /// over what these have prepared, if they can (Method::prepare_like). They go one by one as
+    /// others come, and all when methods() is called.
+    void leave(std::size_t scene, std::vector<std::unique_ptr<harness::PreparedMethod>> methods) {
+        desk_of(scene).left = std::move(methods);
+    }
 
   private:
     /// What is kept of one scene.
@@ -74,6 +82,7 @@ class ViewBench {
         std::unique_ptr<scene::SharedWork> shared = {};
         std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
         std::size_t first_method = 0;
+        std::vector<std::unique_ptr<harness::PreparedMethod>> left = {};
         DrawnAhead drawn_ahead = {};
         const scene::View* traced_view = nullptr;
         harness::TracedView traced = {};

@@ -135,8 +135,12 @@ PreparedMethod::PreparedMethod(const MethodConfig& config,
         const auto same = std::find_if(others.begin(), others.end(), [&](const auto& other) {
             return other->failure().empty() && method_->prepare_like(other->method(), scene);
         });
-        prepare_ns_ = same != others.end() ? (*same)->prepare_ns_
-                                           : stage_ns([&] { method_->prepare(scene); });
+        if (same != others.end()) {
+            taken_from_ = static_cast<std::size_t>(same - others.begin());
+            prepare_ns_ = (*same)->prepare_ns_;
+        } else {
+            prepare_ns_ = stage_ns([&] { method_->prepare(scene); });
+        }
         pose_ns_ = stage_ns([&] { method_->pose(scene); });
     });
 }

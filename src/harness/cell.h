@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -92,6 +93,8 @@ class PreparedMethod {
 
     [[nodiscard]] const MethodConfig& config() const { return config_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
+    /// Which of `others` it took its preparation from; nothing if from none.
+    [[nodiscard]] std::optional<std::size_t> taken_from() const { return taken_from_; }
     [[nodiscard]] method::Method& method() { return *method_; }
     [[nodiscard]] int threshold() const { return threshold_; }
     /// A row with everything that is known before a view is drawn.
@@ -101,6 +104,7 @@ class PreparedMethod {
     MethodConfig config_;
     std::unique_ptr<method::Method> method_;
     std::string failure_;
+    std::optional<std::size_t> taken_from_;
     core::ParamValues settings_;
     int threshold_ = 128;
     std::int64_t prepare_ns_ = 0;
