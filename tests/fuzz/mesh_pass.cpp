@@ -4,6 +4,7 @@
 #include "raster/mesh/mesh_pass.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "core/error.h"
@@ -135,14 +136,31 @@ void check_passes(const Stage& stage) {
     }
 }
 
-/// The scene without the triangles that the eye sees exactly edge-on, which cover nothing: whether
-/// Embree meets them depends on how it rounds.
+/// How far the eye is from the plane of a triangle, as a share of its farthest corner's distance.
+double edge_on_share(const scene::Surface& surface, std::size_t t, const glm::dvec3& eye_world) {
+    glm::dvec3 p[3];
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+        p[i] = surface.p_world[surface.triangles[t][static_cast<std::size_t>(i)]] - eye_world;
+        most = std::max(most, glm::length(p[i]));
+    }
+    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double scale = glm::length(normal) * most;
+    return scale > 0 ? std::abs(glm::dot(normal, p[0])) / scale : 0;
+}
+
+/// The scene without the triangles that the eye sees edge-on, or so nearly that floats do not tell:
+/// whether Embree meets them, and how far away, depends on how it rounds.
 scene::Scene without_edge_on(scene::Scene scene, const scene::View& view) {
-    const auto facing = scene::facings(scene::flatten(scene), view.camera.eye_world);
+    constexpr double kEdgeOn = 1e-4;
+    const scene::Surface surface = scene::flatten(scene);
+    const auto facing = scene::facings(surface, view.camera.eye_world);
     std::vector<scene::Triangle>& triangles = scene.meshes.front().triangles;
     std::size_t kept = 0;
     for (std::size_t t = 0; t < facing.size(); ++t) {
-        if (facing[t] != 0) triangles[kept++] = triangles[t];
+        const bool is_edge_on =
+            facing[t] == 0 || edge_on_share(surface, t, view.camera.eye_world) < kEdgeOn;
+        if (!is_edge_on) triangles[kept++] = triangles[t];
     }
     triangles.resize(kept);
     return scene;
