@@ -85,7 +85,8 @@ std::string spelling(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
     if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
-    if (const auto* real = node.as_floating_point()) return fmt::format("{}", real->get());
+    if (const auto* real = node.as_floating_point())
+        return fmt::format("{}", real->get() + 0.0);  // -0 is 0
     return "";
 }
 

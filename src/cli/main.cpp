@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "cli/program.h"
 #include "core/error.h"
 #include "core/param.h"
+#include "core/system_reason.h"
 
 namespace {
 
@@ -52,6 +54,11 @@ int main(int argc, char** argv) {
         return refuse(ink::cli::complaint(*app, error));
     } catch (const ink::core::Error& error) {
         return refuse(error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return refuse(ink::core::Error(error.path1().string(),
+                                       ink::core::system_reason(error.code().value()),
+                                       "a path that can be used")
+                          .what());
     } catch (const std::bad_alloc&) {
         return refuse("there is not enough memory for this");
     }

@@ -32,7 +32,8 @@ void check_scene(const TomlReader& reader, const TomlText& scene) {
     for (const catalogue::CatalogueEntry& entry : catalogue::catalogue())
         known.push_back(entry.name);
     if (std::find(known.begin(), known.end(), scene.text) != known.end()) return;
-    if (std::filesystem::is_regular_file(scene.text)) return;
+    std::error_code error;  // a name that is too long is no file either
+    if (std::filesystem::is_regular_file(scene.text, error)) return;
     throw core::Error(reader.where_line(scene.line),
                       fmt::format("there is no scene, and no file, called '{}'", scene.text),
                       core::known_names(known, scene.text));

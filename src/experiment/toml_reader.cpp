@@ -15,7 +15,9 @@ std::string spelled(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
     if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
-    if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+    // -0 is 0.
+    if (const auto* number = node.as_floating_point())
+        return fmt::format("{}", number->get() + 0.0);
     if (node.is_table()) return "a table";
     if (node.is_array()) return "an array";
     return "a date or time";

@@ -150,7 +150,8 @@ scene::Scene load_scene(const std::string& what, const import::ImportLimits& lim
     if (is_catalogue_name(what)) return catalogue::make_catalogue_scene(what);
     // A bare word that is no file was meant as a scene's name: list those, not file formats.
     const bool looks_like_a_path = what.find_first_of("./") != std::string::npos;
-    if (!looks_like_a_path && !std::filesystem::exists(what)) {
+    std::error_code error;
+    if (!looks_like_a_path && !std::filesystem::exists(what, error)) {
         return catalogue::make_catalogue_scene(what);
     }
     scene::Scene scene = import::import_scene(what, limits);

@@ -179,7 +179,8 @@ void write_exr(const ExrFile& file, const fs::path& path) {
 }
 
 ExrFile read_exr(const fs::path& path) {
-    if (!fs::exists(path)) throw core::Error(path.string(), "no such file", kAccepted);
+    std::error_code error;
+    if (!fs::exists(path, error)) throw core::Error(path.string(), "no such file", kAccepted);
     const auto input = OIIO::ImageInput::open(path.string());
     if (!input) {
         throw core::Error(path.string(), "not an image: " + one_line(OIIO::geterror()), kAccepted);

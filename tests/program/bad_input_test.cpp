@@ -322,5 +322,24 @@ TEST(BadScore, Options) {
         expect("--ignore", value);
 }
 
+TEST(BadName, TooLongForAFile) {
+    const Desk desk;
+    const std::string name(300, 'x');
+    for (const Words& words : {Words{"compare", name, "--out", "out"},
+                               Words{"compare", "cube", "--size", "64x36", "--out", name},
+                               Words{"compare", "cube", "--entrant", "mine=" + name},
+                               Words{"draw", name, "-o", "a.png"},
+                               Words{"draw", "cube", "--size", "64x36", "-o", name + ".png"},
+                               Words{"truth", name + ".obj", "-o", "a.png"},
+                               Words{"score", name, name},
+                               Words{"score", name + ".png", name + ".exr"},
+                               Words{"figures", name, "--out", "out"},
+                               Words{"export", name, "-o", "out"},
+                               Words{"timedemo", name},
+                               Words{"tune", "mote4", "--scenes", name},
+                               Words{"entrant-test", name}})
+        expect_refused(desk, words, name);
+}
+
 }  // namespace
 }  // namespace ink::program

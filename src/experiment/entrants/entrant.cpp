@@ -60,9 +60,10 @@ Entrant parse_entrant(const std::string& text) {
         throw core::Error(kWhere, fmt::format("'{}' is no entrant", text), kAccepted);
     Entrant entrant{text.substr(0, equals), text.substr(equals + 1)};
     check_entrant_name(entrant.name, text);
-    if (fs::is_directory(entrant.path)) return entrant;
+    std::error_code error;
+    if (fs::is_directory(entrant.path, error)) return entrant;
     entrant.is_program = true;
-    if (!fs::is_regular_file(entrant.path)) {
+    if (!fs::is_regular_file(entrant.path, error)) {
         throw core::Error(kWhere,
                           fmt::format("there is no folder or program '{}'", entrant.path.string()),
                           kAccepted);
