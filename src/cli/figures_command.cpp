@@ -53,10 +53,8 @@ struct FiguresArgs {
 std::vector<std::string> take_runs(SceneOptions& scenes) {
     std::vector<std::string> runs;
     std::erase_if(scenes.named, [&runs](const std::string& word) {
-        std::error_code error;
-        const bool is_folder = fs::is_directory(word, error);
-        if (is_folder) runs.push_back(word);
-        return is_folder;
+        if (fs::is_directory(word)) runs.push_back(word);
+        return fs::is_directory(word);
     });
     return runs;
 }

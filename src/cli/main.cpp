@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,7 @@ constexpr int kBadInput = 2;
 /// One line, whatever the message holds: scripts read the first line of stderr.
 std::string one_line(std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    while (!message.empty() && message.back() == ' ')
-        message.pop_back();
-    return message;
+    return message.erase(message.find_last_not_of(' ') + 1);
 }
 
 int refuse(const std::string& message) {
@@ -55,10 +52,7 @@ int main(int argc, char** argv) {
     } catch (const ink::core::Error& error) {
         return refuse(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        return refuse(ink::core::Error(error.path1().string(),
-                                       ink::core::system_reason(error.code().value()),
-                                       "a path that can be used")
-                          .what());
+        return refuse(ink::core::refused_path(error).what());
     } catch (const std::bad_alloc&) {
         return refuse("there is not enough memory for this");
     }

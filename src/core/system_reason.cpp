@@ -14,4 +14,8 @@ std::string system_reason(int error) {
     return error == ENOSPC ? "disk full (" + words + ")" : words;
 }
 
+Error refused_path(const std::filesystem::filesystem_error& error) {
+    return {error.path1().string(), system_reason(error.code().value()), "a path that can be used"};
+}
+
 }  // namespace ink::core
