@@ -53,8 +53,9 @@ struct FiguresArgs {
 std::vector<std::string> take_runs(SceneOptions& scenes) {
     std::vector<std::string> runs;
     std::erase_if(scenes.named, [&runs](const std::string& word) {
-        if (fs::is_directory(word)) runs.push_back(word);
-        return fs::is_directory(word);
+        const bool is_folder = fs::is_directory(word);
+        if (is_folder) runs.push_back(word);
+        return is_folder;
     });
     return runs;
 }

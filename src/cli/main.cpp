@@ -15,13 +15,10 @@ namespace {
 constexpr int kBadInput = 2;
 
 /// One line, whatever the message holds: scripts read the first line of stderr.
-std::string one_line(std::string message) {
+int refuse(std::string message) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    return message.erase(message.find_last_not_of(' ') + 1);
-}
-
-int refuse(const std::string& message) {
-    fmt::print(stderr, "inkbench: {}\n", one_line(message));
+    message.erase(message.find_last_not_of(' ') + 1);
+    fmt::print(stderr, "inkbench: {}\n", message);
     return kBadInput;
 }
 
