@@ -100,10 +100,11 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
 std::string id_summary(const IdAgreement& ids) {
     return fmt::format(
         "rasterizer's ids against Embree's at {} pixel centres: {} differ within 1/256 px of an "
-        "edge, {} by under 4 depth steps, {} otherwise\n",
+        "edge, {} by under 4 depth steps, {} by no more than floats lose, {} otherwise\n",
         ids.covered,
         ids.near_edge,
         ids.near_depth,
+        ids.in_floats,
         ids.other);
 }
 

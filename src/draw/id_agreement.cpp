@@ -55,6 +55,7 @@ class SeenSurface {
     [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const;
     [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const;
     [[nodiscard]] double q(std::uint32_t triangle, const glm::dvec2& p_px) const;
+    [[nodiscard]] double float_error(std::uint32_t triangle) const;
 
   private:
     [[nodiscard]] std::vector<glm::dvec2> visible_outline(std::uint32_t triangle) const;
@@ -120,6 +121,28 @@ double SeenSurface::q(std::uint32_t triangle, const glm::dvec2& p_px) const {
     return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
 }
 
+/// By how much of itself the depth of a point of the triangle may be off when it is computed in
+/// floats from corners relative to the eye, as Embree does. Rounding moves corners and products by
+/// `eps * farthest`, and turns the normal by `eps * longest^2 / |normal|`, which moves the plane by
+/// `longest` times as much; a ray meets the moved plane 1/cos of the angle farther away or nearer.
+double SeenSurface::float_error(std::uint32_t triangle) const {
+    constexpr double kRoundings = 4;
+    glm::dvec3 p_eye[3];
+    for (std::size_t i = 0; i < 3; ++i)
+        p_eye[i] = surface_.p_world[surface_.triangles[triangle][i]] - projection_.eye_world();
+    double farthest = 0;
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        farthest = std::max(farthest, glm::length(p_eye[i]));
+        longest = std::max(longest, glm::length(p_eye[(i + 1) % 3] - p_eye[i]));
+    }
+    const glm::dvec3 normal = glm::cross(p_eye[1] - p_eye[0], p_eye[2] - p_eye[0]);
+    const double area2 = glm::length(normal);
+    const double moved = farthest + longest * longest * longest / area2;
+    return kRoundings * std::numeric_limits<float>::epsilon() * moved * area2 /
+           std::abs(glm::dot(normal, p_eye[0]));
+}
+
 /// The size of one step of the depth format at 1/w = q, in 1/w.
 double step_at(raster::DepthFormat depth, double q, const scene::Camera& camera) {
     if (depth == raster::DepthFormat::q32) {
@@ -178,8 +201,12 @@ IdAgreement compare_ids(const scene::Scene& scene,
             const bool both = a != kNobody && b != kNobody;
             const double q_a = both ? surface.q(a, p_px) : 0;
             const double q_b = both ? surface.q(b, p_px) : 0;
-            if (both && std::abs(q_a - q_b) < kSteps * step_at(depth, q_a, view.camera)) {
+            const double apart = std::abs(q_a - q_b);
+            if (both && apart < kSteps * step_at(depth, q_a, view.camera)) {
                 ++result.near_depth;
+            } else if (both &&
+                       apart < q_a * surface.float_error(a) + q_b * surface.float_error(b)) {
+                ++result.in_floats;
             } else {
                 ++result.other;
             }

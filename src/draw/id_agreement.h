@@ -15,13 +15,16 @@ struct IdAgreement {
     std::size_t near_edge =
         0;  ///< differ, within 1/256 px of an edge of one of the two as projected
     std::size_t near_depth = 0;  ///< else: the two lie less than 4 steps of the depth format apart
-    std::size_t other = 0;       ///< else: a fault
+    std::size_t in_floats =
+        0;  ///< else: no farther apart than the floats of Embree's rays may put their depths
+    std::size_t other = 0;  ///< else: a fault
 };
 
 /// Draws `scene` with `depth` and asks Embree along the ray of every pixel centre.
 ///
 /// Distances to edges and between depths are computed here, in double, from the world-space
-/// corners.
+/// corners. `in_floats` follows from a triangle's shape and place: a plane that is seen at a flat
+/// angle, or spanned by a sliver, has depths that floats tell less well. It is 0 on models.
 [[nodiscard]] IdAgreement compare_ids(const scene::Scene& scene,
                                       const scene::View& view,
                                       raster::DepthFormat depth);

@@ -194,7 +194,7 @@ void check_mesh_pass(Bytes bytes) {
     check_passes(Stage(scene, view));
     const scene::Scene seen = with_sure_ones(scene, view);
     const draw::IdAgreement ids = draw::compare_ids(seen, view, raster::DepthFormat::q32);
-    expect(ids.other == 0, "ids are Embree's, but near edges and where depths are equal");
+    expect(ids.other == 0, "ids are Embree's, but near edges and where floats tell no depth apart");
 }
 
 }  // namespace ink::fuzz

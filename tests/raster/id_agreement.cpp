@@ -24,8 +24,9 @@ void expect_same_ids(const scene::Scene& scene,
                ids.covered,
                ids.near_edge,
                ids.near_depth,
-               ids.other);
-    EXPECT_EQ(ids.other, 0U) << scene.name << " " << view.camera.name << " " << what;
+               ids.in_floats + ids.other);
+    EXPECT_EQ(ids.in_floats + ids.other, 0U)
+        << scene.name << " " << view.camera.name << " " << what;
     EXPECT_GT(ids.covered, 0U) << scene.name << " " << view.camera.name << " " << what;
 }
 
