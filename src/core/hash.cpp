@@ -36,7 +36,6 @@ void Hasher::bytes_beside(std::span<Hasher> hashers,
                           std::span<const void* const> data,
                           std::size_t size) {
     assert(hashers.size() == data.size());
-    constexpr std::size_t kBeside = 4;
     const std::size_t whole = size / 8 * 8;
     std::size_t first = 0;
     for (; first + kBeside <= hashers.size(); first += kBeside) {

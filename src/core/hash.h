@@ -38,8 +38,11 @@ class Hasher {
         return value(v.size()).bytes(v.data(), v.size_bytes());
     }
 
-    /// Does hashers[i].bytes(data[i], size) for every i, four at a time: a hash waits for each of
-    /// its steps, so four take little longer than one. As many hashers as data.
+    /// How many bytes_beside hashes at a time.
+    static constexpr std::size_t kBeside = 4;
+
+    /// Does hashers[i].bytes(data[i], size) for every i, kBeside at a time: a hash waits for each
+    /// of its steps, so four take little longer than one. As many hashers as data.
     static void bytes_beside(std::span<Hasher> hashers,
                              std::span<const void* const> data,
                              std::size_t size);

@@ -120,7 +120,7 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
 
 void fill_image_hashes(std::vector<Evaluation>& evaluations) {
     // So many are hashed in a third of the time that they would take one by one.
-    constexpr std::size_t kBeside = 4;
+    constexpr std::size_t kBeside = core::Hasher::kBeside;
     std::vector<Evaluation*> good;
     for (Evaluation& evaluation : evaluations)
         if (evaluation.row.is_ok()) good.push_back(&evaluation);
