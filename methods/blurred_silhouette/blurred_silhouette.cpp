@@ -94,9 +94,11 @@ core::ParamTable<BlurredSilhouette::Params> BlurredSilhouette::table() {
 }
 
 BlurredSilhouette::BlurredSilhouette(const Params& params)
-    : params_(params), ids_(mask_params(), 0) {}
+    : buffers::IdMethod(mask_params(), 0), params_(params) {}
 
-void BlurredSilhouette::draw_mask(const method::Frame& frame, int width_px, int height_px) {
+raster::SkipCounts BlurredSilhouette::draw_mask(const method::Frame& frame,
+                                                int width_px,
+                                                int height_px) {
     if (mask_.width_px() != width_px + 2 || mask_.height_px() != height_px + 2) {
         mask_ = Mask(width_px + 2, height_px + 2);
         blurred_ = mask_;
@@ -105,14 +107,17 @@ void BlurredSilhouette::draw_mask(const method::Frame& frame, int width_px, int 
     mask_.fill(0);
     MaskSink sink(mask_);
     // A line reaches into tiles where nothing moved: all are drawn.
-    skip_counts_ = ids_.draw(frame, false, sink).skips;
+    const raster::SkipCounts skips = pass().draw(frame, false, sink).skips;
     repeat_outermost(mask_);
+    return skips;
 }
 
-void BlurredSilhouette::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (ids_.is_empty() || out.is_empty()) return out.fill(0);
-    draw_mask(frame, out.width_px(), out.height_px());
+raster::SkipCounts BlurredSilhouette::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
+    if (pass().is_empty() || out.is_empty()) {
+        out.fill(0);
+        return {};
+    }
+    const raster::SkipCounts skips = draw_mask(frame, out.width_px(), out.height_px());
     edge::binomial_blur(inside(mask_), inside(blurred_), 0, frame.threads);
     for (int round = 1; round < params_.rounds; ++round) {
         repeat_outermost(blurred_);
@@ -131,14 +136,15 @@ void BlurredSilhouette::draw(const method::Frame& frame, edge::EdgeImage& out) {
             to[x] = static_cast<std::uint8_t>(std::min(2 * share, 255));
         }
     }
+    return skips;
 }
 
 std::vector<method::Layer> BlurredSilhouette::layers(const method::Frame& frame) {
     const int width_px = frame.view.width_px;
     const int height_px = frame.view.height_px;
     method::Layer layer{"mask", core::Image<glm::u8vec3>(width_px, height_px)};
-    if (ids_.is_empty() || layer.rgb.is_empty()) return {std::move(layer)};
-    draw_mask(frame, width_px, height_px);
+    if (pass().is_empty() || layer.rgb.is_empty()) return {std::move(layer)};
+    (void)draw_mask(frame, width_px, height_px);
     for (int y = 0; y < height_px; ++y) {
         for (int x = 0; x < width_px; ++x)
             layer.rgb.at(x, y) = glm::u8vec3(inside(mask_).row(y)[x]);
@@ -147,11 +153,11 @@ std::vector<method::Layer> BlurredSilhouette::layers(const method::Frame& frame)
 }
 
 int BlurredSilhouette::bytes_per_px() const {
-    return ids_.format().bytes_per_px() + 3;
+    return pass().format().bytes_per_px() + 3;
 }
 
 method::Cost BlurredSilhouette::cost() const {
-    method::Cost cost = ids_.cost();
+    method::Cost cost = pass().cost();
     cost.buffer_bytes_per_px = bytes_per_px();
     // Whether there is an object.
     const method::PixelWork mask{sizeof(std::uint32_t), 1, 2};

@@ -143,15 +143,15 @@ core::ParamTable<Ids::Params> Ids::table() {
                 "Least edge response of a line pixel; it draws only 0 and 255.");
 }
 
-Ids::Ids(const Params& params) : params_(params), ids_(params, 1) {}
+Ids::Ids(const Params& params) : buffers::IdMethod(params, 1), params_(params) {}
 
-void Ids::draw(const method::Frame& frame, edge::EdgeImage& out) {
+raster::SkipCounts Ids::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     IdSink sink(params_, out);
-    skip_counts_ = ids_.draw_lines(frame, sink, out);
+    return pass().draw_lines(frame, sink, out);
 }
 
 method::Cost Ids::cost() const {
-    method::Cost cost = ids_.cost();
+    method::Cost cost = pass().cost();
     // Four comparisons, joined; on a border's side four more of depth, which few pixels reach.
     cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
     if (params_.samples == buffers::Samples::corner) {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "buffers/id_pass.h"
+#include "buffers/id_method.h"
 
 namespace ink::methods {
 
 /// Borders between ids of objects, patches or triangles: a line wherever two neighbours differ, or
 /// a pixel's four corners.
-class Ids : public method::Method {
+class Ids : public buffers::IdMethod {
   public:
     struct Params : buffers::IdParams {
         buffers::BorderSide side = buffers::BorderSide::nearer;
@@ -16,26 +16,12 @@ class Ids : public method::Method {
 
     explicit Ids(const Params& params);
 
-    void prepare(const scene::Scene& scene) override { ids_.prepare(scene); }
-    [[nodiscard]] bool prepare_like(const method::Method& other,
-                                    const scene::Scene& scene) override {
-        const auto* same = dynamic_cast<const Ids*>(&other);
-        return same != nullptr && ids_.prepare_like(same->ids_, scene);
-    }
-    void pose(const scene::Scene& scene) override { ids_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
-    /// `ids`, see IdPass.
-    [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return {ids_.layer(frame)};
-    }
-    [[nodiscard]] int bytes_per_px() const override { return ids_.format().bytes_per_px(); }
     [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) override;
+
     Params params_;
-    buffers::IdPass ids_;
-    raster::SkipCounts skip_counts_{};
 };
 
 [[nodiscard]] method::MethodInfo ids();

@@ -105,15 +105,15 @@ core::ParamTable<IdsDepth::Params> IdsDepth::table() {
                 "Least edge response of a line pixel; it draws only 0 and 255.");
 }
 
-IdsDepth::IdsDepth(const Params& params) : params_(params), ids_(params, 1) {}
+IdsDepth::IdsDepth(const Params& params) : buffers::IdMethod(params, 1), params_(params) {}
 
-void IdsDepth::draw(const method::Frame& frame, edge::EdgeImage& out) {
+raster::SkipCounts IdsDepth::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     BorderSink sink(params_, out);
-    skip_counts_ = ids_.draw_lines(frame, sink, out);
+    return pass().draw_lines(frame, sink, out);
 }
 
 method::Cost IdsDepth::cost() const {
-    method::Cost cost = ids_.cost();
+    method::Cost cost = pass().cost();
     // Four borders: ids compared and joined; a difference, its size, the larger q, a product and a
     // comparison where depth is asked.
     cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};

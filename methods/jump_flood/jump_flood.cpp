@@ -117,31 +117,34 @@ core::ParamTable<JumpFlood::Params> JumpFlood::table() {
             &Params::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
 }
 
-JumpFlood::JumpFlood(const Params& params) : params_(params), ids_(params, 2) {}
+JumpFlood::JumpFlood(const Params& params) : buffers::IdMethod(params, 2), params_(params) {}
 
 int JumpFlood::reach_px() const {
     return static_cast<int>(std::ceil(params_.width_px / 2)) - 1;
 }
 
-void JumpFlood::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (ids_.is_empty() || out.is_empty()) return out.fill(0);
+raster::SkipCounts JumpFlood::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
+    if (pass().is_empty() || out.is_empty()) {
+        out.fill(0);
+        return {};
+    }
     if (seeds_.width_px() != out.width_px() || seeds_.height_px() != out.height_px())
         seeds_ = core::Image<edge::NearestSeed>(out.width_px(), out.height_px());
     SeedSink sink(params_.depth_step, params_.samples, seeds_);
     // A line reaches into tiles where nothing moved: all are drawn.
-    skip_counts_ = ids_.draw(frame, false, sink).skips;
+    const raster::SkipCounts skips = pass().draw(frame, false, sink).skips;
     edge::jump_flood(seeds_, scratch_, reach_px(), frame.threads);
     edge::draw_round_seeds(seeds_, params_.width_px, out, frame.threads);
+    return skips;
 }
 
 int JumpFlood::bytes_per_px() const {
-    return ids_.format().bytes_per_px() + 2 * static_cast<int>(sizeof(edge::NearestSeed));
+    return pass().format().bytes_per_px() + 2 * static_cast<int>(sizeof(edge::NearestSeed));
 }
 
 method::Cost JumpFlood::cost() const {
     constexpr double kSeed_bytes = sizeof(edge::NearestSeed);
-    method::Cost cost = ids_.cost();
+    method::Cost cost = pass().cost();
     cost.buffer_bytes_per_px = bytes_per_px();
     // Four borders: ids compared and joined; a difference, its size, the larger q, a product and a
     // comparison where depth is asked. Then a choice of seed or none.
