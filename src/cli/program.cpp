@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/help_format.h"
 #include "core/param.h"
 #include "core/provenance.h"

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/options.h"
 #include "cli/run_result.h"
 #include "experiment/experiment_run.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/completions.h"
 #include "cli/options/method_options.h"
 #include "cli/options/scene_options.h"

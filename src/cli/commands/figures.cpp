@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/figures_script.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"

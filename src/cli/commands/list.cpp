@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/list_json.h"
 #include "cli/listing.h"
 #include "core/error.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"

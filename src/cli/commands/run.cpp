@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/options.h"
 #include "cli/score_text.h"
 #include "core/error.h"

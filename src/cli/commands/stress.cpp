@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/name_list.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"

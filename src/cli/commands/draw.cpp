@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/draw_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"

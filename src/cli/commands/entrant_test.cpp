@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/method_options.h"
 #include "core/error.h"
 #include "experiment/entrants/entrant.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <numbers>
 
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
