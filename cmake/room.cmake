@@ -23,6 +23,7 @@ function(ink_test room)
         INK_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
     target_link_libraries(test_${room} PRIVATE ${TEST_LINKS} GTest::gmock GTest::gtest_main)
     ink_use_precompiled(test_${room} test)
-    gtest_discover_tests(test_${room} TEST_PREFIX ${room}/ DISCOVERY_MODE PRE_TEST
+    # On a busy machine a program may take longer to load than the 5 s that CMake gives it to name its tests.
+    gtest_discover_tests(test_${room} TEST_PREFIX ${room}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
         PROPERTIES TIMEOUT 300)
 endfunction()
