@@ -1,6 +1,7 @@
 #include "draw/id_agreement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -25,6 +26,21 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     const double length2 = glm::dot(ab, ab);
     const double t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0;
     return glm::length(p - (a + t * ab));
+}
+
+/// The corners of what lies beyond the near plane of a triangle, projected.
+std::vector<glm::dvec2> visible_outline(const std::array<glm::dvec3, 3>& p_clip, double near) {
+    std::vector<glm::dvec2> outline;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3& a = p_clip[i];
+        const glm::dvec3& b = p_clip[(i + 1) % 3];
+        if (a.z >= near) outline.emplace_back(a.x / a.z, a.y / a.z);
+        if ((a.z >= near) != (b.z >= near)) {
+            const glm::dvec3 cut = a + (b - a) * ((near - a.z) / (b.z - a.z));
+            outline.emplace_back(cut.x / near, cut.y / near);
+        }
+    }
+    return outline;
 }
 
 /// Puts the tiles' ids together to a whole image.
@@ -58,8 +74,6 @@ class SeenSurface {
     [[nodiscard]] double float_error(std::uint32_t triangle) const;
 
   private:
-    [[nodiscard]] std::vector<glm::dvec2> visible_outline(std::uint32_t triangle) const;
-
     const scene::View& view_;
     scene::Projection projection_;
     scene::Surface surface_;
@@ -86,30 +100,10 @@ core::Image<std::uint32_t> SeenSurface::draw(raster::DepthFormat depth) const {
     return std::move(sink.ids);
 }
 
-/// The corners of what lies beyond the near plane, projected.
-std::vector<glm::dvec2> SeenSurface::visible_outline(std::uint32_t triangle) const {
-    std::vector<glm::dvec2> outline;
-    const double near = view_.camera.near;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3& a = p_clip_[surface_.triangles[triangle][i]];
-        const glm::dvec3& b = p_clip_[surface_.triangles[triangle][(i + 1) % 3]];
-        if (a.z >= near) outline.emplace_back(a.x / a.z, a.y / a.z);
-        if ((a.z >= near) != (b.z >= near)) {
-            const glm::dvec3 cut = a + (b - a) * ((near - a.z) / (b.z - a.z));
-            outline.emplace_back(cut.x / near, cut.y / near);
-        }
-    }
-    return outline;
-}
-
 bool SeenSurface::is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
     if (triangle == kNobody) return false;
-    const auto outline = visible_outline(triangle);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        if (distance_to_segment(p_px, outline[i], outline[(i + 1) % outline.size()]) <= kNear_px)
-            return true;
-    }
-    return false;
+    const auto& [a, b, c] = surface_.triangles[triangle];
+    return draw::is_near_edge({p_clip_[a], p_clip_[b], p_clip_[c]}, view_.camera.near, p_px);
 }
 
 /// 1/w of the triangle's plane along the pixel's ray.
@@ -178,6 +172,15 @@ class EmbreeIds {
 };
 
 }  // namespace
+
+bool is_near_edge(const std::array<glm::dvec3, 3>& p_clip, double near, const glm::dvec2& p_px) {
+    const auto outline = visible_outline(p_clip, near);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        if (distance_to_segment(p_px, outline[i], outline[(i + 1) % outline.size()]) <= kNear_px)
+            return true;
+    }
+    return false;
+}
 
 IdAgreement compare_ids(const scene::Scene& scene,
                         const scene::View& view,

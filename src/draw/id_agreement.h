@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "raster/depth/depth.h"
 #include "scene/scene.h"
@@ -19,6 +22,13 @@ struct IdAgreement {
         0;  ///< else: no farther apart than the floats of Embree's rays may put their depths
     std::size_t other = 0;  ///< else: a fault
 };
+
+/// Whether a place of the image lies within 1/256 px of an edge of a triangle, as projected: of
+/// what the plane at distance `near` leaves of it. `p_clip` are its corners as Projection::to_clip
+/// gives them. False if nothing is left.
+[[nodiscard]] bool is_near_edge(const std::array<glm::dvec3, 3>& p_clip,
+                                double near,
+                                const glm::dvec2& p_px);
 
 /// Draws `scene` with `depth` and asks Embree along the ray of every pixel centre.
 ///
