@@ -113,10 +113,6 @@ raster::SkipCounts BlurredSilhouette::draw_mask(const method::Frame& frame,
 }
 
 raster::SkipCounts BlurredSilhouette::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
-    if (pass().is_empty() || out.is_empty()) {
-        out.fill(0);
-        return {};
-    }
     const raster::SkipCounts skips = draw_mask(frame, out.width_px(), out.height_px());
     edge::binomial_blur(inside(mask_), inside(blurred_), 0, frame.threads);
     for (int round = 1; round < params_.rounds; ++round) {

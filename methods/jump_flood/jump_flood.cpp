@@ -124,10 +124,6 @@ int JumpFlood::reach_px() const {
 }
 
 raster::SkipCounts JumpFlood::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
-    if (pass().is_empty() || out.is_empty()) {
-        out.fill(0);
-        return {};
-    }
     if (seeds_.width_px() != out.width_px() || seeds_.height_px() != out.height_px())
         seeds_ = core::Image<edge::NearestSeed>(out.width_px(), out.height_px());
     SeedSink sink(params_.depth_step, params_.samples, seeds_);

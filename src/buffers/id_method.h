@@ -19,6 +19,8 @@ class IdMethod : public method::Method {
     }
     void pose(const scene::Scene& scene) override { pass_.pose(scene); }
     void draw(const method::Frame& frame, edge::EdgeImage& out) override {
+        skip_counts_ = {};
+        if (pass_.is_empty() || out.is_empty()) return out.fill(0);
         skip_counts_ = draw_lines(frame, out);
     }
     /// `ids`, see IdPass.
@@ -32,7 +34,7 @@ class IdMethod : public method::Method {
     /// Tiles have `halo_px` pixels beyond their own.
     IdMethod(const IdParams& params, int halo_px) : pass_(params, halo_px) {}
 
-    /// Draws a frame, of zeros where the scene is empty, and returns what was skipped.
+    /// Draws a frame and returns what was skipped. Neither scene nor image is empty.
     virtual raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) = 0;
 
     [[nodiscard]] IdPass& pass() { return pass_; }

@@ -114,10 +114,6 @@ raster::MeshResult IdPass::draw(const method::Frame& frame,
 raster::SkipCounts IdPass::draw_lines(const method::Frame& frame,
                                       raster::TileSink& sink,
                                       edge::EdgeImage& out) {
-    if (is_empty()) {
-        out.fill(0);
-        return {};
-    }
     const raster::MeshResult result = draw(frame, true, sink);
     finish(result, out);
     return result.skips;

@@ -78,8 +78,7 @@ class IdPass {
                                           bool may_keep_still,
                                           raster::TileSink& sink);
     /// The frame of a method that draws all its lines from the tiles it is handed: still tiles are
-    /// kept, an empty scene gives an image of zeros. `sink` writes to `out`. Returns what was
-    /// skipped.
+    /// kept. `sink` writes to `out`. Returns what was skipped. The scene is not empty.
     raster::SkipCounts draw_lines(const method::Frame& frame,
                                   raster::TileSink& sink,
                                   edge::EdgeImage& out);
