@@ -115,7 +115,7 @@ double SeenSurface::q(std::uint32_t triangle, const glm::dvec2& p_px) const {
     return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
 }
 
-/// By how much of itself the depth of a point of the triangle may be off when it is computed in
+/// About how much of itself the depth of a point of the triangle may be off when it is computed in
 /// floats from corners relative to the eye, as Embree does. Rounding moves corners and products by
 /// `eps * farthest`, and turns the normal by `eps * longest^2 / |normal|`, which moves the plane by
 /// `longest` times as much; a ray meets the moved plane 1/cos of the angle farther away or nearer.

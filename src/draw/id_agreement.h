@@ -34,7 +34,8 @@ struct IdAgreement {
 ///
 /// Distances to edges and between depths are computed here, in double, from the world-space
 /// corners. `in_floats` follows from a triangle's shape and place: a plane that is seen at a flat
-/// angle, or spanned by a sliver, has depths that floats tell less well. It is 0 on models.
+/// angle, or spanned by a sliver, has depths that floats tell less well. It is 0 on all that the
+/// tests compare.
 [[nodiscard]] IdAgreement compare_ids(const scene::Scene& scene,
                                       const scene::View& view,
                                       raster::DepthFormat depth);

@@ -1,5 +1,6 @@
 // What methods draw through gives the same ids on every SIMD target, whatever is skipped; it covers
-// what the plain pass covers; and ids are Embree's, but for what the tests of both explain.
+// what the plain pass covers, but beside edges of triangles that are cut; and ids are Embree's, but
+// for what the tests of both explain.
 
 #include "raster/mesh/mesh_pass.h"
 
