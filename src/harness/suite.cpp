@@ -27,7 +27,9 @@ bool is_catalogue_name(const std::string& what) {
     return std::any_of(entries.begin(), entries.end(), [&](auto& e) { return e.name == what; });
 }
 
-scene::Camera make_camera(const CameraRequest& request, const scene::Sphere& bounds) {
+scene::Camera make_camera(const CameraRequest& request,
+                          const glm::dvec3& origin,
+                          const scene::Sphere& bounds) {
     const double fov_y_rad = request.fov_y_rad.value_or(scene::Camera{}.fov_y_rad);
     if (!(fov_y_rad >= 1 * kRadPerDeg && fov_y_rad <= 170 * kRadPerDeg)) {
         throw core::Error(
@@ -35,18 +37,20 @@ scene::Camera make_camera(const CameraRequest& request, const scene::Sphere& bou
             fmt::format("the field of view cannot be {:g} degrees", fov_y_rad / kRadPerDeg),
             "1..170");
     }
-    scene::Camera camera = scene::look_at(request.eye_world,
-                                          request.target_world.value_or(bounds.center_world),
-                                          request.up_world,
-                                          fov_y_rad);
+    const glm::dvec3 target_world =
+        request.target_world ? *request.target_world - origin : bounds.center_world;
+    scene::Camera camera =
+        scene::look_at(request.eye_world - origin, target_world, request.up_world, fov_y_rad);
     scene::fit_clip_range(camera, bounds);
     return camera;
 }
 
-std::vector<scene::Camera> asked_cameras(const ViewRequest& request, const scene::Sphere& bounds) {
+std::vector<scene::Camera> asked_cameras(const ViewRequest& request,
+                                         const glm::dvec3& origin,
+                                         const scene::Sphere& bounds) {
     std::vector<scene::Camera> cameras;
     for (std::size_t i = 0; i < request.cameras.size(); ++i) {
-        cameras.push_back(make_camera(request.cameras[i], bounds));
+        cameras.push_back(make_camera(request.cameras[i], origin, bounds));
         cameras.back().name = fmt::format("eye{}", i);
     }
     return cameras;
@@ -76,7 +80,7 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
                                           const ViewRequest& request,
                                           bool is_catalogue_scene) {
     const scene::Sphere bounds = scene::bounding_sphere(scene);
-    if (!request.cameras.empty()) return asked_cameras(request, bounds);
+    if (!request.cameras.empty()) return asked_cameras(request, scene.origin, bounds);
     if (request.file_cameras && scene.cameras.empty()) {
         throw core::Error(scene.name,
                           "the file has no camera of its own",
@@ -146,7 +150,9 @@ void check_size(int width_px, int height_px) {
     }
 }
 
-scene::Scene load_scene(const std::string& what, const import::ImportLimits& limits) {
+scene::Scene load_scene(const std::string& what,
+                        const import::ModelChoice& choice,
+                        const import::ImportLimits& limits) {
     if (is_catalogue_name(what)) return catalogue::make_catalogue_scene(what);
     // A bare word that is no file was meant as a scene's name: list those, not file formats.
     const bool looks_like_a_path = what.find_first_of("./") != std::string::npos;
@@ -154,7 +160,7 @@ scene::Scene load_scene(const std::string& what, const import::ImportLimits& lim
     if (!looks_like_a_path && !std::filesystem::exists(what, error)) {
         return catalogue::make_catalogue_scene(what);
     }
-    scene::Scene scene = import::import_scene(what, limits);
+    scene::Scene scene = import::import_scene(what, choice, limits);
     // A file called as a built-in scene is must not be taken for it in the rows.
     if (is_catalogue_name(scene.name)) scene.name = std::filesystem::path(what).filename();
     return scene;
@@ -181,7 +187,7 @@ std::vector<SceneViews> load_scenes(const std::vector<std::string>& names,
     std::vector<SceneViews> scenes;
     std::set<std::string> taken;
     for (const std::string& name : all) {
-        SceneViews scene_views = make_scene_views(load_scene(name), request);
+        SceneViews scene_views = make_scene_views(load_scene(name, request.model), request);
         const std::string base = scene_views.scene.name;
         for (int n = 2; !taken.insert(scene_views.scene.name).second; ++n) {
             scene_views.scene.name = fmt::format("{}.{}", base, n);
@@ -195,7 +201,7 @@ SceneViews load_one_view(const std::string& what,
                          const std::string& view_name,
                          const ViewRequest& request,
                          const import::ImportLimits& limits) {
-    SceneViews scene_views = make_scene_views(load_scene(what, limits), request);
+    SceneViews scene_views = make_scene_views(load_scene(what, request.model, limits), request);
     std::vector<std::string> names;
     for (const scene::View& view : scene_views.views)
         names.push_back(view.camera.name);

@@ -11,7 +11,8 @@
 
 namespace ink::harness {
 
-/// A camera as the user asks for it; near and far are fitted to the scene.
+/// A camera as the user asks for it, in the file's own coordinates (Scene::origin); near and far
+/// are fitted to the scene.
 struct CameraRequest {
     glm::dvec3 eye_world{0};
     std::optional<glm::dvec3> target_world;  ///< default: the scene's centre
@@ -39,6 +40,7 @@ struct ViewRequest {
     std::vector<CameraRequest> cameras;  ///< these instead of all others
     std::optional<double> time_s;        ///< when an animated scene is seen; default: rest pose
     std::optional<int> frame;            ///< by a stored frame's number instead
+    import::ModelChoice model = {};      ///< of model files
 };
 
 /// A scene with the views it is to be drawn from.
@@ -53,6 +55,7 @@ struct SceneViews {
 /// or by its file name where a built-in scene has that stem. Throws core::Error (where = `what`)
 /// that lists the catalogue if it is neither.
 [[nodiscard]] scene::Scene load_scene(const std::string& what,
+                                      const import::ModelChoice& choice = {},
                                       const import::ImportLimits& limits = {});
 
 /// The views of `scene` that `request` asks for.

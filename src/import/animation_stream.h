@@ -15,7 +15,7 @@ static_assert(sizeof(scene::VectorKey) == 32 && sizeof(scene::RotationKey) == 40
 // The least that each kind takes in the stream, so that a claimed count can be judged.
 inline constexpr std::size_t kLeastNodeBytes = 156;
 inline constexpr std::size_t kLeastFramesBytes = 24;
-inline constexpr std::size_t kLeastSkinBytes = 44;
+inline constexpr std::size_t kLeastSkinBytes = 28;
 inline constexpr std::size_t kBoneBytes = 132;
 
 /// Writes an animation, or reads it.
@@ -31,7 +31,7 @@ void pass_animation(Stream& of, Animation& animation) {
         stream.parts(frames.frame_count, frames.positions, frames.normals);
     });
     of.list(animation.skins, kLeastSkinBytes, [](Stream& stream, auto& skin) {
-        stream.parts(skin.mesh, skin.positions, skin.normals);
+        stream.parts(skin.mesh);  // its positions and normals are the mesh's
         stream.list(skin.bones, kBoneBytes, [](Stream& bones, auto& bone) {
             bones.parts(bone.node, bone.node_from_mesh);
         });

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <cstring>
 #include <unordered_map>
 #include <utility>
 
@@ -20,9 +19,6 @@
 
 namespace ink::import {
 namespace {
-
-static_assert(sizeof(aiVector3D) == sizeof(glm::vec3),
-              "an Assimp built for doubles loses nothing here");
 
 struct PlacedNode {
     const aiNode* node;
@@ -61,13 +57,15 @@ std::vector<PlacedNode> placed_nodes(const aiScene& scene) {
 }
 
 /// The triangles of a mesh with its vertices untouched; faces of fewer corners are left out.
-scene::Mesh convert_mesh(const aiMesh& from) {
-    scene::Mesh mesh;
+ImportedMesh convert_mesh(const aiMesh& from) {
+    ImportedMesh mesh;
     mesh.name = from.mName.C_Str();
-    const auto copy = [&](const aiVector3D* vectors, std::vector<glm::vec3>& to) {
+    mesh.are_floats = true;  // Assimp rounds what the file has
+    const auto copy = [&](const aiVector3D* vectors, auto& to) {
         if (vectors == nullptr) return;
-        to.resize(from.mNumVertices);
-        if (!to.empty()) std::memcpy(to.data(), vectors, to.size() * sizeof(glm::vec3));
+        to.reserve(from.mNumVertices);
+        for (unsigned v = 0; v < from.mNumVertices; ++v)
+            to.emplace_back(vectors[v].x, vectors[v].y, vectors[v].z);
     };
     copy(from.mVertices, mesh.positions);
     copy(from.mNormals, mesh.normals);
@@ -77,8 +75,7 @@ scene::Mesh convert_mesh(const aiMesh& from) {
         if (face.mNumIndices != 3) continue;
         mesh.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
-    mesh.materials.assign(mesh.triangles.empty() ? 0 : 1,
-                          from.mMaterialIndex);  // one stands for all
+    mesh.parts = {{.material = from.mMaterialIndex}};
     return mesh;
 }
 
@@ -95,10 +92,10 @@ NodeNumbers numbers_of(const std::vector<PlacedNode>& nodes) {
 /// The bones of a mesh; nothing if it has none, or some that are no nodes.
 std::optional<scene::Skin> convert_skin(const aiMesh& from,
                                         std::uint32_t number,
-                                        const scene::Mesh& mesh,
                                         const NodeNumbers& numbers) {
     if (from.mNumBones == 0) return std::nullopt;
-    scene::Skin skin{number, mesh.positions, mesh.normals, {}, {}, {}};
+    scene::Skin skin;
+    skin.mesh = number;
     std::vector<std::vector<scene::BoneWeight>> weights(from.mNumVertices);
     for (std::uint32_t b = 0; b < from.mNumBones; ++b) {
         const aiBone& bone = *from.mBones[b];
@@ -126,10 +123,10 @@ void convert_meshes(const aiScene& scene,
     constexpr std::uint32_t kDropped = ~0U;
     std::vector<std::uint32_t> index_of(scene.mNumMeshes, kDropped);
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        scene::Mesh mesh = convert_mesh(*scene.mMeshes[m]);
+        ImportedMesh mesh = convert_mesh(*scene.mMeshes[m]);
         if (mesh.triangles.empty()) continue;
         index_of[m] = static_cast<std::uint32_t>(reply.meshes.size());
-        if (auto skin = convert_skin(*scene.mMeshes[m], index_of[m], mesh, numbers)) {
+        if (auto skin = convert_skin(*scene.mMeshes[m], index_of[m], numbers)) {
             motion.skins.push_back(std::move(*skin));
             has_bones[m] = true;
         }
@@ -278,7 +275,9 @@ ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::pat
 
 }  // namespace
 
-ImportReply read_with_assimp(const std::filesystem::path& path, int frame) {
+ImportReply read_with_assimp(const std::filesystem::path& path,
+                             const ImportChoice& /*choice*/,
+                             int frame) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_IMPORT_GLOBAL_KEYFRAME, frame);
     const aiScene* scene = importer.ReadFile(path.string(), 0);

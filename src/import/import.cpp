@@ -203,6 +203,8 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
                      kWholeFile);
         case ImportStatus::damaged:
             complain("is damaged; " + printable(reply.reason, kMostReasonChars));
+        case ImportStatus::refused:
+            complain(printable(reply.reason, kMostReasonChars));
         case ImportStatus::out_of_memory:
         case ImportStatus::scene:
             break;
@@ -223,12 +225,16 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
 
 }  // namespace
 
-scene::Scene import_scene(const std::filesystem::path& path, const ImportLimits& limits) {
+scene::Scene import_scene(const std::filesystem::path& path,
+                          const ModelChoice& choice,
+                          const ImportLimits& limits) {
     const Complaint complain(path);
     const FileClaims claims = claims_of(path, complain);
     const std::filesystem::path child = find_child(limits);
+    std::vector<std::string> arguments{path.string()};
+    if (!choice.animation.empty()) arguments.push_back(choice.animation);
     ChildOutcome outcome = run_child(child,
-                                     {path.string()},
+                                     arguments,
                                      {.wall_s = limits.wall_s,
                                       .memory_bytes = limits.memory_bytes,
                                       .output_bytes = limits.output_bytes});

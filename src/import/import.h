@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "import/scene_stream.h"
 #include "scene/scene.h"
 
 namespace ink::import {
@@ -19,6 +20,15 @@ struct ImportLimits {
     std::uint64_t output_bytes = 2ULL << 30;  ///< of scene data it may hand back
     /// Over all instances: a small file may place one mesh a million times.
     std::uint64_t triangles = 100'000'000;
+};
+
+/// What the user may choose of a model.
+struct ModelChoice {
+    std::string animation;  ///< see ImportChoice
+    /// Objects of several materials become one object for each, so that seams stand between
+    /// materials, too.
+    bool material_seams = false;
+    [[nodiscard]] bool operator==(const ModelChoice&) const = default;
 };
 
 /// The scene in any file that Assimp reads, or in a Quake model (MDL, MD2, MD3: by readers of our
@@ -41,6 +51,7 @@ struct ImportLimits {
 /// for too much memory; with where = the import executable if that is missing. Safe to call from
 /// several threads; leaves no process behind.
 [[nodiscard]] scene::Scene import_scene(const std::filesystem::path& path,
+                                        const ModelChoice& choice = {},
                                         const ImportLimits& limits = {});
 
 }  // namespace ink::import

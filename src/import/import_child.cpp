@@ -1,4 +1,5 @@
-// inkbench_import FILE: reads one model and writes it to standard output as a scene stream.
+// inkbench_import FILE [ANIMATION]: reads one model and writes it to standard output as a scene
+// stream.
 //
 // A program of its own because Assimp may crash, hang or eat memory on a damaged file; the parent
 // (import.cpp) sets the limits before it starts this one.
@@ -67,22 +68,22 @@ void prepare_output() {
     std::set_new_handler(answer_out_of_memory);
 }
 
-/// Quake's models by our own readers, all else by Assimp.
-ImportReply read_model(const char* path) {
+/// By our own readers what they know, all else by Assimp.
+ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {
 #ifdef INK_IMPORT_FAULTS
     // Our readers are tested against Assimp's, frame by frame.
     if (const char* frame = std::getenv("INKBENCH_TEST_ASSIMP_FRAME"); frame != nullptr)
-        return read_with_assimp(path, std::atoi(frame));
+        return read_with_assimp(path, choice, std::atoi(frame));
 #endif
     try {
         if (auto reply = read_quake_model(path)) return std::move(*reply);
+        return read_with_assimp(path, choice, 0);
     } catch (const core::Error& error) {
         ImportReply reply;
         reply.status = ImportStatus::damaged;
         reply.reason = error.what_happened() + " (accepted: " + error.accepted() + ")";
         return reply;
     }
-    return read_with_assimp(path, 0);
 }
 
 }  // namespace
@@ -90,15 +91,17 @@ ImportReply read_model(const char* path) {
 
 int main(int argc, char** argv) {
     using namespace ink::import;
-    if (argc != 2) {
-        std::fputs("usage: inkbench_import FILE > STREAM\ninkbench starts it; see --help there.\n",
-                   stderr);
+    if (argc != 2 && argc != 3) {
+        std::fputs(
+            "usage: inkbench_import FILE [ANIMATION] > STREAM\n"
+            "inkbench starts it; see --help there.\n",
+            stderr);
         return kUsage;
     }
     prepare_output();
 #ifdef INK_IMPORT_FAULTS
     provoke_fault(argv[1], output.fd);
 #endif
-    write_reply(read_model(argv[1]), write_all);
+    write_reply(read_model(argv[1], {.animation = argc == 3 ? argv[2] : ""}), write_all);
     return kSuccess;
 }

@@ -9,14 +9,17 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/error.h"
+#include "import/origin.h"
 
 namespace ink::import {
 namespace {
 
 constexpr std::size_t kMostNameChars = 80;
+constexpr std::size_t kMostNoteChars = 160;
 constexpr std::size_t kMostCameras = 256;
 // Products of three coordinates, as the predicates form them, stay far from overflow.
 constexpr double kMostExtent = 1e60;
@@ -49,13 +52,48 @@ void tidy_normals(scene::Mesh& mesh) {
 }
 
 /// What must hold before anything walks the meshes.
+void check_indices(const ImportReply& reply, const std::string& where) {
+    const auto check = [&](bool is_good, const char* what) {
+        if (!is_good) throw core::Error(where, std::string("its reader ") + what);
+    };
+    for (const ImportedInstance& instance : reply.instances)
+        check(instance.mesh < reply.meshes.size(), "placed a mesh that it did not hand over");
+    for (std::size_t m = 0; m < reply.meshes.size(); ++m) {
+        const ImportedMesh& mesh = reply.meshes[m];
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const std::uint32_t v : mesh.triangles[t]) {
+                if (v < mesh.positions.size()) continue;
+                throw core::Error(where,
+                                  fmt::format("mesh {}: triangle {} uses vertex {}", m, t, v),
+                                  mesh.positions.empty()
+                                      ? "a mesh with vertices"
+                                      : fmt::format("0..{}", mesh.positions.size() - 1));
+            }
+        std::uint32_t first = 0;  // of the part that comes next, at least
+        for (const MeshPart& part : mesh.parts) {
+            check(&part == mesh.parts.data() ? part.first_triangle == 0
+                                             : part.first_triangle >= first,
+                  "put the parts of a mesh out of order");
+            first = part.first_triangle;
+        }
+        check(first <= mesh.triangles.size(), "put a part of a mesh behind its end");
+    }
+    if (!reply.animation) return;
+    const scene::Animation& animation = *reply.animation;
+    for (std::size_t n = 0; n < animation.nodes.size(); ++n) {
+        const std::uint32_t parent = animation.nodes[n].parent;
+        check(parent == scene::kNoNode || parent < n, "hung a node on one that comes later");
+    }
+    for (const scene::Skin& skin : animation.skins) {
+        check(skin.mesh < reply.meshes.size(), "gave bones to a mesh that it did not hand over");
+        for (const scene::Skin::Bone& bone : skin.bones)
+            check(bone.node < animation.nodes.size(), "made a bone of a node that is not there");
+    }
+}
+
 void check_counts(const scene::Scene& scene,
                   std::uint64_t most_triangles,
                   const std::string& where) {
-    for (const scene::Instance& instance : scene.instances) {
-        if (instance.mesh < scene.meshes.size()) continue;
-        throw core::Error(where, "its reader placed a mesh that it did not hand over");
-    }
     const std::size_t triangles = scene::triangle_count(scene);
     if (triangles == 0) {
         throw core::Error(where, "it holds no triangle", "a model with at least one");
@@ -103,6 +141,10 @@ std::shared_ptr<scene::Animation> take_animation(std::optional<scene::Animation>
     for (std::size_t m = 0; m < std::min(scene.meshes.size(), animation->vertex_frames.size());
          ++m) {
         if (scene.meshes[m].normals.empty()) animation->vertex_frames[m].normals.clear();
+    }
+    for (scene::Skin& skin : animation->skins) {
+        skin.positions = scene.meshes[skin.mesh].positions;
+        skin.normals = scene.meshes[skin.mesh].normals;
     }
     check_at(where, scene, [&] { scene::check_animation(scene, *animation); });
     const bool is_moving = animation->duration_s > 0;
@@ -177,53 +219,93 @@ void take_camera_motions(const std::vector<scene::CameraMotion>& motions,
     if (!is_any) animation->cameras.clear();
 }
 
+/// How many bytes the UTF-8 character at the start of `text` takes; 0 if there is none (RFC 3629).
+std::size_t utf8_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (text.empty()) return 0;
+    const unsigned char lead = byte(0);
+    if (lead < 0x80) return 1;
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    // Overlong forms, surrogates, and what lies beyond the last character.
+    const bool is_bad = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) > 0x9f) ||
+                        (lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) > 0x8f);
+    return is_bad ? 0 : length;
+}
+
+/// What the reply says of the file, fit to be printed.
+scene::FileFacts facts_of(const ImportReply& reply) {
+    scene::FileFacts facts;
+    for (const std::string& name : reply.animation_names)
+        facts.animation_names.push_back(printable(name, kMostNameChars));
+    for (const std::string& name : reply.parallel_cameras)
+        facts.parallel_cameras.push_back(printable(name, kMostNameChars));
+    for (const std::string& note : reply.notes)
+        facts.notes.push_back(printable(note, kMostNoteChars));
+    return facts;
+}
+
 }  // namespace
 
 std::string printable(const std::string& text, std::size_t most) {
     std::string line;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t length = utf8_length(std::string_view(text).substr(i));
         if (std::isspace(byte) != 0 || byte == 0) {
             if (!line.empty() && line.back() != ' ') line.push_back(' ');
+        } else if (length == 0 || byte < 0x20 || byte == 0x7f) {
+            line.push_back('?');
         } else {
-            line.push_back(byte > 0x20 && byte < 0x7f ? c : '?');
+            line.append(text, i, length);
         }
+        i += std::max<std::size_t>(length, 1);
     }
     while (!line.empty() && line.back() == ' ')
         line.pop_back();
-    if (line.size() > most) line = line.substr(0, most - 3) + "...";
-    return line;
+    if (line.size() <= most) return line;
+    std::size_t end = most - 3;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+        --end;  // no character is cut in two
+    return line.substr(0, end) + "...";
 }
 
 scene::Scene scene_from_reply(ImportReply&& reply,
                               const std::filesystem::path& path,
                               std::uint64_t most_triangles) {
+    const std::string where = path.string();
+    check_indices(reply, where);
     scene::Scene scene;
     scene.name = path.stem().string();
     scene.split = scene::Split::real;
-    scene.meshes = std::move(reply.meshes);
-    scene.instances = std::move(reply.instances);
-    check_counts(scene, most_triangles, path.string());
+    scene.origin = take_out_origin(reply);
+    for (ImportedMesh& mesh : reply.meshes) {
+        mesh.name = printable(mesh.name, kMostNameChars);
+        scene.meshes.push_back(to_float_mesh(std::move(mesh)));
+    }
+    for (const ImportedInstance& instance : reply.instances) {
+        scene.instances.push_back(
+            {instance.mesh, instance.world_from_object, printable(instance.name, kMostNameChars)});
+    }
+    check_counts(scene, most_triangles, where);
     // Normals wait aside: bad ones are no reason to refuse a file, but the indices must be known to
     // be good before they are looked at.
     std::vector<std::vector<glm::vec3>> normals;
-    for (scene::Mesh& mesh : scene.meshes) {
-        mesh.name = printable(mesh.name, kMostNameChars);
+    for (scene::Mesh& mesh : scene.meshes)
         normals.push_back(std::exchange(mesh.normals, {}));
-    }
-    for (scene::Instance& instance : scene.instances) {
-        instance.name = printable(instance.name, kMostNameChars);
-    }
-    check_numbers(scene, path.string());
+    check_numbers(scene, where);
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         if (normals[m].size() != scene.meshes[m].positions.size()) continue;
         scene.meshes[m].normals = std::move(normals[m]);
         tidy_normals(scene.meshes[m]);
     }
-    const auto animation = take_animation(std::move(reply.animation), scene, path.string());
+    scene.file = facts_of(reply);
+    const auto animation = take_animation(std::move(reply.animation), scene, where);
     UsableCameras usable = usable_cameras(reply.cameras, scene::bounding_sphere(scene));
     scene.cameras = std::move(usable.cameras);
-    take_camera_motions(usable.motions, animation, scene, path.string());
+    take_camera_motions(usable.motions, animation, scene, where);
     return scene;
 }
 

@@ -18,7 +18,8 @@ namespace ink::import {
                                             const std::filesystem::path& path,
                                             std::uint64_t most_triangles);
 
-/// Foreign text as one line of plain printable characters, shortened to `most`.
+/// Foreign text as one line of printable UTF-8, shortened to `most` bytes; what is none becomes
+/// '?'.
 [[nodiscard]] std::string printable(const std::string& text, std::size_t most);
 
 }  // namespace ink::import

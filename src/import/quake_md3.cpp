@@ -105,7 +105,7 @@ void add_surfaces(const Md3File& part, std::uint32_t node, Assembly& whole) {
         const Surface surface{file, start, start + bytes};
         start += bytes;
         const std::uint64_t vertices = file.count_at(surface.start + 80, "vertices", 0);
-        scene::Mesh mesh;
+        ImportedMesh mesh;
         mesh.name = file.text_at(surface.start + 4, kNameChars);
         mesh.triangles = read_triangles(surface, vertices);
         if (mesh.triangles.empty()) continue;
@@ -114,7 +114,7 @@ void add_surfaces(const Md3File& part, std::uint32_t node, Assembly& whole) {
         mesh.positions.assign(frames.positions.begin(), frames.positions.begin() + first);
         mesh.normals.assign(frames.normals.begin(), frames.normals.begin() + first);
         const auto number = static_cast<std::uint32_t>(whole.reply.meshes.size());
-        mesh.materials.assign(1, number);  // one stands for all
+        mesh.parts = {{.material = number}};
         whole.reply.faces_read += mesh.triangles.size();
         whole.reply.vertices_read += vertices;
         whole.reply.instances.push_back({number, glm::dmat4(1), part.part + '/' + mesh.name});

@@ -101,7 +101,7 @@ ImportReply reply_of_frames(const std::string& name,
                             double frames_per_s) {
     ImportReply reply;
     const auto vertices = static_cast<std::ptrdiff_t>(frames.positions.size() / frames.frame_count);
-    scene::Mesh mesh;
+    ImportedMesh mesh;
     mesh.name = name;
     mesh.positions.assign(frames.positions.begin(), frames.positions.begin() + vertices);
     mesh.normals.assign(frames.normals.begin(), frames.normals.begin() + vertices);

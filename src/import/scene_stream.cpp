@@ -10,18 +10,18 @@ namespace ink::import {
 namespace {
 
 constexpr std::array<char, 8> kMagic{'i', 'n', 'k', 's', 'c', 'e', 'n', 'e'};
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 constexpr std::uint32_t kEndMark = 0x656e6421;
 
-static_assert(sizeof(glm::vec3) == 12 && sizeof(scene::Triangle) == 12,
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::dvec3) == 24 &&
+                  sizeof(scene::Triangle) == 12 && sizeof(MeshPart) == 16,
               "arrays travel as they lie in memory");
 
 template <class Stream, class Mesh>
 void pass_mesh(Stream& stream, Mesh& mesh) {
-    std::uint32_t material = mesh.materials.empty() ? 0 : mesh.materials.front();
-    stream.parts(mesh.name, mesh.positions, mesh.normals, mesh.triangles, material);
-    if constexpr (!std::is_const_v<Mesh>)
-        if (material != 0) mesh.materials.assign(mesh.triangles.size(), material);
+    std::uint8_t are_floats = mesh.are_floats ? 1 : 0;
+    stream.parts(mesh.name, mesh.positions, mesh.normals, mesh.triangles, mesh.parts, are_floats);
+    if constexpr (!std::is_const_v<Mesh>) mesh.are_floats = are_floats != 0;
 }
 
 template <class Stream, class Camera>
@@ -36,18 +36,23 @@ void pass_camera(Stream& stream, Camera& camera) {
 template <class Stream, class Reply>
 void pass_scene(Stream& of, Reply& reply) {
     // The least that each kind takes in the stream, so that a claimed count can be judged.
-    constexpr std::size_t kLeastMeshBytes = 36;
-    constexpr std::size_t kLeastInstanceBytes = 140;
+    constexpr std::size_t kLeastMeshBytes = 41;
+    constexpr std::size_t kLeastInstanceBytes = 144;
     constexpr std::size_t kLeastCameraBytes = 168;
+    constexpr std::size_t kLeastTextBytes = 8;
+    const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason, reply.faces_read, reply.vertices_read);
     of.list(
         reply.meshes, kLeastMeshBytes, [](auto& stream, auto& mesh) { pass_mesh(stream, mesh); });
     of.list(reply.instances, kLeastInstanceBytes, [](auto& stream, auto& instance) {
-        stream.parts(instance.mesh, instance.world_from_object, instance.name);
+        stream.parts(instance.mesh, instance.world_from_object, instance.name, instance.file_node);
     });
     of.list(reply.cameras, kLeastCameraBytes, [](auto& stream, auto& camera) {
         pass_camera(stream, camera);
     });
+    of.list(reply.parallel_cameras, kLeastTextBytes, pass_text);
+    of.list(reply.animation_names, kLeastTextBytes, pass_text);
+    of.list(reply.notes, kLeastTextBytes, pass_text);
 }
 
 }  // namespace

@@ -21,7 +21,41 @@ enum class ImportStatus : std::uint32_t {
     wrong_content,   ///< no reader recognises it, though its extension is known
     unknown_format,  ///< no reader takes it, and its extension is not known either
     damaged,         ///< a reader of ours found a fault; `reason` says where and what
+    refused,         ///< a reader of ours knows what it is and does not read it: `reason` names it
     out_of_memory,
+};
+
+/// A run of a mesh's triangles that the file keeps together: of one material, and in glTF one
+/// primitive. With it each corner leads back into the file: corner c of triangle t of the part is
+/// vertex `triangles[t][c] - first_vertex` of primitive `primitive` of the instance's file node.
+struct MeshPart {
+    std::uint32_t first_triangle = 0;  ///< it ends where the next part begins
+    std::uint32_t material = 0;        ///< unique within the file
+    std::uint32_t primitive = 0;       ///< its number in the file's mesh; 0 where files have none
+    std::uint32_t first_vertex = 0;    ///< the mesh's position that is the primitive's vertex 0
+};
+
+/// All triangles of one object, as the file has them.
+struct ImportedMesh {
+    std::string name;
+    std::vector<glm::dvec3> positions;  ///< object space, no digit of the file lost
+    /// One per position, of any length (a vertex without one has (0,0,0)); or empty.
+    std::vector<glm::vec3> normals;
+    std::vector<scene::Triangle> triangles;
+    std::vector<MeshPart> parts;  ///< by first_triangle, the first at 0; empty: one of material 0
+    /// Whether the file's coordinates are floats, already rounded to that where they stand.
+    bool are_floats = false;
+    /// How far that may have moved a vertex, if more than floats say where the mesh is taken to
+    /// (take_out_origin). Not part of the stream.
+    double rounding = 0;
+};
+
+/// A use of a mesh.
+struct ImportedInstance {
+    std::uint32_t mesh = 0;
+    glm::dmat4 world_from_object{1};
+    std::string name;                          ///< UTF-8, as the file has it
+    std::uint32_t file_node = scene::kNoNode;  ///< its number in the file; kNoNode: files have none
 };
 
 /// A camera as a file gives it, made world space.
@@ -34,15 +68,28 @@ struct ImportedCamera {
     scene::CameraMotion motion{};  ///< the same by the reply's nodes
 };
 
+/// What the user may choose of a file; it goes to the import child with the path.
+struct ImportChoice {
+    /// Which animation moves the scene: a name that the file has, else a number from 0; empty: the
+    /// first.
+    std::string animation;
+};
+
 /// What the import child hands back. Nothing in it is checked: whoever reads it must not trust it.
 struct ImportReply {
     ImportStatus status = ImportStatus::scene;
     std::string reason;
     std::uint64_t faces_read = 0;  ///< of any number of corners, before triangulation
     std::uint64_t vertices_read = 0;
-    std::vector<scene::Mesh> meshes;  ///< each of one material
-    std::vector<scene::Instance> instances;
+    std::vector<ImportedMesh> meshes;
+    std::vector<ImportedInstance> instances;
     std::vector<ImportedCamera> cameras;
+    std::vector<std::string> parallel_cameras;  ///< names of those that cannot be drawn yet
+    std::vector<std::string> animation_names;   ///< of all that the file has; "" has no name
+    /// What in the file does not count here, a few words each: "2 materials of mode BLEND are drawn
+    /// opaque". Never something that changes geometry.
+    std::vector<std::string> notes;
+    /// Skins come without positions and normals: those of their mesh hold.
     std::optional<scene::Animation> animation{};
 };
 

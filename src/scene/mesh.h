@@ -21,6 +21,9 @@ struct Mesh {
     std::vector<glm::vec3> normals;    ///< object space, unit; empty, or one per position
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> materials;  ///< empty (all material 0), or one per triangle
+    /// How far the file's own numbers may have been rounded, object space, where that is more than
+    /// half a unit in the last place of `positions`.
+    double rounding = 0;
 };
 
 }  // namespace ink::scene

@@ -50,6 +50,13 @@ enum class Split {
 /// What rows call a part: "train", "heldout" or "real".
 [[nodiscard]] std::string_view split_name(Split split);
 
+/// What a model file has beside the scene; a scene made by code has nothing of it.
+struct FileFacts {
+    std::vector<std::string> animation_names;   ///< of all, "" where one has none
+    std::vector<std::string> parallel_cameras;  ///< names of those that cannot be drawn yet
+    std::vector<std::string> notes;             ///< what does not count here, a few words each
+};
+
 /// Everything a method, the rasterizer and the truth may know.
 struct Scene {
     std::string name;
@@ -58,6 +65,10 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Camera> cameras;  ///< the scene's own views, near and far fitted
     std::vector<OmniLight> lights;
+    /// Taken out of all coordinates before they became floats: a place p_world here is
+    /// `origin + p_world` in the file.
+    glm::dvec3 origin{0};
+    FileFacts file{};
     std::shared_ptr<const Animation>
         animation{};  ///< how it moves (animation.h); null: it does not
 };

@@ -12,6 +12,7 @@
 
 #include "core/hash.h"
 #include "scene/near_points.h"
+#include "scene/precision/rounding.h"
 #include "scene/precision/written_digits.h"
 #include "scene/predicates.h"
 #include "scene/sharing/shared_work.h"
@@ -85,15 +86,6 @@ FaceKey sorted(FaceKey key) {
 
 glm::dvec3 place(const Instance& instance, const glm::vec3& p_object) {
     return without_negative_zero(to_world(instance, p_object));
-}
-
-/// Half a unit in the last place of the largest coordinate.
-double half_ulp(const glm::vec3& p_object) {
-    const float largest =
-        std::max({std::abs(p_object.x), std::abs(p_object.y), std::abs(p_object.z)});
-    return (static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
-            static_cast<double>(largest)) /
-           2;
 }
 
 /// How far a move of one unit along each axis of the object moves a point of the world, at most.
@@ -196,7 +188,8 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                     welded[v] = points.insert(moves(place(instance, mesh.positions[v]))).first;
                     topology.rounding_world.resize(points.keys().size(), 0);
                     double& rounding = topology.rounding_world[welded[v]];
-                    rounding = std::max(rounding, stretch * half_ulp(mesh.positions[v]));
+                    rounding = std::max(
+                        {rounding, stretch * half_ulp(mesh.positions[v]), stretch * mesh.rounding});
                     written.note(welded[v], written_world);
                 }
                 face.vertices[i] = welded[v];

@@ -6,6 +6,7 @@
 
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"
+#include "tests/import/imported_meshes.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::fuzz {
@@ -20,7 +21,7 @@ void check_keys(const std::vector<scene::VectorKey>& keys) {
 
 /// As the reader of models has it: the scene of a file that Assimp has read already.
 import::ImportReply reply_with_cameras(Bytes bytes){import::ImportReply reply;
-reply.meshes = {scene::unit_cube()};
+reply.meshes = {import::imported(scene::unit_cube())};
 reply.instances = {{0, glm::dmat4(1), "only"}};
 scene::Animation motion;
 motion.duration_s = 1;

@@ -56,7 +56,7 @@ class ImportLimit : public ModelFiles {
 };
 
 TEST_F(ImportLimit, TestBuildReadsModelsToo) {
-    EXPECT_EQ(scene::triangle_count(import_scene(named("harmless"), faulty())), 1U);
+    EXPECT_EQ(scene::triangle_count(import_scene(named("harmless"), {}, faulty())), 1U);
 }
 
 TEST_F(ImportLimit, CrashIsNamed) {
@@ -95,7 +95,7 @@ TEST_F(ImportLimit, MissingChildIsTold) {
     ImportLimits limits;
     limits.child = in_folder("nothing_here");
     try {
-        (void)import_scene(named("harmless"), limits);
+        (void)import_scene(named("harmless"), {}, limits);
         FAIL() << "it was imported";
     } catch (const core::Error& error) {
         EXPECT_EQ(error.where(), limits.child.string());
@@ -162,7 +162,7 @@ TEST_F(ImportLimit, ChildDiesWithItsParent) {
     ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
     const pid_t parent = fork();
     if (parent == 0) {
-        (void)import_scene(path, faulty());
+        (void)import_scene(path, {}, faulty());
         _exit(0);
     }
     std::string orphan;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "tests/import/imported_meshes.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::import {
@@ -18,7 +19,7 @@ constexpr std::uint64_t kMany = 1000;
 
 ImportReply cube_reply() {
     ImportReply reply;
-    reply.meshes = {scene::unit_cube()};
+    reply.meshes = {imported(scene::unit_cube())};
     reply.instances = {{0, glm::dmat4(1), "only"}};
     return reply;
 }

@@ -202,7 +202,7 @@ scene::Scene by_assimp(const std::filesystem::path& path, std::size_t frame) {
     ImportLimits limits;
     limits.child = std::filesystem::path(INK_BINARY_DIR) / "inkbench_import_faulty";
     setenv("INKBENCH_TEST_ASSIMP_FRAME", std::to_string(frame).c_str(), 1);
-    scene::Scene scene = import_scene(path, limits);
+    scene::Scene scene = import_scene(path, {}, limits);
     unsetenv("INKBENCH_TEST_ASSIMP_FRAME");
     return scene;
 }

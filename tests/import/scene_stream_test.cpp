@@ -9,18 +9,25 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
+const std::vector<glm::vec3> kFramePositions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
 ImportReply sample_reply() {
     ImportReply reply;
     reply.faces_read = 7;
     reply.vertices_read = 9;
-    scene::Mesh mesh;
+    ImportedMesh mesh;
     mesh.name = "mesh";
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
     mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
-    mesh.materials = {5, 5};
-    reply.meshes = {mesh, scene::Mesh{}};
-    reply.instances = {{.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node"}};
+    mesh.parts = {{0, 5, 1, 0}, {1, 6, 2, 1}};
+    mesh.are_floats = true;
+    reply.meshes = {mesh, ImportedMesh{}};
+    reply.instances = {
+        {.mesh = 0, .world_from_object = glm::dmat4(2), .name = "node", .file_node = 7}};
+    reply.parallel_cameras = {"front"};
+    reply.animation_names = {"walk", ""};
+    reply.notes = {"a lamp"};
     reply.cameras = {{.name = "eye",
                       .eye_world = {1, 2, 3},
                       .fov_y_rad = 0.5,
@@ -34,8 +41,8 @@ ImportReply sample_reply() {
     node.scales = {{0, {1, 1, 1}}};
     motion.nodes = {node, scene::AnimatedNode{}};
     motion.node_of_instance = {1};
-    motion.vertex_frames = {{2, mesh.positions, mesh.normals}, {}};
-    scene::Skin skin{1, mesh.positions, {}, {{1, glm::dmat4(3)}}, {}, {}};
+    motion.vertex_frames = {{2, kFramePositions, mesh.normals}, {}};
+    scene::Skin skin{1, {}, {}, {{1, glm::dmat4(3)}}, {}, {}};
     scene::set_weights({{{0, 0.5F}}, {}, {{0, 1}}}, skin);
     motion.skins = {skin};
     reply.animation = motion;
@@ -58,15 +65,25 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->faces_read, 7U);
     EXPECT_EQ(reply->vertices_read, 9U);
     ASSERT_EQ(reply->meshes.size(), 2U);
-    const scene::Mesh expected = sample_reply().meshes[0];
+    const ImportedMesh expected = sample_reply().meshes[0];
     EXPECT_EQ(reply->meshes[0].name, expected.name);
     EXPECT_EQ(reply->meshes[0].positions, expected.positions);
     EXPECT_EQ(reply->meshes[0].normals, expected.normals);
     EXPECT_EQ(reply->meshes[0].triangles, expected.triangles);
-    EXPECT_EQ(reply->meshes[0].materials, expected.materials);
+    ASSERT_EQ(reply->meshes[0].parts.size(), 2U);
+    EXPECT_EQ(reply->meshes[0].parts[1].first_triangle, 1U);
+    EXPECT_EQ(reply->meshes[0].parts[1].material, 6U);
+    EXPECT_EQ(reply->meshes[0].parts[1].primitive, 2U);
+    EXPECT_EQ(reply->meshes[0].parts[1].first_vertex, 1U);
+    EXPECT_TRUE(reply->meshes[0].are_floats);
+    EXPECT_FALSE(reply->meshes[1].are_floats);
     ASSERT_EQ(reply->instances.size(), 1U);
     EXPECT_EQ(reply->instances[0].world_from_object, glm::dmat4(2));
     EXPECT_EQ(reply->instances[0].name, "node");
+    EXPECT_EQ(reply->instances[0].file_node, 7U);
+    EXPECT_EQ(reply->parallel_cameras, sample_reply().parallel_cameras);
+    EXPECT_EQ(reply->animation_names, sample_reply().animation_names);
+    EXPECT_EQ(reply->notes, sample_reply().notes);
     ASSERT_EQ(reply->cameras.size(), 1U);
     EXPECT_EQ(reply->cameras[0].name, "eye");
     EXPECT_EQ(reply->cameras[0].eye_world, glm::dvec3(1, 2, 3));
@@ -89,7 +106,7 @@ TEST(SceneStream, GivesBackTheMotion) {
     EXPECT_EQ(motion.node_of_instance, std::vector<std::uint32_t>{1});
     ASSERT_EQ(motion.vertex_frames.size(), 2U);
     EXPECT_EQ(motion.vertex_frames[0].frame_count, 2U);
-    EXPECT_EQ(motion.vertex_frames[0].positions, sample_reply().meshes[0].positions);
+    EXPECT_EQ(motion.vertex_frames[0].positions, kFramePositions);
     ASSERT_EQ(motion.skins.size(), 1U);
     EXPECT_EQ(motion.skins[0].mesh, 1U);
     EXPECT_EQ(motion.skins[0].bones.at(0).node_from_mesh, glm::dmat4(3));

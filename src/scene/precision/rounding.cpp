@@ -1,5 +1,6 @@
 #include "scene/precision/rounding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -25,6 +26,13 @@ double turning_doubt_rad(const Topology& topology, const Edge& edge, std::uint32
 }
 
 }  // namespace
+
+double half_ulp(const glm::vec3& p) {
+    const float largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return (static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
+            static_cast<double>(largest)) /
+           2;
+}
 
 double orient3d_doubt(const RoundedPoint& a,
                       const RoundedPoint& b,

@@ -11,6 +11,9 @@ namespace ink::scene {
 // (Topology::rounding_world). What follows says what holds wherever in there they are: the same
 // thing, turned and rounded again, then has the same answers.
 
+/// Half a unit in the last place of the largest coordinate.
+[[nodiscard]] double half_ulp(const glm::vec3& p);
+
 /// A point and how far from it the meant one may lie, world units.
 struct RoundedPoint {
     glm::dvec3 p{0};
