@@ -1,6 +1,7 @@
 #include "cli/place.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr double kDegPerRad = 180 / std::numbers::pi;
 
-std::string text_of(const glm::dvec3& p) {
-    return fmt::format("{:.9g},{:.9g},{:.9g}", p.x, p.y, p.z);
+std::string text_of(const glm::dvec3& p, int digits) {
+    return fmt::format("{:.{}g},{:.{}g},{:.{}g}", p.x, digits, p.y, digits, p.z, digits);
 }
 
 nlohmann::ordered_json json_of(const glm::dvec3& p) {
@@ -30,10 +31,18 @@ glm::dvec3 axis(const scene::Camera& camera, int row) {
 
 }  // namespace
 
+void print_not_heeded(const std::string& scene, const std::vector<std::string>& notes) {
+    if (notes.empty()) return;
+    fmt::print(stderr, "inkbench: {}: not heeded: {}\n", scene, fmt::join(notes, "; "));
+}
+
 Place place_of(const harness::SceneViews& scene_views) {
     const scene::Surface surface = scene::flatten(scene_views.scene);
     const scene::Sphere sphere = scene::bounding_sphere(scene_views.scene);
     Place place;
+    place.origin = scene_views.scene.origin;
+    place.animations = scene_views.scene.file.animation_names;
+    place.not_heeded = scene_views.scene.file.notes;
     place.center_world = sphere.center_world;
     place.radius = sphere.radius;
     place.low_world = place.high_world = surface.p_world.front();
@@ -51,11 +60,19 @@ Place place_of(const harness::SceneViews& scene_views) {
                                  axis(camera, 1),
                                  camera.fov_y_rad * kDegPerRad});
     }
+    for (glm::dvec3* p : {&place.low_world, &place.high_world, &place.center_world})
+        *p += place.origin;
+    for (Place::Camera& camera : place.cameras) {
+        camera.eye_world += place.origin;
+        camera.target_world += place.origin;
+    }
     return place;
 }
 
 std::string as_text(const Place& place) {
     const glm::dvec3 size = place.high_world - place.low_world;
+    const bool is_far = place.origin != glm::dvec3(0);
+    const auto text_of = [&](const glm::dvec3& p) { return cli::text_of(p, is_far ? 15 : 9); };
     std::string text = fmt::format(
         "box {} .. {} ({:.9g} x {:.9g} x {:.9g}), centre {}, radius "
         "{:.9g}\nviews, as options of a camera of your own:\n",
@@ -66,6 +83,11 @@ std::string as_text(const Place& place) {
         size.z,
         text_of(place.center_world),
         place.radius);
+    if (is_far) {
+        text = fmt::format("origin {}, taken out of all coordinates before they became floats\n",
+                           text_of(place.origin)) +
+               text;
+    }
     for (const Place::Camera& camera : place.cameras) {
         text += fmt::format("  {}  --eye {} --target {} --up {} --fov {:.9g}\n",
                             camera.name,
@@ -74,6 +96,13 @@ std::string as_text(const Place& place) {
                             text_of(camera.up_world),
                             camera.fov_deg);
     }
+    for (std::size_t i = 0; i < place.animations.size(); ++i) {
+        text += fmt::format("animation {}: {}\n",
+                            i,
+                            place.animations[i].empty() ? "(no name)" : place.animations[i]);
+    }
+    for (const std::string& note : place.not_heeded)
+        text += fmt::format("not heeded: {}\n", note);
     return text;
 }
 
@@ -82,6 +111,9 @@ nlohmann::ordered_json as_json(const Place& place) {
         {"box", {{"low", json_of(place.low_world)}, {"high", json_of(place.high_world)}}},
         {"centre", json_of(place.center_world)},
         {"radius", place.radius},
+        {"origin", json_of(place.origin)},
+        {"animations", place.animations},
+        {"not_heeded", place.not_heeded},
         {"cameras", nlohmann::ordered_json::object()}};
     for (const Place::Camera& camera : place.cameras) {
         json["cameras"][camera.name] = {{"eye", json_of(camera.eye_world)},

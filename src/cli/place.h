@@ -12,6 +12,7 @@ namespace ink::cli {
 /// Where a scene is and from where it is seen, so that a user can place a camera: its box, the
 /// centre and radius of the sphere that views are fitted to, and each view as the options that make
 /// it.
+/// All coordinates are the file's own (Scene::origin).
 struct Place {
     struct Camera {
         std::string name;
@@ -25,13 +26,19 @@ struct Place {
     glm::dvec3 center_world{0};
     double radius = 0;
     std::vector<Camera> cameras;
+    glm::dvec3 origin{0};  ///< taken out of all coordinates before they became floats
+    std::vector<std::string> animations;
+    std::vector<std::string> not_heeded;  ///< what of the file does not count here
 };
+
+/// Says on stderr, in one line, what of a model's file does not count here; nothing if all does.
+void print_not_heeded(const std::string& scene, const std::vector<std::string>& notes);
 
 /// The place of a scene with at least one triangle.
 [[nodiscard]] Place place_of(const harness::SceneViews& scene_views);
 
 /// A line for the box and the sphere, then one for each view: `name  --eye X,Y,Z --target ...`, to
-/// nine digits.
+/// nine digits, or fifteen for a scene that is far out.
 [[nodiscard]] std::string as_text(const Place& place);
 
 /// The same as `box`, `centre`, `radius` and `cameras` by name.

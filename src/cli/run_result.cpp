@@ -9,6 +9,7 @@
 
 #include "cli/json_values.h"
 #include "cli/options/options.h"
+#include "cli/place.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "experiment/summary/stress_summary.h"
@@ -100,6 +101,8 @@ void print_comparison(const experiment::RunTables& tables, bool one_place) {
 void print_warnings(const experiment::RunRecord& record,
                     const UnscoredCells& unscored,
                     const fs::path& folder) {
+    for (const experiment::ModelFacts& model : record.models)
+        print_not_heeded(model.scene, model.notes);
     fmt::print(stderr, "{}", experiment::unscored_text(unscored));
     for (const std::string& fault : record.faults)
         fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);

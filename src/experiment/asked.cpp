@@ -50,6 +50,8 @@ toml::table views_of(const Experiment& experiment) {
     if (!request.cameras.empty()) views.insert("cameras", cameras_of(request));
     if (request.time_s) views.insert("time_s", *request.time_s);
     if (request.frame) views.insert("frame", *request.frame);
+    if (!request.model.animation.empty()) views.insert("animation", request.model.animation);
+    views.insert("seams", request.model.material_seams ? "materials" : "objects");
     return views;
 }
 

@@ -52,6 +52,8 @@ void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace
     request.height_px = experiment.sizes.front().height_px;
     const auto scenes = std::make_shared<const std::vector<harness::SceneViews>>(
         harness::load_scenes(experiment.scenes, request));
+    for (const harness::SceneViews& scene_views : *scenes)
+        plan.add_model(scene_views.scene);
     plan.add_table(harness::rows_table());
     plan.add_table(linear_code::bound_table());
     const int cells = static_cast<int>(scenes->size()) + 3;

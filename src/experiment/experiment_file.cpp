@@ -107,6 +107,12 @@ void read_grid(TomlReader& grid, Experiment& experiment) {
         known.emplace_back("entrants");
         read_entrants(grid, experiment);
     }
+    if (experiment.kind != ExperimentKind::stress) {
+        known.emplace_back("seams");
+        if (const auto seams = grid.text("seams"))
+            experiment.view_request.model.material_seams =
+                harness::parse_seams(*seams, grid.where("seams"));
+    }
     read_methods(grid, experiment);
     read_sizes(grid, experiment);
     if (experiment.kind != ExperimentKind::stress) {

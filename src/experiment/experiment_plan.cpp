@@ -72,6 +72,11 @@ void Plan::add_table(const harness::TableInfo& table) {
     tables.push_back({table.file, std::move(columns)});
 }
 
+void Plan::add_model(const scene::Scene& scene) {
+    if (scene.file.notes.empty() && scene.origin == glm::dvec3(0)) return;
+    models.push_back({scene.name, scene.origin, scene.file.notes});
+}
+
 std::int64_t Plan::take_cells(std::int64_t count) {
     rows += count;
     return rows - count;

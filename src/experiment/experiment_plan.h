@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +46,15 @@ struct Block {
     std::function<void()> expect = {};
 };
 
+/// What a model file has beside what is drawn of it, for run.toml and the terminal.
+struct ModelFacts {
+    std::string scene;
+    glm::dvec3 origin{0};            ///< Scene::origin
+    std::vector<std::string> notes;  ///< what of the file does not count here
+
+    friend bool operator==(const ModelFacts&, const ModelFacts&) = default;
+};
+
 /// An experiment taken apart: the order of blocks is the order of lines in every table.
 struct Plan {
     std::string name;
@@ -58,12 +68,15 @@ struct Plan {
     int timed_threads = 1;  ///< the most that a timed drawing of a group uses
     std::vector<PlannedTable> tables;
     std::map<std::string, std::string> files;  ///< what is known before any block: methods.csv
+    std::vector<ModelFacts> models;            ///< of which there is something to say
     std::vector<Block> blocks;
     std::int64_t rows = 0;  ///< lines of rows.csv that the blocks so far will have
 
     [[nodiscard]] int cells() const;
 
     void add_table(const harness::TableInfo& table);
+    /// Notes in `models` what there is to say of the scene.
+    void add_model(const scene::Scene& scene);
     /// The first of `count` new numbers for the column `cell` of rows.csv.
     [[nodiscard]] std::int64_t take_cells(std::int64_t count);
 };

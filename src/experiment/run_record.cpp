@@ -69,6 +69,30 @@ toml::table progress_of(const RunRecord& record) {
     return progress;
 }
 
+toml::array tables_of(const std::vector<ModelFacts>& models) {
+    toml::array tables;
+    for (const ModelFacts& model : models) {
+        const glm::dvec3& o = model.origin;
+        tables.push_back(toml::table{{"scene", model.scene},
+                                     {"origin", toml::array{o.x, o.y, o.z}},
+                                     {"not_heeded", array_of(model.notes)}});
+    }
+    return tables;
+}
+
+std::vector<ModelFacts> models_of(const toml::node_view<const toml::node>& node) {
+    std::vector<ModelFacts> models;
+    const toml::array* tables = node.as_array();
+    for (std::size_t i = 0; tables != nullptr && i < tables->size(); ++i) {
+        const auto table = node[i];
+        ModelFacts model{table["scene"].value_or(std::string()), {}, texts_of(table["not_heeded"])};
+        for (int axis = 0; axis < 3; ++axis)
+            model.origin[axis] = table["origin"][static_cast<std::size_t>(axis)].value_or(0.0);
+        models.push_back(std::move(model));
+    }
+    return models;
+}
+
 /// The first line in which two documents differ, "a" against "b"; "" if none does.
 std::string first_difference(const std::string& there, const std::string& mine) {
     std::istringstream a(there);
@@ -111,6 +135,7 @@ RunRecord record_of(const Plan& plan) {
     record.one_place = plan.one_place;
     for (const PlannedTable& table : plan.tables)
         record.tables.push_back({table.name, table.heading});
+    record.models = plan.models;
     record.blocks = static_cast<int>(plan.blocks.size());
     record.cells = plan.cells();
     return record;
@@ -131,6 +156,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     record.one_place = root["one_place"].value_or(true);
     const auto names = texts_of(root["tables"]["names"]);
     const auto headings = texts_of(root["tables"]["headings"]);
+    record.models = models_of(toml::node_view<const toml::node>(root["models"]));
     const auto progress = root["progress"];
     const auto state = state_called(progress["state"].value_or(std::string()));
     record.blocks = progress["blocks"].value_or(0);
@@ -172,6 +198,7 @@ void write_record(const RunRecord& record, const fs::path& folder) {
                      {"machine", machine()},
                      {"tables", toml::table{{"names", names}, {"headings", headings}}},
                      {"asked", parse_toml(record.asked, folder / kFile)}};
+    if (!record.models.empty()) root.insert("models", tables_of(record.models));
     std::ostringstream text;
     text << "# What was asked of this run, and what answered. Written and read by inkbench.\n"
          << root << '\n';

@@ -41,6 +41,7 @@ struct RunRecord {
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads
     std::vector<RecordedTable> tables;
+    std::vector<ModelFacts> models = {};
     int blocks = 0;  ///< of the whole run
     int cells = 0;
 

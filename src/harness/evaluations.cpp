@@ -91,6 +91,7 @@ void fill_truth_facts(const ViewTruth& truth, Row& row) {
     row.contour_self_px = behind.self_px;
     row.truth_merged_px = static_cast<std::int64_t>(truth.traced.counts.merged_px);
     row.crowded_share = truth.traced.counts.crowded_share;
+    row.rounding_px = truth.traced.counts.rounding_px;
 }
 
 void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {

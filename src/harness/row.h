@@ -14,6 +14,7 @@
 #include "harness/frame_counts.h"
 #include "harness/line_scores.h"
 #include "raster/skips.h"
+#include "scene/precision/weld_tolerance.h"
 #include "score/attribution.h"
 #include "score/intersections.h"
 #include "score/score.h"
@@ -89,6 +90,7 @@ struct Row {
     std::int64_t truth_px = 0;
     std::int64_t truth_merged_px = 0;
     double crowded_share = 0;
+    double rounding_px = 0;  ///< that coordinates' rounding may move a vertex in the frame by
     std::int64_t triangles = 0;
     std::optional<LineScores> lines = std::nullopt;  ///< cracks, place, width and far positives
     double crease_deg = 40;                          ///< of the truth
@@ -104,6 +106,8 @@ struct Row {
     std::shared_ptr<const core::Provenance> provenance = {};
 
     [[nodiscard]] bool is_ok() const { return status == "ok"; }
+    /// Whether rounding of coordinates moves something in the view so far that it can be seen.
+    [[nodiscard]] bool shows_rounding() const { return rounding_px > scene::kUnseen_px; }
     /// Whether its counts at 2 px say something: it came out, and was scored.
     [[nodiscard]] bool is_scored() const { return is_ok() && f_2px.has_value(); }
 };

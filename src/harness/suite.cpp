@@ -82,9 +82,14 @@ std::vector<scene::Camera> choose_cameras(const scene::Scene& scene,
     const scene::Sphere bounds = scene::bounding_sphere(scene);
     if (!request.cameras.empty()) return asked_cameras(request, scene.origin, bounds);
     if (request.file_cameras && scene.cameras.empty()) {
-        throw core::Error(scene.name,
-                          "the file has no camera of its own",
-                          "--views N, or --eye X,Y,Z --target X,Y,Z");
+        const auto& parallel = scene.file.parallel_cameras;
+        throw core::Error(
+            scene.name,
+            parallel.empty()
+                ? "the file has no camera of its own"
+                : fmt::format("the file's camera '{}' is orthographic, which cannot be drawn",
+                              parallel.front()),
+            "--views N, or --eye X,Y,Z --target X,Y,Z");
     }
     const bool is_framed = request.fit || !request.objects.empty();
     if (request.orbit_count || is_framed) return orbit_of(scene, request);
@@ -148,6 +153,12 @@ void check_size(int width_px, int height_px) {
             fmt::format("no image can be {}x{} px", width_px, height_px),
             fmt::format("1..{} px a side, {} Mpx at most", kMaxSide_px, kMaxPixels >> 20));
     }
+}
+
+bool parse_seams(const std::string& seams, const std::string& where) {
+    if (seams == "objects" || seams == "materials") return seams == "materials";
+    throw core::Error(
+        where, fmt::format("there are no seams between '{}'", seams), "objects, materials");
 }
 
 scene::Scene load_scene(const std::string& what,

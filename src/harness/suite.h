@@ -81,6 +81,10 @@ struct SceneViews {
                                        const ViewRequest& request,
                                        const import::ImportLimits& limits = {});
 
+/// Whether `seams`, "objects" or "materials", lets seams stand between materials, too; throws
+/// core::Error (where = `where`) for other text.
+[[nodiscard]] bool parse_seams(const std::string& seams, const std::string& where);
+
 /// Throws core::Error (where = "--size") unless an image of this size can be drawn.
 void check_size(int width_px, int height_px);
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/progress.h"
+#include "scene/precision/weld_tolerance.h"
 #include "truth/cracks.h"
 #include "truth/curve_facts.h"
 #include "truth/label_image.h"
@@ -139,6 +140,10 @@ std::string truth_summary(const truth::Truth& truth) {
         n.merged_px,
         100 * n.crowded_share,
         truth.trace_s);
+    if (n.rounding_px > scene::kUnseen_px) {
+        text += fmt::format("rounding of coordinates may move what is seen by {:.2g} px\n",
+                            n.rounding_px);
+    }
     if (n.joined_vertices > 0) {
         text += fmt::format("the weld's epsilon joined {} vertices and collapsed {} triangles\n",
                             n.joined_vertices,

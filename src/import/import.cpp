@@ -246,7 +246,7 @@ scene::Scene import_scene(const std::filesystem::path& path,
     }
     check_reply(reply, claims, complain);
 
-    return scene_from_reply(std::move(reply), path, limits.triangles);
+    return scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
 }
 
 }  // namespace ink::import

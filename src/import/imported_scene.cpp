@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "import/origin.h"
+#include "scene/materials.h"
 
 namespace ink::import {
 namespace {
@@ -274,7 +275,8 @@ std::string printable(const std::string& text, std::size_t most) {
 
 scene::Scene scene_from_reply(ImportReply&& reply,
                               const std::filesystem::path& path,
-                              std::uint64_t most_triangles) {
+                              std::uint64_t most_triangles,
+                              bool material_seams) {
     const std::string where = path.string();
     check_indices(reply, where);
     scene::Scene scene;
@@ -306,6 +308,7 @@ scene::Scene scene_from_reply(ImportReply&& reply,
     UsableCameras usable = usable_cameras(reply.cameras, scene::bounding_sphere(scene));
     scene.cameras = std::move(usable.cameras);
     take_camera_motions(usable.motions, animation, scene, where);
+    if (material_seams) scene::split_materials(scene);
     return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "scene/precision/rounding.h"
 #include "truth/curve_facts.h"
 #include "truth/eye_scene.h"
 #include "truth/eye_view.h"
@@ -18,7 +19,10 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelImage& image) {
+TruthCounts counts_of(const Model& model,
+                      const scene::View& view,
+                      const TracedLines& lines,
+                      const LabelImage& image) {
     TruthCounts counts;
     counts.triangles = model.topology.counts.triangles;
     counts.degenerate = model.topology.counts.degenerate;
@@ -34,6 +38,7 @@ TruthCounts counts_of(const Model& model, const TracedLines& lines, const LabelI
     counts.contacts = model.crossings.contacts.size();
     counts.merged_px = image.merged_px;
     counts.crowded_share = image.crowded_share;
+    counts.rounding_px = scene::most_rounding_px(model.topology, view);
     return counts;
 }
 
@@ -55,7 +60,7 @@ Truth trace_truth(const Model& model, const scene::View& view, const TruthTrace&
     TracedLines lines = trace_lines(eye, scene, trace);
     lines.rays += fill_curve_facts(eye, scene, lines.curves, trace.threads);
     LabelImage image = draw_labels(lines.curves, view.width_px, view.height_px, model.crease_rad);
-    truth.counts = counts_of(model, lines, image);
+    truth.counts = counts_of(model, view, lines, image);
     truth.labels = std::move(image.labels);
     truth.below_crease = std::move(image.below_crease);
     truth.curves = std::move(lines.curves);

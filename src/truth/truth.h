@@ -52,6 +52,7 @@ struct TruthCounts {
     std::size_t crossings = 0;     ///< segments in which two triangles cross
     std::size_t contacts = 0;      ///< stretches of edges that lie in a triangle of others
     double crowded_share = 0;      ///< share of drawn truth pixels that fell under the ignore map
+    double rounding_px = 0;        ///< that coordinates' rounding may move a vertex in the frame by
 };
 
 /// The exact outline of a scene from a view.

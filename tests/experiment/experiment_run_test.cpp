@@ -235,6 +235,22 @@ TEST_F(ExperimentRun, RecordsWhatIsMissingWhenItIsCutShort) {
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n2,5\n2,6\n");
 }
 
+TEST_F(ExperimentRun, RecordsWhatThereIsToSayOfModels) {
+    Plan plan = counting_plan(1, runs_);
+    scene::Scene plain;
+    plan.add_model(plain);
+    EXPECT_TRUE(plan.models.empty());
+    scene::Scene far;
+    far.name = "far";
+    far.origin = {691000, 0, 5335000};
+    far.file.notes = {"a lamp"};
+    plan.add_model(far);
+    (void)run_experiment(plan, into("a"));
+    const auto record = read_record(folder_ / "a");
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->models, (std::vector<ModelFacts>{{"far", {691000, 0, 5335000}, {"a lamp"}}}));
+}
+
 TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
     (void)run_experiment(counting_plan(2, runs_), into("a"));
     const Plan other = counting_plan(3, runs_);

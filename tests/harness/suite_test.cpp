@@ -52,6 +52,36 @@ TEST(SceneViews, FileCamerasThatAreNotThereAreAnError) {
     EXPECT_THROW((void)make_scene_views(model(), request), core::Error);
 }
 
+TEST(SceneViews, ACameraOfTheUserStandsInTheFilesOwnCoordinates) {
+    scene::Scene far = model();
+    far.origin = {691000, 0, 5335000};
+    ViewRequest request;
+    request.cameras.push_back(
+        {{691000, 1, 5335010}, glm::dvec3(691000, 1, 5335000), {0, 1, 0}, std::nullopt});
+    const scene::Camera camera = make_scene_views(far, request).views[0].camera;
+    EXPECT_EQ(camera.eye_world, glm::dvec3(0, 1, 10));
+    EXPECT_EQ(camera.view_from_world, glm::dmat3(1)) << "it looks along -z";
+}
+
+TEST(SceneViews, AParallelCameraOfTheFileIsNamed) {
+    scene::Scene scene = model();
+    scene.file.parallel_cameras = {"front"};
+    ViewRequest request;
+    request.file_cameras = true;
+    try {
+        (void)make_scene_views(scene, request);
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("'front' is orthographic"));
+    }
+}
+
+TEST(SceneViews, SeamsStandBetweenObjectsOrMaterials) {
+    EXPECT_FALSE(parse_seams("objects", "--seams"));
+    EXPECT_TRUE(parse_seams("materials", "--seams"));
+    EXPECT_THROW((void)parse_seams("groups", "--seams"), core::Error);
+}
+
 TEST(Size, AbsurdSizesNameTheLimits) {
     for (const auto& [w, h] : {std::pair{0, 10}, {10, -1}, {100000, 100000}, {16384, 16384}}) {
         try {

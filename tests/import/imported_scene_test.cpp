@@ -130,6 +130,46 @@ TEST(ImportedScene, WrongNumberOfNormalsCountsAsNone) {
     EXPECT_TRUE(scene_from_reply(std::move(reply), "cube.obj", kMany).meshes[0].normals.empty());
 }
 
+TEST(ImportedScene, KeepsNamesOfAnyScript) {
+    ImportReply reply = cube_reply();
+    reply.instances[0].name = "\u5e73\u9762 Gr\u00f6\u00dfe\n\x1b[1m";
+    reply.animation_names = {"\xc3"};
+    reply.notes = {"two\nlines"};
+    reply.parallel_cameras = {"front"};
+    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    EXPECT_EQ(scene.instances[0].name, "\u5e73\u9762 Gr\u00f6\u00dfe ?[1m");
+    EXPECT_EQ(scene.file.animation_names.at(0), "?");
+    EXPECT_EQ(scene.file.notes.at(0), "two lines");
+    EXPECT_EQ(scene.file.parallel_cameras.at(0), "front");
+}
+
+TEST(ImportedScene, CutsNoCharacterInTwo) {
+    std::string umlauts;
+    for (int i = 0; i < 20; ++i)
+        umlauts += "\u00e4";
+    const std::string cut = printable(umlauts, 20);
+    EXPECT_EQ(cut.size(), 19U);
+    EXPECT_TRUE(cut.ends_with("\u00e4..."));
+    EXPECT_EQ(printable("\xed\xa0\x80 \xc0\x80 \xf4\x90\x80\x80", 80), "??? ?? ????")
+        << "no characters";
+}
+
+TEST(ImportedScene, PartsBecomeMaterialsOfTriangles) {
+    ImportReply reply = cube_reply();
+    reply.meshes[0].parts = {{0, 4, 0, 0}, {10, 5, 1, 0}};
+    ImportReply backwards = reply;
+    backwards.meshes[0].parts[0].first_triangle = 1;
+    ImportReply beyond = reply;
+    beyond.meshes[0].parts[1].first_triangle = 13;
+    EXPECT_EQ(complaint(backwards), "its reader put the parts of a mesh out of order");
+    EXPECT_EQ(complaint(beyond), "its reader put a part of a mesh behind its end");
+    ImportReply apart = reply;
+    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    EXPECT_EQ(scene.meshes[0].materials.at(9), 4U);
+    EXPECT_EQ(scene.meshes[0].materials.at(10), 5U);
+    EXPECT_EQ(scene_from_reply(std::move(apart), "cube.obj", kMany, true).instances.size(), 2U);
+}
+
 TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     ImportReply reply = cube_reply();

@@ -44,7 +44,7 @@ inline std::string file_bytes(const std::filesystem::path& path) {
 /// that the message is one printable line about the right file.
 inline std::string complaint(const std::filesystem::path& path, const ImportLimits& limits = {}) {
     try {
-        (void)import_scene(path, limits);
+        (void)import_scene(path, {}, limits);
     } catch (const core::Error& error) {
         EXPECT_EQ(error.where(), path.string());
         const std::string line = error.what();

@@ -99,6 +99,40 @@ TEST(Explain, TellsWhereACameraWouldStand) {
     EXPECT_EQ(json.at("place").at("cameras").size(), 3U);
 }
 
+TEST(Explain, ModelFarOutIsDrawnAsTheSameModelNearZero) {
+    const Desk desk;
+    const std::string faces = "f 1 2 3\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    desk.write("near.obj", "v 0.01 0 0\nv 1 0.02 0\nv 0 1 0.03\nv 0 0 1\n" + faces);
+    desk.write("far.obj",
+               "v 691000.01 0 5335000\nv 691001 0.02 5335000\nv 691000 1 5335000.03\n"
+               "v 691000 0 5335001\n" +
+                   faces);
+    const auto json =
+        nlohmann::json::parse(desk.run({"explain", "far.obj", "--json", "--views", "1"}).out);
+    EXPECT_EQ(json.at("place").at("origin"), nlohmann::json({691001, 0, 5335001}));
+    EXPECT_NEAR(json.at("place").at("box").at("high").at(0).get<double>(), 691001, 1e-6);
+    const Outcome outcome = desk.run({"explain", "far.obj", "--views", "1"});
+    EXPECT_THAT(outcome.out, HasSubstr("origin 691001,0,5335001, taken out"));
+    // Cameras are in the file's coordinates.
+    const auto draw = [&](const char* model, const char* eye, const char* target) {
+        EXPECT_EQ(desk.run({"draw",
+                            model,
+                            "--size",
+                            "160x90",
+                            "--eye",
+                            eye,
+                            "--target",
+                            target,
+                            "-o",
+                            "out.png"})
+                      .exit_code,
+                  0);
+        return desk.read("out.png");
+    };
+    EXPECT_EQ(draw("far.obj", "691003,2,5335004", "691000,0,5335000"),
+              draw("near.obj", "3,2,4", "0,0,0"));
+}
+
 TEST(Explain, ExplainsAModelFileToo) {
     const Desk desk;
     desk.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -98,5 +98,26 @@ TEST(IsCrease, ANeedleIsJudgedByTheBendItHas) {
     EXPECT_TRUE(creases(needle(1e-6F), k40)) << "45 degrees";
 }
 
+TEST(Rounding, OfAViewIsThatOfItsNearestVertex) {
+    const Scene scene = scene_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    Topology topology = weld(scene);
+    topology.rounding_world = {0, 0, 0.001};
+    View view{look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, std::numbers::pi / 2), 200, 200};
+    view.camera.near = 0.1;
+    // 200 px are 8 units high where the triangle stands.
+    EXPECT_NEAR(most_rounding_px(topology, view), 0.001 * 200 / 8, 1e-9);
+    view.camera = look_at({0, 0, 4}, {0, 0, 8}, {0, 1, 0}, std::numbers::pi / 2);
+    EXPECT_EQ(most_rounding_px(topology, view), 0) << "it is behind";
+}
+
+TEST(Rounding, OfTheFileCountsWhereItIsMore) {
+    Scene scene = scene_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    const double of_floats = weld(scene).rounding_world[1];
+    scene.meshes[0].rounding = 0.25;
+    EXPECT_LT(of_floats, 1e-6);
+    for (const double rounding : weld(scene).rounding_world)
+        EXPECT_GE(rounding, 0.25);
+}
+
 }  // namespace
 }  // namespace ink::scene

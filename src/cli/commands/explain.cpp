@@ -76,8 +76,9 @@ void run_explain(const ExplainArgs& args) {
     const harness::ViewRequest request = view_request(args.views);
     const std::string scene = one_scene(args.scene, "explain");
     const harness::SceneViews scene_views =
-        args.view.empty() ? harness::make_scene_views(harness::load_scene(scene), request)
-                          : harness::load_one_view(scene, args.view, request);
+        args.view.empty()
+            ? harness::make_scene_views(harness::load_scene(scene, request.model), request)
+            : harness::load_one_view(scene, args.view, request);
     const draw::Explanation explanation = draw::explain(scene_views, configs, args.crease_deg);
     if (args.json) {
         Json json = json_of(explanation);

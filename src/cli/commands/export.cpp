@@ -6,6 +6,7 @@
 #include "cli/commands/commands.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
+#include "cli/place.h"
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
@@ -91,8 +92,10 @@ void run_export(const ExportArgs& args) {
     const auto scenes = harness::load_scenes(names, view_request(args.views));
     harness::make_out_folder(args.out);
     std::string table = "scene,view,width,height,folder\n";
-    for (const harness::SceneViews& scene_views : scenes)
+    for (const harness::SceneViews& scene_views : scenes) {
+        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
         table += export_scene(args, scene_views, trace);
+    }
     core::write_whole_file(fs::path(args.out) / "views.csv", table);
     fmt::print("{}", table);
 }

@@ -8,6 +8,7 @@
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
+#include "cli/place.h"
 #include "core/error.h"
 #include "harness/interrupt.h"
 #include "harness/out_folder.h"
@@ -70,6 +71,7 @@ void run_timedemo(const TimedemoArgs& args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
+    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     if (!args.out.empty()) harness::make_out_folder(args.out);
     const harness::InterruptGuard guard;
     const auto frames = studies::run_timedemo(scene_views, options);

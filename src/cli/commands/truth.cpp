@@ -6,6 +6,7 @@
 #include "cli/commands/commands.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
+#include "cli/place.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/whole_file.h"
@@ -117,6 +118,7 @@ void run_truth(TruthArgs args) {
     }
     const harness::SceneViews scene_views =
         harness::load_one_view(one_scene(args.scene, "truth"), args.view, view_request(args.views));
+    print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     harness::report_progress(options.truth);
     truth::SceneModel model(scene_views.scene, options.truth);
     const harness::ViewTruth truth = traced_or_refused(model, scene_views.views.front(), options);

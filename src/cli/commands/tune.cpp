@@ -10,6 +10,7 @@
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
+#include "cli/place.h"
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/param.h"
@@ -158,8 +159,10 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     }
     const harness::ViewRequest request = view_request(args.views);
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
-    for (harness::SceneViews& scene_views : scenes)
+    for (harness::SceneViews& scene_views : scenes) {
+        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
         tune::add_training_views(scene_views, request, args.more_views);
+    }
     add_unseen(args, request, scenes, options);
     const tune::TuneResult result = tune::tune(scenes, options);
     if (result.is_interrupted) {

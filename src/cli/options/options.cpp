@@ -202,6 +202,19 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
         ->type_name("SECONDS");
     command.add_option("--frame", options.frame, "A stored frame's number, instead of --time")
         ->type_name("N");
+    command
+        .add_option("--animation",
+                    options.animation,
+                    "Which animation of a model file moves it (default: the first; inkbench "
+                    "explain names all)")
+        ->type_name("NAME|N");
+    command
+        .add_option("--seams",
+                    options.seams,
+                    "Where a smooth surface has seams: between objects of a model file, or "
+                    "between their materials, too")
+        ->type_name("objects|materials")
+        ->capture_default_str();
 }
 
 harness::ViewRequest view_request(const ViewOptions& options) {
@@ -225,6 +238,8 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     }
     request.time_s = options.time_s;
     request.frame = options.frame;
+    request.model.animation = options.animation;
+    request.model.material_seams = harness::parse_seams(options.seams, "--seams");
     return request;
 }
 

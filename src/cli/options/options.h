@@ -30,10 +30,12 @@ struct ViewOptions {
     std::string fit;  ///< "", "sphere" or "box"
     std::optional<double> margin;
     std::vector<std::string> objects;
+    std::string animation;
+    std::string seams = "objects";
 };
 
-/// Adds --size, --views, --fit, --margin, --object, --eye, --target, --up, --fov, --time and
-/// --frame to a command.
+/// Adds --size, --views, --fit, --margin, --object, --eye, --target, --up, --fov, --time, --frame,
+/// --animation and --seams to a command.
 void add_view_options(CLI::App& command, ViewOptions& options);
 
 /// What the options ask for. Throws core::Error (where = the option) for text that means nothing.

@@ -148,6 +148,9 @@ void write_obj(const scene::Scene& scene, const std::filesystem::path& path) {
     std::string text =
         fmt::format("# {}: world space, y up; objects in the order of their ids\n", scene.name);
     const auto out = std::back_inserter(text);
+    const glm::dvec3& o = scene.origin;
+    if (o != glm::dvec3(0))
+        fmt::format_to(out, "# origin {} {} {}: to be added to every place\n", o.x, o.y, o.z);
     std::size_t first = 1;
     for (const scene::Instance& instance : scene.instances) {
         const scene::Mesh& mesh = scene.meshes[instance.mesh];
@@ -173,6 +176,8 @@ void write_glb(const scene::Scene& scene, const std::filesystem::path& path) {
     GlbBuffer buffer;
     Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "inkbench"}}}, {"scene", 0}};
     const auto places = material_places(scene);
+    const glm::dvec3& o = scene.origin;
+    if (o != glm::dvec3(0)) gltf["asset"]["extras"] = {{"origin", {o.x, o.y, o.z}}};
     Json materials = Json::array();
     for (const auto& [number, place] : places) {
         materials.push_back({{"name", fmt::format("material_{}", number)},

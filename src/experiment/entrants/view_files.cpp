@@ -20,7 +20,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kDegPerRad = 180 / std::numbers::pi;
 
 constexpr const char* kConventions =
-    "World space is right-handed, y up. View space has its origin at the eye, x right, y up, and "
+    "World space is right-handed, y up; a place in it and the origin add up to the place in the "
+    "model's file. View space has its origin at the eye, x right, y up, and "
     "looks along -z. Matrices are by rows and take column vectors: p_view = view_from_world "
     "(p_world, 1). clip_from_view is OpenGL's: x, y and z divided by w lie in -1..1. Pixel (0, 0) "
     "is the upper left one and its centre is at (0.5, 0.5): x_px = (x/w + 1) width / 2, y_px = (1 "
@@ -75,6 +76,7 @@ std::string view_json(const scene::Scene& scene, const scene::View& view, const 
                        {"view", camera.name},
                        {"width_px", view.width_px},
                        {"height_px", view.height_px},
+                       {"origin", point(scene.origin)},
                        {"camera",
                         {{"eye", point(camera.eye_world)},
                          {"target", point(camera.eye_world - ahead * row(2))},

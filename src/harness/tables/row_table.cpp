@@ -152,6 +152,8 @@ void add_truth(RowTable& table) {
     row.part_if([](const Row& r) { return r.is_scored() || r.crowded_share > 0; })
         .add({"crowded_share", "0..1", "share of true pixels too dense to score"},
              &Row::crowded_share);
+    scored.add({"rounding_px", "px", "that rounding of coordinates may move a vertex in view by"},
+               &Row::rounding_px);
     row.add({"reference_disagreement",
              "0..1",
              "share of the lines that only truth or only cross-check has, 0.25 px, per class, "

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "draw/crosscheck_report.h"
@@ -212,12 +214,32 @@ std::string sample_warning(const char* baseline,
         core::format_share(exact->f_2px));
 }
 
+/// A warning that names the view in which rounding of coordinates shows most; empty if in none.
+std::string rounding_warning(const std::vector<harness::Row>& rows) {
+    const auto most = std::max_element(
+        rows.begin(), rows.end(), [](auto& a, auto& b) { return a.rounding_px < b.rounding_px; });
+    if (most == rows.end() || !most->shows_rounding()) return "";
+    std::set<std::pair<std::string, std::string>> views;
+    for (const harness::Row& row : rows)
+        if (row.shows_rounding()) views.insert({row.scene, row.view});
+    return fmt::format(
+        "Warning: in {} view{} rounding of coordinates may move lines visibly, by {:.2g} px in {} "
+        "of {}; a file with more digits, or nearer to its origin, has it right (`rounding_px` in "
+        "rows.csv).",
+        views.size(),
+        views.size() == 1 ? "" : "s",
+        most->rounding_px,
+        most->view,
+        most->scene);
+}
+
 /// What stands below the verdict's sentence, each a line of its own; may be empty.
 std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
                                   const std::vector<experiment::MethodSummary>& summaries) {
     return {sample_warning("sampled", rows, summaries),
             sample_warning("exact_corner", rows, summaries),
-            draw::crosscheck_sentence(rows)};
+            draw::crosscheck_sentence(rows),
+            rounding_warning(rows)};
 }
 
 /// As a Markdown list below a line of its own.

@@ -34,6 +34,20 @@ double half_ulp(const glm::vec3& p) {
            2;
 }
 
+double most_rounding_px(const Topology& topology, const View& view) {
+    const Projection projection(view);
+    double most_px = 0;
+    for (std::size_t v = 0; v < topology.p_world.size(); ++v) {
+        const glm::dvec3 p_clip = projection.to_clip(topology.p_world[v]);
+        const double w = p_clip.z;
+        const bool is_in_frame = w > view.camera.near && p_clip.x >= 0 && p_clip.y >= 0 &&
+                                 p_clip.x <= view.width_px * w && p_clip.y <= view.height_px * w;
+        if (!is_in_frame) continue;
+        most_px = std::max(most_px, topology.rounding_world[v] * projection.focal_px() / w);
+    }
+    return most_px;
+}
+
 double orient3d_doubt(const RoundedPoint& a,
                       const RoundedPoint& b,
                       const RoundedPoint& c,

@@ -14,6 +14,10 @@ namespace ink::scene {
 /// Half a unit in the last place of the largest coordinate.
 [[nodiscard]] double half_ulp(const glm::vec3& p);
 
+/// How far rounding (Topology::rounding_world) may have moved a vertex that the view has in its
+/// frame, before what hides it, the most of all. 0 where there is none. O(vertices).
+[[nodiscard]] double most_rounding_px(const Topology& topology, const View& view);
+
 /// A point and how far from it the meant one may lie, world units.
 struct RoundedPoint {
     glm::dvec3 p{0};
