@@ -16,6 +16,8 @@
 
 #include "core/error.h"
 #include "import/assimp_reader.h"
+#include "import/meshes/mesh_files.h"
+#include "import/other_formats.h"
 #include "import/quake_models.h"
 #include "import/scene_stream.h"
 #ifdef INK_IMPORT_FAULTS
@@ -77,6 +79,8 @@ ImportReply read_model(const std::filesystem::path& path, const ImportChoice& ch
 #endif
     try {
         if (auto reply = read_quake_model(path)) return std::move(*reply);
+        if (auto reply = read_mesh_file(path)) return std::move(*reply);
+        if (auto reply = refuse_other_format(path)) return std::move(*reply);
         return read_with_assimp(path, choice, 0);
     } catch (const core::Error& error) {
         ImportReply reply;

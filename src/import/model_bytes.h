@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -12,6 +13,17 @@
 #include "core/error.h"
 
 namespace ink::import {
+
+/// All bytes of a file; none of one that cannot be read.
+[[nodiscard]] std::vector<std::byte> bytes_of(const std::filesystem::path& path);
+/// Its first 4096 bytes, or as many as it has.
+[[nodiscard]] std::string head_of(const std::filesystem::path& path);
+
+/// A text without the mark (U+FEFF) that some writers put before UTF-8.
+[[nodiscard]] std::string_view without_mark(std::string_view text);
+
+/// ASCII letters made small.
+[[nodiscard]] std::string lower_case(std::string text);
 
 /// A foreign binary file, little endian, of which nothing is read that is not there.
 ///

@@ -1,0 +1,29 @@
+#include "import/meshes/mesh_reply.h"
+
+#include <utility>
+
+namespace ink::import {
+
+ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces) {
+    ImportReply reply;
+    mesh.triangles = triangles_of(faces, mesh.positions);
+    reply.instances.push_back({.mesh = 0, .name = mesh.name});
+    reply.meshes.push_back(std::move(mesh));
+    const std::size_t poor = count_without_area(faces);
+    if (poor > 0)
+        reply.notes.push_back(counted(poor, "face") + " of less than 3 corners: left out");
+    return reply;
+}
+
+ImportReply refused(std::string reason) {
+    ImportReply reply;
+    reply.status = ImportStatus::refused;
+    reply.reason = std::move(reason);
+    return reply;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
+}
+
+}  // namespace ink::import

@@ -1,0 +1,226 @@
+// Wavefront OBJ (Advanced Visualizer, appendix B1): what has an area.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <unordered_map>
+#include <utility>
+
+#include "import/meshes/line_words.h"
+#include "import/meshes/mesh_readers.h"
+#include "import/meshes/mesh_reply.h"
+#include "import/meshes/obj_parts.h"
+
+namespace ink::import {
+namespace {
+
+constexpr WordRules kObjRules{.comment = '#', .is_continued = true};
+
+// Statements by what they do here. All of them are in the specification; others are none.
+constexpr std::array<std::string_view, 5> kSurfaces{"surf", "bsp", "bzp", "cdp", "call"};
+constexpr std::array<std::string_view, 3> kCurves{"curv", "curv2", "cdc"};
+constexpr std::array<std::string_view, 29> kWithoutEffect{
+    "vt",       "vp",    "g",          "s",         "mg",     "mtllib", "usemap", "maplib",
+    "bevel",    "lod",   "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",   "step",
+    "parm",     "trim",  "hole",       "scrv",      "sp",     "end",    "con",    "ctech",
+    "c_interp", "stech", "d_interp",   "csh",       "res"};
+
+template <class List>
+bool holds(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// Numbers given to names as they come.
+class NameNumbers {
+  public:
+    std::uint32_t number_of(std::string_view name) {
+        const auto next = static_cast<std::uint32_t>(names_.size());
+        const auto [place, is_new] = numbers_.try_emplace(std::string(name), next);
+        if (is_new) names_.emplace_back(name);
+        return place->second;
+    }
+    [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+  private:
+    std::unordered_map<std::string, std::uint32_t> numbers_;
+    std::vector<std::string> names_;
+};
+
+/// The largest number of a kind that was used before it was there, if any, and where.
+struct Ahead {
+    std::uint64_t index = 0;
+    std::size_t line = 0;
+};
+
+/// What is said of lines that are left out.
+struct LeftOut {
+    std::size_t lines = 0;  ///< l, p, and faces of less than three corners
+    std::size_t curves = 0;
+    std::size_t unknown = 0;
+    std::size_t first_unknown_line = 0;
+};
+
+class ObjReader {
+  public:
+    ObjReader(std::string_view file, const std::string& name)
+        : words_(file, kObjRules), file_name_(name), object_(name) {}
+
+    ImportReply read();
+
+  private:
+    /// Whether the line is a surface: then its keyword is returned.
+    std::string_view read_line();
+    void read_position();
+    void read_face();
+    ObjCorner read_corner(std::string_view word);
+    std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
+    void begin_run();
+    [[nodiscard]] std::vector<std::string> notes() const;
+
+    LineWords words_;
+    std::string file_name_;
+    std::string object_;    ///< the current one's name
+    std::string material_;  ///< likewise
+    bool is_new_run_ = true;
+    NameNumbers objects_;
+    NameNumbers materials_;
+    ObjContent content_;
+    Ahead ahead_position_;
+    Ahead ahead_normal_;
+    LeftOut left_out_;
+};
+
+void ObjReader::read_position() {
+    glm::dvec3 p;
+    for (int axis = 0; axis < 3; ++axis)
+        p[axis] = words_.number("a vertex's coordinate");
+    content_.positions.push_back(p);  // a weight counts for curves only, a colour for nothing
+}
+
+/// The number from 0 that "7" or "-1" means, of `count` that are there so far.
+std::uint32_t ObjReader::read_index(std::string_view word, std::size_t count, Ahead& ahead) {
+    std::int64_t number = 0;
+    const char* last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), last, number);
+    if (error != std::errc{} || end != last)
+        words_.fail("a corner has the number " + quoted(word), "v, v/vt, v//vn or v/vt/vn");
+    const std::int64_t from_1 = number < 0 ? static_cast<std::int64_t>(count) + 1 + number : number;
+    if (from_1 < 1 || from_1 > 0xfffffffe) {
+        words_.fail(
+            "a corner has the number " + std::string(word),
+            count == 0 ? "numbers of vertices above"
+                       : "1.." + std::to_string(count) + ", or -" + std::to_string(count) + "..-1");
+    }
+    const auto index = static_cast<std::uint64_t>(from_1);
+    if (index > count && index > ahead.index) ahead = {index, words_.line()};
+    return static_cast<std::uint32_t>(index - 1);
+}
+
+ObjCorner ObjReader::read_corner(std::string_view word) {
+    const std::size_t first = std::min(word.find('/'), word.size());
+    ObjCorner corner;
+    corner.position = read_index(word.substr(0, first), content_.positions.size(), ahead_position_);
+    if (first == word.size()) return corner;
+    const std::size_t second = word.find('/', first + 1);
+    if (second == word.npos || second + 1 == word.size()) return corner;
+    corner.normal = read_index(word.substr(second + 1), content_.normals.size(), ahead_normal_);
+    return corner;
+}
+
+void ObjReader::begin_run() {
+    if (!std::exchange(is_new_run_, false)) return;
+    content_.runs.push_back(
+        {content_.ends.size(), objects_.number_of(object_), materials_.number_of(material_)});
+}
+
+void ObjReader::read_face() {
+    const std::size_t before = content_.corners.size();
+    for (std::string_view word = words_.word(); !word.empty(); word = words_.word())
+        content_.corners.push_back(read_corner(word));
+    if (content_.corners.size() < before + 3) {
+        content_.corners.resize(before);
+        ++left_out_.lines;
+        return;
+    }
+    begin_run();
+    content_.ends.push_back(content_.corners.size());
+}
+
+std::string_view ObjReader::read_line() {
+    const std::string_view keyword = words_.word();
+    if (keyword == "v") {
+        read_position();
+    } else if (keyword == "f" || keyword == "fo") {
+        read_face();
+    } else if (keyword == "vn") {
+        glm::vec3 normal;
+        for (int axis = 0; axis < 3; ++axis)
+            normal[axis] = static_cast<float>(words_.number("a normal's coordinate"));
+        content_.normals.push_back(normal);
+    } else if (keyword == "o") {
+        object_ = words_.rest();
+        if (object_.empty()) object_ = file_name_;
+        is_new_run_ = true;
+    } else if (keyword == "usemtl") {
+        material_ = words_.rest();
+        is_new_run_ = true;
+    } else if (holds(kSurfaces, keyword)) {
+        return keyword;
+    } else if (keyword == "l" || keyword == "p") {
+        ++left_out_.lines;
+    } else if (holds(kCurves, keyword)) {
+        ++left_out_.curves;
+    } else if (!holds(kWithoutEffect, keyword)) {
+        if (left_out_.unknown++ == 0) left_out_.first_unknown_line = words_.line();
+    }
+    return {};
+}
+
+std::vector<std::string> ObjReader::notes() const {
+    std::vector<std::string> notes;
+    if (left_out_.lines > 0)
+        notes.push_back(counted(left_out_.lines, "line") +
+                        " of the file with lines or points: "
+                        "left out");
+    if (left_out_.curves > 0) notes.push_back(counted(left_out_.curves, "curve") + ": left out");
+    if (left_out_.unknown > 0) {
+        notes.push_back(counted(left_out_.unknown, "line") +
+                        " that OBJ does not know, first line " +
+                        std::to_string(left_out_.first_unknown_line) + ": left out");
+    }
+    return notes;
+}
+
+void check_ahead(const Ahead& ahead, std::size_t count, const char* what) {
+    if (ahead.index <= count) return;
+    LineWords::fail_at(ahead.line,
+                       "a corner has the " + std::string(what) + ' ' + std::to_string(ahead.index),
+                       count == 0 ? "a file with some" : "1.." + std::to_string(count));
+}
+
+ImportReply ObjReader::read() {
+    while (words_.next_line()) {
+        const std::string_view surface = read_line();
+        if (surface.empty()) continue;
+        return refused("line " + std::to_string(words_.line()) + ": \"" + std::string(surface) +
+                       "\" is a surface that is not of triangles, which is not read: export the "
+                       "model as polygons");
+    }
+    check_ahead(ahead_position_, content_.positions.size(), "vertex");
+    check_ahead(ahead_normal_, content_.normals.size(), "normal");
+    content_.objects = objects_.names();
+    ImportReply reply;
+    reply.meshes = meshes_of(content_);
+    for (std::uint32_t m = 0; m < reply.meshes.size(); ++m)
+        reply.instances.push_back({.mesh = m, .name = reply.meshes[m].name});
+    reply.notes = notes();
+    return reply;
+}
+
+}  // namespace
+
+ImportReply read_obj(std::string_view file, const std::string& name) {
+    return ObjReader(file, name).read();
+}
+
+}  // namespace ink::import

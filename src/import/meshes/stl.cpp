@@ -1,0 +1,186 @@
+// STL (stereolithography), text and binary.
+
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "import/meshes/line_words.h"
+#include "import/meshes/mesh_readers.h"
+#include "import/meshes/mesh_reply.h"
+
+namespace ink::import {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kFacetBytes = 50;
+
+/// Triangles that share no vertex, with a normal each.
+struct Facets {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::vec3> normals;
+
+    void add(const glm::vec3& normal, const std::array<glm::dvec3, 3>& corners) {
+        for (const glm::dvec3& p : corners) {
+            positions.push_back(p);
+            normals.push_back(normal);
+        }
+    }
+};
+
+ImportReply reply_of_facets(Facets facets, bool are_floats, const std::string& name) {
+    ImportReply reply;
+    ImportedMesh mesh;
+    mesh.name = name;
+    mesh.are_floats = are_floats;
+    mesh.positions = std::move(facets.positions);
+    mesh.normals = std::move(facets.normals);
+    mesh.triangles.reserve(mesh.positions.size() / 3);
+    for (std::uint32_t v = 0; v + 2 < mesh.positions.size(); v += 3)
+        mesh.triangles.push_back({v, v + 1, v + 2});
+    reply.instances.push_back({.mesh = 0, .name = name});
+    reply.meshes.push_back(std::move(mesh));
+    return reply;
+}
+
+std::uint64_t facet_count(std::string_view file) {
+    std::uint32_t count = 0;
+    std::memcpy(&count, file.data() + kHeaderBytes - sizeof count, sizeof count);
+    return count;
+}
+
+/// Bytes behind the last facet are left alone: writers add their own there.
+ImportReply read_binary(std::string_view file, const std::string& name) {
+    if (file.size() < kHeaderBytes) {
+        throw core::Error("",
+                          "the file is neither STL text nor long enough for binary STL",
+                          "a text that begins with \"solid\" and \"facet\", or " +
+                              std::to_string(kHeaderBytes) + " bytes and more");
+    }
+    const std::uint64_t count = facet_count(file);
+    const std::uint64_t bytes = kHeaderBytes + count * kFacetBytes;
+    if (bytes > file.size()) {
+        throw core::Error("",
+                          "the file is cut short: its header promises " + std::to_string(bytes) +
+                              " bytes, it has " + std::to_string(file.size()),
+                          "a whole, valid model file");
+    }
+    if (count > 0x7fffffffU / 3) throw core::Error("", "too many facets", "up to 715827882");
+    Facets facets;
+    facets.positions.reserve(3 * count);
+    facets.normals.reserve(3 * count);
+    for (const char* at = file.data() + kHeaderBytes; at != file.data() + bytes;
+         at += kFacetBytes) {
+        std::array<glm::vec3, 4> facet;
+        static_assert(sizeof facet == 48);
+        std::memcpy(facet.data(), at, sizeof facet);
+        facets.add(facet[0], {facet[1], facet[2], facet[3]});
+    }
+    return reply_of_facets(std::move(facets), true, name);
+}
+
+void expect(LineWords& words, std::string_view keyword) {
+    if (words.is_line_over() && !words.next_line()) {
+        throw core::Error("",
+                          "the file is cut short: it ends inside a solid",
+                          "\"endsolid\" at the end of each solid");
+    }
+    const std::string_view word = words.word();
+    if (is_same_word(word, keyword)) return;
+    words.fail(quoted(word) + " stands where " + quoted(keyword) + " belongs",
+               "a facet of three "
+               "vertices");
+}
+
+/// A normal's number. Some writers put words such as 1.#QNAN there, which say that there is none.
+float normal_number(LineWords& words) {
+    const std::string_view word = words.word();
+    float value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool is_number = error == std::errc{} && end == word.data() + word.size();
+    if (word.empty()) words.fail("a normal has less than three numbers", "three numbers");
+    return is_number ? value : std::numeric_limits<float>::quiet_NaN();
+}
+
+void read_facet(LineWords& words, Facets& facets) {
+    expect(words, "normal");
+    glm::vec3 normal;
+    for (int axis = 0; axis < 3; ++axis)
+        normal[axis] = normal_number(words);
+    expect(words, "outer");
+    expect(words, "loop");
+    std::array<glm::dvec3, 3> corners{};
+    for (glm::dvec3& p : corners) {
+        expect(words, "vertex");
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] = words.number("a vertex's coordinate");
+    }
+    expect(words, "endloop");
+    expect(words, "endfacet");
+    facets.add(normal, corners);
+}
+
+/// The facets up to "endsolid".
+void read_solid(LineWords& words, Facets& facets) {
+    while (true) {
+        if (words.is_line_over() && !words.next_line()) {
+            throw core::Error("",
+                              "the file is cut short: its end mark is missing",
+                              "\"endsolid\" at the end of each solid");
+        }
+        const std::string_view word = words.word();
+        if (is_same_word(word, "endsolid")) return (void)words.rest();
+        if (!is_same_word(word, "facet"))
+            words.fail(quoted(word) + " stands between facets", "facet or endsolid");
+        read_facet(words, facets);
+    }
+}
+
+ImportReply read_text(std::string_view file, const std::string& name) {
+    LineWords words(file);
+    Facets facets;
+    std::vector<std::string> names;
+    while (words.next_line()) {
+        const std::string_view word = words.word();
+        // A text from DOS may end with its end mark.
+        if (!names.empty() && word.find_first_not_of('\x1a') == word.npos) continue;
+        if (!is_same_word(word, "solid"))
+            words.fail(quoted(word) + " stands outside of a solid", "solid");
+        const std::size_t before = facets.positions.size();
+        const std::string solid(words.rest());
+        read_solid(words, facets);
+        if (facets.positions.size() > before) names.push_back(solid);
+    }
+    const bool is_named = names.size() == 1 && !names.front().empty();
+    return reply_of_facets(std::move(facets), false, is_named ? names.front() : name);
+}
+
+}  // namespace
+
+bool is_stl_text(std::string_view file) {
+    LineWords words(file);
+    if (!words.next_line() || !is_same_word(words.word(), "solid")) return false;
+    // A binary file may begin with "solid", too; its second line, if any, is no facet.
+    if (!words.next_line()) return false;
+    const std::string_view word = words.word();
+    return is_same_word(word, "facet") || is_same_word(word, "endsolid");
+}
+
+bool is_binary_stl(std::string_view file) {
+    if (file.size() < kHeaderBytes) return false;
+    const std::uint64_t bytes = kHeaderBytes + facet_count(file) * kFacetBytes;
+    if (bytes == file.size()) return true;
+    return bytes < file.size() && !is_stl_text(file);
+}
+
+ImportReply read_stl(std::string_view file, const std::string& name) {
+    // What is neither: letters alone were meant as text.
+    const bool has_zero_byte = file.substr(0, kHeaderBytes).find('\0') != file.npos;
+    const bool is_text = !is_binary_stl(file) && (is_stl_text(file) || !has_zero_byte);
+    return is_text ? read_text(file, name) : read_binary(file, name);
+}
+
+}  // namespace ink::import

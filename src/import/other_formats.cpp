@@ -1,0 +1,76 @@
+#include "import/other_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "import/meshes/mesh_reply.h"
+#include "import/model_bytes.h"
+
+namespace ink::import {
+namespace {
+
+using Words = std::string_view;
+
+struct OtherFormat {
+    Words name;
+    Words mark;     ///< its first bytes; empty: it has none that is its own
+    Words endings;  ///< each between blanks
+};
+
+// Blender's and IFC's readers in Assimp leave out what they do not know and say nothing.
+constexpr std::array<OtherFormat, 22> kOtherFormats{{
+    {"an IFC file (building)", "", " .ifc .ifczip .ifcxml "},
+    {"a STEP file (CAD)", "ISO-10303-21", " .step .stp .p21 .stpz .stpx "},
+    {"an IGES file (CAD)", "", " .iges .igs "},
+    {"a USD file", "PXR-USDC", " .usd .usdc .usdz "},
+    {"a USD file", "#usda", " .usda "},
+    {"a Blender file", "BLENDER", " .blend "},
+    {"a Rhino file", "3D Geometry File Format", " .3dm "},
+    {"a Parasolid file (CAD)", "**ABCDEFGHIJKLMNOPQRSTUVWXYZ", " .x_t .x_b .xmt_txt .xmt_bin "},
+    {"an Open CASCADE shape (CAD)", "DBRep_DrawableShape", " .brep .brp "},
+    {"an Open CASCADE shape (CAD)", "\nCASCADE Topology", " "},
+    {"an Alembic file", "Ogawa", " .abc "},
+    {"a Maya file", "//Maya ASCII", " .ma .mb "},
+    {"a JT file (CAD)", "Version 8", " .jt "},
+    {"a JT file (CAD)", "Version 9", " "},
+    {"a JT file (CAD)", "Version 10", " "},
+    {"a DWG drawing", "AC10", " .dwg .dgn "},
+    {"a 3ds Max scene", "", " .max "},
+    {"a SketchUp file", "", " .skp "},
+    {"a Cinema 4D file", "", " .c4d "},
+    {"an ACIS file (CAD)", "", " .sat .sab .asat .asab "},
+    {"a CAD part or assembly",
+     "",
+     " .sldprt .sldasm .ipt .iam .catpart .catproduct .prt .f3d .fcstd "},
+    {"an OpenSCAD program", "", " .scad "},
+}};
+
+bool is_ifc(Words head) {
+    const std::size_t schema = head.find("FILE_SCHEMA");
+    return schema != head.npos && head.substr(schema, 80).find("IFC") != head.npos;
+}
+
+ImportReply refusal_of(Words name) {
+    return refused("is " + std::string(name) +
+                   ", which is not read: export it as glTF, STL, OBJ or PLY");
+}
+
+}  // namespace
+
+std::optional<ImportReply> refuse_other_format(const std::filesystem::path& path) {
+    const std::string head = head_of(path);
+    Words text = without_mark(head);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+    const std::string ending = ' ' + lower_case(path.extension().string()) + ' ';
+    for (const OtherFormat& format : kOtherFormats) {
+        if (format.mark.empty() || !text.starts_with(format.mark)) continue;
+        return refusal_of(is_ifc(head) ? kOtherFormats.front().name : format.name);
+    }
+    for (const OtherFormat& format : kOtherFormats)
+        if (ending.size() > 2 && format.endings.find(ending) != Words::npos)
+            return refusal_of(format.name);
+    return std::nullopt;
+}
+
+}  // namespace ink::import
