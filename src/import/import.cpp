@@ -16,7 +16,6 @@
 
 #include "core/error.h"
 #include "import/child_process.h"
-#include "import/file_claims.h"
 #include "import/imported_scene.h"
 #include "import/scene_stream.h"
 
@@ -25,12 +24,10 @@ namespace {
 
 constexpr const char* kChildName = "inkbench_import";
 constexpr const char* kSomeFormats =
-    ".obj, .ply, .stl, .off, .3ds, .glb, .gltf, .fbx, .dae, .md2, .md3, .mdl and others that "
-    "Assimp reads";
+    ".gltf, .glb, .obj, .ply, .stl, .off, .3ds, .fbx, .dae, .md2, .md3, .mdl and others, listed in "
+    "src/import/README.md";
 constexpr const char* kWholeFile = "a whole, valid model file";
 constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
-constexpr std::size_t kHeadBytes = 64 << 10;
-constexpr std::size_t kTailBytes = 4 << 10;
 constexpr std::size_t kMostReasonChars = 160;
 
 /// Throws about one file.
@@ -45,12 +42,6 @@ class Complaint {
     std::string where_;
 };
 
-std::string lower_case(std::string text) {
-    for (char& c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 std::string with_unit(std::uint64_t bytes) {
     constexpr std::array kUnits{"bytes", "KiB", "MiB", "GiB"};
     std::size_t unit = 0;
@@ -60,8 +51,8 @@ std::string with_unit(std::uint64_t bytes) {
     return fmt::format("{:.4g} {}", amount, kUnits[unit]);
 }
 
-/// The file's size, if it is one that can be read at all.
-std::uint64_t readable_size(const std::filesystem::path& path, const Complaint& complain) {
+/// Throws unless the file is one that can be read at all.
+void check_file(const std::filesystem::path& path, const Complaint& complain) {
     // Without O_NONBLOCK the opening of a pipe would wait for its writer.
     const int fd = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (fd < 0) {
@@ -74,53 +65,6 @@ std::uint64_t readable_size(const std::filesystem::path& path, const Complaint& 
     if (is_known && S_ISDIR(status.st_mode)) complain("is a folder", "the path of a model file");
     if (!is_known || !S_ISREG(status.st_mode)) complain("is not a regular file");
     if (status.st_size == 0) complain("the file is empty", kSomeFormats);
-    return static_cast<std::uint64_t>(status.st_size);
-}
-
-/// The number of lines, the last one counted even without its end.
-std::uint64_t count_lines(std::ifstream& file) {
-    file.clear();
-    file.seekg(0);
-    std::uint64_t lines = 0;
-    std::vector<char> block(kHeadBytes);
-    char last = '\n';
-    while (file.read(block.data(), static_cast<std::streamsize>(block.size())) ||
-           file.gcount() > 0) {
-        const auto end = block.begin() + file.gcount();
-        lines += static_cast<std::uint64_t>(std::count(block.begin(), end, '\n'));
-        last = *(end - 1);
-    }
-    return lines + (last == '\n' ? 0 : 1);
-}
-
-std::vector<std::byte> read_at(std::ifstream& file, std::uint64_t offset, std::size_t most) {
-    std::vector<std::byte> bytes(most);
-    file.clear();
-    file.seekg(static_cast<std::streamoff>(offset));
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(most));
-    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-    return bytes;
-}
-
-/// What the header promises; throws at once if the file is too short for it.
-FileClaims claims_of(const std::filesystem::path& path, const Complaint& complain) {
-    const std::uint64_t size = readable_size(path, complain);
-    std::ifstream file(path, std::ios::binary);
-    const auto head = read_at(file, 0, kHeadBytes);
-    const auto tail = read_at(file, size > kTailBytes ? size - kTailBytes : 0, kTailBytes);
-    const FileClaims claims = read_claims(head, tail, size, lower_case(path.extension().string()));
-    if (claims.bytes && size < *claims.bytes) {
-        complain(fmt::format("the file is cut short: its header promises {} bytes, it has {}",
-                             *claims.bytes,
-                             size),
-                 kWholeFile);
-    }
-    if (claims.lines && count_lines(file) < *claims.lines) {
-        complain(fmt::format("the file is cut short: its header promises {} lines", *claims.lines),
-                 kWholeFile);
-    }
-    if (claims.ends_early) complain("the file is cut short: its end mark is missing", kWholeFile);
-    return claims;
 }
 
 std::filesystem::path find_child(const ImportLimits& limits) {
@@ -190,8 +134,8 @@ ImportReply reply_of(const ChildOutcome& outcome,
     return std::move(*reply);
 }
 
-/// Throws unless the reply holds a scene with all that the file's header promised.
-void check_reply(const ImportReply& reply, const FileClaims& claims, const Complaint& complain) {
+/// Throws unless the reply holds a scene.
+void check_reply(const ImportReply& reply, const ImportLimits& limits, const Complaint& complain) {
     switch (reply.status) {
         case ImportStatus::unknown_format:
             complain("is not a kind of model file that can be read", kSomeFormats);
@@ -206,20 +150,10 @@ void check_reply(const ImportReply& reply, const FileClaims& claims, const Compl
         case ImportStatus::refused:
             complain(printable(reply.reason, kMostReasonChars));
         case ImportStatus::out_of_memory:
+            complain(fmt::format("reading it takes more memory than {}",
+                                 with_unit(limits.memory_bytes)));
         case ImportStatus::scene:
             break;
-    }
-    if (claims.vertices && reply.vertices_read < *claims.vertices) {
-        complain(fmt::format("only {} of the {} vertices in its header could be read",
-                             reply.vertices_read,
-                             *claims.vertices),
-                 kWholeFile);
-    }
-    if (claims.faces && reply.faces_read < *claims.faces) {
-        complain(fmt::format("only {} of the {} faces in its header could be read",
-                             reply.faces_read,
-                             *claims.faces),
-                 kWholeFile);
     }
 }
 
@@ -229,7 +163,7 @@ scene::Scene import_scene(const std::filesystem::path& path,
                           const ModelChoice& choice,
                           const ImportLimits& limits) {
     const Complaint complain(path);
-    const FileClaims claims = claims_of(path, complain);
+    check_file(path, complain);
     const std::filesystem::path child = find_child(limits);
     std::vector<std::string> arguments{path.string()};
     if (!choice.animation.empty()) arguments.push_back(choice.animation);
@@ -240,12 +174,7 @@ scene::Scene import_scene(const std::filesystem::path& path,
                                       .output_bytes = limits.output_bytes});
     ImportReply reply = reply_of(outcome, complain, limits);
     outcome.output = {};
-    if (reply.status == ImportStatus::out_of_memory) {
-        complain(
-            fmt::format("reading it takes more memory than {}", with_unit(limits.memory_bytes)));
-    }
-    check_reply(reply, claims, complain);
-
+    check_reply(reply, limits, complain);
     return scene_from_reply(std::move(reply), path, limits.triangles, choice.material_seams);
 }
 

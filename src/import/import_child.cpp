@@ -15,10 +15,12 @@
 #include <new>
 
 #include "core/error.h"
-#include "import/assimp_reader.h"
+#include "import/assimp/assimp_reader.h"
+#include "import/file_length.h"
 #include "import/meshes/mesh_files.h"
 #include "import/other_formats.h"
 #include "import/quake_models.h"
+#include "import/refusal.h"
 #include "import/scene_stream.h"
 #ifdef INK_IMPORT_FAULTS
 #include "import/import_faults.h"
@@ -70,6 +72,14 @@ void prepare_output() {
     std::set_new_handler(answer_out_of_memory);
 }
 
+ImportReply answer(ImportStatus status, const core::Error& error) {
+    ImportReply reply;
+    reply.status = status;
+    reply.reason = error.what_happened();
+    if (!error.accepted().empty()) reply.reason += " (accepted: " + error.accepted() + ")";
+    return reply;
+}
+
 /// By our own readers what they know, all else by Assimp.
 ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {
 #ifdef INK_IMPORT_FAULTS
@@ -78,15 +88,15 @@ ImportReply read_model(const std::filesystem::path& path, const ImportChoice& ch
         return read_with_assimp(path, choice, std::atoi(frame));
 #endif
     try {
+        check_length(path);
         if (auto reply = read_quake_model(path)) return std::move(*reply);
         if (auto reply = read_mesh_file(path)) return std::move(*reply);
-        if (auto reply = refuse_other_format(path)) return std::move(*reply);
+        refuse_other_format(path);
         return read_with_assimp(path, choice, 0);
+    } catch (const Refusal& refusal) {
+        return answer(ImportStatus::refused, refusal);
     } catch (const core::Error& error) {
-        ImportReply reply;
-        reply.status = ImportStatus::damaged;
-        reply.reason = error.what_happened() + " (accepted: " + error.accepted() + ")";
-        return reply;
+        return answer(ImportStatus::damaged, error);
     }
 }
 

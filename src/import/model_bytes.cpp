@@ -30,6 +30,22 @@ std::string_view without_mark(std::string_view text) {
     return text;
 }
 
+bool is_utf16(std::string_view head) {
+    if (head.starts_with("\xff\xfe") || head.starts_with("\xfe\xff")) return true;
+    head = head.substr(0, 64);
+    if (head.size() < 8) return false;
+    const auto is_half = [&](std::size_t zero) {  // of the pair, which byte is zero
+        for (std::size_t i = 0; i + 1 < head.size(); i += 2) {
+            const char letter = head[i + 1 - zero];
+            const bool is_ascii =
+                (letter >= ' ' && letter <= '~') || (letter >= '\t' && letter <= '\r');
+            if (head[i + zero] != '\0' || !is_ascii) return false;
+        }
+        return true;
+    };
+    return is_half(0) || is_half(1);
+}
+
 std::string lower_case(std::string text) {
     for (char& c : text)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -22,6 +22,10 @@ namespace ink::import {
 /// A text without the mark (U+FEFF) that some writers put before UTF-8.
 [[nodiscard]] std::string_view without_mark(std::string_view text);
 
+/// Whether a file's first bytes are UTF-16: by its mark, or because they are ASCII with a zero byte
+/// to each.
+[[nodiscard]] bool is_utf16(std::string_view head);
+
 /// ASCII letters made small.
 [[nodiscard]] std::string lower_case(std::string text);
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "import/meshes/mesh_reply.h"
 #include "import/model_bytes.h"
+#include "import/refusal.h"
 
 namespace ink::import {
 namespace {
@@ -19,7 +19,7 @@ struct OtherFormat {
 };
 
 // Blender's and IFC's readers in Assimp leave out what they do not know and say nothing.
-constexpr std::array<OtherFormat, 22> kOtherFormats{{
+constexpr std::array<OtherFormat, 24> kOtherFormats{{
     {"an IFC file (building)", "", " .ifc .ifczip .ifcxml "},
     {"a STEP file (CAD)", "ISO-10303-21", " .step .stp .p21 .stpz .stpx "},
     {"an IGES file (CAD)", "", " .iges .igs "},
@@ -37,13 +37,15 @@ constexpr std::array<OtherFormat, 22> kOtherFormats{{
     {"a JT file (CAD)", "Version 10", " "},
     {"a DWG drawing", "AC10", " .dwg .dgn "},
     {"a 3ds Max scene", "", " .max "},
-    {"a SketchUp file", "", " .skp "},
+    {"a SketchUp file", "\xff\xfe\xff\x0eS", " .skp "},
     {"a Cinema 4D file", "", " .c4d "},
     {"an ACIS file (CAD)", "", " .sat .sab .asat .asab "},
     {"a CAD part or assembly",
      "",
      " .sldprt .sldasm .ipt .iam .catpart .catproduct .prt .f3d .fcstd "},
     {"an OpenSCAD program", "", " .scad "},
+    {"a VRML file", "#VRML", " .wrl .vrml .wrz "},
+    {"a Model 3D file", "3DMO", " .m3d .a3d "},
 }};
 
 bool is_ifc(Words head) {
@@ -51,26 +53,27 @@ bool is_ifc(Words head) {
     return schema != head.npos && head.substr(schema, 80).find("IFC") != head.npos;
 }
 
-ImportReply refusal_of(Words name) {
-    return refused("is " + std::string(name) +
-                   ", which is not read: export it as glTF, STL, OBJ or PLY");
+[[noreturn]] void refuse(Words name) {
+    throw Refusal("",
+                  "is " + std::string(name) + ", which is not read",
+                  "an export of it as glTF, STL, OBJ or PLY");
 }
 
 }  // namespace
 
-std::optional<ImportReply> refuse_other_format(const std::filesystem::path& path) {
+void refuse_other_format(const std::filesystem::path& path) {
     const std::string head = head_of(path);
     Words text = without_mark(head);
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+    if (is_utf16(head) && !text.starts_with("\xff\xfe\xff\x0eS"))
+        throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
     const std::string ending = ' ' + lower_case(path.extension().string()) + ' ';
     for (const OtherFormat& format : kOtherFormats) {
         if (format.mark.empty() || !text.starts_with(format.mark)) continue;
-        return refusal_of(is_ifc(head) ? kOtherFormats.front().name : format.name);
+        refuse(is_ifc(head) ? kOtherFormats.front().name : format.name);
     }
     for (const OtherFormat& format : kOtherFormats)
-        if (ending.size() > 2 && format.endings.find(ending) != Words::npos)
-            return refusal_of(format.name);
-    return std::nullopt;
+        if (ending.size() > 2 && format.endings.find(ending) != Words::npos) refuse(format.name);
 }
 
 }  // namespace ink::import

@@ -31,16 +31,20 @@ constexpr Target kTargets[] = {
     {"entrant_image", check_entrant_image},
     {"entrant_times", check_entrant_times},
     {"experiment", check_experiment},
-    {"file_claims", check_file_claims},
     {"kept_truth", check_kept_truth},
     {"matching", check_matching},
     {"mesh_pass", check_mesh_pass},
+    {"obj", check_obj},
+    {"off", check_off},
+    {"ply", check_ply},
     {"predicates", check_predicates},
     {"preset", check_preset},
     {"quake_models", check_quake_models},
     {"rasterizer", check_rasterizer},
+    {"scene_cameras", check_scene_cameras},
     {"scene_stream", check_scene_stream},
     {"score", check_score},
+    {"stl", check_stl},
 };
 
 std::set<fs::path> corpus_of(const std::string& target) {

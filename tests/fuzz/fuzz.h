@@ -78,15 +78,19 @@ void check_cameras_3ds(Bytes bytes);
 void check_entrant_image(Bytes bytes);
 void check_entrant_times(Bytes bytes);
 void check_experiment(Bytes bytes);
-void check_file_claims(Bytes bytes);
 void check_kept_truth(Bytes bytes);
 void check_matching(Bytes bytes);
 void check_mesh_pass(Bytes bytes);
+void check_obj(Bytes bytes);
+void check_off(Bytes bytes);
+void check_ply(Bytes bytes);
 void check_predicates(Bytes bytes);
 void check_preset(Bytes bytes);
 void check_quake_models(Bytes bytes);
 void check_rasterizer(Bytes bytes);
+void check_scene_cameras(Bytes bytes);
 void check_scene_stream(Bytes bytes);
 void check_score(Bytes bytes);
+void check_stl(Bytes bytes);
 
 }  // namespace ink::fuzz

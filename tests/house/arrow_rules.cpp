@@ -92,7 +92,7 @@ const std::vector<LibraryRule>& library_rules() {
     static const std::vector<LibraryRule> rules = {
         {"Embree", "embree", {"bench/"}, 1},
         {"OpenImageIO", "OpenImageIO/", {}, 1},
-        {"Assimp", "assimp/", {}, 1},
+        {"Assimp", "assimp/", {"src/import/assimp/"}, 0},
         {"OpenCV", "opencv2/", {"src/score/", "src/draw/", "methods/", "tests/", "bench/"}, 0},
         {"CLI11", "CLI/", {"src/cli/"}, 0},
         {"pybind11", "pybind11/", {"src/python/"}, 0},

@@ -6,22 +6,11 @@
 #include <string_view>
 
 #include "import/meshes/mesh_readers.h"
-#include "import/meshes/mesh_reply.h"
 #include "import/model_bytes.h"
+#include "import/refusal.h"
 
 namespace ink::import {
 namespace {
-
-/// By its mark, or because every second byte at its start is zero.
-bool is_utf16(std::string_view file) {
-    if (file.starts_with("\xff\xfe") || file.starts_with("\xfe\xff")) return true;
-    constexpr std::size_t kLooked = 32;
-    std::array<std::size_t, 2> zeros{};
-    for (std::size_t i = 0; i < std::min(file.size(), kLooked); ++i)
-        zeros[i % 2] += file[i] == '\0' ? 1 : 0;
-    return file.size() >= 4 && zeros[0] + zeros[1] == std::min(file.size(), kLooked) / 2 &&
-           (zeros[0] == 0 || zeros[1] == 0);
-}
 
 bool is_ply(std::string_view file) {
     return file.starts_with("ply\n") || file.starts_with("ply\r") || file.starts_with("ply ");
@@ -48,7 +37,7 @@ std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
     const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const std::string name = path.stem().string();
     if (reader == read_stl && is_binary_stl(file)) return reader(file, name);
-    if (is_utf16(file)) return refused("is UTF-16 text, which is not read: save it as UTF-8");
+    if (is_utf16(file)) throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
     if (reader == read_obj && head.find('\0') != head.npos) {
         ImportReply reply;
         reply.status = ImportStatus::wrong_content;

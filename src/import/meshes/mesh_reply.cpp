@@ -15,13 +15,6 @@ ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces) {
     return reply;
 }
 
-ImportReply refused(std::string reason) {
-    ImportReply reply;
-    reply.status = ImportStatus::refused;
-    reply.reason = std::move(reason);
-    return reply;
-}
-
 std::string counted(std::size_t count, std::string_view what) {
     return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
 }

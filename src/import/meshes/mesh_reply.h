@@ -12,10 +12,6 @@ namespace ink::import {
 /// without three corners are left out with a note.
 [[nodiscard]] ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces);
 
-/// What a reader answers that knows a file and does not take it: `reason` says what it is and what
-/// to do.
-[[nodiscard]] ImportReply refused(std::string reason);
-
 /// "1 line", "2 lines".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view what);
 

@@ -10,6 +10,7 @@
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/mesh_reply.h"
 #include "import/meshes/obj_parts.h"
+#include "import/refusal.h"
 
 namespace ink::import {
 namespace {
@@ -202,9 +203,10 @@ ImportReply ObjReader::read() {
     while (words_.next_line()) {
         const std::string_view surface = read_line();
         if (surface.empty()) continue;
-        return refused("line " + std::to_string(words_.line()) + ": \"" + std::string(surface) +
-                       "\" is a surface that is not of triangles, which is not read: export the "
-                       "model as polygons");
+        throw Refusal("",
+                      "line " + std::to_string(words_.line()) + ": \"" + std::string(surface) +
+                          "\" is a surface that is not of polygons, which is not read",
+                      "polygons, by f");
     }
     check_ahead(ahead_position_, content_.positions.size(), "vertex");
     check_ahead(ahead_normal_, content_.normals.size(), "normal");

@@ -7,6 +7,7 @@
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/mesh_reply.h"
+#include "import/refusal.h"
 
 namespace ink::import {
 namespace {
@@ -102,9 +103,10 @@ ImportReply read_off(std::string_view file, const std::string& name) {
         words = ahead;
         const bool is_binary = ahead.word() == "BINARY";
         if (kind.has_other_dimensions || is_binary) {
-            return refused("is an OFF file of the kind \"" + std::string(word) +
-                           (is_binary ? " BINARY" : "") +
-                           "\", which is not read: export it as text of three coordinates (OFF)");
+            throw Refusal("",
+                          "is an OFF file of the kind \"" + std::string(word) +
+                              (is_binary ? " BINARY" : "") + "\", which is not read",
+                          "OFF as text, of three coordinates");
         }
     }
     const std::uint64_t vertices = read_count(words, "the count of vertices");

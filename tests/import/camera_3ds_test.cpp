@@ -1,4 +1,4 @@
-#include "import/file_claims.h"
+#include "import/camera_3ds.h"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "import/camera_3ds.h"
-
 namespace ink::import {
 namespace {
-
-FileClaims claims_of(const std::string& content, const std::string& extension) {
-    const auto bytes = std::as_bytes(std::span<const char>(content));
-    return read_claims(bytes, bytes, content.size(), extension);
-}
 
 template <class T>
 std::string raw(const T& value) {
@@ -32,54 +25,6 @@ std::string camera_file(const std::array<float, 8>& camera) {
 
 std::vector<ImportedCamera> cameras_in(const std::string& content) {
     return read_3ds_cameras(std::as_bytes(std::span<const char>(content)));
-}
-
-TEST(FileClaims, LengthsInHeaders) {
-    EXPECT_EQ(claims_of("MM" + raw(std::uint32_t{1234}), ".3ds").bytes, 1234U);
-    EXPECT_EQ(claims_of("glTF" + raw(2) + raw(std::uint32_t{777}), ".glb").bytes, 777U);
-    EXPECT_EQ(claims_of("IDP2" + std::string(60, 'x') + raw(std::uint32_t{50}), ".md2").bytes, 50U);
-    EXPECT_EQ(claims_of("IDP3" + std::string(100, 'x') + raw(std::uint32_t{60}), ".md3").bytes,
-              60U);
-    EXPECT_EQ(claims_of("glTF", ".glb").bytes, std::nullopt);
-    EXPECT_EQ(claims_of("v 0 0 0\n", ".obj").bytes, std::nullopt);
-}
-
-TEST(FileClaims, BinaryStlCountsEvenIfItSaysSolid) {
-    std::string header = "solid but binary";
-    header.resize(80, '\0');
-    const FileClaims claims = claims_of(header + raw(std::uint32_t{2}), ".stl");
-    EXPECT_EQ(claims.bytes, 184U);
-    EXPECT_EQ(claims.faces, 2U);
-    EXPECT_FALSE(claims.ends_early);
-}
-
-TEST(FileClaims, TextStlHasAnEndMark) {
-    const std::string text = "solid a long enough name " + std::string(100, 'x') + "\n";
-    EXPECT_TRUE(claims_of(text, ".stl").ends_early);
-    EXPECT_FALSE(claims_of(text + "endsolid\n", ".stl").ends_early);
-    EXPECT_EQ(claims_of(text, ".stl").bytes, std::nullopt);
-}
-
-TEST(FileClaims, PlyElements) {
-    const std::string body =
-        " 1.0\ncomment element vertex 99\nelement vertex 8\nproperty float x\nproperty double y\n"
-        "property uchar r\nelement face 6\nproperty list uint8 int32 vertex_indices\nend_header\n";
-    const FileClaims binary = claims_of("ply\nformat binary_little_endian" + body, ".ply");
-    EXPECT_EQ(binary.vertices, 8U);
-    EXPECT_EQ(binary.faces, 6U);
-    EXPECT_EQ(binary.bytes, 8U * (4 + 8 + 1) + 6U);
-    const FileClaims ascii = claims_of("ply\nformat ascii" + body, ".ply");
-    EXPECT_EQ(ascii.bytes, std::nullopt);
-    EXPECT_EQ(ascii.lines, 10U + 8U + 6U);
-    EXPECT_EQ(claims_of("ply\nelement vertex 8\n", ".ply").vertices, std::nullopt) << "no end";
-}
-
-TEST(FileClaims, OffCounts) {
-    const FileClaims claims = claims_of("OFF # shape\n# a comment\n8 6 12\n", ".off");
-    EXPECT_EQ(claims.vertices, 8U);
-    EXPECT_EQ(claims.faces, 6U);
-    EXPECT_EQ(claims_of("COFF 3 1 0\n", ".off").faces, 1U);
-    EXPECT_EQ(claims_of("OFF x 1 0\n", ".off").faces, std::nullopt);
 }
 
 TEST(ThreeDsCameras, EyeTargetRollAndLens) {

@@ -1,0 +1,215 @@
+#include "import/assimp/assimp_reader.h"
+
+#include <assimp/camera.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/version.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "import/animation_choice.h"
+#include "import/assimp/assimp_meshes.h"
+#include "import/assimp/assimp_nodes.h"
+#include "import/assimp/dae_cameras.h"
+#include "import/assimp/fbx_axes.h"
+#include "import/assimp/fbx_cameras.h"
+#include "import/camera_3ds.h"
+#include "import/meshes/mesh_reply.h"
+#include "import/model_bytes.h"
+
+namespace ink::import {
+namespace {
+
+/// How an FBX file's coordinates are meant; those of other files are y up.
+FbxAxes axes_of(const aiScene& scene) {
+    FbxAxes axes;
+    const auto read = [&](const char* key, int& value) {
+        std::int32_t number = 0;
+        if (scene.mMetaData != nullptr && scene.mMetaData->Get(key, number)) value = number;
+    };
+    read("UpAxis", axes.up.number);
+    read("UpAxisSign", axes.up.sign);
+    read("FrontAxis", axes.front.number);
+    read("FrontAxisSign", axes.front.sign);
+    read("CoordAxis", axes.right.number);
+    read("CoordAxisSign", axes.right.sign);
+    float unit = 1;
+    double fine_unit = 1;
+    if (scene.mMetaData == nullptr) return axes;
+    if (scene.mMetaData->Get("UnitScaleFactor", unit)) axes.cm_per_unit = unit;
+    if (scene.mMetaData->Get("UnitScaleFactor", fine_unit)) axes.cm_per_unit = fine_unit;
+    return axes;
+}
+
+/// The name of the reader that took the file, such as "glTF2 Importer".
+std::string reader_name(const Assimp::Importer& importer) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    const aiImporterDesc* about =
+        index < 0 ? nullptr : importer.GetImporterInfo(static_cast<std::size_t>(index));
+    return about == nullptr ? std::string{} : about->mName;
+}
+
+/// Assimp's glTF reader before 5.3 multiplies the angle by the aspect (its issue 4435).
+bool multiplies_gltf_angles() {
+    return aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3);
+}
+
+/// The camera's vertical angle. Assimp's documentation speaks of half the horizontal angle, its
+/// readers (glTF, FBX, Collada; its issue 2256) store all of it. Where a file names no aspect, the
+/// glTF reader hands on the vertical angle as it is, which an aspect of 1 undoes; for the others it
+/// is a guess.
+double vertical_fov_rad(const aiCamera& camera, bool is_gltf) {
+    const double aspect = camera.mAspect > 0.05F && camera.mAspect < 20 ? camera.mAspect : 1;
+    if (is_gltf && multiplies_gltf_angles()) return camera.mHorizontalFOV / aspect;
+    return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect);
+}
+
+ImportedCamera convert_camera(const aiCamera& from,
+                              const std::vector<PlacedNode>& nodes,
+                              bool is_gltf) {
+    const auto home = std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& placed) {
+        return placed.node->mName == from.mName;
+    });
+    const bool is_placed = home != nodes.end();
+    const auto node = is_placed ? static_cast<std::uint32_t>(home - nodes.begin()) : scene::kNoNode;
+    const glm::dmat4 world = is_placed ? home->world_from_node : glm::dmat4{1};
+    // A glTF camera sits in its node's origin; Assimp writes the node's translation here once more.
+    const glm::dvec3 eye_node = is_gltf ? glm::dvec3{0} : to_glm(from.mPosition);
+    const glm::dvec3 view_direction_node = to_glm(from.mLookAt), up_node = to_glm(from.mUp);
+    const glm::dvec3 eye = world * glm::dvec4(eye_node, 1);
+    return {.name = from.mName.C_Str(),
+            .eye_world = eye,
+            .target_world = eye + glm::dmat3(world) * view_direction_node,
+            .up_world = glm::dmat3(world) * up_node,
+            .fov_y_rad = vertical_fov_rad(from, is_gltf),
+            .motion = {node, node, eye_node, eye_node + view_direction_node, up_node}};
+}
+
+/// What Assimp does not say of a file's cameras.
+struct CameraFacts {
+    std::vector<DaeCamera> dae;               ///< in the order of Assimp's
+    std::set<std::string> parallel_of_fbx{};  ///< nodes
+};
+
+CameraFacts camera_facts(const std::filesystem::path& path, const std::string& reader) {
+    CameraFacts facts;
+    const bool is_dae = reader.starts_with("Collada");
+    const bool is_fbx = reader.starts_with("Autodesk FBX");
+    if (!is_dae && !is_fbx) return facts;
+    const std::vector<std::byte> bytes = bytes_of(path);
+    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (is_dae) facts.dae = read_dae_cameras(file);
+    if (is_fbx) facts.parallel_of_fbx = read_fbx_parallel_cameras(file);
+    return facts;
+}
+
+void convert_cameras(const aiScene& scene,
+                     const std::vector<PlacedNode>& nodes,
+                     CameraFacts facts,
+                     bool is_gltf,
+                     ImportReply& reply) {
+    for (unsigned c = 0; c < scene.mNumCameras; ++c) {
+        const aiCamera& camera = *scene.mCameras[c];
+        const std::string name = camera.mName.C_Str();
+        const auto dae = std::find_if(
+            facts.dae.begin(), facts.dae.end(), [&](auto& known) { return known.node == name; });
+        const bool is_parallel = camera.mOrthographicWidth > 0 ||
+                                 facts.parallel_of_fbx.count(name) != 0 ||
+                                 (dae != facts.dae.end() && dae->is_parallel);
+        if (is_parallel) {
+            reply.parallel_cameras.push_back(name);
+        } else {
+            reply.cameras.push_back(convert_camera(camera, nodes, is_gltf));
+            const auto angle = dae == facts.dae.end() ? std::nullopt : dae->fov_y_rad();
+            if (angle) reply.cameras.back().fov_y_rad = *angle;
+        }
+        if (dae != facts.dae.end()) facts.dae.erase(dae);  // a node may have several
+    }
+}
+
+/// What is said of materials that let light through.
+void note_transparency(const aiScene& scene, ImportReply& reply) {
+    std::set<unsigned> transparent;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const unsigned number = scene.mMeshes[m]->mMaterialIndex;
+        float opacity = 1;
+        if (number >= scene.mNumMaterials || !has_triangles(*scene.mMeshes[m])) continue;
+        const bool is_known =
+            scene.mMaterials[number]->Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS;
+        if (is_known && opacity < 1) transparent.insert(number);
+    }
+    if (transparent.empty()) return;
+    const bool is_one = transparent.size() == 1;
+    reply.notes.push_back(counted(transparent.size(), "transparent material") +
+                          (is_one ? " is drawn opaque" : " are drawn opaque"));
+}
+
+ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {
+    ImportReply reply;
+    reply.reason = importer.GetErrorString();
+    reply.status = ImportStatus::not_readable;
+    if (reply.reason.starts_with("No suitable reader found")) {
+        const bool is_known = importer.IsExtensionSupported(path.extension().string());
+        reply.status = is_known ? ImportStatus::wrong_content : ImportStatus::unknown_format;
+    }
+    return reply;
+}
+
+}  // namespace
+
+ImportReply read_with_assimp(const std::filesystem::path& path,
+                             const ImportChoice& choice,
+                             int frame) {
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_IMPORT_GLOBAL_KEYFRAME, frame);
+    // A file without a mesh has none; the default makes up spikes for its nodes.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    // From 5.3 on, Assimp turns FBX files itself, and by another rule. The key has no name before.
+    importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true);
+    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    if (scene == nullptr) return refusal(importer, path);
+    const bool is_all_there =
+        std::all_of(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* mesh) {
+            return mesh->mNumVertices > 0 && mesh->mNumFaces > 0;
+        });
+    // Counted before triangulation: these are what the file's header promises.
+    ImportReply reply;
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
+        reply.faces_read += scene->mMeshes[m]->mNumFaces;
+        reply.vertices_read += scene->mMeshes[m]->mNumVertices;
+    }
+    if (reply.faces_read == 0) return reply;  // the validation would only say it less clearly
+    // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
+    // sorting by kind would split meshes and reorder vertices. One empty part is no reason to
+    // refuse the others, as the validation does.
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate |
+                                         (is_all_there ? aiProcess_ValidateDataStructure : 0U));
+    if (scene == nullptr) return refusal(importer, path);
+    const std::string reader = reader_name(importer);
+    const bool is_fbx = reader.starts_with("Autodesk FBX");
+    const std::vector<PlacedNode> nodes =
+        placed_nodes(*scene, is_fbx ? y_up_from_fbx(axes_of(*scene)) : glm::dmat4(1));
+    for (unsigned a = 0; a < scene->mNumAnimations; ++a)
+        reply.animation_names.emplace_back(scene->mAnimations[a]->mName.C_Str());
+    scene::Animation motion;
+    convert_meshes(*scene, nodes, reply, motion);
+    convert_motion(
+        *scene, nodes, choose_animation(reply.animation_names, choice.animation), motion);
+    if (reader.starts_with("Discreet 3DS") && !nodes.empty()) {
+        reply.cameras = read_3ds_cameras(path, motion);
+    } else {
+        convert_cameras(
+            *scene, nodes, camera_facts(path, reader), reader.starts_with("glTF2"), reply);
+    }
+    note_transparency(*scene, reply);
+    if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);
+    return reply;
+}
+
+}  // namespace ink::import

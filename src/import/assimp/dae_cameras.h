@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ink::import {
+
+/// A camera in a Collada file, once for each node that has it.
+struct DaeCamera {
+    std::string node;  ///< its node's id, or sid without one: as Assimp names nodes
+    bool is_parallel = false;
+    std::optional<double> xfov_deg{};
+    std::optional<double> yfov_deg{};
+    std::optional<double> aspect{};
+
+    /// The vertical angle, if the file tells: yfov as it is, xfov by the aspect.
+    [[nodiscard]] std::optional<double> fov_y_rad() const;
+};
+
+/// The cameras in a Collada file, in the order of its nodes.
+///
+/// Needed because Assimp takes an orthographic camera for one of perspective, and xfov for the
+/// whole truth where yfov stands beside it. What is no well-formed XML ends the search.
+[[nodiscard]] std::vector<DaeCamera> read_dae_cameras(std::string_view file);
+
+}  // namespace ink::import

@@ -1,0 +1,49 @@
+#include "tests/fuzz/mesh_reader.h"
+
+#include <optional>
+#include <vector>
+
+#include "core/error.h"
+
+namespace ink::fuzz {
+namespace {
+
+/// The reply as a stream; nothing for an Error.
+std::optional<std::vector<std::byte>> read_all(MeshReader read, std::string_view file) {
+    import::ImportReply reply;
+    try {
+        reply = read(file, "model");
+    } catch (const core::Error& error) {
+        expect_clear(error);
+        return std::nullopt;
+    }
+    std::size_t positions = 0;
+    for (const import::ImportedMesh& mesh : reply.meshes) {
+        positions += mesh.positions.size();
+        expect(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size(),
+               "a vertex has a normal if another has one");
+    }
+    expect(positions <= file.size(), "a vertex takes a byte of the file at least");
+    expect_scene_or_error(reply);
+    std::vector<std::byte> stream;
+    import::write_reply(reply, [&](const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const std::byte*>(data);
+        stream.insert(stream.end(), bytes, bytes + size);
+    });
+    return stream;
+}
+
+}  // namespace
+
+void check_mesh_reader(MeshReader read, Bytes bytes) {
+    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto reply = read_all(read, file);
+    if (file.find_first_of(std::string_view("\r\0", 2)) != file.npos) return;  // no plain text
+    std::string with_cr;
+    for (const char c : file)
+        with_cr += c == '\n' ? "\r\n" : std::string(1, c);
+    if (file.find("format binary") == file.npos)
+        expect(read_all(read, with_cr) == reply, "lines may end either way");
+}
+
+}  // namespace ink::fuzz

@@ -1,0 +1,12 @@
+// Any file gives a sound scene or an Error to the reader of OBJ.
+
+#include "import/meshes/mesh_readers.h"
+#include "tests/fuzz/mesh_reader.h"
+
+namespace ink::fuzz {
+
+void check_obj(Bytes bytes) {
+    check_mesh_reader(import::read_obj, bytes);
+}
+
+}  // namespace ink::fuzz

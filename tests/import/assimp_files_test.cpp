@@ -1,0 +1,191 @@
+// What is made of Assimp's scenes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "import/assimp/dae_cameras.h"
+#include "import/assimp/fbx_axes.h"
+#include "import/assimp/fbx_cameras.h"
+#include "scene/animation.h"
+#include "tests/import/model_files.h"
+#include "tests/import/quake_files.h"
+#include "tests/import/scene_files.h"
+
+namespace ink::import {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+using AssimpFiles = ModelFiles;
+
+struct Box {
+    glm::dvec3 low{1e30};
+    glm::dvec3 high{-1e30};
+};
+
+Box box_of(const scene::Scene& scene) {
+    Box box;
+    for (const scene::Instance& instance : scene.instances)
+        for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
+            box.low = glm::min(box.low, glm::dvec3(scene::to_world(instance, p)));
+            box.high = glm::max(box.high, glm::dvec3(scene::to_world(instance, p)));
+        }
+    return box;
+}
+
+TEST_F(AssimpFiles, FbxAxesAreHeeded) {
+    const auto expect_box =
+        [&](const FbxFile& file, const glm::dvec3& low, const glm::dvec3& high) {
+            const Box box = box_of(import_scene(write("box.fbx", file.text())));
+            EXPECT_LT(glm::length(box.low - low), 1e-6);
+            EXPECT_LT(glm::length(box.high - high), 1e-6);
+        };
+    expect_box({}, {0, 0, 0}, {1, 2, 3});
+    const FbxFile z_up{.up = 2, .front = 1, .front_sign = -1};
+    expect_box(z_up, {0, 0, -2}, {1, 3, 0});
+    const FbxFile x_up{.up = 0, .front = 2, .front_sign = -1, .right = 1};
+    expect_box(x_up, {-2, 0, 0}, {0, 1, 3});
+    const FbxFile inches{.unit = 2.54};
+    expect_box(inches, {0, 0, 0}, {2.54, 5.08, 7.62});
+}
+
+TEST(FbxAxes, TurnUpToYAndKeepTheHand) {
+    for (int up = 0; up < 3; ++up)
+        for (const int up_sign : {-1, 1})
+            for (const int front_sign : {-1, 1})
+                for (const int right_sign : {-1, 1}) {
+                    const FbxAxes axes{.up = {up, up_sign},
+                                       .front = {(up + 1) % 3, front_sign},
+                                       .right = {(up + 2) % 3, right_sign}};
+                    const glm::dmat3 turn(y_up_from_fbx(axes));
+                    glm::dvec3 up_in_file{0};
+                    up_in_file[up] = up_sign;
+                    EXPECT_EQ(turn * up_in_file, glm::dvec3(0, 1, 0));
+                    // Right, up and front are x, y and z turned, or mirrored.
+                    const bool is_left_handed = up_sign * front_sign * right_sign < 0;
+                    EXPECT_EQ(glm::determinant(turn), is_left_handed ? -1 : 1);
+                }
+}
+
+TEST(FbxAxes, ThoseThatAreNoneChangeNothing) {
+    EXPECT_EQ(y_up_from_fbx({.up = {7, 1}, .cm_per_unit = -3}), glm::dmat4(1));
+    EXPECT_EQ(y_up_from_fbx({.right = {1, 1}}), glm::dmat4(1)) << "two are the same";
+}
+
+TEST_F(AssimpFiles, OrthographicCamerasAreNamedAndNotDrawn) {
+    const FbxFile parallel{.camera = 1};
+    const scene::Scene fbx = import_scene(write("cam.fbx", parallel.text()));
+    EXPECT_THAT(fbx.cameras, IsEmpty());
+    EXPECT_THAT(fbx.file.parallel_cameras, ElementsAre("Eye"));
+    const FbxFile plain{.camera = 0};
+    EXPECT_EQ(import_scene(write("cam.fbx", plain.text())).cameras.size(), 1U);
+    const scene::Scene dae = import_scene(
+        write("cam.dae", dae_file("<orthographic><xmag>3</xmag><ymag>2</ymag></orthographic>")));
+    EXPECT_THAT(dae.cameras, IsEmpty());
+    EXPECT_THAT(dae.file.parallel_cameras, ElementsAre("eye"));
+}
+
+TEST_F(AssimpFiles, VerticalAnglesOfColladaHold) {
+    const auto angle_deg = [&](const std::string& angles) {
+        const scene::Scene scene =
+            import_scene(write("cam.dae", dae_file("<perspective>" + angles + "</perspective>")));
+        EXPECT_EQ(scene.cameras.size(), 1U);
+        return scene.cameras.at(0).fov_y_rad * 180 / std::numbers::pi;
+    };
+    EXPECT_NEAR(angle_deg("<xfov>60</xfov><yfov>40</yfov>"), 40, 1e-9);
+    EXPECT_NEAR(angle_deg("<yfov>30</yfov>"), 30, 1e-9);
+    EXPECT_NEAR(angle_deg("<yfov>30</yfov><aspect_ratio>2</aspect_ratio>"), 30, 1e-9);
+    const double half = std::atan(std::tan(30 * std::numbers::pi / 180) / 2);
+    EXPECT_NEAR(angle_deg("<xfov>60</xfov><aspect_ratio>2</aspect_ratio>"),
+                2 * half * 180 / std::numbers::pi,
+                1e-9);
+}
+
+TEST(DaeCameras, AreFoundThroughNodes) {
+    const auto cameras = read_dae_cameras(
+        "<COLLADA><!-- <camera id='c'> --><camera id='c'><perspective><xfov>60</xfov></perspective>"
+        "</camera><node sid = \"only sid\"><instance_camera url=\"#c\"/><node "
+        "id='in'/><instance_camera "
+        "url='#c'></instance_camera></node><node id='n'><instance_camera url='#none'/></node>");
+    ASSERT_EQ(cameras.size(), 2U);
+    EXPECT_EQ(cameras[1].node, "only sid");
+    EXPECT_EQ(cameras[0].xfov_deg, 60);
+    EXPECT_EQ(cameras[0].fov_y_rad(), std::nullopt) << "of no aspect";
+    EXPECT_THAT(read_dae_cameras("<node id='n'><instance_camera url='#c'"), IsEmpty());
+}
+
+TEST(FbxCameras, AreFoundInBinaryFiles) {
+    const auto text = [](const std::string& words) {
+        std::string bytes = "S";
+        put(bytes, static_cast<std::uint32_t>(words.size()));
+        return bytes + words;
+    };
+    const auto number = [](std::int64_t value) {
+        std::string bytes = "L";
+        put(bytes, value);
+        return bytes;
+    };
+    std::string file = "Kaydara FBX Binary  " + std::string(1, '\0') + "\rNodeAttribute" +
+                       number(300) + text("") + text("Camera") + "\1P" +
+                       text("CameraProjectionType") + text("enum") + text("") + text("") + "I";
+    put(file, std::int32_t{1});
+    file += "\5Model" + number(400) + text(std::string("Eye\0\1Model", 10)) + text("Camera") +
+            "\1C" + text("OO") + number(300) + number(400);
+    EXPECT_THAT(read_fbx_parallel_cameras(file), ElementsAre("Eye"));
+    for (std::size_t size = 0; size < file.size(); ++size)
+        EXPECT_THAT(read_fbx_parallel_cameras(file.substr(0, size)), IsEmpty()) << size;
+}
+
+TEST_F(AssimpFiles, ANodesMeshesAreOneObject) {
+    const scene::Scene scene = import_scene(write("two.dae", dae_file("<perspective/>")));
+    ASSERT_EQ(scene.meshes.size(), 1U) << "both nodes share it";
+    ASSERT_EQ(scene.instances.size(), 2U);
+    EXPECT_EQ(scene.instances[0].name, "left");
+    EXPECT_EQ(scene.instances[1].name, "right");
+    EXPECT_EQ(scene::to_world(scene.instances[1], {0, 0, 0}), glm::dvec3(5, 0, 0));
+    const scene::Mesh& mesh = scene.meshes[0];
+    ASSERT_EQ(mesh.triangles.size(), 2U);
+    ASSERT_EQ(mesh.materials.size(), 2U);
+    EXPECT_NE(mesh.materials[0], mesh.materials[1]);
+}
+
+TEST_F(AssimpFiles, TheAnimationIsChosenByNameOrNumber) {
+    const auto path = write("three.x", x_file());
+    const auto way = [&](const std::string& animation) {
+        scene::Scene scene = import_scene(path, {.animation = animation});
+        EXPECT_THAT(scene.file.animation_names, ElementsAre("walk", "run", "fly"));
+        scene::pose_scene(scene, 1);
+        return std::abs(scene::to_world(scene.instances.at(0), {0, 0, 0}).x);
+    };
+    EXPECT_NEAR(way(""), 1, 1e-6);
+    EXPECT_NEAR(way("run"), 2, 1e-6);
+    EXPECT_NEAR(way("2"), 3, 1e-6);
+    for (const char* unknown : {"swim", "3", "-1"}) {
+        try {
+            (void)import_scene(path, {.animation = unknown});
+            ADD_FAILURE() << unknown;
+        } catch (const core::Error& error) {
+            EXPECT_THAT(error.what(),
+                        HasSubstr(std::string("it has no animation \"") + unknown +
+                                  "\" (accepted: walk, run, fly, or a number, 0..2)"));
+        }
+    }
+}
+
+TEST_F(AssimpFiles, NothingIsMadeUpForFilesWithoutMeshes) {
+    EXPECT_EQ(
+        complaint(write("bones.bvh",
+                        "HIERARCHY\nROOT hip\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition "
+                        "Zposition\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 1\nFrame "
+                        "Time: 0.1\n0 0 0\n")),
+        "it holds no triangle");
+}
+
+}  // namespace
+}  // namespace ink::import
