@@ -90,6 +90,8 @@ void check_indices(const ImportReply& reply, const std::string& where) {
         for (const scene::Skin::Bone& bone : skin.bones)
             check(bone.node < animation.nodes.size(), "made a bone of a node that is not there");
     }
+    for (const scene::Morph& morph : animation.morphs)
+        check(morph.mesh < reply.meshes.size(), "shaped a mesh that it did not hand over");
 }
 
 void check_counts(const scene::Scene& scene,
@@ -132,8 +134,8 @@ void check_numbers(const scene::Scene& scene, const std::string& where) {
     }
 }
 
-/// Gives the scene its motion, if that is sound; what has bones is put where they are at rest.
-/// Returns it for what else moves; null if nothing does.
+/// Gives the scene its motion, if that is sound; what has bones or shapes is put as it is at
+/// rest. Returns it for what else moves; null if nothing does.
 std::shared_ptr<scene::Animation> take_animation(std::optional<scene::Animation>&& animation,
                                                  scene::Scene& scene,
                                                  const std::string& where) {
@@ -147,11 +149,17 @@ std::shared_ptr<scene::Animation> take_animation(std::optional<scene::Animation>
         skin.positions = scene.meshes[skin.mesh].positions;
         skin.normals = scene.meshes[skin.mesh].normals;
     }
+    for (scene::Morph& morph : animation->morphs) {
+        morph.positions = scene.meshes[morph.mesh].positions;
+        morph.normals = scene.meshes[morph.mesh].normals;
+        for (scene::Morph::Target& target : morph.targets)
+            if (morph.normals.empty()) target.normals.clear();
+    }
     check_at(where, scene, [&] { scene::check_animation(scene, *animation); });
     const bool is_moving = animation->duration_s > 0;
     auto taken = std::make_shared<scene::Animation>(std::move(*animation));
     scene.animation = taken;
-    if (!taken->skins.empty()) scene::rest_scene(scene);
+    if (!taken->skins.empty() || !taken->morphs.empty()) scene::rest_scene(scene);
     if (is_moving) return taken;
     scene.animation.reset();
     return nullptr;

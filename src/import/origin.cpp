@@ -119,7 +119,25 @@ void move_roots(const glm::dvec3& by, scene::Animation& animation) {
     }
 }
 
-/// Gives the animation's parts of the meshes what `take_out_of_mesh` took.
+/// Lets what hangs on nodes stay in the world although its mesh was moved: it hangs on nodes of its
+/// own, which take that back.
+void hang_instances(const std::vector<glm::dvec3>& taken, ImportReply& reply) {
+    scene::Animation& animation = *reply.animation;
+    const std::size_t count = std::min(reply.instances.size(), animation.node_of_instance.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t& node = animation.node_of_instance[i];
+        const glm::dvec3& by = taken[reply.instances[i].mesh];
+        if (node == scene::kNoNode || by == glm::dvec3{0}) continue;
+        scene::AnimatedNode own;
+        own.parent = node;
+        own.parent_from_node = glm::translate(glm::dmat4(1), by);
+        node = static_cast<std::uint32_t>(animation.nodes.size());
+        animation.nodes.push_back(std::move(own));
+    }
+}
+
+/// Gives the animation's parts of the meshes what `take_out_of_mesh` took. What a morph adds is a
+/// difference, which stays.
 void move_meshes(const std::vector<glm::dvec3>& taken, scene::Animation& animation) {
     for (scene::Skin& skin : animation.skins)
         for (scene::Skin::Bone& bone : skin.bones)
@@ -152,6 +170,7 @@ glm::dvec3 take_out_origin(ImportReply& reply) {
             has_bones[skin.mesh] = true;
         move_roots(-origin, *reply.animation);
         move_meshes(taken, *reply.animation);
+        hang_instances(taken, reply);
     }
     for (ImportedInstance& instance : reply.instances) {
         if (has_bones[instance.mesh]) continue;  // its vertices are placed by the bones

@@ -89,7 +89,7 @@ struct ImportReply {
     /// What in the file does not count here, a few words each: "2 materials of mode BLEND are drawn
     /// opaque". Never something that changes geometry.
     std::vector<std::string> notes;
-    /// Skins come without positions and normals: those of their mesh hold.
+    /// Skins and morphs come without positions and normals: those of their mesh hold.
     std::optional<scene::Animation> animation{};
 };
 

@@ -34,30 +34,69 @@ Place place_in(const std::vector<Key>& keys, double time_s) {
     return {first, (time_s - start_s) / (after->time_s - start_s)};
 }
 
-glm::dvec3 value_at(const std::vector<VectorKey>& keys, double time_s) {
-    const Place place = place_in(keys, time_s);
-    const glm::dvec3& from = keys[place.first].value;
-    if (place.share == 0) return from;
-    return from * (1 - place.share) + keys[place.first + 1].value * place.share;
+glm::dvec3 straight(const glm::dvec3& from, const glm::dvec3& to, double share) {
+    return from * (1 - share) + to * share;
 }
 
-glm::dquat value_at(const std::vector<RotationKey>& keys, double time_s) {
-    const Place place = place_in(keys, time_s);
-    const glm::dquat& from = keys[place.first].value;
-    if (place.share == 0) return from;
-    return slerp(from, keys[place.first + 1].value, place.share);
+glm::dquat straight(const glm::dquat& from, const glm::dquat& to, double share) {
+    return slerp(from, to, share);
+}
+
+double straight(double from, double to, double share) {
+    return from * (1 - share) + to * share;
+}
+
+template <class Value>
+Value finished(const Value& value, const Value& /*fallback*/) {
+    return value;
+}
+
+/// A rotation's curve does not stay on the sphere (glTF 2.0, appendix C.4).
+glm::dquat finished(const glm::dquat& value, const glm::dquat& fallback) {
+    return unit(glm::dot(value, value) > 0 ? value : fallback);
+}
+
+/// Hermite's curve from one key to the next (glTF 2.0, appendix C.5), in its notation.
+template <class Key, class Value>
+Value curve(const Key& from,
+            const typename Course<Value>::Tangents& from_tangents,
+            const Key& to,
+            const typename Course<Value>::Tangents& to_tangents,
+            double t) {
+    const double td = to.time_s - from.time_s;
+    const double tt = t * t, ttt = tt * t;
+    return from.value * (2 * ttt - 3 * tt + 1) + from_tangents.out * (td * (ttt - 2 * tt + t)) +
+           to.value * (3 * tt - 2 * ttt) + to_tangents.in * (td * (ttt - tt));
+}
+
+template <class Key, class Value>
+Value value_at(const std::vector<Key>& keys, const Course<Value>& course, double time_s) {
+    const auto [first, share] = place_in(keys, time_s);
+    const Key& from = keys[first];
+    const bool is_cubic = course.interpolation == Interpolation::cubic;
+    if (share == 0 || course.interpolation == Interpolation::step)
+        return is_cubic ? finished(from.value, from.value) : from.value;
+    const Key& to = keys[first + 1];
+    if (!is_cubic) return straight(from.value, to.value, share);
+    return finished(
+        curve<Key, Value>(from, course.tangents[first], to, course.tangents[first + 1], share),
+        from.value);
 }
 
 }  // namespace
 
 glm::dmat4 AnimatedNode::at(double time_s) const {
     if (!has_keys()) return parent_from_node;
-    const glm::dvec3 scale = value_at(scales, time_s);
-    glm::dmat4 m = glm::mat4_cast(value_at(rotations, time_s));
+    const glm::dvec3 scale = value_at(scales, scale_course, time_s);
+    glm::dmat4 m = glm::mat4_cast(value_at(rotations, rotation_course, time_s));
     for (int axis = 0; axis < 3; ++axis)
         m[axis] *= scale[axis];
-    m[3] = glm::dvec4(value_at(translations, time_s), 1);
+    m[3] = glm::dvec4(value_at(translations, translation_course, time_s), 1);
     return m;
+}
+
+double Morph::Target::at(std::optional<double> time_s) const {
+    return time_s && !weights.empty() ? value_at(weights, course, *time_s) : weight;
 }
 
 std::vector<glm::dmat4> world_from_nodes(const Animation& animation, std::optional<double> time_s) {

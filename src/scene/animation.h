@@ -22,7 +22,30 @@ struct VectorKey {
 };
 struct RotationKey {
     double time_s = 0;
-    glm::dquat value{1, 0, 0, 0};  ///< of length 1
+    glm::dquat value{1, 0, 0, 0};  ///< of length 1; of cubic ones about that
+};
+
+struct WeightKey {
+    double time_s = 0;
+    double value = 0;
+};
+
+/// What lies between two keys.
+enum class Interpolation : std::uint32_t {
+    linear,  ///< the straight way; of rotations the shorter arc
+    step,    ///< the first of them
+    cubic,   ///< Hermite's curve along their tangents; of rotations made unit
+};
+
+/// How a list of keys is blended.
+template <class Value>
+struct Course {
+    struct Tangents {
+        Value in{};   ///< per second, where the curve reaches the key
+        Value out{};  ///< and where it leaves it
+    };
+    Interpolation interpolation = Interpolation::linear;
+    std::vector<Tangents> tangents{};  ///< of cubic ones: per key; else empty
 };
 
 /// A node of the tree that carries instances and bones.
@@ -33,6 +56,9 @@ struct AnimatedNode {
     std::vector<VectorKey> translations;
     std::vector<RotationKey> rotations;
     std::vector<VectorKey> scales;
+    Course<glm::dvec3> translation_course{};
+    Course<glm::dquat> rotation_course{};
+    Course<glm::dvec3> scale_course{};
 
     [[nodiscard]] bool has_keys() const { return !translations.empty(); }
     /// parent_from_node at a time; before the first key as there, after the last likewise.
@@ -46,13 +72,32 @@ struct VertexFrames {
     std::vector<glm::vec3> normals;    ///< likewise, unit; or empty
 };
 
+/// A mesh that is a base and a share of each of some targets. Bones come after that.
+struct Morph {
+    struct Target {
+        std::vector<glm::vec3> positions;  ///< what is added to the base's, or empty
+        std::vector<glm::vec3> normals;    ///< likewise
+        double weight = 0;                 ///< the share at rest
+        std::vector<WeightKey> weights;    ///< the moving share, or empty
+        Course<double> course{};
+
+        /// The share at a time, at rest without one.
+        [[nodiscard]] double at(std::optional<double> time_s) const;
+    };
+    std::uint32_t mesh = 0;
+    std::vector<glm::vec3> positions{};  ///< the base, mesh space
+    std::vector<glm::vec3> normals{};    ///< likewise, or empty
+    std::vector<Target> targets{};
+};
+
 /// How much of a vertex follows a bone.
 struct BoneWeight {
     std::uint32_t bone = 0;
     float weight = 0;
 };
 
-/// A mesh whose vertices follow nodes. Posed, its vertices are in world space.
+/// A mesh whose vertices follow nodes. Posed, its vertices are in world space. Where a Morph shapes
+/// the mesh, what comes of that is bound instead of `positions` and `normals`.
 struct Skin {
     struct Bone {
         std::uint32_t node = 0;
@@ -79,8 +124,8 @@ struct CameraMotion {
 /// Writes what each vertex follows into `skin`.
 void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin);
 
-/// How a scene moves: its instances with their nodes, its vertices by frames or with bones. The
-/// topology stays.
+/// How a scene moves: its instances with their nodes, its vertices by frames, by shares of targets
+/// or with bones. The topology stays.
 struct Animation {
     double duration_s = 0;
     double frames_per_s = 0;                      ///< of stored vertex frames; 0 without any
@@ -89,6 +134,7 @@ struct Animation {
     std::vector<VertexFrames> vertex_frames;      ///< per mesh, or empty
     std::vector<Skin> skins;
     std::vector<CameraMotion> cameras{};  ///< per camera of the scene, or empty
+    std::vector<Morph> morphs{};          ///< at most one of a mesh
 
     /// The most frames that a mesh stores; 0 where motion is by keys alone.
     [[nodiscard]] std::size_t frame_count() const;
@@ -98,7 +144,7 @@ struct Animation {
     [[nodiscard]] bool is_moving(std::uint32_t node) const;
 };
 
-/// What is shown between two stored frames; keys are always blended.
+/// What is shown between two stored frames; keys go their own course.
 enum class Between {
     blended,  ///< the straight way from one to the next
     whole,    ///< the earlier one, nodes included: as Quake drew them

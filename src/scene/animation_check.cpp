@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "scene/animation.h"
+#include "scene/animation_reach.h"
 
 namespace ink::scene {
 namespace {
@@ -39,23 +40,50 @@ bool is_affine(const glm::dmat4& m) {
     return true;
 }
 
-bool is_good_value(const glm::dvec3& v) {
-    return is_finite(v);
+bool is_finite(double value) {
+    return std::isfinite(value);
 }
 
-bool is_good_value(const glm::dquat& q) {
-    return std::abs(glm::dot(q, q) - 1) < kUnitSlack;
+bool is_finite(const glm::dquat& q) {
+    return std::isfinite(glm::dot(q, q));
 }
 
-template <class Key>
-void check_keys(const std::vector<Key>& keys, const std::string& name, const Complaint& complain) {
+template <class Value>
+bool is_good_value(const Value& value, const Course<Value>& /*course*/) {
+    return is_finite(value);
+}
+
+/// Of length 1, or about that where it is made so after blending.
+bool is_good_value(const glm::dquat& q, const Course<glm::dquat>& course) {
+    const double square = glm::dot(q, q);
+    if (course.interpolation == Interpolation::cubic) return square > 0.25 && square < 4;
+    return std::abs(square - 1) < kUnitSlack;
+}
+
+template <class Key, class Value>
+void check_keys(const std::vector<Key>& keys,
+                const Course<Value>& course,
+                const std::string& name,
+                const Complaint& complain) {
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        complain.unless(std::isfinite(keys[k].time_s) && is_good_value(keys[k].value),
+        complain.unless(std::isfinite(keys[k].time_s) && is_good_value(keys[k].value, course),
                         fmt::format("{}, key {} is not finite or no rotation", name, k),
                         "finite times and values, rotations of length 1");
         complain.unless(k == 0 || keys[k - 1].time_s <= keys[k].time_s,
                         fmt::format("{}, key {} goes back in time", name, k),
                         "times in order");
+    }
+    complain.unless(course.interpolation <= Interpolation::cubic,
+                    fmt::format("{} has keys that are blended in no known way", name),
+                    "linear, step or cubic ones");
+    const bool is_cubic = course.interpolation == Interpolation::cubic;
+    complain.unless(course.tangents.size() == (is_cubic ? keys.size() : 0),
+                    fmt::format("{} has {} tangents", name, course.tangents.size()),
+                    "one pair per cubic key");
+    for (const auto& tangents : course.tangents) {
+        complain.unless(is_finite(tangents.in) && is_finite(tangents.out),
+                        fmt::format("{} has a tangent that is not finite", name),
+                        "finite numbers");
     }
 }
 
@@ -73,9 +101,9 @@ void check_nodes(const Animation& animation, const Complaint& complain) {
         complain.unless(node.rotations.empty() != is_moving && node.scales.empty() != is_moving,
                         name + " has keys of one kind only",
                         "translations, rotations and scales");
-        check_keys(node.translations, name, complain);
-        check_keys(node.rotations, name, complain);
-        check_keys(node.scales, name, complain);
+        check_keys(node.translations, node.translation_course, name, complain);
+        check_keys(node.rotations, node.rotation_course, name, complain);
+        check_keys(node.scales, node.scale_course, name, complain);
     }
 }
 
@@ -176,6 +204,47 @@ void check_skins(const Scene& scene, const Animation& animation, const Complaint
     }
 }
 
+void check_morphs(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    std::vector<bool> is_taken(scene.meshes.size(), false);
+    for (std::size_t m = 0; m < animation.morphs.size(); ++m) {
+        const Morph& morph = animation.morphs[m];
+        const std::string name = fmt::format("morph {}", m);
+        complain.unless(morph.mesh < scene.meshes.size() && !is_taken[morph.mesh],
+                        fmt::format("{} is of mesh {}", name, morph.mesh),
+                        "a mesh without another morph");
+        is_taken[morph.mesh] = true;
+        complain.unless(
+            animation.vertex_frames.empty() || animation.vertex_frames[morph.mesh].frame_count == 0,
+            name + " is of a mesh that has frames, too");
+        const Mesh& mesh = scene.meshes[morph.mesh];
+        complain.unless(morph.positions.size() == mesh.positions.size() &&
+                            morph.normals.size() == mesh.normals.size(),
+                        fmt::format("{} has {} positions and {} normals",
+                                    name,
+                                    morph.positions.size(),
+                                    morph.normals.size()),
+                        "as many as its mesh");
+        check_vectors(morph.positions, name, complain);
+        check_vectors(morph.normals, name, complain);
+        for (const Morph::Target& target : morph.targets) {
+            const auto fits = [](const auto& more, const auto& base) {
+                return more.empty() || more.size() == base.size();
+            };
+            complain.unless(
+                fits(target.positions, morph.positions) && fits(target.normals, morph.normals),
+                fmt::format("{} has a target of {} positions and {} normals",
+                            name,
+                            target.positions.size(),
+                            target.normals.size()),
+                "none, or as many as its base");
+            check_vectors(target.positions, name, complain);
+            check_vectors(target.normals, name, complain);
+            complain.unless(is_finite(target.weight), name + " has a share that is not finite");
+            check_keys(target.weights, target.course, name, complain);
+        }
+    }
+}
+
 void check_cameras(const Scene& scene, const Animation& animation, const Complaint& complain) {
     complain.unless(
         animation.cameras.empty() || animation.cameras.size() == scene.cameras.size(),
@@ -192,78 +261,6 @@ void check_cameras(const Scene& scene, const Animation& animation, const Complai
             is_finite(camera.p_eye) && is_finite(camera.p_target) && is_finite(camera.up),
             "a camera has a place that is not finite",
             "finite numbers");
-    }
-}
-
-/// How far a transform can carry what lies within `radius` of its origin: moved + grows * radius.
-struct Reach {
-    double moved = 0;
-    double grows = 1;
-    [[nodiscard]] double of(double radius) const { return moved + grows * radius; }
-};
-
-double largest(const std::vector<VectorKey>& keys) {
-    double most = 0;
-    for (const VectorKey& key : keys)
-        most = std::max(most, glm::length(key.value));
-    return most;
-}
-
-double growth(const glm::dmat4& m) {
-    return glm::length(m[0]) + glm::length(m[1]) + glm::length(m[2]);
-}
-
-std::vector<Reach> reaches(const Animation& animation) {
-    std::vector<Reach> all;
-    for (const AnimatedNode& node : animation.nodes) {
-        Reach own{glm::length(glm::dvec3(node.parent_from_node[3])), growth(node.parent_from_node)};
-        if (node.has_keys()) {
-            own.moved = std::max(own.moved, largest(node.translations));
-            own.grows = std::max(own.grows, largest(node.scales));
-        }
-        const Reach parent = node.parent == kNoNode ? Reach{} : all[node.parent];
-        all.push_back({parent.of(own.moved), parent.grows * own.grows});
-    }
-    return all;
-}
-
-double radius_of(const std::vector<glm::vec3>& points) {
-    double most = 0;
-    for (const glm::vec3& p : points)
-        most = std::max(most, glm::length(glm::dvec3(p)));
-    return most;
-}
-
-void check_reach(const Scene& scene, const Animation& animation, const Complaint& complain) {
-    const std::vector<Reach> reach = reaches(animation);
-    const auto check = [&](double extent) {
-        complain.unless(extent < kMostReach,
-                        fmt::format("it may reach {:g}", extent),
-                        fmt::format("less than {:g}", kMostReach));
-    };
-    std::vector<double> radius;
-    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-        radius.push_back(radius_of(scene.meshes[m].positions));
-        if (animation.vertex_frames.empty()) continue;
-        radius.back() = std::max(radius.back(), radius_of(animation.vertex_frames[m].positions));
-    }
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const std::uint32_t node = animation.node_of_instance[i];
-        if (node != kNoNode) check(reach[node].of(radius[scene.instances[i].mesh]));
-    }
-    for (const CameraMotion& camera : animation.cameras) {
-        if (camera.eye_node == kNoNode) continue;
-        check(reach[camera.eye_node].of(glm::length(camera.p_eye)));
-        // Its up is turned and scaled, not moved.
-        check(reach[camera.eye_node].grows * glm::length(camera.up));
-        check(reach[camera.target_node].of(glm::length(camera.p_target)));
-    }
-    for (const Skin& skin : animation.skins) {
-        for (const Skin::Bone& bone : skin.bones) {
-            const Reach bound{glm::length(glm::dvec3(bone.node_from_mesh[3])),
-                              growth(bone.node_from_mesh)};
-            check(reach[bone.node].of(bound.of(radius_of(skin.positions))));
-        }
     }
 }
 
@@ -286,9 +283,13 @@ void check_animation(const Scene& scene, const Animation& animation) {
                         fmt::format("one of {} nodes", animation.nodes.size()));
     }
     check_frames(scene, animation, complain);
+    check_morphs(scene, animation, complain);
     check_skins(scene, animation, complain);
     check_cameras(scene, animation, complain);
-    check_reach(scene, animation, complain);
+    const double reach = farthest_reach(scene, animation);
+    complain.unless(reach < kMostReach,
+                    fmt::format("it may reach {:g}", reach),
+                    fmt::format("less than {:g}", kMostReach));
 }
 
 }  // namespace ink::scene

@@ -52,12 +52,43 @@ void pose_frames(const VertexFrames& frames, double frame, Mesh& mesh) {
     blend_normals(of(frames.normals, first), of(frames.normals, next), share, mesh.normals);
 }
 
+/// A base and the shares of what its targets add to it (glTF 2.0, section 3.7.2.2).
+std::vector<glm::dvec3> sum_of(const std::vector<glm::vec3>& base,
+                               const std::vector<Morph::Target>& targets,
+                               std::vector<glm::vec3> Morph::Target::*part,
+                               std::optional<double> time_s) {
+    std::vector<glm::dvec3> sum(base.begin(), base.end());
+    for (const Morph::Target& target : targets) {
+        const double share = target.at(time_s);
+        if (share == 0) continue;
+        const std::vector<glm::vec3>& more = target.*part;
+        for (std::size_t v = 0; v < more.size(); ++v)
+            sum[v] += glm::dvec3(more[v]) * share;
+    }
+    return sum;
+}
+
+void pose_morph(const Morph& morph, std::optional<double> time_s, Mesh& mesh) {
+    const auto p = sum_of(morph.positions, morph.targets, &Morph::Target::positions, time_s);
+    mesh.positions.assign(p.begin(), p.end());
+    const auto n = sum_of(morph.normals, morph.targets, &Morph::Target::normals, time_s);
+    for (std::size_t v = 0; v < n.size(); ++v) {
+        const double length = glm::length(n[v]);
+        mesh.normals[v] = length > 0 ? glm::vec3(n[v] / length) : morph.normals[v];
+    }
+}
+
 /// Linear blend skinning, as glTF 2.0 has it (section 3.7.3): the mesh's own node plays no part.
-void pose_skin(const Skin& skin, const std::vector<glm::dmat4>& world_from_node, Mesh& mesh) {
+/// `positions` and `normals` are what is bound; they may be the mesh's own.
+void pose_skin(const Skin& skin,
+               const std::vector<glm::vec3>& positions,
+               const std::vector<glm::vec3>& normals,
+               const std::vector<glm::dmat4>& world_from_node,
+               Mesh& mesh) {
     std::vector<glm::dmat4> world_from_bound;
     for (const Skin::Bone& bone : skin.bones)
         world_from_bound.push_back(world_from_node[bone.node] * bone.node_from_mesh);
-    for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+    for (std::size_t v = 0; v < positions.size(); ++v) {
         glm::dmat4 sum(0);
         double total = 0;
         for (std::uint32_t w = skin.first_weight[v]; w < skin.first_weight[v + 1]; ++w) {
@@ -67,16 +98,16 @@ void pose_skin(const Skin& skin, const std::vector<glm::dmat4>& world_from_node,
         }
         if (total > 0) sum *= 1 / total;
         if (total == 0) sum = glm::dmat4(1);
-        mesh.positions[v] = sum * glm::dvec4(glm::dvec3(skin.positions[v]), 1);
-        if (mesh.normals.empty() || skin.normals.empty()) continue;
+        mesh.positions[v] = sum * glm::dvec4(glm::dvec3(positions[v]), 1);
+        if (mesh.normals.empty() || normals.empty()) continue;
         // The cofactors turn normals rightly where the bones scale unevenly, inversion included.
         const glm::dmat3 turn(sum);
         const glm::dvec3 n = glm::dmat3(glm::cross(turn[1], turn[2]),
                                         glm::cross(turn[2], turn[0]),
                                         glm::cross(turn[0], turn[1])) *
-                             glm::dvec3(skin.normals[v]);
+                             glm::dvec3(normals[v]);
         const double length = glm::length(n);
-        mesh.normals[v] = length > 0 ? glm::vec3(n / length) : skin.normals[v];
+        mesh.normals[v] = length > 0 ? glm::vec3(n / length) : normals[v];
     }
 }
 
@@ -118,8 +149,20 @@ void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
         const VertexFrames& frames = animation.vertex_frames[m];
         if (frames.frame_count > 0) pose_frames(frames, frame, scene.meshes[m]);
     }
-    for (const Skin& skin : animation.skins)
-        pose_skin(skin, world, scene.meshes[skin.mesh]);
+    std::vector<bool> is_shaped(scene.meshes.size(), false);
+    for (const Morph& morph : animation.morphs) {
+        pose_morph(morph, time_s, scene.meshes[morph.mesh]);
+        is_shaped[morph.mesh] = true;
+    }
+    for (const Skin& skin : animation.skins) {
+        Mesh& mesh = scene.meshes[skin.mesh];
+        const bool is_own = is_shaped[skin.mesh];
+        pose_skin(skin,
+                  is_own ? mesh.positions : skin.positions,
+                  is_own ? mesh.normals : skin.normals,
+                  world,
+                  mesh);
+    }
     for (std::size_t c = 0; c < animation.cameras.size(); ++c)
         pose_camera(animation.cameras[c], world, scene.cameras[c]);
 }

@@ -45,6 +45,14 @@ ImportReply sample_reply() {
     scene::Skin skin{1, {}, {}, {{1, glm::dmat4(3)}}, {}, {}};
     scene::set_weights({{{0, 0.5F}}, {}, {{0, 1}}}, skin);
     motion.skins = {skin};
+    scene::Morph morph;
+    morph.targets.resize(2);
+    morph.targets[1] = {.positions = kFramePositions,
+                        .normals = mesh.normals,
+                        .weight = 0.25,
+                        .weights = {{0, 1}, {1, 2}},
+                        .course = {scene::Interpolation::cubic, {{1, 2}, {3, 4}}}};
+    motion.morphs = {morph};
     reply.animation = motion;
     return reply;
 }
@@ -112,6 +120,14 @@ TEST(SceneStream, GivesBackTheMotion) {
     EXPECT_EQ(motion.skins[0].bones.at(0).node_from_mesh, glm::dmat4(3));
     EXPECT_EQ(motion.skins[0].first_weight, (std::vector<std::uint32_t>{0, 1, 1, 2}));
     EXPECT_EQ(motion.skins[0].weights.at(1).weight, 1);
+    ASSERT_EQ(motion.morphs.size(), 1U);
+    const scene::Morph::Target& target = motion.morphs[0].targets.at(1);
+    EXPECT_EQ(target.positions, kFramePositions);
+    EXPECT_EQ(target.normals, sample_reply().meshes[0].normals);
+    EXPECT_EQ(target.weight, 0.25);
+    EXPECT_EQ(target.weights.at(1).value, 2);
+    EXPECT_EQ(target.course.interpolation, scene::Interpolation::cubic);
+    EXPECT_EQ(target.course.tangents.at(1).in, 3);
 }
 
 TEST(SceneStream, CutAnywhereIsNoReply) {
