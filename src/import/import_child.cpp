@@ -17,6 +17,7 @@
 #include "core/error.h"
 #include "import/assimp/assimp_reader.h"
 #include "import/file_length.h"
+#include "import/gltf/gltf_reader.h"
 #include "import/meshes/mesh_files.h"
 #include "import/other_formats.h"
 #include "import/quake_models.h"
@@ -90,6 +91,7 @@ ImportReply read_model(const std::filesystem::path& path, const ImportChoice& ch
     try {
         check_length(path);
         if (auto reply = read_quake_model(path)) return std::move(*reply);
+        if (auto reply = read_gltf(path, choice)) return std::move(*reply);
         if (auto reply = read_mesh_file(path)) return std::move(*reply);
         refuse_other_format(path);
         return read_with_assimp(path, choice, 0);

@@ -93,6 +93,8 @@ const std::vector<LibraryRule>& library_rules() {
         {"Embree", "embree", {"bench/"}, 1},
         {"OpenImageIO", "OpenImageIO/", {}, 1},
         {"Assimp", "assimp/", {"src/import/assimp/"}, 0},
+        {"Draco", "draco/", {"tests/import/"}, 1},
+        {"meshoptimizer", "meshoptimizer", {"tests/import/"}, 1},
         {"OpenCV", "opencv2/", {"src/score/", "src/draw/", "methods/", "tests/", "bench/"}, 0},
         {"CLI11", "CLI/", {"src/cli/"}, 0},
         {"pybind11", "pybind11/", {"src/python/"}, 0},

@@ -5,7 +5,6 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <assimp/version.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -47,7 +46,7 @@ FbxAxes axes_of(const aiScene& scene) {
     return axes;
 }
 
-/// The name of the reader that took the file, such as "glTF2 Importer".
+/// The name of the reader that took the file, such as "Autodesk FBX Importer".
 std::string reader_name(const Assimp::Importer& importer) {
     const int index = importer.GetPropertyInteger("importerIndex", -1);
     const aiImporterDesc* about =
@@ -55,39 +54,29 @@ std::string reader_name(const Assimp::Importer& importer) {
     return about == nullptr ? std::string{} : about->mName;
 }
 
-/// Assimp's glTF reader before 5.3 multiplies the angle by the aspect (its issue 4435).
-bool multiplies_gltf_angles() {
-    return aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3);
-}
-
 /// The camera's vertical angle. Assimp's documentation speaks of half the horizontal angle, its
-/// readers (glTF, FBX, Collada; its issue 2256) store all of it. Where a file names no aspect, the
-/// glTF reader hands on the vertical angle as it is, which an aspect of 1 undoes; for the others it
-/// is a guess.
-double vertical_fov_rad(const aiCamera& camera, bool is_gltf) {
+/// readers (FBX, Collada; its issue 2256) store all of it. Where a file names no aspect, 1 is a
+/// guess.
+double vertical_fov_rad(const aiCamera& camera) {
     const double aspect = camera.mAspect > 0.05F && camera.mAspect < 20 ? camera.mAspect : 1;
-    if (is_gltf && multiplies_gltf_angles()) return camera.mHorizontalFOV / aspect;
     return 2 * std::atan(std::tan(camera.mHorizontalFOV / 2.0) / aspect);
 }
 
-ImportedCamera convert_camera(const aiCamera& from,
-                              const std::vector<PlacedNode>& nodes,
-                              bool is_gltf) {
+ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode>& nodes) {
     const auto home = std::find_if(nodes.begin(), nodes.end(), [&](const PlacedNode& placed) {
         return placed.node->mName == from.mName;
     });
     const bool is_placed = home != nodes.end();
     const auto node = is_placed ? static_cast<std::uint32_t>(home - nodes.begin()) : scene::kNoNode;
     const glm::dmat4 world = is_placed ? home->world_from_node : glm::dmat4{1};
-    // A glTF camera sits in its node's origin; Assimp writes the node's translation here once more.
-    const glm::dvec3 eye_node = is_gltf ? glm::dvec3{0} : to_glm(from.mPosition);
+    const glm::dvec3 eye_node = to_glm(from.mPosition);
     const glm::dvec3 view_direction_node = to_glm(from.mLookAt), up_node = to_glm(from.mUp);
     const glm::dvec3 eye = world * glm::dvec4(eye_node, 1);
     return {.name = from.mName.C_Str(),
             .eye_world = eye,
             .target_world = eye + glm::dmat3(world) * view_direction_node,
             .up_world = glm::dmat3(world) * up_node,
-            .fov_y_rad = vertical_fov_rad(from, is_gltf),
+            .fov_y_rad = vertical_fov_rad(from),
             .motion = {node, node, eye_node, eye_node + view_direction_node, up_node}};
 }
 
@@ -112,7 +101,6 @@ CameraFacts camera_facts(const std::filesystem::path& path, const std::string& r
 void convert_cameras(const aiScene& scene,
                      const std::vector<PlacedNode>& nodes,
                      CameraFacts facts,
-                     bool is_gltf,
                      ImportReply& reply) {
     for (unsigned c = 0; c < scene.mNumCameras; ++c) {
         const aiCamera& camera = *scene.mCameras[c];
@@ -125,7 +113,7 @@ void convert_cameras(const aiScene& scene,
         if (is_parallel) {
             reply.parallel_cameras.push_back(name);
         } else {
-            reply.cameras.push_back(convert_camera(camera, nodes, is_gltf));
+            reply.cameras.push_back(convert_camera(camera, nodes));
             const auto angle = dae == facts.dae.end() ? std::nullopt : dae->fov_y_rad();
             if (angle) reply.cameras.back().fov_y_rad = *angle;
         }
@@ -204,8 +192,7 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
     if (reader.starts_with("Discreet 3DS") && !nodes.empty()) {
         reply.cameras = read_3ds_cameras(path, motion);
     } else {
-        convert_cameras(
-            *scene, nodes, camera_facts(path, reader), reader.starts_with("glTF2"), reply);
+        convert_cameras(*scene, nodes, camera_facts(path, reader), reply);
     }
     note_transparency(*scene, reply);
     if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);

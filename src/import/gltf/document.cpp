@@ -1,0 +1,128 @@
+#include "import/gltf/document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/error.h"
+#include "import/refusal.h"
+
+namespace ink::import {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546c67;   // "glTF"
+constexpr std::uint32_t kJson = 0x4e4f534a;    // "JSON"
+constexpr std::uint32_t kBinary = 0x004e4942;  // "BIN"
+constexpr std::size_t kHeaderBytes = 12;
+constexpr std::size_t kChunkHeaderBytes = 8;
+constexpr const char* kAccepted = "glTF 2.0";
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + offset, sizeof word);
+    return word;
+}
+
+bool is_binary(std::span<const std::byte> bytes) {
+    return bytes.size() >= kHeaderBytes && word_at(bytes, 0) == kMagic;
+}
+
+/// Whether it is JSON that speaks of an asset: what all glTF files do, and no other model file.
+bool is_text(std::span<const std::byte> bytes) {
+    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const auto first = std::find_if(
+        text.begin(), text.end(), [](unsigned char c) { return std::isspace(c) == 0; });
+    return first != text.end() && *first == '{' && text.find("\"asset\"") != std::string_view::npos;
+}
+
+/// The chunks of a .glb (glTF 2.0, section 4.4): its JSON is returned, its binary goes into
+/// `document`. Others are passed over, as they must be.
+std::span<const std::byte> json_chunk(GltfDocument& document) {
+    const std::span<const std::byte> file = document.bytes;
+    const auto fail = [](std::size_t offset, const std::string& what, const std::string& accepted) {
+        throw core::Error("", "byte " + std::to_string(offset) + ": " + what, accepted);
+    };
+    const std::uint32_t version = word_at(file, 4);
+    if (version != 2)
+        throw Refusal("", "glTF " + std::to_string(version) + " is not read", kAccepted);
+    const std::uint32_t length = word_at(file, 8);
+    if (length < kHeaderBytes || length > file.size()) {
+        fail(8,
+             "a length of " + std::to_string(length),
+             std::to_string(kHeaderBytes) + ".." + std::to_string(file.size()));
+    }
+    std::span<const std::byte> json;
+    for (std::size_t at = kHeaderBytes, chunk = 0; at < length; ++chunk) {
+        if (length - at < kChunkHeaderBytes) fail(at, "half a chunk", "chunks with their headers");
+        const std::size_t size = word_at(file, at);
+        const std::uint32_t type = word_at(file, at + 4);
+        const std::size_t left = length - at - kChunkHeaderBytes;
+        if (size > left) {
+            fail(at, "a chunk of " + std::to_string(size) + " bytes", "0.." + std::to_string(left));
+        }
+        const auto content = file.subspan(at + kChunkHeaderBytes, size);
+        if ((chunk == 0) != (type == kJson)) fail(at, "a chunk out of order", "JSON first, once");
+        if (chunk == 0) json = content;
+        if (chunk == 1 && type == kBinary) {
+            document.binary = content;
+            document.has_binary = true;
+        }
+        at += kChunkHeaderBytes + size;
+    }
+    return json;
+}
+
+void check_version(const JsonObject& asset) {
+    const std::string version = asset.text("version");
+    if (!version.starts_with("2.")) asset.refuse("glTF " + version + " is not read", kAccepted);
+    const std::string least = asset.text("minVersion");
+    if (!least.empty() && least != "2.0") asset.refuse("it needs glTF " + least, kAccepted);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
+                                                std::uint64_t most) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    const std::uint64_t size =
+        std::min<std::uint64_t>(std::filesystem::file_size(path, error), most);
+    if (error) return std::nullopt;
+    std::vector<std::byte> bytes(size);
+    std::ifstream file(path, std::ios::binary);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (!file) return std::nullopt;
+    return bytes;
+}
+
+std::optional<GltfDocument> open_gltf(const std::filesystem::path& path) {
+    GltfDocument document;
+    document.folder = path.parent_path();
+    auto bytes = read_file(path, std::numeric_limits<std::uint64_t>::max());
+    if (!bytes) return std::nullopt;
+    document.bytes = std::move(*bytes);
+    const bool is_glb = is_binary(document.bytes);
+    if (!is_glb && !is_text(document.bytes)) return std::nullopt;
+    document.json = std::make_shared<nlohmann::json>(
+        parse_json(is_glb ? json_chunk(document) : std::span<const std::byte>(document.bytes)));
+    const JsonObject root = document.root();
+    check_version(root.at("asset"));
+    document.accessors = root.list("accessors", "accessor");
+    document.buffer_views = root.list("bufferViews", "bufferView");
+    document.buffers = root.list("buffers", "buffer");
+    document.meshes = root.list("meshes", "mesh");
+    document.nodes = root.list("nodes", "node");
+    document.scenes = root.list("scenes", "scene");
+    document.skins = root.list("skins", "skin");
+    document.animations = root.list("animations", "animation");
+    document.cameras = root.list("cameras", "camera");
+    document.materials = root.list("materials", "material");
+    return document;
+}
+
+}  // namespace ink::import

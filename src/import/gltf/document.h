@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "import/gltf/json.h"
+
+namespace ink::import {
+
+/// A glTF 2.0 file: its JSON, and the binary chunk of a .glb.
+struct GltfDocument {
+    std::filesystem::path folder;  ///< of the file
+    std::vector<std::byte> bytes;  ///< the whole file
+    std::shared_ptr<const nlohmann::json> json;
+    std::span<const std::byte> binary;  ///< in `bytes`
+    bool has_binary = false;
+
+    // The lists of the JSON that models are made of.
+    std::vector<JsonObject> accessors, buffer_views, buffers, meshes, nodes, scenes, skins,
+        animations, cameras, materials;
+
+    [[nodiscard]] JsonObject root() const { return {*json, ""}; }
+};
+
+/// The document in the file at `path`; nothing if it is not glTF, by its first bytes. Throws Error
+/// if it is damaged, and Refusal if it is of another version.
+[[nodiscard]] std::optional<GltfDocument> open_gltf(const std::filesystem::path& path);
+
+/// The bytes of a regular file, `most` at most; nothing if it cannot be read.
+[[nodiscard]] std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
+                                                              std::uint64_t most);
+
+}  // namespace ink::import

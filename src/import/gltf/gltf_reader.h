@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "import/scene_stream.h"
+
+namespace ink::import {
+
+/// The model in a glTF 2.0 file, .gltf or .glb; nothing if the file is not glTF, by its content.
+///
+/// Throws Error that names the place in the file if anything in it is wrong, and Refusal if it
+/// needs what is not read.
+[[nodiscard]] std::optional<ImportReply> read_gltf(const std::filesystem::path& path,
+                                                   const ImportChoice& choice);
+
+}  // namespace ink::import

@@ -1,0 +1,323 @@
+// What moves in glTF 2.0: keys of every course, morph targets, bones.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "scene/animation.h"
+#include "tests/import/glb_files.h"
+#include "tests/import/model_files.h"
+
+namespace ink::import {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using GltfMotionFile = ModelFiles;
+
+void expect_box(const WorldBox& box, const glm::dvec3& low, const glm::dvec3& high) {
+    EXPECT_LT(glm::length(box.low - low), 1e-5)
+        << box.low.x << ' ' << box.low.y << ' ' << box.low.z;
+    EXPECT_LT(glm::length(box.high - high), 1e-5)
+        << box.high.x << ' ' << box.high.y << ' ' << box.high.z;
+}
+
+WorldBox box_at(scene::Scene scene, double time_s) {
+    scene::pose_scene(scene, time_s);
+    return box_of(scene);
+}
+
+/// Adds an animation of one channel.
+void animate(GlbFile& file,
+             std::size_t node,
+             const std::string& path,
+             std::size_t output,
+             const std::vector<float>& times_s,
+             const std::string& interpolation = "LINEAR") {
+    file.put("animations",
+             {{"name", path},
+              {"samplers",
+               {{{"input", file.accessor(times_s, "SCALAR")},
+                 {"output", output},
+                 {"interpolation", interpolation}}}},
+              {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}});
+}
+
+/// A cube that moves along x.
+GlbFile moving_cube(const std::vector<float>& places, const std::string& interpolation) {
+    GlbFile file = cube_file();
+    file.put("nodes", {{"mesh", 0}});
+    animate(file, 0, "translation", file.accessor(places, "VEC3"), {0, 1}, interpolation);
+    return file;
+}
+
+TEST_F(GltfMotionFile, StepsStay) {
+    const scene::Scene scene =
+        import_scene(write("step.glb", moving_cube({0, 0, 0, 4, 0, 0}, "STEP").bytes()));
+    expect_box(box_at(scene, 0.25), {0, 0, 0}, {1, 1, 1});
+    expect_box(box_at(scene, 0.999), {0, 0, 0}, {1, 1, 1});
+    expect_box(box_at(scene, 1), {4, 0, 0}, {5, 1, 1});
+}
+
+TEST_F(GltfMotionFile, CubicSplinesFollowTheirTangents) {
+    // In, value, out of each key: appendix C.5 gives 10 * (t - 2 t^2 + t^3) + 4 * (3 t^2 - 2 t^3)
+    // - 2 * (t^3 - t^2).
+    const GlbFile file =
+        moving_cube({9, 9, 9, 0, 0, 0, 10, 0, 0, -2, 0, 0, 4, 0, 0, 9, 9, 9}, "CUBICSPLINE");
+    const scene::Scene scene = import_scene(write("cubic.glb", file.bytes()));
+    const double x =
+        10 * (0.25 - 0.125 + 0.015625) + 4 * (0.1875 - 0.03125) - 2 * (0.015625 - 0.0625);
+    expect_box(box_at(scene, 0.25), {x, 0, 0}, {x + 1, 1, 1});
+    expect_box(box_at(scene, 1), {4, 0, 0}, {5, 1, 1});
+}
+
+TEST_F(GltfMotionFile, CubicRotationsAreMadeUnit) {
+    GlbFile file = cube_file();
+    file.put("nodes", {{"mesh", 0}});
+    const float half = std::sqrt(0.5F);
+    const auto turns = file.accessor<float>(
+        {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, half, half, 0, 0, 0, 0}, "VEC4");
+    animate(file, 0, "rotation", turns, {0, 1}, "CUBICSPLINE");
+    scene::Scene scene = import_scene(write("turn.glb", file.bytes()));
+    scene::pose_scene(scene, 0.5);
+    const glm::dmat3 turn(scene.instances.at(0).world_from_object);
+    EXPECT_NEAR(glm::length(turn[0]), 1, 1e-9);
+    EXPECT_NEAR(std::atan2(turn[0].y, turn[0].x), std::acos(-1.0) / 4, 1e-6) << "by symmetry";
+}
+
+TEST_F(GltfMotionFile, RotationsMayBeNormalisedIntegers) {
+    GlbFile file = cube_file();
+    file.put("nodes", {{"mesh", 0}});
+    const auto turns =
+        file.accessor<std::int16_t>({0, 0, 0, 32767, 0, 0, 23170, 23170}, "VEC4", kUnits);
+    animate(file, 0, "rotation", turns, {0, 1});
+    const scene::Scene scene = import_scene(write("turn.glb", file.bytes()));
+    expect_box(box_at(scene, 1), {-1, 0, 0}, {0, 1, 1});
+    expect_box(box_at(scene, 0), {0, 0, 0}, {1, 1, 1});
+}
+
+/// A cube whose one target makes it `by` higher.
+GlbFile growing_cube() {
+    GlbFile file = cube_file();
+    std::vector<float> higher(24, 0);
+    for (std::size_t v = 0; v < 8; ++v)
+        higher[3 * v + 1] = (v & 2) != 0 ? 1 : 0;
+    file.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", file.accessor(higher, "VEC3")}}};
+    file.put("nodes", {{"mesh", 0}});
+    return file;
+}
+
+TEST_F(GltfMotionFile, DefaultWeightsShapeTheMesh) {
+    GlbFile file = growing_cube();
+    const auto box = [&] { return box_of(import_scene(write("morph.glb", file.bytes()))); };
+    expect_box(box(), {0, 0, 0}, {1, 1, 1});
+    file.json["meshes"][0]["weights"] = {1};
+    expect_box(box(), {0, 0, 0}, {1, 2, 1});
+    file.json["nodes"][0]["weights"] = {0.5};
+    expect_box(box(), {0, 0, 0}, {1, 1.5, 1});
+}
+
+TEST_F(GltfMotionFile, NodesMorphOneMeshEachByItsOwnWeights) {
+    GlbFile file = growing_cube();
+    file.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
+    file.put("nodes", {{"mesh", 0}, {"name", "high"}, {"weights", {1}}});
+    file.put("nodes", {{"mesh", 0}, {"name", "high too"}, {"weights", {1}}});
+    const scene::Scene scene = import_scene(write("morph.glb", file.bytes()));
+    EXPECT_EQ(scene.meshes.size(), 2U) << "one of each shape";
+    expect_box(box_of(scene, "node 0"), {0, 0, 0}, {1, 1, 1});
+    expect_box(box_of(scene, "high"), {0, 0, 0}, {1, 2, 1});
+}
+
+TEST_F(GltfMotionFile, WeightsMove) {
+    for (const char* interpolation : {"LINEAR", "STEP"}) {
+        GlbFile file = growing_cube();
+        file.json["meshes"][0]["weights"] = {2};
+        animate(file,
+                0,
+                "weights",
+                file.accessor<std::uint8_t>({0, 255, 0}, "SCALAR", kUnits),
+                {0, 1, 3},
+                interpolation);
+        const scene::Scene scene = import_scene(write("morph.glb", file.bytes()));
+        ASSERT_NE(scene.animation, nullptr);
+        const bool is_step = interpolation[0] == 'S';
+        expect_box(box_of(scene), {0, 0, 0}, {1, 3, 1});  // at rest
+        expect_box(box_at(scene, 0), {0, 0, 0}, {1, 1, 1});
+        expect_box(box_at(scene, 0.5), {0, 0, 0}, {1, is_step ? 1 : 1.5, 1});
+        expect_box(box_at(scene, 2), {0, 0, 0}, {1, is_step ? 2 : 1.5, 1});
+        expect_box(box_at(scene, 3), {0, 0, 0}, {1, 1, 1});
+    }
+}
+
+TEST_F(GltfMotionFile, MorphedMeshesFarOutStayThere) {
+    GlbFile file = growing_cube();
+    std::vector<float> far = cube_corners<float>();
+    for (std::size_t v = 0; v < 8; ++v)
+        far[3 * v] += 4096 * 64;
+    file.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = file.accessor(far, "VEC3");
+    animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
+    const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
+    EXPECT_NE(scene.origin.x, 0);
+    expect_box(box_of(scene), {262144, 0, 0}, {262145, 1, 1});
+    expect_box(box_at(scene, 1), {262144, 0, 0}, {262145, 2, 1});
+}
+
+TEST_F(GltfMotionFile, MovingNodesOfMeshesFarOutStayThere) {
+    GlbFile file = moving_cube({0, 0, 0, 4, 0, 0}, "LINEAR");
+    std::vector<float> far = cube_corners<float>();
+    for (std::size_t v = 0; v < 8; ++v)
+        far[3 * v + 1] += 4096 * 64;
+    file.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = file.accessor(far, "VEC3");
+    const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
+    EXPECT_NE(scene.origin.y, 0);
+    expect_box(box_of(scene), {0, 262144, 0}, {1, 262145, 1});
+    expect_box(box_at(scene, 1), {4, 262144, 0}, {5, 262145, 1});
+}
+
+/// A cube with two joints, nodes 1 and 2, at the origin: its lower corners follow the first.
+template <class Joint, class Weight>
+GlbFile skinned_cube(Weight one, const Json& units) {
+    GlbFile file = cube_file();
+    file.json["scenes"] = {{{"nodes", {0, 1, 2}}}};
+    std::vector<Joint> joints;
+    std::vector<Weight> weights;
+    for (int v = 0; v < 8; ++v) {
+        joints.insert(joints.end(), {static_cast<Joint>(v >> 1 & 1), 0, 0, 0});
+        weights.insert(weights.end(), {one, 0, 0, 0});
+    }
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] = file.accessor(joints, "VEC4");
+    attributes["WEIGHTS_0"] = file.accessor(weights, "VEC4", units);
+    file.put("nodes", {{"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}});
+    file.put("nodes", {{"name", "a"}});
+    file.put("nodes", {{"name", "b"}, {"translation", {0, 2, 0}}});
+    file.put("skins", {{"joints", {1, 2}}});
+    return file;
+}
+
+TEST_F(GltfMotionFile, SkinsWithoutBindMatricesTakeTheIdentity) {
+    const Json none = Json::object();
+    const auto check = [&](const GlbFile& file) {
+        // The mesh's own node stands far off, which must not matter.
+        expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 3, 1});
+    };
+    check(skinned_cube<std::uint8_t, float>(1, none));
+    check(skinned_cube<std::uint16_t, std::uint8_t>(255, kUnits));
+    check(skinned_cube<std::uint8_t, std::uint16_t>(65535, kUnits));
+}
+
+TEST_F(GltfMotionFile, BindMatricesComeBeforeTheJoints) {
+    GlbFile file = skinned_cube<std::uint8_t, float>(1, Json::object());
+    std::vector<float> binds;
+    for (int joint = 0; joint < 2; ++joint)
+        for (int i = 0; i < 16; ++i)
+            binds.push_back(i % 5 == 0 ? 1.0F : joint == 1 && i == 13 ? -2.0F : 0.0F);
+    file.json["skins"][0]["inverseBindMatrices"] = file.accessor(binds, "MAT4");
+    expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 0, 0}, {1, 1, 1});
+}
+
+TEST_F(GltfMotionFile, FurtherSetsOfJointsCount) {
+    GlbFile file = skinned_cube<std::uint8_t, float>(0.5F, Json::object());
+    std::vector<std::uint8_t> joints;
+    for (int v = 0; v < 8; ++v)
+        joints.insert(joints.end(), {1, 0, 0, 9});  // the last has no weight
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_1"] = file.accessor(joints, "VEC4");
+    attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
+    // Half way between the joints below, wholly with the second above.
+    expect_box(box_of(import_scene(write("skin.glb", file.bytes()))), {0, 1, 0}, {1, 3, 1});
+}
+
+TEST_F(GltfMotionFile, EachNodeGoesByItsOwnSkin) {
+    GlbFile file = skinned_cube<std::uint8_t, float>(1, Json::object());
+    file.json["scenes"] = {{{"nodes", {0, 1, 2, 3, 4}}}};
+    file.put("nodes", {{"mesh", 0}, {"skin", 1}});
+    file.put("nodes", {{"name", "c"}, {"translation", {4, 0, 0}}});
+    file.put("skins", {{"joints", {4, 4}}});
+    const scene::Scene scene = import_scene(write("two.glb", file.bytes()));
+    EXPECT_EQ(scene.meshes.size(), 2U);
+    expect_box(box_of(scene, "node 0"), {0, 0, 0}, {1, 3, 1});
+    expect_box(box_of(scene, "node 3"), {4, 0, 0}, {5, 1, 1});
+}
+
+TEST_F(GltfMotionFile, BonesTakeWhatMorphsMade) {
+    GlbFile file = skinned_cube<std::uint8_t, float>(1, Json::object());
+    std::vector<float> wider(24, 0);
+    for (std::size_t v = 0; v < 8; ++v)
+        wider[3 * v] = (v & 1) != 0 ? 1 : 0;
+    file.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", file.accessor(wider, "VEC3")}}};
+    animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
+    const scene::Scene scene = import_scene(write("both.glb", file.bytes()));
+    expect_box(box_of(scene), {0, 0, 0}, {1, 3, 1});
+    expect_box(box_at(scene, 0.5), {0, 0, 0}, {1.5, 3, 1});
+    expect_box(box_at(scene, 1), {0, 0, 0}, {2, 3, 1});
+}
+
+TEST_F(GltfMotionFile, DeepChainsOfJointsPose) {
+    constexpr int kLevels = 500;
+    GlbFile file = cube_file();
+    Json nodes = Json::array({{{"children", {1}}}});
+    for (int level = 1; level <= kLevels; ++level) {
+        nodes.push_back({{"translation", {0, 0.125, 0}}, {"rotation", {0, 0, 0, 1}}});
+        if (level < kLevels) nodes.back()["children"] = {level + 1};
+    }
+    nodes.back()["mesh"] = 0;
+    file.json["nodes"] = nodes;
+    animate(file, 0, "translation", file.accessor<float>({0, 0, 0, 1, 0, 0}, "VEC3"), {0, 1});
+    // Every level turns there and back.
+    Json& channels = file.json["animations"][0]["channels"];
+    file.json["animations"][0]["samplers"].push_back(
+        {{"input", file.json["animations"][0]["samplers"][0]["input"]},
+         {"output", file.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1}, "VEC4")}});
+    for (int level = 1; level <= kLevels; ++level)
+        channels.push_back({{"sampler", 1}, {"target", {{"node", level}, {"path", "rotation"}}}});
+    const scene::Scene scene = import_scene(write("chain.glb", file.bytes()));
+    expect_box(box_at(scene, 1), {1, 62.5, 0}, {2, 63.5, 1});
+}
+
+TEST_F(GltfMotionFile, AnimationsAreChosenByNameOrNumber) {
+    GlbFile file = moving_cube({0, 0, 0, 4, 0, 0}, "LINEAR");
+    file.json["animations"][0]["name"] = "Walk";
+    animate(file, 0, "scale", file.accessor<float>({1, 1, 1, 3, 1, 1}, "VEC3"), {0, 1});
+    file.json["animations"][1]["name"] = "Grow";
+    const auto path = write("several.glb", file.bytes());
+    const auto chosen = [&](const std::string& animation) {
+        return import_scene(path, {.animation = animation});
+    };
+    expect_box(box_at(chosen(""), 1), {4, 0, 0}, {5, 1, 1});
+    expect_box(box_at(chosen("Grow"), 1), {0, 0, 0}, {3, 1, 1});
+    expect_box(box_at(chosen("1"), 1), {0, 0, 0}, {3, 1, 1});
+    EXPECT_THAT(chosen("Grow").file.animation_names, ElementsAre("Walk", "Grow"));
+    EXPECT_THAT(chosen("Grow").file.notes, ElementsAre("1 further animation: Walk"));
+    try {
+        (void)chosen("Run");
+        ADD_FAILURE() << "there is none";
+    } catch (const core::Error& error) {
+        EXPECT_EQ(error.what_happened(), "it has no animation Run (accepted: Walk, Grow, or 0..1)");
+    }
+}
+
+TEST_F(GltfMotionFile, PointersAtNodesAreChannelsOthersAreNotedOrRefused) {
+    GlbFile file = moving_cube({0, 0, 0, 4, 0, 0}, "LINEAR");
+    const auto point_at = [&](const std::string& pointer) {
+        file.json["animations"][0]["channels"][0]["target"] = {
+            {"path", "pointer"},
+            {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+        return write("pointer.glb", file.bytes());
+    };
+    expect_box(box_at(import_scene(point_at("/nodes/0/translation")), 1), {4, 0, 0}, {5, 1, 1});
+    const char* visible = "/nodes/0/extensions/KHR_node_visibility/visible";
+    EXPECT_THAT(import_scene(point_at(visible)).file.notes,
+                ElementsAre("1 channel of the animation at no node"));
+    file.json["extensionsRequired"] = {"KHR_animation_pointer"};
+    EXPECT_THAT(complaint(point_at(visible)), HasSubstr("KHR_animation_pointer at /nodes/0"));
+    EXPECT_THAT(import_scene(point_at("/materials/0/alphaCutoff")).file.notes,
+                ElementsAre("1 channel of the animation at no node"));
+}
+
+}  // namespace
+}  // namespace ink::import
