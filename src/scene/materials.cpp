@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -47,24 +48,32 @@ std::map<std::uint32_t, std::vector<std::size_t>> by_material(const Mesh& mesh) 
     return parts;
 }
 
+/// Copies what of a list belongs to the mesh numbered `mesh` for the one numbered `copy`.
+template <class Motion>
+void copy_for(std::vector<Motion>& all, std::uint32_t mesh, std::uint32_t copy) {
+    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
+        if (all[i].mesh != mesh) continue;
+        Motion motion = all[i];
+        motion.mesh = copy;
+        all.push_back(std::move(motion));
+    }
+}
+
 /// Gives the mesh numbered `copy` what moves that numbered `mesh`.
 void copy_motion(Animation& animation, std::uint32_t mesh, std::uint32_t copy) {
     if (!animation.vertex_frames.empty()) {
         animation.vertex_frames.resize(copy + 1);
         animation.vertex_frames[copy] = animation.vertex_frames[mesh];
     }
-    for (std::size_t s = 0, count = animation.skins.size(); s < count; ++s) {
-        if (animation.skins[s].mesh != mesh) continue;
-        Skin skin = animation.skins[s];
-        skin.mesh = copy;
-        animation.skins.push_back(std::move(skin));
-    }
+    copy_for(animation.morphs, mesh, copy);
+    copy_for(animation.skins, mesh, copy);
 }
 
 bool moves_vertices(const Animation& animation, std::uint32_t mesh) {
-    for (const Skin& skin : animation.skins)
-        if (skin.mesh == mesh) return true;
-    return mesh < animation.vertex_frames.size() && animation.vertex_frames[mesh].frame_count > 0;
+    const auto is_of_mesh = [&](const auto& motion) { return motion.mesh == mesh; };
+    return std::any_of(animation.skins.begin(), animation.skins.end(), is_of_mesh) ||
+           std::any_of(animation.morphs.begin(), animation.morphs.end(), is_of_mesh) ||
+           (mesh < animation.vertex_frames.size() && animation.vertex_frames[mesh].frame_count > 0);
 }
 
 }  // namespace
