@@ -3,6 +3,7 @@
 
 const card = {
     node: null,
+    target: null,
     rows: [],
     at: 0,
     isPinned: false,
@@ -21,7 +22,7 @@ function answerPointer(node, rows, facts = []) {
     const pin = event => {
         event.stopPropagation();
         const box = target.getBoundingClientRect();
-        showCard(shown, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
+        showCard(target, shown, facts, {clientX: event.clientX || box.right, clientY: event.clientY || box.top});
         pinCard();
     };
     target.addEventListener('click', pin);
@@ -33,7 +34,7 @@ function answerPointer(node, rows, facts = []) {
 /// Shows the card of `rows` while the pointer is on `target`.
 function answerHover(target, rows, facts) {
     target.addEventListener('pointerenter', event => {
-        if (!card.isPinned && event.pointerType !== 'touch') showCard(rows, facts, event);
+        if (!card.isPinned && event.pointerType !== 'touch') showCard(target, rows, facts, event);
     });
     target.addEventListener('pointermove', event => {
         if (!card.isPinned && card.node) moveCard(event.clientX, event.clientY);
@@ -55,7 +56,10 @@ function runOf(row) {
     return runs[row.run ?? state.get('run')] || runs[0];
 }
 
-function showCard(rows, facts, {clientX, clientY}) {
+/// Shows the card of `rows`; unless it is pinned, as long as `target` stands on the page.
+function showCard(target, rows, facts, {clientX, clientY}) {
+    card.target = target;
+    whenGone(target, hideLostCard);
     card.rows = rows;
     card.facts = facts;
     card.at = 0;
@@ -81,6 +85,10 @@ function hideCard() {
     card.node.classList.remove('pinned');
     clearInterval(card.blinks);
     card.isTruthShown = false;
+}
+
+function hideLostCard() {
+    if (!card.isPinned && !card.target.isConnected) hideCard();
 }
 
 function pinCard() {
@@ -153,11 +161,12 @@ async function drawCardImage() {
     const canvas = card.canvas;
     const what = card.isTruthShown ? 'truth' : row.method;
     const isDrawn = await drawThumb(canvas, runOf(row), row.scene, row.view, what, cardWidth_px());
+    if (!canvas.isConnected) return; // another row's picture took its place
     canvas.hidden = !isDrawn;
     // The image may have made the card too tall for where it was.
     const box = card.node.getBoundingClientRect();
     if (box.bottom > innerHeight) moveCard(box.left, box.top, 0);
     card.words.textContent = !isDrawn
         ? 'The run folder has no image of this view (--images all keeps every view’s).'
-        : card.isPinned ? (card.isTruthShown ? 'the truth' : 'the method, errors in colour') : '';
+        : card.isPinned ? (what === 'truth' ? 'the truth' : 'the method, errors in colour') : '';
 }

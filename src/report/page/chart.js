@@ -18,8 +18,8 @@ function makeChart(parent, {id, title, note, height = 420, least = 320, controls
         body);
     parent.append(figure);
     let drawnWidth = 0;
-    const redraw = () => {
-        const width = Math.max(least, Math.round(body.clientWidth || parent.clientWidth || 900));
+    const redraw = room_px => {
+        const width = Math.max(least, Math.round(room_px));
         if (width === drawnWidth) return;
         drawnWidth = width;
         const tall = typeof height === 'function' ? height(width) : height;
@@ -28,8 +28,8 @@ function makeChart(parent, {id, title, note, height = 420, least = 320, controls
             .attr('width', width).attr('height', tall).attr('role', 'img').attr('aria-label', title);
         draw({svg, width, height: tall});
     };
-    redraw();
-    new ResizeObserver(redraw).observe(body);
+    redraw(body.clientWidth || parent.clientWidth || 900);
+    watchWidth(body, redraw);
     return figure;
 }
 

@@ -1,15 +1,17 @@
 // What several charts draw: lines of methods, bars, and the small box of text beside the pointer.
 
-const tip = {node: null};
+const tip = {node: null, target: null};
 
-/// Shows `text`, a line or several, beside the pointer.
-function showTip(text, x, y) {
+/// Shows `text`, a line or several, beside the pointer, at most as long as `target` stands there.
+function showTip(text, x, y, target) {
     if (!tip.node) {
         tip.node = element('div', {class: 'tip', role: 'tooltip'});
         document.body.append(tip.node);
     }
     tip.node.replaceChildren(...[text].flat().map(line => element('div', {}, line)));
     tip.node.hidden = false;
+    tip.target = target;
+    whenGone(target, hideLostTip);
     const {offsetWidth: width, offsetHeight: height} = tip.node;
     const left = x + 14 + width > innerWidth ? x - 14 - width : x + 14;
     tip.node.style.left = `${Math.max(4, left)}px`;
@@ -20,10 +22,15 @@ function hideTip() {
     if (tip.node) tip.node.hidden = true;
 }
 
+/// What was drawn anew under the pointer never says that the pointer left.
+function hideLostTip() {
+    if (!tip.target.isConnected) hideTip();
+}
+
 /// Lets a node answer the pointer, a finger and the keyboard with a text.
 function answerText(node, text) {
     const target = node.node ? node.node() : node;
-    const show = event => showTip(text, event.clientX, event.clientY);
+    const show = event => showTip(text, event.clientX, event.clientY, target);
     target.setAttribute('tabindex', '0');
     target.setAttribute('role', 'img');
     target.setAttribute('aria-label', [text].flat().join(', '));
@@ -32,7 +39,7 @@ function answerText(node, text) {
     target.addEventListener('pointerleave', hideTip);
     target.addEventListener('focus', () => {
         const box = target.getBoundingClientRect();
-        showTip(text, box.right, box.top);
+        showTip(text, box.right, box.top, target);
     });
     target.addEventListener('blur', hideTip);
 }
@@ -150,7 +157,7 @@ function answerNearest(plot, layer, spots, width, height) {
         if (!spot) return leave();
         ring.attr('visibility', 'visible').attr('cx', spot.px).attr('cy', spot.py);
         dimOthers(layer.node(), spot.line.name);
-        showTip(spot.point.text, event.clientX, event.clientY);
+        showTip(spot.point.text, event.clientX, event.clientY, sheet.node());
         sheet.style('cursor', hasImages(spot.point.rows) ? 'pointer' : null);
     };
     sheet.on('pointermove', () => look(d3.event)).on('pointerdown', () => look(d3.event))
@@ -160,7 +167,7 @@ function answerNearest(plot, layer, spots, width, height) {
             if (!spot || !hasImages(spot.point.rows)) return;
             d3.event.stopPropagation();
             hideTip();
-            showCard(sortedByErrors(spot.point.rows), [spot.point.text].flat(), d3.event);
+            showCard(sheet.node(), sortedByErrors(spot.point.rows), [spot.point.text].flat(), d3.event);
             pinCard();
         });
 }

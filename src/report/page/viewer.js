@@ -1,6 +1,6 @@
 // The viewer: two images of one view under one slider, with zoom that both share.
 
-const viewer = {zoom: 1, x: 0, y: 0, cut: 0.5, blinks: null, isRightShown: true};
+const viewer = {zoom: 1, x: 0, y: 0, cut: 0.5, place: ''};
 
 state.define('scene', '');
 state.define('view', '');
@@ -36,9 +36,6 @@ function viewsWithImages(shown) {
 }
 
 function drawViewer(root, shown) {
-    clearInterval(viewer.blinks);
-    viewer.blinks = null;
-    viewer.isRightShown = true;
     const choice = viewerChoice(shown);
     if (!choice) {
         root.append(element('p', {class: 'note'},
@@ -109,13 +106,21 @@ async function bindStage(canvas, slider, choice) {
         viewImages.codes(choice.other, choice.scene, choice.view, choice.right),
     ]);
     const size = left || right;
-    if (!size) return;
+    // The reader may have chosen anew while the images were decoded: another stage stands here then.
+    if (!size || !canvas.isConnected) return;
     const sharp = [left, right].map(image => image && paintCodes(image, look));
     const fat = [left, right].map(image => image && paintCodes(thickenCodes(image), look));
     const context = canvas.getContext('2d');
     const fit = () => Object.assign(viewer, {zoom: 1, x: 0, y: 0});
+    // Methods are compared at one place; what was enlarged of one view says nothing about another.
+    const place = `${choice.scene}\n${choice.view}`;
+    if (viewer.place !== place) fit();
+    viewer.place = place;
+    let stopBlinking = null;
+    let isRightShown = true;
     const draw = () => {
         const width = canvas.parentElement.clientWidth;
+        if (width === 0) return; // hidden: there is no scale between the image and nothing
         const height = Math.min((width * size.height) / size.width, Math.max(260, innerHeight * 0.72));
         const dense = window.devicePixelRatio || 1;
         canvas.style.height = `${height}px`;
@@ -133,7 +138,7 @@ async function bindStage(canvas, slider, choice) {
         context.fillRect(0, 0, canvas.width, canvas.height);
         const images = scale / dense < 0.8 ? fat : sharp;
         context.imageSmoothingEnabled = scale < 1;
-        const cut = viewer.blinks ? (viewer.isRightShown ? 0 : 1) : viewer.cut;
+        const cut = stopBlinking ? (isRightShown ? 0 : 1) : viewer.cut;
         [[images[0], 0, cut], [images[1], cut, 1]].forEach(([image, from, to]) => {
             if (!image || from >= to) return;
             context.save();
@@ -143,7 +148,7 @@ async function bindStage(canvas, slider, choice) {
             context.drawImage(image, dx, dy, size.width * scale, size.height * scale);
             context.restore();
         });
-        if (!viewer.blinks) {
+        if (!stopBlinking) {
             context.fillStyle = 'rgb(0, 114, 178)';
             context.fillRect(cut * canvas.width - dense, 0, 2 * dense, canvas.height);
         }
@@ -195,16 +200,16 @@ async function bindStage(canvas, slider, choice) {
     for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { held = null; });
     const blinkButton = document.getElementById('blink');
     const blink = () => {
-        if (viewer.blinks) {
-            clearInterval(viewer.blinks);
-            viewer.blinks = null;
+        if (stopBlinking) {
+            stopBlinking();
+            stopBlinking = null;
         } else {
-            viewer.blinks = setInterval(() => {
-                viewer.isRightShown = !viewer.isRightShown;
+            stopBlinking = tickWhileThere(canvas, 600, () => {
+                isRightShown = !isRightShown;
                 draw();
-            }, 600);
+            });
         }
-        blinkButton.setAttribute('aria-pressed', viewer.blinks ? 'true' : 'false');
+        blinkButton.setAttribute('aria-pressed', stopBlinking ? 'true' : 'false');
         draw();
     };
     blinkButton.addEventListener('click', blink);
@@ -222,6 +227,5 @@ async function bindStage(canvas, slider, choice) {
         event.preventDefault();
         keys[event.key]();
     });
-    draw();
-    new ResizeObserver(draw).observe(canvas.parentElement);
+    watchWidth(canvas.parentElement, draw);
 }

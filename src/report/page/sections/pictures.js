@@ -31,17 +31,19 @@ function drawGrid(root, view) {
     const isAll = state.get('grid.views');
     const shown = isAll ? views : scenes.map(lines => lines[0]);
     const methods = [...view.ranked, ...view.contestants.filter(s => !view.isAffordable(s))];
-    const watcher = thumbWatcher(view.run);
+    const box = element('div', {class: 'scroll grid-box', tabindex: '0', role: 'region', 'aria-label': 'Scenes by methods'});
+    const watcher = watchSeen(box, 200, canvas =>
+        drawThumb(canvas, view.run, ...canvas.dataset.what.split('\n'), THUMB_PX, state.get('look')));
     if (views.length > scenes.length) {
         root.append(element('div', {class: 'tools'},
             toggleButton('All views', isAll, on => state.set({'grid.views': on}))));
     }
-    root.append(element('div', {class: 'scroll grid-box', tabindex: '0', role: 'region', 'aria-label': 'Scenes by methods'},
-        element('table', {class: 'data thumbs'},
-            element('thead', {}, element('tr', {}, element('th', {class: 'text'}, 'scene'), element('th', {}, 'truth'),
-                methods.map(s => element('th', {}, methodName(s.info), element('br'),
-                    element('small', {}, `${formatShare(s.value)}${s.ms ? ` · ${formatMs(s.ms)} ms` : ''}`))))),
-            element('tbody', {}, shown.map(line => gridLine(view, line, methods, watcher, isAll))))));
+    box.append(element('table', {class: 'data thumbs'},
+        element('thead', {}, element('tr', {}, element('th', {class: 'text'}, 'scene'), element('th', {}, 'truth'),
+            methods.map(s => element('th', {}, methodName(s.info), element('br'),
+                element('small', {}, `${formatShare(s.value)}${s.ms ? ` · ${formatMs(s.ms)} ms` : ''}`))))),
+        element('tbody', {}, shown.map(line => gridLine(view, line, methods, watcher, isAll)))));
+    root.append(box);
 }
 
 function gridLine(view, line, methods, watcher, isViewNamed) {
@@ -74,13 +76,4 @@ function gridCell(view, line, method, caption, row, watcher) {
         'aria-label': `${method} on ${line.scene}`, onclick: open}, canvas, caption);
     if (row) answerHover(button, [row], []);
     return element('td', {class: 'thumb-cell'}, button);
-}
-
-function thumbWatcher(run) {
-    return new IntersectionObserver((entries, watcher) => {
-        for (const {target} of entries.filter(entry => entry.isIntersecting)) {
-            watcher.unobserve(target);
-            drawThumb(target, run, ...target.dataset.what.split('\n'), THUMB_PX, state.get('look'));
-        }
-    }, {rootMargin: '200px'});
 }
