@@ -1,4 +1,4 @@
-// Small pieces of the page: elements, files to save, the floating card.
+// Small pieces of the page: elements, controls, files to save.
 
 /// An element with attributes and children; texts are never read as HTML.
 function element(tag, attributes = {}, ...children) {
@@ -60,6 +60,24 @@ function chooser(label, choices, chosen, onChoose, isLabelShown = true) {
     const list = element('select', {'aria-label': label, onchange: event => onChoose(event.target.value)},
         choices.map(([value, text]) => element('option', {value, selected: String(value) === String(chosen)}, text)));
     return isLabelShown ? element('label', {class: 'field'}, element('span', {}, label), list) : list;
+}
+
+/// What `draw` puts anew into `root` stands as the reader left it: the same lists open, boxes scrolled
+/// as far, and the focus on the control that they work.
+function redrawInPlace(root, draw) {
+    const boxes = () => [...root.querySelectorAll('.scroll, .side, .picker-list')];
+    const controls = () => [...root.querySelectorAll('button, select, input, summary')];
+    // Beside the name a list shows what is chosen, and a heading how it sorts.
+    const nameOf = node => [node.tagName, node.closest('details')?.dataset.name, node.id, node.type === 'checkbox' && node.value,
+        node.getAttribute('aria-label') || (node.tagName === 'SUMMARY' ? '' : node.textContent.replace(/ [▾▴]$/, ''))].join();
+    const open = [...root.querySelectorAll('details[data-name][open]')].map(node => node.dataset.name);
+    const scrolled = boxes().map(box => [box.scrollLeft, box.scrollTop]);
+    const held = controls().find(node => node === document.activeElement);
+    const name = held && nameOf(held);
+    draw();
+    for (const node of root.querySelectorAll('details[data-name]')) if (open.includes(node.dataset.name)) node.open = true;
+    boxes().slice(0, scrolled.length).forEach((box, i) => [box.scrollLeft, box.scrollTop] = scrolled[i]);
+    if (held) controls().find(node => nameOf(node) === name)?.focus({preventScroll: true});
 }
 
 function warningBox(title, text, items) {

@@ -69,7 +69,6 @@ function drawFilters(root) {
     const splits = distinct(run.rows, row => row.split);
     const isOpen = root.querySelector('details.filters')?.open ?? innerWidth > 720;
     const times = ascending(run.rows.map(row => row.draw_ns)).map(ns => ns * 1e-6);
-    const openPickers = [...root.querySelectorAll('details.picker[open]')].map(node => node.dataset.name);
 
     const controls = element('div', {class: 'filter-row'},
         runs.length > 1 ? chooser('Run', runs.map((r, i) => [i, r.label]), run.index,
@@ -89,10 +88,6 @@ function drawFilters(root) {
             theme => state.set({theme})));
     root.replaceChildren(element('details', {class: 'filters', open: isOpen},
         element('summary', {}, isFiltered() ? 'Filters (changed)' : 'Filters'), controls));
-    for (const name of openPickers) {
-        const node = root.querySelector(`details.picker[data-name="${name}"]`);
-        if (node) node.open = true;
-    }
 }
 
 function familyButtons(families) {

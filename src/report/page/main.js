@@ -5,11 +5,12 @@ const FILTERS = ['run', 'families', 'methods', 'scenes', 'split', 'measure', 'bu
 
 function drawSection(section) {
     section.isStale = false;
-    section.body.replaceChildren();
     const view = cachedView();
     const isThere = !section.isThere || section.isThere(view);
-    if (!isThere) return;
-    section.draw(section.body, view);
+    redrawInPlace(section.body, () => {
+        section.body.replaceChildren();
+        if (isThere) section.draw(section.body, view);
+    });
 }
 
 state.define('open', []);
@@ -52,15 +53,20 @@ function buildSections(main, nav) {
 /// A part that few need starts closed; which ones are open stands in the address.
 function foldedPart(section, words) {
     // A run of one study alone has no part before it: it is what the reader came for.
-    const isAlone = !runs.some(run => run.rows.length);
-    section.fold = element('details', {class: 'fold', open: isAlone || state.get('open').includes(section.id)},
+    section.isAlone = !runs.some(run => run.rows.length);
+    section.fold = element('details', {class: 'fold', open: section.isAlone || state.get('open').includes(section.id)},
         element('summary', {}, element('h2', {}, section.title)), words, section.body);
     section.fold.addEventListener('toggle', () => {
         const others = state.get('open').filter(id => id !== section.id);
-        if (!isAlone) state.set({open: section.fold.open ? [...others, section.id] : others});
+        if (!section.isAlone) state.set({open: section.fold.open ? [...others, section.id] : others});
         if (section.fold.open && section.isStale) drawSection(section);
     });
     return section.fold;
+}
+
+/// Parts are open as the address says that the reader typed.
+function openFolds() {
+    for (const {fold, id, isAlone} of sections) if (fold && !isAlone) fold.open = state.get('open').includes(id);
 }
 
 function isOpen(section) {
@@ -85,7 +91,8 @@ function redraw(changed) {
         showLinks();
         drawHeader(document.querySelector('header .wrap'), cachedView());
     }
-    drawFilters(document.getElementById('filters'));
+    const filters = document.getElementById('filters');
+    redrawInPlace(filters, () => drawFilters(filters));
     for (const section of sections) {
         const uses = section.uses || [];
         const isHit = isFilter || changed.some(name => uses.includes(name) || uses.some(u => u.endsWith('*') && name.startsWith(u.slice(0, -1))));
@@ -112,7 +119,10 @@ function start() {
     drawFilters(document.getElementById('filters'));
     buildSections(document.querySelector('main'), document.querySelector('nav .wrap'));
     state.onChange(redraw);
-    window.addEventListener('hashchange', () => state.readAddress());
+    window.addEventListener('hashchange', () => {
+        state.readAddress();
+        openFolds();
+    });
     document.querySelector('footer').textContent =
         `Made by inkbench ${packed.version}. This page needs no other file and no network.`;
     document.documentElement.dataset.ready = '1';

@@ -89,7 +89,7 @@ function aboutProvenance(run) {
     ].filter(([, value]) => value !== null && value !== undefined && value !== '');
     const list = element('dl', {class: 'terms'},
         entries.map(([name, value]) => element('div', {}, element('dt', {}, name), element('dd', {}, value))));
-    const asked = record.asked ? element('details', {},
+    const asked = record.asked ? element('details', {'data-name': 'asked'},
         element('summary', {}, 'Everything that was asked, as a file of inkbench run'),
                                          element('pre', {class: 'asked'}, record.asked)) : null;
     return element('div', {}, list, asked);

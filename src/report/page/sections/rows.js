@@ -12,7 +12,6 @@ const ROWS_TEXT = ['study', 'method', 'scene', 'view', 'split', 'params', 'statu
     'version', 'commit',
                    'compiler', 'flags', 'cpu', 'simd'];
 const ROWS_MOST = 60;
-const rowsPicker = {isOpen: false};
 
 addSection({
     id: 'rows',
@@ -108,8 +107,7 @@ function rowsColumnPicker(run) {
     const shown = state.get('rows.columns').length ? state.get('rows.columns') : ROWS_USUAL;
     const docs = (window.columnDocs || {})['rows.csv'] || {};
     const choose = list => state.set({'rows.columns': list});
-    return element('details', {class: 'picker', 'data-name': 'rows-columns', open: rowsPicker.isOpen,
-        ontoggle: event => { rowsPicker.isOpen = event.target.open; }},
+    return element('details', {class: 'picker', 'data-name': 'rows-columns'},
         element('summary', {}, 'Columns',
             element('b', {}, ` ${names.filter(name => shown.includes(name)).length} of ${names.length}`)),
         element('div', {class: 'picker-list'},

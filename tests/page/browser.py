@@ -1,0 +1,107 @@
+"""What the page's tests stand on: the program, a headless Chromium, and a page opened in it.
+
+Tests run by ctest with INKBENCH (the program) in the environment. Without Chromium, its driver or
+Selenium they skip: the exit code is 77, and the last line says what is missing.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SKIPPED = 77
+PROGRAM = os.environ.get("INKBENCH", "build/release/inkbench")
+
+
+def skip(what):
+    print(f"Skipped: {what} (./bootstrap install browser installs it).")
+    sys.exit(SKIPPED)
+
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import Select, WebDriverWait
+except ImportError:
+    skip("python3-selenium is not installed")
+
+CHROMIUM = shutil.which("chromium")
+DRIVER = shutil.which("chromedriver")
+if not CHROMIUM or not DRIVER:
+    skip("chromium or chromium-driver is not installed")
+
+
+def inkbench(*words, codes=(0,)):
+    """Runs the program; fails with what it printed."""
+    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+    if done.returncode not in codes:
+        raise AssertionError(f"inkbench {' '.join(map(str, words))}: exit {done.returncode}\n"
+                             f"{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def open_browser(folder):
+    options = Options()
+    options.binary_location = CHROMIUM
+    for switch in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                   "--no-first-run", "--disable-background-networking", "--disable-sync",
+                   "--hide-scrollbars", "--window-size=1280,900", f"--user-data-dir={folder}/profile"):
+        options.add_argument(switch)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+class BrowserTest(unittest.TestCase):
+    """A browser and a folder per class; after each test the console must have been silent."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="inkbench-page-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.make_runs()
+        cls.browser = open_browser(cls.folder)
+        cls.addClassCleanup(cls.browser.quit)
+
+    @classmethod
+    def make_runs(cls):
+        """What a class opens, in its folder; `before/report.html` unless it says otherwise."""
+        raise NotImplementedError
+
+    def open(self, file=None, address=""):
+        self.browser.get("about:blank")
+        self.browser.get_log("browser")
+        self.browser.get((file or self.folder / "before" / "report.html").as_uri() + address)
+        self.wait(lambda: self.script("return document.documentElement.dataset.ready === '1'"))
+
+    def tearDown(self):
+        said = [entry["message"] for entry in self.browser.get_log("browser")
+                if entry["level"] in ("SEVERE", "WARNING")]
+        self.assertEqual(said, [], "the console is not silent")
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def wait(self, condition):
+        return WebDriverWait(self.browser, 20).until(lambda _: condition())
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def find_all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def show(self, section):
+        """Scrolls to a part, waits until it is drawn, and gives it."""
+        self.script("document.getElementById(arguments[0]).scrollIntoView()", section)
+        self.wait(lambda: self.script(
+            "return document.querySelector('#' + arguments[0] + ' .section-body').childElementCount > 0", section))
+        return self.find(f"#{section}")
+
+    def address(self):
+        return self.script("return location.hash")
