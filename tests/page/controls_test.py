@@ -5,6 +5,7 @@ import sys
 import unittest
 
 from browser import BrowserTest, Keys, inkbench, webdriver
+from controls import controls, work
 from ink import broken_attributes, count_ink, settle
 
 # Fewer drawn pixels than these are no picture: an axis alone has no colour, an empty canvas no ink.
@@ -37,47 +38,17 @@ return [...watched.values()].flatMap(nodes => [...nodes]).filter(node => !node.i
     .map(node => `${node.tagName} ${node.className}`);
 """
 
-# The controls below arguments[0] by what a reader sees of them. What saves a file is no choice.
-CONTROLS = """
-window.controlsBelow = selector => {
-    const nameOf = node => node.type === 'checkbox' ? node.value : node.id || node.getAttribute('aria-label')
-        || node.textContent.replace(/[▾▴]/g, '').trim();
-    const kindOf = node => node.matches('thead button') ? 'head' : node.matches('input') ? node.type
-        : node.matches('.side-line, .thumb-button') ? 'picture' : node.tagName.toLowerCase();
-    const seen = new Map();
-    return [...document.querySelectorAll(`${selector} :is(button, select, input)`)]
-        .filter(node => node.checkVisibility() && !/CSV|^SVG$/.test(node.textContent)).map(node => {
-        const name = `${kindOf(node)} ${node.parentElement.getAttribute('aria-label') || ''} ${nameOf(node)}`;
-        seen.set(name, (seen.get(name) || 0) + 1);
-        return {node, kind: kindOf(node), name: `${name} ${seen.get(name)}`};
-    });
-};
-return controlsBelow(arguments[0]).map(({node, kind, name}) => ({kind, name, choices:
-    kind === 'select' ? [...node.options].filter(option => !option.selected).map(option => option.value)
-    : kind === 'range' ? [node.min, String(Math.round(Number(node.max) / 3)), node.max]
-    : kind === 'search' ? ['cube', ''] : [null]}));
-"""
-
-# Works one control; false if it is not there, as a choice before may have taken it away.
-WORK = """
-const [selector, name, choice] = arguments;
-const control = controlsBelow(selector).find(c => c.name === name);
-if (!control) return false;
-control.node.focus({preventScroll: true});
-if (choice === null) control.node.click();
-else {
-    control.node.value = choice;
-    for (const type of ['input', 'change']) control.node.dispatchEvent(new Event(type, {bubbles: true}));
-}
-return true;
-"""
-
 
 class ControlsTest(BrowserTest):
     @classmethod
     def make_runs(cls):
         inkbench("compare", "--scenes", "cube,tiles", "--methods", "mote4,ids,sobel", "--size", "240x136",
                  "--views", "2", "--repetitions", "1", "--images", "all", "--out", cls.folder / "before")
+        for name, images in (("after", "all"), ("bare", "none")):
+            inkbench("compare", "--scenes", "cube", "--methods", "ids", "--size", "240x136", "--views", "2",
+                     "--repetitions", "1", "--no-sweep", "--images", images, "--out", cls.folder / name)
+        cls.three = cls.folder / "three.html"
+        inkbench("report", *(cls.folder / name for name in ("before", "after", "bare")), "-o", cls.three)
 
     @classmethod
     def setUpClass(cls):
@@ -107,18 +78,15 @@ class ControlsTest(BrowserTest):
         self.assertEqual(self.script("return timers.size"), blinking, f"timers after {what}")
         return boxes
 
-    def work(self, root, control, choice=None):
-        return self.script(WORK, root, control["name"], choice)
-
     def work_all(self, root, shown):
         """Works every control below `root` but heads of tables, each from the page's first state."""
-        controls = [c for c in self.script(CONTROLS, root) if c["kind"] not in ("head", "picture")]
-        for control in controls:
+        found = [c for c in controls(self.browser, root) if c["kind"] not in ("head", "picture")]
+        for control in found:
             for choice in control["choices"]:
-                self.assertTrue(self.work(root, control, choice), f"{control['name']} is gone")
+                self.assertTrue(work(self.browser, root, control, choice), f"{control['name']} is gone")
                 self.check(f"{root}, {control['name']} {choice or ''}", shown)
             self.script("state.reset()")
-        return controls
+        return found
 
     # ---- Every control ---------------------------------------------------------------------
 
@@ -147,10 +115,10 @@ class ControlsTest(BrowserTest):
         self.open()
         for name in ("methods", "scenes"):
             self.find(f'details.picker[data-name="{name}"] summary').click()
-            for control in [c for c in self.script(CONTROLS, ".picker[open]") if c["kind"] == "checkbox"]:
-                self.work(".picker[open]", control)
+            for control in [c for c in controls(self.browser, ".picker[open]") if c["kind"] == "checkbox"]:
+                work(self.browser, ".picker[open]", control)
                 self.check(f"{control['name']} off", "#pictures")
-                self.assertTrue(self.work(".picker[open]", control), "the list has closed")
+                self.assertTrue(work(self.browser, ".picker[open]", control), "the list has closed")
                 self.check(f"{control['name']} on", "#pictures")
             self.find(f'details.picker[data-name="{name}"] summary').click()
 
@@ -158,7 +126,7 @@ class ControlsTest(BrowserTest):
         self.open()
         for part in self.parts():
             self.unfold(part)
-            heads = [c["name"] for c in self.script(CONTROLS, f"#{part}") if c["kind"] == "head"]
+            heads = [c["name"] for c in controls(self.browser, f"#{part}") if c["kind"] == "head"]
             lazy = self.script(
                 "const [selector, names] = arguments; const head = name => controlsBelow(selector).find(c => c.name === name).node;"
                 "return names.filter(name => { head(name).click(); return head(name).closest('th').ariaSort === 'none'; })",
@@ -193,6 +161,14 @@ class ControlsTest(BrowserTest):
             .move_by_offset(-200, 0).release().perform()
         self.assertLess(self.stage("moving the divider")["cut"], 0.4)
 
+    def test_only_runs_with_images_of_a_view_stand_on_the_right(self):
+        self.open(self.three, "#scene=cube&rightRun=2")
+        self.unfold("pictures")
+        self.stage("a run without images")
+        options = [option.text for option in self.find_all("#pictures select[aria-label='Right of run'] option")]
+        self.assertEqual(options, ["before", "after"])
+        self.work_all("#pictures", "#pictures")
+
     def test_what_was_enlarged_of_one_scene_is_not_of_the_next(self):
         self.open(address="#scene=cube")
         self.unfold("pictures")
@@ -219,8 +195,8 @@ class ControlsTest(BrowserTest):
         self.open()
         for part in ("pictures", "grid"):
             self.unfold(part)
-            for control in [c for c in self.script(CONTROLS, f"#{part}") if c["kind"] == "picture"]:
-                self.assertTrue(self.work(f"#{part}", control), control["name"])
+            for control in [c for c in controls(self.browser, f"#{part}") if c["kind"] == "picture"]:
+                self.assertTrue(work(self.browser, f"#{part}", control), control["name"])
                 self.stage(control["name"])
 
     def test_a_width_of_nothing_leaves_no_mark(self):

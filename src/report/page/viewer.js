@@ -18,12 +18,13 @@ function viewerChoice(shown) {
     const asked = views.find(v => v.scene === state.get('scene') && v.view === state.get('view')) ||
         views.find(v => v.scene === state.get('scene'));
     const {scene, view} = asked || views[0];
-    const other = runs[state.get('rightRun')] || run;
+    const others = runs.filter(one => viewImages.entry(one, scene, view));
+    const other = others.includes(runs[state.get('rightRun')]) ? runs[state.get('rightRun')] : run;
     const names = [...other.methods.keys()].filter(name => viewImages.has(other, scene, view, name));
     const best = shown.best && names.includes(shown.best.method) ? shown.best.method : names.find(n => !BASELINES.includes(n));
     const right = names.includes(state.get('right')) ? state.get('right') : best || 'truth';
     const left = viewImages.has(run, scene, view, state.get('left')) ? state.get('left') : 'truth';
-    return {run, other, scene, view, left, right, views};
+    return {run, other, others, scene, view, left, right, views};
 }
 
 function viewsWithImages(shown) {
@@ -72,7 +73,7 @@ function viewerControls(choice, shown) {
             view => state.set({scene: choice.scene, view})) : null,
         chooser('Left', names(choice.run).map(n => [n, n]), choice.left, left => state.set({left})),
         chooser('Right', names(choice.other).map(n => [n, n]), choice.right, right => state.set({right})),
-        runs.length > 1 ? chooser('Right of run', runs.map((run, i) => [i, run.label]), choice.other.index,
+        choice.others.length > 1 ? chooser('Right of run', choice.others.map(run => [run.index, run.label]), choice.other.index,
             index => state.set({rightRun: Number(index)})) : null,
         choiceButtons('Colours', [['errors', 'Errors'], ['causes', 'Causes'], ['drawn', 'Lines']],
             state.get('look'), look => state.set({look})),

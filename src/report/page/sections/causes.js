@@ -71,7 +71,7 @@ function drawCauseChart(chart, lines, unit, isShare) {
             const start = from[cause.kind];
             from[cause.kind] += value;
             const [a, b] = cause.kind === 'false_positives' ? [start, start + value] : [-start - value, -start];
-            bar.append('rect').attr('x', x(a)).attr('width', Math.max(0.5, x(b) - x(a))).attr('y', i * band + 3).attr('height', band - 6)
+            bar.append('rect').attr('class', 'cause').attr('x', x(a)).attr('width', Math.max(0.5, x(b) - x(a))).attr('y', i * band + 3).attr('height', band - 6)
                 .style('fill', rgbText(cause.rgb)).append('title').text(`${cause.text}: ${value.toFixed(isShare ? 2 : 0)}${isShare ? ' %' : ' px'}`);
         }
         answerPointer(bar, line.rows, [`${line.method}: missing ${formatNumber(line.missing)} px, false ${formatNumber(line.false)} px of ${formatNumber(line.truth)} true ones`]);
