@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
+#include "scene/predicates.h"
 
 namespace ink::crosscheck {
 namespace {
@@ -35,6 +36,7 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       material_seams_(options.material_seams),
       tolerances_(scene::weld_tolerances(topology)),
       p_clip_(topology.p_world.size()),
+      orientation_(topology.faces.size()),
       kinds_(topology.edges.size()) {
     const auto in_chunks = [&](std::size_t count, auto&& body) {
         core::parallel_for((count + kChunk - 1) / kChunk, options.threads, [&](std::size_t chunk) {
@@ -45,6 +47,12 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
     };
     in_chunks(p_clip_.size(),
               [&](std::size_t i) { p_clip_[i] = projection_.to_clip(topology.p_world[i]); });
+    in_chunks(orientation_.size(), [&](std::size_t i) {
+        const auto& v = topology.faces[i].vertices;
+        const auto& p = topology.p_world;
+        orientation_[i] = static_cast<std::int8_t>(
+            scene::orient3d(p[v[0]], p[v[1]], p[v[2]], projection_.eye_world()));
+    });
     in_chunks(kinds_.size(), [&](std::size_t i) { kinds_[i] = kind_of(topology.edges[i]); });
 }
 
@@ -54,12 +62,9 @@ LocalFace ClipMesh::local_face(std::uint32_t face, const glm::dvec2& p_px) const
         const glm::dvec3& p = p_clip_[topology_.faces[face].vertices[i]];
         local.p[i] = {p.x - p_px.x * p.z, p.y - p_px.y * p.z, p.z};
     }
-    double volume = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
         local.area[i] = cross_xy(local.p[i], local.p[(i + 1) % 3]);
-        volume += local.area[i] * local.p[(i + 2) % 3].z;
-    }
-    local.orientation = volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+    local.orientation = orientation_[face];
     return local;
 }
 
@@ -98,28 +103,10 @@ bool ClipMesh::holds(const LocalFace& face, double reach_px) {
 }
 
 int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
-    // Measured from one end of the edge as it is on the image, where the numbers are small.
-    glm::dvec3 a = p_clip_[edge.a], b = p_clip_[edge.b];
-    glm::dvec3 c = p_clip_[opposite_vertex(topology_.faces[face], edge)];
-    double sign = 1;
-    if (a.z < b.z) {
-        std::swap(a, b);
-        sign = -1;
-    }
-    if (a.z > 0) {
-        b -= glm::dvec3(a.x, a.y, 0) * (b.z / a.z);
-        c -= glm::dvec3(a.x, a.y, 0) * (c.z / a.z);
-        const double first = b.x * c.y, second = b.y * c.x;
-        const double rounding = std::abs(first) + std::abs(second);
-        // Where they cancel, what remains must exceed what the shift itself rounded off.
-        const double size = std::max({std::abs(a.x), std::abs(a.y), 1.0}) / a.z;
-        const double lost = size * (std::abs(b.z) * (std::abs(c.x) + std::abs(c.y)) +
-                                    std::abs(c.z) * (std::abs(b.x) + std::abs(b.y)));
-        const double det = sign * (first - second);
-        if (std::abs(det) <= kEdgeOn * rounding + 1e-15 * lost) return 0;
-        return det > 0 ? 1 : -1;
-    }
-    return sign * glm::dot(glm::cross(a, b), c) > 0 ? 1 : -1;  // behind the eye: never seen
+    const scene::Face& f = topology_.faces[face];
+    const auto at = std::find(f.vertices.begin(), f.vertices.end(), edge.a) - f.vertices.begin();
+    const bool runs_along = f.vertices[static_cast<std::size_t>(at + 1) % 3] == edge.b;
+    return runs_along ? orientation_[face] : -orientation_[face];
 }
 
 bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
@@ -152,12 +139,9 @@ ClipMesh::EdgeKind ClipMesh::kind_of(const scene::Edge& edge) const {
 
 std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
     std::uint32_t nearest = kNothing;
-    const glm::dvec3 eye = projection_.eye_world();
-    const glm::dvec3 a = topology_.p_world[edge.a] - eye;
-    const glm::dvec3 along = topology_.p_world[edge.b] - topology_.p_world[edge.a];
-    const auto arm = [&](std::uint32_t face) {
-        return topology_.p_world[opposite_vertex(topology_.faces[face], edge)] -
-               topology_.p_world[edge.a];
+    const auto& p = topology_.p_world;
+    const auto corner = [&](std::uint32_t face) {
+        return p[opposite_vertex(topology_.faces[face], edge)];
     };
     for (const std::uint32_t face : topology_.faces_of(edge)) {
         if (side_of(edge, face) != side) continue;
@@ -166,12 +150,10 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
             continue;
         }
         // Nearer is what lies on the eye's side of the plane of the nearest so far.
-        const glm::dvec3 normal = glm::cross(along, arm(nearest));
-        const glm::dvec3 reach = arm(face);
-        const double of_face = glm::dot(normal, reach), of_eye = -glm::dot(normal, a);
-        const bool is_in_plane =
-            std::abs(of_face) <= kEdgeOn * glm::length(normal) * glm::length(reach);
-        if (!is_in_plane && (of_face > 0) == (of_eye > 0)) nearest = face;
+        const glm::dvec3 &a = p[edge.a], &b = p[edge.b], c = corner(nearest);
+        const int of_face = scene::orient3d(a, b, c, corner(face));
+        const int of_eye = scene::orient3d(a, b, c, projection_.eye_world());
+        if (of_face == of_eye || (of_face == 0 && face < nearest)) nearest = face;
     }
     return nearest;
 }

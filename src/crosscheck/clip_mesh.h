@@ -125,6 +125,7 @@ class ClipMesh {
     bool material_seams_;
     std::vector<double> tolerances_;  ///< per object
     std::vector<glm::dvec3> p_clip_;
+    std::vector<std::int8_t> orientation_;  ///< per face, as LocalFace has it; exact
     std::vector<EdgeKind> kinds_;
 };
 

@@ -170,6 +170,20 @@ void add_ends(const SightRays& rays,
     }
 }
 
+/// Whether one edge runs exactly behind another, in one plane with the eye: the surface that ends
+/// there hides it as a whole.
+bool is_right_behind(const ClipMesh& mesh, const MetEdge& met, const MetEdge& border) {
+    const scene::Topology& topology = mesh.topology();
+    const auto& p = topology.p_world;
+    const scene::Edge& front = topology.edges[edge_of(mesh, border)];
+    const scene::Edge& behind = topology.edges[edge_of(mesh, met)];
+    const glm::dvec3 eye = mesh.projection().eye_world();
+    const auto is_level = [&](std::uint32_t v) {
+        return scene::orient3d(eye, p[front.a], p[front.b], p[v]) == 0;
+    };
+    return border.w < met.w && is_level(behind.a) && is_level(behind.b);
+}
+
 /// Whether a feature that the way from `sample` passed comes out beyond the surface seen at
 /// `other`, which neither covers nor touches it.
 bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
@@ -177,6 +191,7 @@ bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
     const glm::dvec2 met_px = mesh.px(met.p_world);
     const Walk cover = walk(mesh, other, met_px, Stop::at_end);
     if (cover.has_arrived) return side_under(mesh, cover.face, point_of(mesh, met)) < 0;
+    if (is_right_behind(mesh, met, cover.met)) return false;
     return glm::length(cover.met.p_world - met.p_world) > touching(mesh, cover.face, met.face);
 }
 

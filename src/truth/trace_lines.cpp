@@ -44,7 +44,7 @@ class LineTracer {
         begin_s_ = 0;
         for (int i = 1; i <= steps && line.length_px > kBisected_px; ++i) {
             const double next_s = i == steps ? 1 - inset : static_cast<double>(i) / steps;
-            const State next = state_at(next_s);
+            State next = state_at(next_s);
             bisect(s, state, next_s, next);
             s = next_s;
             state = next;
@@ -53,12 +53,12 @@ class LineTracer {
     }
 
   private:
-    State state_at(double s) {
+    State state_at(double s, Visibility::Look look = Visibility::Look::quick) {
         const LinePoint point = line_->line_point(s);
         ++out_.samples;
         if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
         if (line_->line_class != LineClass::contour) return State::plain;
-        switch (visibility_.kind_behind(point, out_.rays)) {
+        switch (visibility_.kind_behind(point, look, out_.rays)) {
             case ContourKind::other_object:
                 return State::against_other;
             case ContourKind::self:
@@ -68,14 +68,24 @@ class LineTracer {
         }
     }
 
-    /// Finds every change of state that halving meets between two samples.
-    void bisect(double low, State at_low, double high, State at_high) {
+    static bool is_contour(State state) { return state != State::hidden && state != State::plain; }
+
+    /// Finds every change of state that halving meets between two samples. Where only what lies
+    /// behind a contour changes, a closer look may find that it does not: both states are set anew.
+    void bisect(double low, State at_low, double high, State& at_high) {
         while (at_low != at_high) {
+            const bool is_behind = is_contour(at_low) && is_contour(at_high);
+            const auto look = is_behind ? Visibility::Look::close : Visibility::Look::quick;
+            if (is_behind) {
+                at_low = state_at(low, look);
+                at_high = state_at(high, look);
+                if (at_low == at_high) return;
+            }
             double near_end = low, far_end = high;
             State beyond = at_high;
             while ((far_end - near_end) * line_->length_px > kBisected_px) {
                 const double middle = near_end + (far_end - near_end) / 2;
-                const State state = state_at(middle);
+                const State state = state_at(middle, look);
                 if (state == at_low) {
                     near_end = middle;
                 } else {

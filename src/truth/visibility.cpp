@@ -18,7 +18,14 @@ constexpr double kBeside = 1.0 / 2048;  ///< px; design, section 5
 // degree. Those taken in vain cost a predicate each.
 constexpr double kPast = 1.0 / 64;
 
+constexpr double kLevel = 1e-9;  ///< of a distance: faces so near to each other lie on each other
+
 constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();  ///< of a few operations
+
+/// Of a vector, never below its length.
+double size(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 
 }  // namespace
 
@@ -113,6 +120,37 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     return (least < 0 && own < low) || (most > 0 && own > high);
 }
 
+/// On which side of the plane through the eye, q and r the point lies; 0 all along a line that runs
+/// in that plane. As in side_of_point the ends decide where the point is too near to tell, so that
+/// a line right behind a border is behind it as a whole, whatever rounding did to its points.
+int Visibility::side_of_sight(const LinePoint& point,
+                              const glm::dvec3& q,
+                              const glm::dvec3& r) const {
+    const glm::dvec3& eye = eye_.eye_world();
+    const glm::dvec3 normal = glm::cross(r - eye, q - eye);
+    const double noise = kRounding * size(q - eye) * size(r - eye);
+    const auto sure_side = [&](const glm::dvec3& p, double off) {
+        const double height = glm::dot(normal, p - eye);
+        const double bound = off * size(normal) + noise * size(p - eye);
+        return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
+    };
+    const Crossing* crossing = point.crossing;
+    const scene::Topology& topology = eye_.model.topology;
+    const auto end_of = [&](std::uint32_t scene::Edge::*end) {
+        return topology.p_world[topology.edges[point.edge].*end];
+    };
+    const glm::dvec3 a = crossing ? crossing->begin_world : end_of(&scene::Edge::a);
+    const glm::dvec3 b = crossing ? crossing->end_world : end_of(&scene::Edge::b);
+    const int side = sure_side(point.p_world, kRounding * (size(a) + size(b)));
+    if (side != 0) return side;
+    const auto side_of_end = [&](const glm::dvec3& end) {
+        return crossing ? sure_side(end, crossing->error) : scene::orient3d(eye, end, q, r);
+    };
+    const int side_a = side_of_end(a), side_b = side_of_end(b);
+    if (side_a * side_b < 0) return scene::orient3d(eye, point.p_world, q, r);
+    return side_a != 0 ? side_a : side_b;
+}
+
 /// Whether the line from the eye through the point meets the closed triangle; one seen edge-on is
 /// never met.
 bool Visibility::pierces(std::uint32_t f, const LinePoint& point) const {
@@ -120,7 +158,7 @@ bool Visibility::pierces(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int s = scene::orient3d(eye_.eye_world(), point.p_world, p[v[i]], p[v[(i + 1) % 3]]);
+        const int s = side_of_sight(point, p[v[i]], p[v[(i + 1) % 3]]);
         low = std::min(low, s);
         high = std::max(high, s);
         if (low < 0 && high > 0) return false;
@@ -128,16 +166,21 @@ bool Visibility::pierces(std::uint32_t f, const LinePoint& point) const {
     return low != high;
 }
 
+/// How far along the line of sight its plane is met, in units of the way to the point.
+double Visibility::depth_of(std::uint32_t f, const LinePoint& point) const {
+    const auto& v = eye_.model.topology.faces[f].vertices;
+    const auto& p = eye_.model.topology.p_world;
+    const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
+    const double along = glm::dot(normal, point.p_world - eye_.eye_world());
+    return glm::dot(normal, p[v[0]] - eye_.eye_world()) / along;
+}
+
 /// Whether the line of sight meets the face's plane in front of the near plane.
 bool Visibility::is_cut_away(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
     const auto is_near = [&](std::uint32_t i) { return eye_.p_clip[i].z < eye_.near; };
     if (!is_near(v[0]) && !is_near(v[1]) && !is_near(v[2])) return false;
-    const auto& p = eye_.model.topology.p_world;
-    const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
-    const double along = glm::dot(normal, point.p_world - eye_.eye_world());
-    const double t = glm::dot(normal, p[v[0]] - eye_.eye_world()) / along;
-    return t * point.w < eye_.near;
+    return depth_of(f, point) * point.w < eye_.near;
 }
 
 bool Visibility::blocks(std::uint32_t f, const LinePoint& point) const {
@@ -169,14 +212,18 @@ bool Visibility::is_visible(const LinePoint& point,
     const double t_near = 0.99 * eye_.near / point.w;
     ++rays;
     if (scene_.any({to_point, t_near, 1 + kPast}, confirm)) return false;
-    // Row vector times rotation: view space back to world.
-    const double beside = kBeside * point.w / eye_.projection.focal_px();
-    const glm::dvec3 right = glm::dvec3(beside, 0, 0) * eye_.view_from_world;
-    const glm::dvec3 up = glm::dvec3(0, beside, 0) * eye_.view_from_world;
     rays += 4;
-    const std::array<glm::dvec3, 4> directions = {
-        to_point + right, to_point - right, to_point + up, to_point - up};
-    return !scene_.any_of_four(directions, {t_near, 1 + kPast}, confirm);
+    return !scene_.any_of_four(beside(point), {t_near, 1 + kPast}, confirm);
+}
+
+/// The ways from the eye to the point's four neighbours on the image.
+std::array<glm::dvec3, 4> Visibility::beside(const LinePoint& point) const {
+    const glm::dvec3 to_point = point.p_world - eye_.eye_world();
+    // Row vector times rotation: view space back to world.
+    const double step = kBeside * point.w / eye_.projection.focal_px();
+    const glm::dvec3 right = glm::dvec3(step, 0, 0) * eye_.view_from_world;
+    const glm::dvec3 up = glm::dvec3(0, step, 0) * eye_.view_from_world;
+    return {to_point + right, to_point - right, to_point + up, to_point - up};
 }
 
 std::optional<EyeScene::Hit> Visibility::first_behind(const LinePoint& point,
@@ -194,19 +241,44 @@ EyeRay Visibility::beyond(const LinePoint& point) const {
     return ray;
 }
 
-ContourKind Visibility::kind_behind(const LinePoint& point, std::size_t& rays) const {
+/// The nearest face behind that any of five rays is offered, of equally near ones the lowest;
+/// kNoFace before the sky.
+std::uint32_t Visibility::closely_behind(const LinePoint& point, std::size_t& rays) const {
+    std::uint32_t nearest = kNoFace;
+    double t_nearest = 0;
+    const auto note = [&](std::uint32_t face) {
+        if (!is_behind(face, point)) return false;
+        const double t = depth_of(face, point);
+        const bool is_level = std::abs(t - t_nearest) <= kLevel * t;
+        if (nearest == kNoFace || (is_level ? face < nearest : t < t_nearest)) {
+            nearest = face;
+            t_nearest = t;
+        }
+        return false;
+    };
+    EyeRay ray = beyond(point);
+    (void)scene_.any(ray, note);
+    rays += 5;
+    (void)scene_.any_of_four(beside(point), {ray.t_near, ray.t_far}, note);
+    return nearest;
+}
+
+ContourKind Visibility::kind_behind(const LinePoint& point, Look look, std::size_t& rays) const {
     const auto is_found = [&](std::uint32_t face) { return is_behind(face, point); };
-    if (eye_.model.is_one_object) {
+    std::uint32_t found = kNoFace;
+    if (look == Look::close) {
+        found = closely_behind(point, rays);
+    } else if (eye_.model.is_one_object) {
         ++rays;
         return scene_.any(beyond(point), is_found) ? ContourKind::self : ContourKind::sky;
+    } else if (const auto hit = first_behind(point, rays)) {
+        found = hit->face;
     }
-    const auto hit = first_behind(point, rays);
-    if (!hit) return ContourKind::sky;
+    if (found == kNoFace) return ContourKind::sky;
     const scene::Topology& topology = eye_.model.topology;
     const std::uint32_t own = topology.faces_of(topology.edges[point.edge])[0];
-    return topology.faces[hit->face].object == topology.faces[own].object
-               ? ContourKind::self
-               : ContourKind::other_object;
+    return topology.faces[found].object == topology.faces[own].object ? ContourKind::self
+                                                                      : ContourKind::other_object;
 }
 
 }  // namespace ink::truth

@@ -47,12 +47,20 @@ class Visibility {
     [[nodiscard]] std::optional<EyeScene::Hit> first_behind(const LinePoint& point,
                                                             std::size_t& rays) const;
 
+    /// One ray, which may slip by a surface that ends right behind the point, or five.
+    enum class Look { quick, close };
+
     /// What lies behind a visible contour point: the object of `first_behind`. Where a scene is one
     /// object any face will do.
-    [[nodiscard]] ContourKind kind_behind(const LinePoint& point, std::size_t& rays) const;
+    [[nodiscard]] ContourKind kind_behind(const LinePoint& point,
+                                          Look look,
+                                          std::size_t& rays) const;
 
   private:
+    [[nodiscard]] std::array<glm::dvec3, 4> beside(const LinePoint& point) const;
     [[nodiscard]] EyeRay beyond(const LinePoint& point) const;
+    [[nodiscard]] std::uint32_t closely_behind(const LinePoint& point, std::size_t& rays) const;
+    [[nodiscard]] double depth_of(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool blocks(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_behind(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] int side_of_point(std::uint32_t face, const LinePoint& point) const;
@@ -60,6 +68,9 @@ class Visibility {
     [[nodiscard]] int side_of_crossing(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;
+    [[nodiscard]] int side_of_sight(const LinePoint& point,
+                                    const glm::dvec3& q,
+                                    const glm::dvec3& r) const;
     [[nodiscard]] bool pierces(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_cut_away(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_own(std::uint32_t face, const LinePoint& point) const;
