@@ -47,10 +47,8 @@ double touching(const ClipMesh& mesh, std::uint32_t face0, std::uint32_t face1) 
 /// as rounding can tell.
 bool is_touched(const ClipMesh& mesh, const MetEdge& end, const Sample& beyond) {
     if (beyond.sight.face == kNothing) return false;
-    const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_end);
-    const bool has_met = back.met.line_class != truth::LineClass::none;
-    const std::array<std::uint32_t, 3> faces{
-        beyond.sight.face, back.face, has_met ? back.met.face : back.face};
+    const Walk back = walk(mesh, beyond, mesh.px(end.p_world), Stop::at_feature);
+    const std::array<std::uint32_t, 2> faces{beyond.sight.face, back.face};
     return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t face) {
         return mesh.goes_on(end.face, face, end.p_world, {touching(mesh, end.face, face), 0});
     });
@@ -72,7 +70,7 @@ bool goes_on(const SightRays& rays, const MetEdge& end, const Sample& beyond, Sa
     const auto continues = [&](const Sample& sample) {
         if (sample.sight.face == kNothing) return false;
         if (touches(sample.sight.face)) return true;
-        return touches(walk(mesh, sample, mesh.px(end.p_world), Stop::at_end).face);
+        return touches(walk(mesh, sample, mesh.px(end.p_world), Stop::at_feature).face);
     };
     if (continues(beyond)) return true;
     next.p_px = mesh.px(end.p_world) + end.outward * (2 * tolerance * px_per_unit + 1.0 / 512);
@@ -195,6 +193,13 @@ bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
     return glm::length(cover.met.p_world - met.p_world) > touching(mesh, cover.face, met.face);
 }
 
+/// Whether the face that the way to a feature leads to coincides with what is seen beyond: a crease
+/// there bends what is seen, whichever of the two faces that is.
+bool bends_into(const ClipMesh& mesh, const Walk& walk, const Sample& beyond) {
+    return walk.met.line_class == truth::LineClass::crease &&
+           mesh.is_level(walk.face, beyond.sight.face);
+}
+
 /// Tells a feature that the surface seen at sample `i` passes before the other hides it: seen,
 /// though by less than the distance of two samples. False if there is none.
 bool add_passed(const ClipMesh& mesh,
@@ -205,7 +210,8 @@ bool add_passed(const ClipMesh& mesh,
     const MetEdge& met = walks[i].met;
     const bool has_passed = walks[i].has_arrived && met.line_class != truth::LineClass::none;
     const Sample& other = samples[1 - i];
-    if (!has_passed || other.sight.face == kNothing || !is_out(mesh, met, other)) return false;
+    if (!has_passed || other.sight.face == kNothing) return false;
+    if (!is_out(mesh, met, other) && !bends_into(mesh, walks[i], other)) return false;
     between.lines[between.count++] = {met.line_class, met.slant(), edge_of(mesh, met)};
     return true;
 }
@@ -229,6 +235,40 @@ bool add_overlap(const ClipMesh& mesh,
             // The other surface is what bends here.
             between.lines[between.count++] = {truth::LineClass::seam, walks[1 - i].met.slant()};
         }
+        return true;
+    }
+    return false;
+}
+
+/// Whether a point lies on one of the sides of a face, as far as rounding can tell.
+bool is_on_side(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPoint& point) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double reach = mesh.rounding(face) + point.rounding;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = p[v[i]], along = p[v[(i + 1) % 3]] - a;
+        const double t = glm::dot(point.p - a, along) / glm::dot(along, along);
+        if (glm::length(point.p - (a + std::clamp(t, 0.0, 1.0) * along)) <= reach) return true;
+    }
+    return false;
+}
+
+/// Whether the faces that are seen to either side join where a feature is passed, both with a side
+/// there, and what lies beyond either is hidden: then they bend by a crease, and cross, or are one
+/// surface, with a seam where objects differ.
+bool add_join(const ClipMesh& mesh,
+              const std::array<Sample, 2>& samples,
+              const std::array<Walk, 2>& walks,
+              Between& between) {
+    const std::uint32_t face0 = samples[0].sight.face, face1 = samples[1].sight.face;
+    if (mesh.deviation_between(face0, face1) >= mesh.crease_rad()) return false;
+    for (const Walk& walk : walks) {
+        const MetEdge& met = walk.met;
+        if (met.line_class == truth::LineClass::none) continue;
+        const scene::RoundedPoint point = point_of(mesh, met);
+        if (!is_on_side(mesh, face0, point) || !is_on_side(mesh, face1, point)) continue;
+        if (mesh.is_seam(face0, face1))
+            between.lines[between.count++] = {truth::LineClass::seam, met.slant()};
         return true;
     }
     return false;
@@ -301,10 +341,11 @@ void add_meeting(const ClipMesh& mesh,
         between.is_explained = false;
         return;
     }
+    if (add_overlap(mesh, samples, walks, between)) return;
     const auto is_same = [](double a, double b) { return std::abs(a - b) <= kSameDepth * a; };
     if (is_same(w_beyond[0], samples[1].sight.w) && is_same(w_beyond[1], samples[0].sight.w))
         return;
-    if (add_overlap(mesh, samples, walks, between)) return;
+    if (add_join(mesh, samples, walks, between)) return;
     std::array<std::uint32_t, 2> faces{};  // where they cross
     for (std::size_t i = 0; i < 2; ++i) {
         const bool has_passed = add_passed(mesh, i, samples, walks, between);

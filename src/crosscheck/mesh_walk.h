@@ -26,6 +26,9 @@ void look_at_all(const SightRays& rays, std::span<Sample> samples);
 /// Ways over the mesh, as the cross-check goes them.
 namespace walking {
 
+/// |cos| + |sin| of the direction of a line with this normal; 1 without one.
+[[nodiscard]] double slant_of(const glm::dvec2& normal);
+
 /// An edge of a face, met on a way across the image.
 struct MetEdge {
     truth::LineClass line_class = truth::LineClass::none;
@@ -34,7 +37,7 @@ struct MetEdge {
     double w = 0;
     glm::dvec3 p_world{0};
     glm::dvec2 outward{0};  ///< unit, on the image, away from the face
-    [[nodiscard]] double slant() const { return std::abs(outward.x) + std::abs(outward.y); }
+    [[nodiscard]] double slant() const { return slant_of(outward); }
 };
 
 /// Where a walk came to.
@@ -62,9 +65,6 @@ enum class Stop { at_feature, at_end };
 
 /// Whether a walk came to the surface that is seen at `to`, or to within its reach.
 [[nodiscard]] bool arrives_at(const ClipMesh& mesh, const Walk& walk, const Sample& to);
-
-/// |cos| + |sin| of the direction of a line with this normal; 1 without one.
-[[nodiscard]] double slant_of(const glm::dvec2& normal);
 
 }  // namespace walking
 

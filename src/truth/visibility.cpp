@@ -91,11 +91,10 @@ bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
     });
 }
 
-/// Whether a face through the line of a crossing is seen there in place of one of the two.
+/// Whether a face through the line of a crossing is seen there, to either side of it, in place of
+/// the one of the two that is nearer on that side.
 bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     const Crossing& crossing = *point.crossing;
-    if (is_coplanar(f, crossing.face0)) return f < crossing.face0;
-    if (is_coplanar(f, crossing.face1)) return f < crossing.face1;
     const auto& p = eye_.model.topology.p_world;
     const glm::dvec3 sight = point.p_world - eye_.eye_world();
     const glm::dvec3 beside = glm::cross(crossing.end_world - crossing.begin_world, sight);
@@ -105,7 +104,8 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
         const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
         return glm::dot(normal, beside) / glm::dot(normal, sight);
     };
-    const auto [low, high] = std::minmax({nearing(crossing.face0), nearing(crossing.face1)});
+    std::uint32_t low = crossing.face0, high = crossing.face1;
+    if (nearing(high) < nearing(low)) std::swap(low, high);
     const double own = nearing(f);
     // A face that ends at the line covers it to its own side alone.
     const auto& v = eye_.model.topology.faces[f].vertices;
@@ -117,7 +117,11 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
         least = std::min(least, side);
         most = std::max(most, side);
     }
-    return (least < 0 && own < low) || (most > 0 && own > high);
+    const auto is_over = [&](std::uint32_t seen, bool is_nearer) {
+        return is_coplanar(f, seen) ? f < seen : is_nearer;
+    };
+    return (least < 0 && is_over(low, own < nearing(low))) ||
+           (most > 0 && is_over(high, own > nearing(high)));
 }
 
 /// On which side of the plane through the eye, q and r the point lies; 0 all along a line that runs
