@@ -139,9 +139,11 @@ ClipMesh::EdgeKind ClipMesh::kind_of(const scene::Edge& edge) const {
 
 std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
     std::uint32_t nearest = kNothing;
-    const auto& p = topology_.p_world;
+    const auto point = [&](std::uint32_t vertex) {
+        return scene::rounded_point(topology_, vertex);
+    };
     const auto corner = [&](std::uint32_t face) {
-        return p[opposite_vertex(topology_.faces[face], edge)];
+        return point(opposite_vertex(topology_.faces[face], edge));
     };
     for (const std::uint32_t face : topology_.faces_of(edge)) {
         if (side_of(edge, face) != side) continue;
@@ -149,10 +151,10 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
             nearest = face;
             continue;
         }
-        // Nearer is what lies on the eye's side of the plane of the nearest so far.
-        const glm::dvec3 &a = p[edge.a], &b = p[edge.b], c = corner(nearest);
-        const int of_face = scene::orient3d(a, b, c, corner(face));
-        const int of_eye = scene::orient3d(a, b, c, projection_.eye_world());
+        // Nearer is what surely lies on the eye's side of the plane of the nearest so far.
+        const scene::RoundedPoint a = point(edge.a), b = point(edge.b), c = corner(nearest);
+        const int of_face = scene::sure_orient3d(a, b, c, corner(face));
+        const int of_eye = scene::orient3d(a.p, b.p, c.p, projection_.eye_world());
         if (of_face == of_eye || (of_face == 0 && face < nearest)) nearest = face;
     }
     return nearest;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "scene/precision/rounding.h"
 #include "scene/predicates.h"
 #include "truth/crossings/touching.h"
 
@@ -23,15 +24,18 @@ void for_all(std::size_t count, int threads, Body&& body) {
     });
 }
 
-/// Of two faces on the same side of an edge, whether the first hides the second there.
+/// Of two faces on the same side of an edge, whether the first hides the second there. Where
+/// rounding leaves open which is nearer they lie on each other.
 bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::uint32_t f1) {
     const scene::Topology& topology = eye.model.topology;
     const auto& p = topology.p_world;
-    const glm::dvec3& v0 = p[scene::opposite_vertex(topology.faces[f0], edge)];
-    const glm::dvec3& v1 = p[scene::opposite_vertex(topology.faces[f1], edge)];
-    const int other = scene::orient3d(p[edge.a], p[edge.b], v0, v1);
+    const double w = std::min(eye.p_clip[edge.a].z, eye.p_clip[edge.b].z);
+    const auto point = [&](std::uint32_t vertex) { return eye.rounded_point(vertex, w); };
+    const std::uint32_t v0 = scene::opposite_vertex(topology.faces[f0], edge);
+    const std::uint32_t v1 = scene::opposite_vertex(topology.faces[f1], edge);
+    const int other = scene::sure_orient3d(point(edge.a), point(edge.b), point(v0), point(v1));
     if (other == 0) return f0 < f1;
-    return other != scene::orient3d(p[edge.a], p[edge.b], v0, eye.eye_world());
+    return other != scene::orient3d(p[edge.a], p[edge.b], p[v0], eye.eye_world());
 }
 
 LineClass class_of(const EyeView& eye, std::uint32_t e) {
