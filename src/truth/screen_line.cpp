@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace ink::truth {
 namespace {
+
+/// The sine of an angle; those that cross flatter may be moved much, but along both of them.
+constexpr double kFlattest = 1.0 / 8;
 
 /// Keeps of [t0, t1] the part where the linear function with these end values is not negative.
 /// False if nothing is left (Liang and Barsky 1984).
@@ -20,6 +24,23 @@ bool clip_to_positive(double at_0, double at_1, double& t0, double& t1) {
     return t0 < t1;
 }
 
+/// How far the rounding of two faces may have moved the line in which they cross: the more, the
+/// flatter they do.
+double doubt_of(const scene::Topology& topology, const Crossing& crossing) {
+    double rounding = 0;
+    const auto normal_of = [&](std::uint32_t f) {
+        const auto& v = topology.faces[f].vertices;
+        const auto& p = topology.p_world;
+        rounding += std::max({topology.rounding_world[v[0]],
+                              topology.rounding_world[v[1]],
+                              topology.rounding_world[v[2]]});
+        return glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
+    };
+    const glm::dvec3 n0 = normal_of(crossing.face0), n1 = normal_of(crossing.face1);
+    const double sine = glm::length(glm::cross(n0, n1));
+    return crossing.error + rounding / std::max(sine, kFlattest);
+}
+
 }  // namespace
 
 double ScreenLine::segment_parameter(double s) const {
@@ -32,7 +53,8 @@ LinePoint ScreenLine::line_point(double s) const {
     return {segment.edge,
             segment.a_world + t * (segment.b_world - segment.a_world),
             w_at(s),
-            segment.crossing};
+            segment.crossing,
+            segment.doubt_world};
 }
 
 double ScreenLine::w_at(double s) const {
@@ -48,12 +70,21 @@ CurvePoint ScreenLine::point_at(double s) const {
 WorldSegment segment_of(const EyeView& eye, std::uint32_t e) {
     const scene::Edge& edge = eye.model.topology.edges[e];
     const auto& p = eye.model.topology.p_world;
-    return {e, nullptr, p[edge.a], p[edge.b], eye.p_clip[edge.a], eye.p_clip[edge.b]};
+    return {.edge = e,
+            .a_world = p[edge.a],
+            .b_world = p[edge.b],
+            .a_clip = eye.p_clip[edge.a],
+            .b_clip = eye.p_clip[edge.b]};
 }
 
 WorldSegment segment_of(const EyeView& eye, const Crossing& crossing) {
     const glm::dvec3 &a = crossing.begin_world, &b = crossing.end_world;
-    return {kNoEdge, &crossing, a, b, eye.projection.to_clip(a), eye.projection.to_clip(b)};
+    return {.crossing = &crossing,
+            .doubt_world = doubt_of(eye.model.topology, crossing),
+            .a_world = a,
+            .b_world = b,
+            .a_clip = eye.projection.to_clip(a),
+            .b_clip = eye.projection.to_clip(b)};
 }
 
 std::optional<ScreenLine> clip_to_image(const EyeView& eye,

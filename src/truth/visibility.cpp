@@ -66,6 +66,13 @@ int Visibility::side_of_point(std::uint32_t f, const LinePoint& point) const {
     return scene::facing(p[v[0]], p[v[1]], p[v[2]], point.p_world);
 }
 
+/// How far rounding may have moved any corner of a face.
+double Visibility::rounding_of(std::uint32_t f) const {
+    const auto& rounding = eye_.model.topology.rounding_world;
+    const auto& v = eye_.model.topology.faces[f].vertices;
+    return std::max({rounding[v[0]], rounding[v[1]], rounding[v[2]]});
+}
+
 /// The side where the true point lies for sure, else 0.
 int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const {
     const auto& p = eye_.model.topology.p_world;
@@ -74,7 +81,7 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
     const glm::dvec3 normal = glm::cross(u0, u1);
     const glm::dvec3 d = point.p_world - p[v[0]];
     const double height = glm::dot(normal, d);
-    const double off = point.crossing->error + kRounding * glm::length(point.p_world);
+    const double off = point.doubt_world + rounding_of(f) + kRounding * size(point.p_world);
     const double bound =
         off * glm::length(normal) + kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
     return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
@@ -111,7 +118,7 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     const auto& v = eye_.model.topology.faces[f].vertices;
     double least = 0, most = 0;
     for (const std::uint32_t i : v) {
-        const double off = crossing.error + eye_.model.topology.rounding_world[i];
+        const double off = point.doubt_world + eye_.model.topology.rounding_world[i];
         const double side = glm::dot(beside, p[i] - point.p_world);
         if (std::abs(side) <= off * glm::length(beside)) continue;
         least = std::min(least, side);
@@ -128,6 +135,7 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
 /// in that plane. As in side_of_point the ends decide where the point is too near to tell, so that
 /// a line right behind a border is behind it as a whole, whatever rounding did to its points.
 int Visibility::side_of_sight(const LinePoint& point,
+                              double slack_world,
                               const glm::dvec3& q,
                               const glm::dvec3& r) const {
     const glm::dvec3& eye = eye_.eye_world();
@@ -145,24 +153,25 @@ int Visibility::side_of_sight(const LinePoint& point,
     };
     const glm::dvec3 a = crossing ? crossing->begin_world : end_of(&scene::Edge::a);
     const glm::dvec3 b = crossing ? crossing->end_world : end_of(&scene::Edge::b);
-    const int side = sure_side(point.p_world, kRounding * (size(a) + size(b)));
+    const int side = sure_side(point.p_world, slack_world + kRounding * (size(a) + size(b)));
     if (side != 0) return side;
     const auto side_of_end = [&](const glm::dvec3& end) {
-        return crossing ? sure_side(end, crossing->error) : scene::orient3d(eye, end, q, r);
+        return crossing ? sure_side(end, slack_world + crossing->error)
+                        : scene::orient3d(eye, end, q, r);
     };
     const int side_a = side_of_end(a), side_b = side_of_end(b);
     if (side_a * side_b < 0) return scene::orient3d(eye, point.p_world, q, r);
     return side_a != 0 ? side_a : side_b;
 }
 
-/// Whether the line from the eye through the point meets the closed triangle; one seen edge-on is
-/// never met.
-bool Visibility::pierces(std::uint32_t f, const LinePoint& point) const {
+/// Whether the line from the eye through the point meets the closed triangle, a crossing within the
+/// slack of it; one seen edge-on is never met.
+bool Visibility::pierces(std::uint32_t f, const LinePoint& point, double slack_world) const {
     const auto& p = eye_.model.topology.p_world;
     const auto& v = eye_.model.topology.faces[f].vertices;
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int s = side_of_sight(point, p[v[i]], p[v[(i + 1) % 3]]);
+        const int s = side_of_sight(point, slack_world, p[v[i]], p[v[(i + 1) % 3]]);
         low = std::min(low, s);
         high = std::max(high, s);
         if (low < 0 && high > 0) return false;
@@ -192,7 +201,8 @@ bool Visibility::blocks(std::uint32_t f, const LinePoint& point) const {
     if (side_eye == 0 || is_own(f, point)) return false;
     const int side = side_of_point(f, point) * side_eye;
     if (side > 0 || (side == 0 && point.crossing == nullptr)) return false;
-    if (!pierces(f, point) || is_cut_away(f, point)) return false;
+    const double slack = side == 0 ? point.doubt_world + rounding_of(f) : 0;
+    if (!pierces(f, point, slack) || is_cut_away(f, point)) return false;
     return side < 0 || covers(f, point);
 }
 

@@ -17,6 +17,7 @@ struct LinePoint {
     glm::dvec3 p_world{0};
     double w = 0;  ///< distance along the view direction
     const Crossing* crossing = nullptr;
+    double doubt_world = 0;  ///< how far rounding may have moved a point of a crossing
 };
 
 /// The exact rule of visibility: a point of a line is visible if the open segment from the eye to
@@ -27,11 +28,11 @@ struct LinePoint {
 /// on the segment itself. A triangle whose plane holds the point, or the eye, does not block. What
 /// lies in front of the near plane is not there.
 ///
-/// The ends of a crossing are rounded, so there a triangle's plane holds the point if the side
-/// cannot be told for sure, which is within some 1e-12 of the crossing faces' size. Such a triangle
-/// through the line is one more sheet of the bundle: it hides the crossing where it coincides with
-/// one of the two faces and is the lower, or is the nearest of the three on either side; then the
-/// line is drawn once, as the crossing of those that are seen.
+/// A crossing lies where the rounding of its two faces put it, so there a triangle's plane holds
+/// the point if that leaves the side open. Such a triangle through the line is one more sheet of
+/// the bundle: it hides the crossing where, to one side of it, it is nearer than the two faces, or
+/// coincides with the nearer of them and is the lower; then the line is drawn once, as the crossing
+/// of those that are seen.
 class Visibility {
   public:
     Visibility(const EyeView& eye, const EyeScene& scene) : eye_(eye), scene_(scene) {}
@@ -69,9 +70,13 @@ class Visibility {
     [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;
     [[nodiscard]] int side_of_sight(const LinePoint& point,
+                                    double slack_world,
                                     const glm::dvec3& q,
                                     const glm::dvec3& r) const;
-    [[nodiscard]] bool pierces(std::uint32_t face, const LinePoint& point) const;
+    [[nodiscard]] bool pierces(std::uint32_t face,
+                               const LinePoint& point,
+                               double slack_world = 0) const;
+    [[nodiscard]] double rounding_of(std::uint32_t face) const;
     [[nodiscard]] bool is_cut_away(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_own(std::uint32_t face, const LinePoint& point) const;
 
