@@ -168,6 +168,19 @@ void add_ends(const SightRays& rays,
     }
 }
 
+/// Whether a point lies on one of the sides of a face, as far as rounding can tell.
+bool is_on_side(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPoint& point) {
+    const auto& v = mesh.topology().faces[face].vertices;
+    const auto& p = mesh.topology().p_world;
+    const double reach = mesh.rounding(face) + point.rounding;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 a = p[v[i]], along = p[v[(i + 1) % 3]] - a;
+        const double t = glm::dot(point.p - a, along) / glm::dot(along, along);
+        if (glm::length(point.p - (a + std::clamp(t, 0.0, 1.0) * along)) <= reach) return true;
+    }
+    return false;
+}
+
 /// Whether one edge runs exactly behind another, in one plane with the eye: the surface that ends
 /// there hides it as a whole.
 bool is_right_behind(const ClipMesh& mesh, const MetEdge& met, const MetEdge& border) {
@@ -190,7 +203,7 @@ bool is_out(const ClipMesh& mesh, const MetEdge& met, const Sample& other) {
     const Walk cover = walk(mesh, other, met_px, Stop::at_end);
     if (cover.has_arrived) return side_under(mesh, cover.face, point_of(mesh, met)) < 0;
     if (is_right_behind(mesh, met, cover.met)) return false;
-    return glm::length(cover.met.p_world - met.p_world) > touching(mesh, cover.face, met.face);
+    return !is_on_side(mesh, cover.face, point_of(mesh, met));
 }
 
 /// Whether the face that the way to a feature leads to coincides with what is seen beyond: a crease
@@ -236,19 +249,6 @@ bool add_overlap(const ClipMesh& mesh,
             between.lines[between.count++] = {truth::LineClass::seam, walks[1 - i].met.slant()};
         }
         return true;
-    }
-    return false;
-}
-
-/// Whether a point lies on one of the sides of a face, as far as rounding can tell.
-bool is_on_side(const ClipMesh& mesh, std::uint32_t face, const scene::RoundedPoint& point) {
-    const auto& v = mesh.topology().faces[face].vertices;
-    const auto& p = mesh.topology().p_world;
-    const double reach = mesh.rounding(face) + point.rounding;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::dvec3 a = p[v[i]], along = p[v[(i + 1) % 3]] - a;
-        const double t = glm::dot(point.p - a, along) / glm::dot(along, along);
-        if (glm::length(point.p - (a + std::clamp(t, 0.0, 1.0) * along)) <= reach) return true;
     }
     return false;
 }

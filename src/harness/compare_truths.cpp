@@ -221,11 +221,12 @@ double ClassAgreement::crosscheck_share() const {
 }
 
 bool ClassAgreement::is_agreed() const {
-    const auto is_covered = [](double length, double covered) {
-        return length - covered <= std::max(kAllowedShare * length, kAgreement_px);
+    const auto is_covered = [](double length, double covered, double least) {
+        return length - covered <= std::max(kAllowedShare * length, least);
     };
-    return is_covered(truth_px, truth_covered_px + truth_abstained_px) &&
-           is_covered(crosscheck_px, crosscheck_covered_px + crosscheck_abstained_px);
+    return is_covered(truth_px, truth_covered_px + truth_abstained_px, kAgreement_px) &&
+           is_covered(
+               crosscheck_px, crosscheck_covered_px + crosscheck_abstained_px, kOneCrossing_px);
 }
 
 bool Agreement::is_agreed() const {

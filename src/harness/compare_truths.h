@@ -19,6 +19,11 @@ inline constexpr double kFrame_px = 0.5;
 /// The share of a line that the other may lack (section 5 of the design).
 inline constexpr double kAllowedShare = 0.001;
 
+/// What a single crossing of the cross-check may stand for: the distance between its places along
+/// an edge. It counts whole, though the truth may pass over as little of a line as lies between two
+/// of its samples, 1/4 px apart.
+inline constexpr double kOneCrossing_px = 0.375;
+
 /// How much of the lines of one class either construction has, and how much of it the other has
 /// too.
 struct ClassAgreement {
@@ -32,8 +37,9 @@ struct ClassAgreement {
     double truth_abstained_px = 0;
     double crosscheck_abstained_px = 0;
 
-    /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px: of a class
-    /// of a few px a single crossing is more than the share. Abstentions do not count.
+    /// Whether each has all but kAllowedShare of the other's, or all but kAgreement_px of the
+    /// truth's and one crossing of the cross-check's: of a class of a few px that is more than the
+    /// share. Abstentions do not count.
     [[nodiscard]] bool is_agreed() const;
     /// Of what the other does not abstain on, the share that it has; 1 where there is no line.
     [[nodiscard]] double truth_share() const;

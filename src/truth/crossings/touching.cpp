@@ -77,11 +77,14 @@ class Bundle {
     }
 
     /// Whether an own face lies right under this sheet, as far as rounding can tell.
-    [[nodiscard]] bool covers_own(const Sheet& sheet) const {
+    [[nodiscard]] bool covers_own(const Sheet& sheet) const { return covers(sheet, edge_); }
+
+    /// Whether a face of an edge that lies here does.
+    [[nodiscard]] bool covers(const Sheet& sheet, const scene::Edge& edge) const {
         const auto& faces = eye_.model.topology.faces;
-        const auto own = eye_.model.topology.faces_of(edge_);
-        return std::any_of(own.begin(), own.end(), [&](std::uint32_t f) {
-            const std::uint32_t v = opposite_vertex(faces[f], edge_);
+        const auto all = eye_.model.topology.faces_of(edge);
+        return std::any_of(all.begin(), all.end(), [&](std::uint32_t f) {
+            const std::uint32_t v = opposite_vertex(faces[f], edge);
             return side_of(v) == side_of(sheet.vertex) && orientation(v, sheet.vertex) == 0;
         });
     }
@@ -168,7 +171,11 @@ LineClass class_against(const EyeView& eye,
     if (is_outline(own_class)) return own_class;
     if (own_class == LineClass::crease && bundle.covers_own(touching)) return own_class;
     if (!touching.is_border) return LineClass::intersection;
-    const bool is_drawn_there = is_outline(eye.edge_class[bundle.border_of(touching)]);
+    const std::uint32_t border = bundle.border_of(touching);
+    const LineClass of_border = eye.edge_class[border];
+    const bool is_drawn_there =
+        is_outline(of_border) ||
+        (of_border == LineClass::crease && bundle.covers(own, eye.model.topology.edges[border]));
     return is_drawn_there || touching.face < own.face ? LineClass::none : LineClass::intersection;
 }
 

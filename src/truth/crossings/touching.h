@@ -22,7 +22,8 @@ namespace ink::truth {
 ///   less than a crease, the surface goes on: a seam between two objects, and within one nothing.
 ///   Else the edge keeps the class that its own faces give it if that is a contour or a boundary (a
 ///   box on a floor; what goes on beyond a border is hidden there and does not count), or a
-///   crease whose other face coincides with the touching one; what is left is an intersection.
+///   crease whose other face coincides with the touching one; what is left is an intersection, if
+///   the edge of the touching face that lies there is not drawn by this rule.
 /// Where no own face is seen the edge is hidden, though no face stands before it: the foot of a
 /// wall seen through the floor it stands on, or the outline of a tile under a coincident one.
 ///
