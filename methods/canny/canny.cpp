@@ -162,7 +162,6 @@ void Canny::draw(const method::Frame& frame, edge::EdgeImage& out) {
     input.sky_code = {static_cast<std::uint32_t>(params_.sky)};
     // A weak edge may hang on a strong one anywhere: all tiles are drawn.
     input.may_keep_still = false;
-    input.moved_objects = ~std::uint64_t{0};
     CodeSink sink(codes_);
     skip_counts_ = pass_.draw(format_, input, sink).skips;
 

@@ -243,7 +243,7 @@ raster::MeshResult IdLookup::draw_classes(const method::Frame& frame,
     input.constants = mesh_.face_of_triangle;
     input.sky_code = {kNoNeighbour};
     input.may_keep_still = input.may_keep_still && may_keep_still;
-    if (have_ids_changed_ || !may_keep_still) input.moved_objects = ~std::uint64_t{0};
+    if (have_ids_changed_ || !may_keep_still) input.moved_objects = std::nullopt;
     have_ids_changed_ = false;
     return pass_.draw(format_, input, sink);
 }

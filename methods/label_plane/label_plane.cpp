@@ -134,6 +134,17 @@ LabelPlane::LabelPlane(const Params& params)
 
 void LabelPlane::prepare(const scene::Scene& scene) {
     inputs_.prepare(scene);
+    give_labels(scene);
+}
+
+void LabelPlane::pose(const scene::Scene& scene) {
+    inputs_.pose(scene);
+    if (!scene.animation && scene::scene_hash(scene) != labelled_hash_) give_labels(scene);
+}
+
+void LabelPlane::give_labels(const scene::Scene& scene) {
+    labelled_hash_ = scene::scene_hash(scene);
+    have_labels_changed_ = true;
     if (!scene.animation) {
         labels_ = labels_of(scene, params_);
         return;
@@ -158,6 +169,8 @@ raster::SkipCounts LabelPlane::draw_to(const method::Frame& frame,
     raster::MeshInput input = inputs_.mesh_input(frame);
     input.values = &values;
     input.constants = labels_;
+    if (have_labels_changed_) input.moved_objects = std::nullopt;
+    have_labels_changed_ = false;
     // |L| <= 2 inside a triangle: two clipped bits leave nothing of it.
     input.flat_gives_zero = params_.interpolation == raster::Interpolation::affine &&
                             params_.clip_bits >= 2 && codes == nullptr;

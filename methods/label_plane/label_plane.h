@@ -31,7 +31,9 @@ class LabelPlane : public method::Method {
     explicit LabelPlane(const Params& params);
 
     void prepare(const scene::Scene& scene) override;
-    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
+    /// Labels stay with the scene at rest, which an animation starts from. A scene without one
+    /// rests as it stands, so that labels are given again if it moved.
+    void pose(const scene::Scene& scene) override;
     void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `packed`: the codes, black to white over their bits; `filtered`: the response.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
@@ -40,6 +42,7 @@ class LabelPlane : public method::Method {
     [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   private:
+    void give_labels(const scene::Scene& scene);
     /// Draws the scene that is there; with `codes` all of it, and keeps them.
     [[nodiscard]] raster::SkipCounts draw_to(const method::Frame& frame,
                                              edge::EdgeImage& out,
@@ -51,6 +54,8 @@ class LabelPlane : public method::Method {
     buffers::SurfaceInputs inputs_;
     raster::MeshPass pass_;
     std::vector<std::uint32_t> labels_;  ///< per triangle
+    std::uint64_t labelled_hash_ = 0;    ///< of the scene that was at rest
+    bool have_labels_changed_ = false;   ///< since the last draw: then no tile is still
     raster::SkipCounts skip_counts_{};
 };
 

@@ -106,7 +106,7 @@ raster::MeshResult IdPass::draw(const method::Frame& frame,
     input.constants = ids_;
     input.sky_code = {kNoId};
     input.may_keep_still = input.may_keep_still && may_keep_still;
-    if (have_ids_changed_ || !may_keep_still) input.moved_objects = ~std::uint64_t{0};
+    if (have_ids_changed_ || !may_keep_still) input.moved_objects = std::nullopt;
     have_ids_changed_ = false;
     return pass_.draw(format_, input, sink);
 }

@@ -1,6 +1,7 @@
 #include "buffers/surface_inputs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -34,12 +35,16 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
 SurfaceInputs::SurfaceInputs(const InputParams& params) : params_(params) {}
 
 void SurfaceInputs::prepare(const scene::Scene& scene) {
+    lay_out(scene);
+    has_moved_ = false;
+}
+
+void SurfaceInputs::lay_out(const scene::Scene& scene) {
     surface_ = std::make_shared<const scene::Surface>(
         scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
     mesh_ = std::make_shared<raster::LaneMesh>(*surface_);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = scene::scene_hash(scene);
-    moved_objects_ = ~std::uint64_t{0};
     last_ = {};
 }
 
@@ -51,7 +56,7 @@ bool SurfaceInputs::prepare_like(const SurfaceInputs& other) {
     mesh_ = other.mesh_;
     bounds_ = other.bounds_;
     posed_hash_ = other.posed_hash_;
-    moved_objects_ = ~std::uint64_t{0};
+    has_moved_ = false;
     last_ = {};
     return true;
 }
@@ -59,13 +64,14 @@ bool SurfaceInputs::prepare_like(const SurfaceInputs& other) {
 void SurfaceInputs::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
     if (hash == posed_hash_) return;
+    has_moved_ = true;
     // Which corners share a normal may change with the dihedral deviation between faces, so a moved
     // scene is flattened anew; its clusters stay if that has not happened.
     auto moved = std::make_shared<const scene::Surface>(
         scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
     if (moved->triangles != surface_->triangles ||
         moved->p_world.size() != surface_->p_world.size()) {
-        return prepare(scene);
+        return lay_out(scene);
     }
     moved_objects_ |= moved_objects(*surface_, *moved);
     if (mesh_.use_count() == 1) {
@@ -76,7 +82,6 @@ void SurfaceInputs::pose(const scene::Scene& scene) {
     surface_ = std::move(moved);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = hash;
-    has_moved_ = true;
 }
 
 void SurfaceInputs::see(const method::Frame& frame) {
@@ -102,7 +107,7 @@ raster::MeshInput SurfaceInputs::mesh_input(const method::Frame& frame) const {
     input.threads = frame.threads;
     input.skips = frame.skips;
     input.may_keep_still = keeps_still_;
-    input.moved_objects = is_still_ ? moved_objects_ : ~std::uint64_t{0};
+    if (is_still_) input.moved_objects = moved_objects_;
     return input;
 }
 
@@ -124,6 +129,8 @@ glm::mat3 SurfaceInputs::view_from_world() const {
 }
 
 void SurfaceInputs::finish(const raster::MeshResult& result, edge::EdgeImage& out) {
+    assert(result.still.empty() || is_still_ ||
+           std::count(result.still.begin(), result.still.end(), 1) == 0);
     const raster::TileGrid grid{view_.width_px, view_.height_px, 0};
     for (std::size_t tile = 0; tile < result.still.size(); ++tile) {
         if (result.still[tile] == 0) continue;

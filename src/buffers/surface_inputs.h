@@ -118,6 +118,9 @@ class SurfaceInputs {
     void finish(const raster::MeshResult& result, edge::EdgeImage& out);
 
   private:
+    /// Surface and clusters of the scene as it stands, from nothing: no image is kept.
+    void lay_out(const scene::Scene& scene);
+
     struct Kept {
         edge::EdgeImage image;
         bool is_kept = false;
@@ -129,8 +132,8 @@ class SurfaceInputs {
     scene::Sphere bounds_;
     scene::Sphere seen_bounds_;  ///< of the last frame
     std::uint64_t posed_hash_ = 0;
-    std::uint64_t moved_objects_ = ~std::uint64_t{0};  ///< since the last draw, modulo 64
-    bool has_moved_ = false;                           ///< ever, since prepare
+    std::uint64_t moved_objects_ = 0;  ///< since the last draw, modulo 64
+    bool has_moved_ = false;           ///< ever, since prepare
     bool keeps_still_ = false;
     bool is_still_ = false;  ///< this frame's camera, size and range are the last one's
     Kept last_;

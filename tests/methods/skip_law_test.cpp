@@ -142,6 +142,11 @@ std::vector<Step> eventful_sequence() {
                   s.view.width_px = 330;
                   s.view.height_px = 200;
               })
+        .then("an image of as many tiles that lie otherwise",
+              [](Step& s) {
+                  s.view.width_px = 200;
+                  s.view.height_px = 330;
+              })
         .then("all as it was",
               [&](Step& s) {
                   s.view = fixed;

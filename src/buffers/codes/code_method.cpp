@@ -212,7 +212,7 @@ raster::MeshResult CodeMethod::draw_to(raster::TileSink& sink,
     input.sky_code = {0};
     input.flat_gives_zero = may_leave_out;
     input.may_keep_still = input.may_keep_still && may_leave_out;
-    if (have_codes_changed_ || !may_leave_out) input.moved_objects = ~std::uint64_t{0};
+    if (have_codes_changed_ || !may_leave_out) input.moved_objects = std::nullopt;
     have_codes_changed_ = false;
     return pass_.draw(format_, input, sink);
 }

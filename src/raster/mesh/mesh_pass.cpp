@@ -36,13 +36,14 @@ void find_still_tiles(const MeshInput& input,
                       const std::vector<MeshRun>& runs,
                       std::vector<std::uint64_t>& last,
                       std::vector<std::uint8_t>& still) {
-    const bool has_last = last.size() == still.size();
+    const bool has_last = input.moved_objects && last.size() == still.size();
+    const std::uint64_t moved = input.moved_objects.value_or(~std::uint64_t{0});
     last.resize(still.size(), ~std::uint64_t{0});
     for (std::size_t tile = 0; tile < still.size(); ++tile) {
         std::uint64_t now = 0;
         for (const MeshRun& run : runs)
             now |= run.objects(static_cast<int>(tile));
-        still[tile] = has_last && ((now | last[tile]) & input.moved_objects) == 0 ? 1 : 0;
+        still[tile] = has_last && ((now | last[tile]) & moved) == 0 ? 1 : 0;
         last[tile] = now;
     }
 }

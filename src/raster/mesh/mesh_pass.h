@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,11 +46,12 @@ struct MeshInput {
     /// Whether a tile inside one plane, or a stencil inside one triangle, certainly gives 0 in
     /// whatever the sink does: such tiles may come as empty ones, such blocks be left out.
     bool flat_gives_zero = false;
-    /// Objects (instances, modulo 64) that moved since the last draw, if nothing else changed since
-    /// then: camera, size, values, sky. Tiles that none of them touches, now or then, are not
-    /// drawn.
+    /// Whether tiles of this draw may serve the next one: the objects in each are noted.
     bool may_keep_still = false;
-    std::uint64_t moved_objects = 0;
+    /// Objects (instances, modulo 64) that moved since the last draw, if the caller still has what
+    /// that drew and nothing else changed since then: camera, size, values, sky. Tiles that none of
+    /// them touches, now or then, are not drawn, empty ones included. Nothing: all tiles are drawn.
+    std::optional<std::uint64_t> moved_objects;
 };
 
 /// What a draw left undone, and which tiles it did not hand over.
