@@ -10,6 +10,7 @@
 #include "cli/json_values.h"
 #include "cli/options/options.h"
 #include "cli/place.h"
+#include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
 #include "experiment/summary/stress_summary.h"
@@ -143,7 +144,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     std::fflush(stdout);
     print_warnings(run.record, unscored, folder);
     if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");
-    if (outcome.is_interrupted) throw CLI::RuntimeError(kInterrupted);
+    if (outcome.is_interrupted) throw CLI::RuntimeError(core::kInterrupted);
     if (is_without_score || !run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
     if (std::any_of(unscored.begin(), unscored.end(), experiment::is_failure))
         throw CLI::RuntimeError(kUnscored);

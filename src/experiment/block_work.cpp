@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/interrupt.h"
 #include "core/parallel.h"
 #include "harness/disturbance.h"
-#include "harness/interrupt.h"
 
 namespace ink::experiment {
 namespace {
@@ -168,12 +168,12 @@ bool BlockWork::compute(std::size_t i) {
     const Block& block = plan_.blocks[i];
     {
         const std::lock_guard lock(mutex_);
-        if (is_stopped_ || harness::is_interrupted()) return false;
+        if (is_stopped_ || core::is_interrupted()) return false;
         progress_->report(static_cast<int>(wanted_.size() - missing_.size()), block.key);
     }
     const auto begin = Clock::now();
     BlockResult result = block.run();
-    if (block.may_be_cut && harness::is_interrupted()) return false;
+    if (block.may_be_cut && core::is_interrupted()) return false;
     const double seconds = seconds_since(begin);
     {
         const StageTimer timer(result.stages, WorkStage::writing);

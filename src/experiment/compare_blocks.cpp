@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/interrupt.h"
 #include "experiment/stage_times.h"
-#include "harness/interrupt.h"
 #include "harness/sweep.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
@@ -80,7 +80,7 @@ DrawnMethods draw_methods(ViewBench& bench, const BlockPlace& at, StageTimes& st
         ();
         const StageTimer timer(stages, WorkStage::draw);
         // Who asks for an end waits for this block's own view only.
-        if (harness::is_interrupted()) views.resize(1);
+        if (core::is_interrupted()) views.resize(1);
         for (std::size_t v = 0; v < views.size(); ++v)
             draw_some(methods, views[v], bench.cell_options(views[v].threads).measure, drawn[v]);
     }

@@ -7,12 +7,12 @@
 #include <chrono>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/block_store.h"
 #include "experiment/block_work.h"
 #include "experiment/folder_lock.h"
 #include "experiment/run_tables.h"
-#include "harness/interrupt.h"
 
 namespace ink::experiment {
 namespace {
@@ -117,8 +117,19 @@ RunOutcome write_run(const BlockStore& store,
     return outcome;
 }
 
+/// What a shard leaves of itself: its finished blocks, and how many they are.
+RunOutcome write_shard(const BlockStore& store,
+                       RunRecord record,
+                       const std::vector<std::string>& missing) {
+    record.missing_blocks = missing;
+    record.blocks_done = record.blocks - static_cast<int>(missing.size());
+    write_record(record, store.folder());
+    RunOutcome outcome;
+    outcome.record = std::move(record);
+    return outcome;
+}
+
 RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
-    const harness::InterruptGuard guard;
     const auto start = Clock::now();
     const BlockStore store(options.out);
     std::error_code ignored;
@@ -147,17 +158,14 @@ RunOutcome run_experiment(const Plan& plan, const RunOptions& options) {
     }
     write_files(plan, options.out);
     options.say(work.heading(options.shard));
+    const auto write_up = [&] {
+        const auto write = options.shard.is_all() ? write_run : write_shard;
+        return write(store, mine, work.missing_of_plan());
+    };
+    const core::InterruptGuard guard({}, [&] { (void)write_up(); });
     const bool is_done = work.run(options.lanes, options.say);
     RunOutcome outcome;
-    if (options.shard.is_all()) {
-        outcome = write_run(store, mine, work.missing_of_plan());
-    } else {
-        outcome.record = mine;
-        outcome.record.missing_blocks = work.missing_of_plan();
-        outcome.record.blocks_done =
-            mine.blocks - static_cast<int>(outcome.record.missing_blocks.size());
-        write_record(outcome.record, options.out);
-    }
+    core::write_unless_cut_off([&] { outcome = write_up(); });
     outcome.is_interrupted = !is_done;
     if (is_done) {
         const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();

@@ -16,6 +16,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/interrupt.h"
+
 namespace ink::import {
 namespace {
 
@@ -57,7 +59,10 @@ class FileDescriptor {
 /// A running child, killed and reaped when it goes out of scope.
 class Child {
   public:
-    Child(pid_t pid, bool leads_group) : pid_(pid), group_(leads_group ? pid : 0) {}
+    Child(pid_t pid, bool leads_group)
+        : pid_(pid), group_(leads_group ? pid : 0), ends_with_us_([group = group_] {
+              if (group > 0) kill(-group, SIGKILL);
+          }) {}
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     ~Child() {
@@ -90,6 +95,7 @@ class Child {
   private:
     pid_t pid_;
     pid_t group_;  ///< 0: it leads none
+    core::CutOffGuard ends_with_us_;
 };
 
 /// All that the forked child needs, computed before the fork: other threads may hold any lock.

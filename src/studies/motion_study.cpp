@@ -12,8 +12,8 @@
 
 #include "catalogue/catalogue.h"
 #include "core/hash.h"
+#include "core/interrupt.h"
 #include "core/parallel.h"
-#include "harness/interrupt.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
 #include "truth/truth_cache.h"
@@ -67,7 +67,7 @@ class Run {
 
     void draw_all() {
         for (int frame = 0; frame < sequence_.path.frame_count; ++frame) {
-            if (harness::is_interrupted() || !records_.back().failure.empty()) return;
+            if (core::is_interrupted() || !records_.back().failure.empty()) return;
             const scene::PathFrame at = scene::frame_at(sequence_.path, frame);
             if (frame == 0 || sequence_.pose) model_.reset();
             if (sequence_.pose) pose(at.time_s);
@@ -238,7 +238,7 @@ std::vector<MotionRow> study_sequence(const std::vector<harness::MethodConfig>& 
                                       const MotionOptions& options) {
     Run run(configs, sequence, options);
     run.draw_all();
-    return harness::is_interrupted() ? std::vector<MotionRow>{} : run.rows();
+    return core::is_interrupted() ? std::vector<MotionRow>{} : run.rows();
 }
 
 std::vector<Sequence> study_sequences(int width_px, int height_px, int frame_count) {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "catalogue/shapes.h"
+#include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/progress.h"
-#include "harness/interrupt.h"
 #include "linear_code/roll_prediction.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
@@ -138,7 +138,7 @@ class Roll {
 
     void turn_round() {
         core::Progress progress("cube roll", path_.frame_count);
-        for (int frame = 0; frame < path_.frame_count && !harness::is_interrupted(); ++frame) {
+        for (int frame = 0; frame < path_.frame_count && !core::is_interrupted(); ++frame) {
             progress.report(frame, "");
             const double roll_rad = frame * path_.turn_rad;
             draw(roll_rad, [&](Entry& entry, std::size_t i, const RollSample& sample) {
@@ -162,7 +162,7 @@ class Roll {
             }
         }
         for (const double angle_rad : angles_rad) {
-            if (harness::is_interrupted()) return;
+            if (core::is_interrupted()) return;
             draw(angle_rad, [&](Entry& entry, std::size_t i, const RollSample& sample) {
                 for (Vanishing& at : entry.curves[i].vanishing) {
                     if (at.predicted_rad == angle_rad) at.recall_there = sample.recall();
@@ -263,7 +263,7 @@ std::vector<RollCurve> study_roll(const std::vector<harness::MethodConfig>& conf
     Roll roll(configs, options);
     roll.turn_round();
     roll.visit_predictions();
-    return harness::is_interrupted() ? std::vector<RollCurve>{} : roll.curves();
+    return core::is_interrupted() ? std::vector<RollCurve>{} : roll.curves();
 }
 
 }  // namespace ink::studies

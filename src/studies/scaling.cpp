@@ -9,9 +9,9 @@
 #include <numbers>
 
 #include "catalogue/shapes.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
 
 namespace ink::studies {
 namespace {
@@ -174,12 +174,12 @@ std::vector<ScalingPoint> measure(const std::vector<harness::MethodConfig>& conf
                                        .max_repetitions = kRepetitions,
                                        .budget_s = options.budget_s / kRounds};
     std::vector<Times> times(stations.size());
-    for (int round = 0; round < kRounds && !harness::is_interrupted(); ++round) {
+    for (int round = 0; round < kRounds && !core::is_interrupted(); ++round) {
         for (std::size_t i = 0; i < stations.size(); ++i)
             sphere.draw(stations[i], once, times[i]);
     }
     std::vector<ScalingPoint> points;
-    for (std::size_t i = 0; i < stations.size() && !harness::is_interrupted(); ++i) {
+    for (std::size_t i = 0; i < stations.size() && !core::is_interrupted(); ++i) {
         std::vector<ScalingPoint> more = sphere.points(stations[i], times[i], options.threads);
         std::move(more.begin(), more.end(), std::back_inserter(points));
     }

@@ -6,9 +6,9 @@
 #include <chrono>
 
 #include "core/hash.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
 #include "harness/skip_switches.h"
 
 namespace ink::studies {
@@ -195,7 +195,7 @@ std::vector<SkipTime> study_skip_scene(const std::vector<harness::MethodConfig>&
     std::vector<SkipTime> study;
     const SkipScene scene = nth_scene(n, options.levels);
     for (const harness::MethodConfig& config : configs) {
-        if (harness::is_interrupted()) break;
+        if (core::is_interrupted()) break;
         std::vector<SkipTime> times = time_skips(config, scene, options);
         std::move(times.begin(), times.end(), std::back_inserter(study));
     }

@@ -11,9 +11,9 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/camera_path.h"
@@ -161,7 +161,7 @@ class Demo {
     /// `done` frames, of this path and those before, are counted on.
     void play(std::vector<DemoFrame>& out, int& done) {
         for (int pass = 0; pass <= options_.cached_passes; ++pass) {
-            for (int f = 0; f < options_.frames && !harness::is_interrupted(); ++f) {
+            for (int f = 0; f < options_.frames && !core::is_interrupted(); ++f) {
                 progress_.report(done++, fmt::format("{}, frame {}", path_name(), f));
                 play_frame(pass, f, out);
             }
@@ -263,7 +263,7 @@ std::vector<DemoFrame> run_timedemo(const harness::SceneViews& scene_views,
     }
     for (const scene::CameraPath& path : paths)
         Demo(scene_views, path, std::nullopt, options, progress).play(frames, done);
-    if (harness::is_interrupted()) return {};
+    if (core::is_interrupted()) return {};
     return frames;
 }
 

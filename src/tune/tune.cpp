@@ -8,10 +8,10 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "core/whole_file.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
 #include "harness/tables/csv.h"
 #include "methods/preset.h"
 #include "statistics/ods.h"
@@ -82,7 +82,7 @@ class Tuner {
         const std::string key = (is_by_planes ? "planes;" : "") + harness::join_params(settings);
         std::optional<TuneValue> found = log_.find(key);
         if (!found) {
-            if (harness::is_interrupted()) throw Interrupted();
+            if (core::is_interrupted()) throw Interrupted();
             found = measured(with(options_.config, settings), by);
             log_.add(key, *found);
         }
@@ -202,7 +202,7 @@ void add_training_views(harness::SceneViews& scene_views,
 }
 
 TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& options) {
-    const harness::InterruptGuard guard;
+    const core::InterruptGuard guard;
     const TuneSpace space = checked_space(options);
     const auto middle = std::stable_partition(scenes.begin(), scenes.end(), [&](auto& scene_views) {
         return scene_views.scene.split != scene::Split::heldout &&
@@ -225,7 +225,7 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
         result.heldout_splits.push_back(scene_views.scene.split);
     }
     TuneBench bench(train, options.trace, options.threads);
-    if (harness::is_interrupted()) {
+    if (core::is_interrupted()) {
         result.is_interrupted = true;
         return result;
     }
@@ -277,7 +277,7 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
     if (has_planes) result.agreement = bench.agreement(with(options.config, result.tuned.settings));
     if (!heldout.empty()) {
         TuneBench unseen(heldout, options.trace, options.threads);
-        result.is_interrupted = harness::is_interrupted();
+        result.is_interrupted = core::is_interrupted();
         if (result.is_interrupted) return result;
         result.heldout_views = unseen.view_count();
         for (TunedSettings* each : all)

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
-#include "harness/interrupt.h"
+#include "core/interrupt.h"
 #include "linear_code/linear_bound_study.h"
 
 namespace ink::tune {
@@ -11,7 +11,7 @@ namespace ink::tune {
 std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
                              const TuneResult& result,
                              const TuneOptions& options) {
-    const harness::InterruptGuard guard;
+    const core::InterruptGuard guard("all but the linear bound is in the folder");
     linear_code::BoundStudyOptions study;
     study.config = options.config;
     for (const auto& [name, value] : result.tuned.settings)
@@ -41,7 +41,7 @@ std::string tune_bound_lines(const std::vector<harness::SceneViews>& scenes,
     } catch (const core::Error& reason) {
         return fmt::format("linear bound: none, {}\n", reason.what());
     }
-    return harness::is_interrupted() ? "linear bound: interrupted\n" : text;
+    return core::is_interrupted() ? "linear bound: interrupted\n" : text;
 }
 
 }  // namespace ink::tune

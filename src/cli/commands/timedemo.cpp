@@ -10,7 +10,7 @@
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
-#include "harness/interrupt.h"
+#include "core/interrupt.h"
 #include "harness/out_folder.h"
 #include "harness/skip_switches.h"
 #include "studies/timedemo.h"
@@ -73,10 +73,11 @@ void run_timedemo(const TimedemoArgs& args) {
         harness::load_one_view(one_scene(args.scene, "timedemo"), args.view, request);
     print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     if (!args.out.empty()) harness::make_out_folder(args.out);
-    const harness::InterruptGuard guard;
+    const char* what_is_left = "nothing is written";
+    const core::InterruptGuard guard(what_is_left);
     const auto frames = studies::run_timedemo(scene_views, options);
-    if (harness::is_interrupted()) {
-        end_interrupted("nothing is written");
+    if (core::is_interrupted()) {
+        end_interrupted(what_is_left);
     }
     if (args.json) {
         fmt::print("{}\n", rates_json(scene_views, options, frames).dump(2));

@@ -12,6 +12,7 @@
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/param.h"
 #include "experiment/run_data.h"
@@ -164,13 +165,14 @@ void run_tune(const TuneArgs& args, const std::string& command) {
         tune::add_training_views(scene_views, request, args.more_views);
     }
     add_unseen(args, request, scenes, options);
-    const tune::TuneResult result = tune::tune(scenes, options);
-    if (result.is_interrupted) {
-        end_interrupted(
-            fmt::format("the finished evaluations are in {}, and the same command goes on from "
-                        "there",
-                        (options.out / "evaluations.csv.part").string()));
-    }
+    const std::string what_is_left =
+        fmt::format("the finished evaluations are in {}, and the same command goes on from there",
+                    (options.out / "evaluations.csv.part").string());
+    const tune::TuneResult result = [&] {
+        const core::InterruptGuard guard(what_is_left);
+        return tune::tune(scenes, options);
+    }();
+    if (result.is_interrupted) end_interrupted(what_is_left);
     fmt::print("{}", tune::tune_summary(result, options));
     const std::filesystem::path page = options.out / "report.html";
     report::write_run_page({experiment::read_run(options.out)}, page);

@@ -10,12 +10,15 @@
 #include "cli/run_result.h"
 #include "cli/run_status.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/experiment_run.h"
 
 namespace ink::cli {
 namespace {
+
+constexpr const char* kGoesOn = "the same command goes on";
 
 /// At once, also into a pipe: whoever waits wants to know how long.
 void say(const std::string& line) {
@@ -100,12 +103,13 @@ void run_to_end(experiment::Experiment experiment,
         fmt::print("{}", run_status(plan, run.out));
         return;
     }
+    const core::InterruptGuard guard(kGoesOn);
     const experiment::RunOutcome outcome = run_experiment(plan, run);
     if (run.shard.is_all()) {
         conclude(outcome, run.out, options.is_json);
         return;
     }
-    if (outcome.is_interrupted) end_interrupted("the same command goes on");
+    if (outcome.is_interrupted) end_interrupted(kGoesOn);
     fmt::print("shard {} is in {}: inkbench merge joins them\n", options.shard, run.out.string());
 }
 

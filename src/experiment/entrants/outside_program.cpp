@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/entrants/image_folder.h"
 #include "experiment/entrants/view_buffers.h"
@@ -36,23 +37,27 @@ constexpr int kNotStarted = 127;  ///< exit code of a child that could not becom
 /// A folder that is gone with it.
 class ScratchFolder {
   public:
-    ScratchFolder() {
-        std::string name = (fs::temp_directory_path() / "inkbench-entrant-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw core::Error(name, "this folder cannot be made", "a temporary folder with space");
-        }
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
+    ScratchFolder() : path_(made()), ends_with_us_([path = path_] { remove(path); }) {}
+    ~ScratchFolder() { remove(path_); }
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
     [[nodiscard]] const fs::path& path() const { return path_; }
 
   private:
+    static fs::path made() {
+        std::string name = (fs::temp_directory_path() / "inkbench-entrant-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw core::Error(name, "this folder cannot be made", "a temporary folder with space");
+        }
+        return name;
+    }
+    static void remove(const fs::path& path) {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+
     fs::path path_;
+    core::CutOffGuard ends_with_us_;
 };
 
 std::string text_of(const import::ChildOutcome& outcome) {
