@@ -27,7 +27,7 @@ Json counts_json(const score::Score& s) {
         {"k", s.k},
         {"n_pred", s.n_pred},
         {"n_truth", s.n_truth},
-        {"f", s.f()},
+        {"f", or_null(s.f_of_truth())},
         {"precision", or_null(s.precision())},
         {"recall", or_null(s.recall())},
         // Scripts rely on these keys, also where columns have other names.
@@ -75,7 +75,7 @@ std::string score_table(const std::filesystem::path& prediction,
                         options.thin ? "thinned" : "not thinned");
     if (options.band_px > 0) text += fmt::format(", {} px of the frame left out", options.band_px);
     if (options.ignore_label) text += fmt::format(", {} ignored", *options.ignore_label);
-    text += fmt::format("\n\n  F           {:.4f}\n", s.f());
+    text += fmt::format("\n\n  F           {:>6}\n", four_places(s.f_of_truth()));
     text += fmt::format(
         "  precision   {:>6}   {} predicted = {} matched + {} unmatched duplicates + {} false "
         "positives\n",
@@ -122,7 +122,7 @@ std::string folder_table(const std::vector<draw::FolderScore>& scores) {
     }
     const score::CurveCount all = draw::pooled(scores);
     cells.push_back({"all, pooled",
-                     four_places(all.f()),
+                     four_places(draw::pooled_f(scores)),
                      "",
                      "",
                      std::to_string(all.n_pred),
@@ -138,8 +138,10 @@ std::string folder_json(const std::vector<draw::FolderScore>& scores) {
         result["images"][each.name] = std::move(image);
     }
     const score::CurveCount all = draw::pooled(scores);
-    result["pooled"] = {
-        {"k", all.k}, {"n_pred", all.n_pred}, {"n_truth", all.n_truth}, {"f", all.f()}};
+    result["pooled"] = {{"k", all.k},
+                        {"n_pred", all.n_pred},
+                        {"n_truth", all.n_truth},
+                        {"f", or_null(draw::pooled_f(scores))}};
     return result.dump(2) + "\n";
 }
 

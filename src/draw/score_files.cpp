@@ -46,6 +46,7 @@ std::vector<std::string> doubts(const fs::path& prediction_path,
                                 const FilesScore& scored) {
     constexpr double kMostDrawn = 0.5;
     std::vector<std::string> found;
+    if (scored.score.n_truth == 0) found.emplace_back(kNoTruth);
     const Gray& prediction = scored.responses;
     const auto drawn = std::count_if(prediction.data(),
                                      prediction.data() + prediction.size(),

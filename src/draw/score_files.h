@@ -21,6 +21,12 @@ struct ScoreRequest {
     std::optional<int> band_px = {};  ///< instead of options.band_px; default: the file's, else 0
 };
 
+/// Why there is no F, and what may help.
+inline constexpr const char* kNoTruth =
+    "empty: the truth has no pixel that counts, so there is no F; a smaller --band, or a truth "
+    "that "
+    "shows lines";
+
 /// What came of a prediction and a truth.
 struct FilesScore {
     score::Score score;
@@ -28,8 +34,8 @@ struct FilesScore {
     bool is_inverted = false;     ///< the prediction was taken as dark lines on light
     core::Image<std::uint8_t> labels;
     edge::EdgeImage responses;
-    /// A sentence each, for people: most of the prediction counts as drawn; the truth holds values
-    /// that are no class.
+    /// A sentence each, for people: the truth is empty (kNoTruth); most of the prediction counts as
+    /// drawn; the truth holds values that are no class.
     std::vector<std::string> doubts;
 };
 

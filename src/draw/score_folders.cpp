@@ -80,6 +80,10 @@ std::vector<FolderScore> score_folders(
         }
         try {
             const FilesScore scored = score_files(prediction->second, truth, request);
+            if (scored.score.n_truth == 0) {
+                result.status = kNoTruth;
+                continue;
+            }
             result.score = scored.score;
             on_scored(name, scored);
         } catch (const core::Error& error) {
@@ -95,6 +99,12 @@ score::CurveCount pooled(const std::vector<FolderScore>& scores) {
         if (each.score) total += {each.score->k, each.score->n_pred, each.score->n_truth};
     }
     return total;
+}
+
+std::optional<double> pooled_f(const std::vector<FolderScore>& scores) {
+    const score::CurveCount all = pooled(scores);
+    if (all.n_truth == 0) return std::nullopt;
+    return all.f();
 }
 
 }  // namespace ink::draw

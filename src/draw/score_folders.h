@@ -24,7 +24,8 @@ struct FolderScore {
 /// truth of an exported view (a folder with camera.json) goes with the image called as that folder;
 /// what else lies there is no truth.
 ///
-/// A missing or bad prediction or truth is an entry with its status. `on_scored` gets the name and
+/// A missing or bad prediction or truth is an entry with its status, and so is a truth without a
+/// pixel that counts (kNoTruth). `on_scored` gets the name and
 /// all of each that came out. Throws core::Error for folders that cannot be read, for one without
 /// any truth, and for options outside their range.
 [[nodiscard]] std::vector<FolderScore> score_folders(
@@ -35,5 +36,8 @@ struct FolderScore {
 
 /// Counts of all that were scored, pooled.
 [[nodiscard]] score::CurveCount pooled(const std::vector<FolderScore>& scores);
+
+/// F of these counts; nothing if nothing was scored.
+[[nodiscard]] std::optional<double> pooled_f(const std::vector<FolderScore>& scores);
 
 }  // namespace ink::draw

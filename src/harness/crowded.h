@@ -16,6 +16,7 @@ inline constexpr double kMostCrowded = 0.2;
 /// that is `at_2px`.
 void fill_crowded(const score::Strokes& strokes,
                   const score::Score& at_2px,
+                  const ViewTruth& truth,
                   const ViewLists& lists,
                   Row& row);
 

@@ -19,10 +19,8 @@ namespace {
 
 edge::EdgeImage full_response(const core::Image<std::uint8_t>& labels) {
     edge::EdgeImage image(labels.width_px(), labels.height_px());
-    std::transform(
-        labels.data(), labels.data() + labels.size(), image.data(), [](std::uint8_t label) {
-            return label != 0 ? 255 : 0;
-        });
+    const auto full = [](std::uint8_t label) { return label != 0 ? 255 : 0; };
+    std::transform(labels.data(), labels.data() + labels.size(), image.data(), full);
     return image;
 }
 
@@ -35,7 +33,7 @@ std::uint64_t random_seed(const Row& row) {
 
 std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
     std::vector<Evaluation> evaluations;
-    const auto add = [&](const char* name, edge::EdgeImage image) {
+    const auto add = [&](std::string_view name, edge::EdgeImage image) {
         Evaluation& added = evaluations.emplace_back();
         added.row.method = name;
         added.image = std::move(image);
@@ -44,7 +42,7 @@ std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
     add("none", edge::EdgeImage(labels.width_px(), labels.height_px()));
     add("sampled", truth.traced.sampled);
     add("exact_corner", truth.traced.exact_corner);
-    add("oracle", full_response(labels));
+    add(kOracle, full_response(labels));
     return evaluations;
 }
 
@@ -108,7 +106,7 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
         scored = score_image(evaluation.image, tolerances, evaluation.threshold);
         fill_scores(scored, evaluation.row);
         fill_intersections(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
-        fill_crowded(scored.strokes, scored.at_2px, lists, evaluation.row);
+        fill_crowded(scored.strokes, scored.at_2px, truth, lists, evaluation.row);
         evaluation.row.random_baseline = random_baseline.counts(evaluation.row.n_pred);
         evaluation.row.lines = score_lines(scored.strokes, scored.drawn, lines);
         scored.strokes = {};
@@ -157,15 +155,27 @@ void check_baselines(const std::vector<Evaluation>& evaluations,
                      std::vector<std::string>& reasons) {
     for (const Evaluation& evaluation : evaluations) {
         const Row& row = evaluation.row;
-        if (!row.is_ok() || !row.f_2px) continue;
-        if (row.method == "oracle" && *row.f_2px != 1) {
-            reasons.push_back(fmt::format(
-                "oracle has F = {:.6f} on {} {}, not 1", *row.f_2px, row.scene, row.view));
-        }
-        if (row.method == "none" && row.n_truth > 0 && *row.f_2px != 0) {
-            reasons.push_back(fmt::format(
-                "none has F = {:.6f} on {} {}, not 0", *row.f_2px, row.scene, row.view));
-        }
+        if (row.method != kOracle && row.method != "none") continue;
+        const double wanted = row.method == kOracle ? 1 : 0;
+        const auto expect = [&](std::optional<double> f, const char* what) {
+            if (!f || *f == wanted) return;
+            reasons.push_back(fmt::format("{} has F = {:.6f} on {} {}{}, not {}",
+                                          row.method,
+                                          *f,
+                                          row.scene,
+                                          row.view,
+                                          what,
+                                          wanted));
+        };
+        const auto f_of = [](const std::optional<score::CurveCount>& counts) {
+            return counts ? std::optional(counts->f()) : std::nullopt;
+        };
+        expect(f_of(row.with_crowded_2px), " with crowded pixels");
+        if (!row.is_ok()) continue;
+        expect(row.f_2px, "");
+        expect(row.f_1px, " within 1 px");
+        expect(f_of(row.above_crease_2px), " without flat intersections");
+        expect(f_of(row.all_intersections_2px), " with all intersections");
     }
 }
 

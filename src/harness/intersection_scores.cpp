@@ -61,6 +61,13 @@ void copy_intersections(Row& row) {
 
 }  // namespace
 
+score::Strokes strokes_against(const score::ScoringTruth& choice,
+                               const score::Strokes& strokes,
+                               std::string_view method) {
+    if (method != kOracle) return strokes;
+    return score::make_strokes(choice.labels, 1, score_options(1));
+}
+
 void fill_intersections(const score::Strokes& strokes,
                         const score::Score& at_2px,
                         const ViewTruth& truth,
@@ -74,11 +81,13 @@ void fill_intersections(const score::Strokes& strokes,
         return;
     }
     const bool is_all = truth.intersections == Intersections::all;
-    Counted above(strokes, is_all ? *lists.other : lists.scoring);
-    Counted all(strokes, is_all ? lists.scoring : *lists.other);
+    const score::Strokes others = strokes_against(*truth.other, strokes, row.method);
+    Counted above(is_all ? others : strokes, is_all ? *lists.other : lists.scoring);
+    Counted all(is_all ? strokes : others, is_all ? lists.scoring : *lists.other);
     const Counted& other = is_all ? above : all;
-    (is_all ? row.above_crease_2px : row.all_intersections_2px) =
-        score::match_counts(other.drawn, other.lists);
+    auto& other_2px = is_all ? row.above_crease_2px : row.all_intersections_2px;
+    other_2px.reset();  // no true pixel, no score
+    if (!other.lists.truth.is_empty()) other_2px = score::match_counts(other.drawn, other.lists);
     above.fill_intersections(kAboveCrease, row);
     all.fill_intersections(truth::name(truth::LineClass::intersection), row);
     all.fill(kBelowCrease, truth.below_crease, row);
@@ -92,7 +101,7 @@ void fill_score_2px(const score::Strokes& strokes,
         strokes, score::counted_pixels(strokes.thinned, lists.scoring), lists.scoring);
     fill_score_2px(at_2px, row);
     fill_intersections(strokes, at_2px, truth, lists, row);
-    fill_crowded(strokes, at_2px, lists, row);
+    fill_crowded(strokes, at_2px, truth, lists, row);
 }
 
 void copy_score_2px(const Row& from, Row& to) {

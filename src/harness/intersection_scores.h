@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "harness/row.h"
 #include "harness/tracing.h"
 #include "harness/view_lists.h"
@@ -7,6 +9,12 @@
 #include "score/score.h"
 
 namespace ink::harness {
+
+/// What is scored against another choice of what counts than the headline's: the strokes of a
+/// method's image, which is one for all choices, or for the oracle those of that very truth.
+[[nodiscard]] score::Strokes strokes_against(const score::ScoringTruth& choice,
+                                             const score::Strokes& strokes,
+                                             std::string_view method);
 
 /// Writes into `row` what strokes score at 2 px with either choice of intersections, and the recall
 /// of intersections: of all, of those above and of those below the crease angle, each by a matching

@@ -6,6 +6,15 @@ Place place_of(const Row& row) {
     return {row.scene, row.view, row.width, row.height};
 }
 
+void clear_scores(Row& row) {
+    const auto clear = [](auto&... fields) { ((fields = {}), ...); };
+    clear(row.f_2px, row.f_1px, row.precision_2px, row.recall_2px, row.mean_width_px, row.ap);
+    clear(row.above_crease_2px, row.all_intersections_2px, row.random_baseline, row.lines);
+    clear(row.recall_by_class, row.truth_px_by_class, row.k_by_class, row.tolerance_sweep);
+    clear(row.k_2px, row.n_pred, row.n_truth, row.truth_px, row.k_1px, row.n_pred_1px, row.causes);
+    clear(row.unmatched_duplicates, row.false_positives, row.unmatched_truth, row.false_negatives);
+}
+
 void clear_times(Row& row) {
     for (auto* time : {&row.prepare_ns,
                        &row.pose_ns,
@@ -21,8 +30,7 @@ void clear_times(Row& row) {
 }
 
 bool is_baseline(std::string_view method) {
-    return method == "none" || method == "sampled" || method == "exact_corner" ||
-           method == "oracle";
+    return method == "none" || method == "sampled" || method == "exact_corner" || method == kOracle;
 }
 
 }  // namespace ink::harness

@@ -112,12 +112,19 @@ struct Row {
     [[nodiscard]] bool is_scored() const { return is_ok() && f_2px.has_value(); }
 };
 
+/// Empties what a score says, but for `with_crowded_2px`: of a row whose view has none.
+void clear_scores(Row& row);
+
 /// Empties what holds times or follows from them: two runs of one plan then have the same rows.
 void clear_times(Row& row);
 
 /// Where a row's image was taken: scene, view, width and height in pixels.
 using Place = std::tuple<std::string, std::string, int, int>;
 [[nodiscard]] Place place_of(const Row& row);
+
+/// The row of the truth itself. It is scored against each choice of what counts by the truth of
+/// that choice, so that it is 1 in every column that is an F.
+inline constexpr std::string_view kOracle = "oracle";
 
 /// Whether `method` is one of the rows that the harness makes itself: none, sampled, exact_corner,
 /// oracle.

@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "harness/crowded.h"
+#include "harness/empty_view.h"
 #include "harness/intersection_scores.h"
 #include "harness/view_lists.h"
 
@@ -28,6 +29,7 @@ void prepare_rows(const scene::Scene& scene,
         if (evaluation.row.cost) evaluation.row.cost->frame = traced.counts;
     }
     if (traced.check) note_crosscheck(*traced.check, evaluations);
+    if (traced.has_truth()) note_empty(traced.truth, evaluations);
 }
 
 void add_baselines(const TracedView& traced, std::vector<Evaluation>& evaluations) {
@@ -36,14 +38,15 @@ void add_baselines(const TracedView& traced, std::vector<Evaluation>& evaluation
 }
 
 /// For each evaluation the first that has the same image and threshold: many settings of a method
-/// draw the same on most scenes. Those that failed stand for themselves.
+/// draw the same on most scenes. Those that failed stand for themselves, and so does the oracle,
+/// which is scored otherwise.
 std::vector<std::size_t> first_equals(const std::vector<Evaluation>& evaluations) {
     std::map<std::pair<std::string, int>, std::vector<std::size_t>> known;
     std::vector<std::size_t> firsts(evaluations.size());
     for (std::size_t i = 0; i < evaluations.size(); ++i) {
         const Evaluation& evaluation = evaluations[i];
         firsts[i] = i;
-        if (!evaluation.row.is_ok()) continue;
+        if (!evaluation.row.is_ok() || evaluation.row.method == kOracle) continue;
         auto& alike = known[{evaluation.row.image_hash, evaluation.threshold}];
         const auto found = std::find_if(alike.begin(), alike.end(), [&](std::size_t first) {
             return evaluations[first].image == evaluation.image;

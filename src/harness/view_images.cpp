@@ -98,7 +98,7 @@ Gray facing_layer(const truth::Layers& layers) {
 
 /// none and oracle are blank and the truth itself.
 bool is_kept(const Row& row) {
-    return row.is_ok() && row.method != "none" && row.method != "oracle";
+    return row.is_ok() && row.method != "none" && row.method != kOracle;
 }
 
 Gray read_sized(const fs::path& file, const Gray& truth) {

@@ -6,10 +6,11 @@
 #include <array>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "core/text_table.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
+#include "harness/empty_view.h"
 #include "linear_code/channel_planes.h"
 #include "truth/limits.h"
 
@@ -111,6 +112,11 @@ class Study {
         } catch (const truth::TooLarge& reason) {
             throw core::Error(pool.name, reason.what(), "a smaller scene or --size");
         }
+        if (const std::string reason = harness::emptiness(truth); !reason.empty()) {
+            throw core::Error(fmt::format("{} {}", pool.name, view.camera.name),
+                              reason,
+                              "views and a --size that show lines");
+        }
         const int threads = options_.search.threads;
         pool.stencils.add(source.planes(view, truth.traced.layers.triangle, threads),
                           truth.scoring);
@@ -147,7 +153,7 @@ std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scene
                         study.empty_pool("(real)", "real")};
     int done = 0;
     for (const harness::SceneViews& scene_views : scenes) {
-        if (harness::is_interrupted()) return rows;
+        if (core::is_interrupted()) return rows;
         progress.report(done++, scene_views.scene.name);
         const Pool pool = study.pool_of(scene_views);
         for (Pool& part : parts) {
@@ -162,7 +168,7 @@ std::vector<BoundRow> study_bounds(const std::vector<harness::SceneViews>& scene
     const auto present =
         std::count_if(parts.begin(), parts.end(), [](const Pool& part) { return part.scenes > 0; });
     for (const Pool* pool : {&parts[0], &parts[1], &parts[2], &all}) {
-        if (harness::is_interrupted()) return rows;
+        if (core::is_interrupted()) return rows;
         progress.report(done++, pool->name);
         if (pool->scenes > 1 && (pool != &all || present > 1))
             rows.push_back(of_pools.row_of(*pool));

@@ -117,7 +117,9 @@ void add_results(py::module_& module) {
 
     using score::Score;
     py::class_<Score>(module, "Score", "How a drawing compares with a truth.")
-        .def_property_readonly("f", &Score::f, "2 k / (n_pred + n_truth), 0..1.")
+        .def_property_readonly("f",
+                               &Score::f_of_truth,
+                               "2 k / (n_pred + n_truth), 0..1; None if there is no true line.")
         .def_property_readonly(
             "precision", &Score::precision, "k / n_pred, 0..1; None if nothing is drawn.")
         .def_property_readonly(
@@ -140,7 +142,8 @@ void add_results(py::module_& module) {
                       "Drawn pixels over thinned ones; 0 if nothing is drawn.")
         .def_readonly("classes", &Score::classes, "A ClassScore per class of the truth.")
         .def("__repr__", [](const Score& s) {
-            return "Score(f=" + std::to_string(s.f()) + ", k=" + std::to_string(s.k) +
+            const auto f = s.f_of_truth();
+            return "Score(f=" + (f ? std::to_string(*f) : "None") + ", k=" + std::to_string(s.k) +
                    ", n_pred=" + std::to_string(s.n_pred) +
                    ", n_truth=" + std::to_string(s.n_truth) + ")";
         });

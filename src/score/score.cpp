@@ -79,6 +79,11 @@ double Score::f() const {
     return CurveCount{k, n_pred, n_truth}.f();
 }
 
+std::optional<double> Score::f_of_truth() const {
+    if (n_truth == 0) return std::nullopt;
+    return f();
+}
+
 std::optional<double> Score::precision() const {
     if (n_pred == 0) return std::nullopt;
     return static_cast<double>(k) / static_cast<double>(n_pred);

@@ -53,6 +53,8 @@ struct Score {
 
     /// 2k / (n_pred + n_truth); 1 if both are empty.
     [[nodiscard]] double f() const;
+    /// The same as a result for people and tables: nothing if there is no truth.
+    [[nodiscard]] std::optional<double> f_of_truth() const;
     /// k / n_pred; nothing if no pixel is predicted.
     [[nodiscard]] std::optional<double> precision() const;
     /// k / n_truth; nothing if there is no truth.

@@ -7,10 +7,11 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/interrupt.h"
+#include "harness/empty_view.h"
 #include "score/matching.h"
 #include "statistics/spread.h"
 
@@ -47,6 +48,8 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             progress.report(static_cast<int>(views_.size()), name);
             try {
                 harness::ViewTruth truth = harness::trace_view(model, view, trace);
+                if (const std::string reason = harness::emptiness(truth); !reason.empty())
+                    throw core::Error(name, reason, "scenes, views and a --size that show lines");
                 hasher.text(name).text(core::image_hash(truth.scoring.labels));
                 hasher.text(core::image_hash(truth.scoring.ignore));
                 score::TruthLists lists = score::list_truth(truth.scoring, options);
@@ -55,7 +58,7 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
             } catch (const truth::TooLarge& reason) {
                 throw core::Error(name, reason.what(), "scenes whose truth can be traced");
             }
-            if (harness::is_interrupted()) return;
+            if (core::is_interrupted()) return;
         }
     }
     hash_ = hasher.hex();

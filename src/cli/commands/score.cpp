@@ -50,10 +50,12 @@ draw::Polarity asked_polarity(const ScoreArguments& a) {
     return a.is_inverted ? draw::Polarity::dark_on_light : found->second;
 }
 
-/// Exit code 1 for an F below what was asked.
-void check_least_f(const ScoreArguments& a, double f) {
-    if (!a.fail_under || f >= *a.fail_under) return;
-    fmt::print(stderr, "inkbench: F = {:.4f} is below {}\n", f, *a.fail_under);
+/// Exit code 1 for an F below what was asked, or none.
+void check_least_f(const ScoreArguments& a, std::optional<double> f) {
+    if (!a.fail_under || (f && *f >= *a.fail_under)) return;
+    const std::string what =
+        f ? fmt::format("F = {:.4f} is below", *f) : "there is no F, which is to be at least";
+    fmt::print(stderr, "inkbench: {} {}\n", what, *a.fail_under);
     throw CLI::RuntimeError(kFTooLow);
 }
 
@@ -68,13 +70,17 @@ void score_pair(const ScoreArguments& a) {
     if (!a.picture.empty()) draw::write_drawing(draw::picture_of(scored), a.picture);
     if (!a.csv.empty()) {
         draw::FolderScore line{a.prediction.filename().string()};
-        line.score = scored.score;
+        if (scored.score.n_truth > 0) {
+            line.score = scored.score;
+        } else {
+            line.status = draw::kNoTruth;
+        }
         core::write_whole_file(a.csv, folder_csv({line}));
     }
     fmt::print("{}", a.as_json ? score_json(scored) : score_table(a.prediction, a.truth, scored));
     std::fflush(stdout);
     print_doubts(scored);
-    check_least_f(a, scored.score.f());
+    check_least_f(a, scored.score.f_of_truth());
 }
 
 void score_all(const ScoreArguments& a) {
@@ -90,7 +96,7 @@ void score_all(const ScoreArguments& a) {
     fmt::print("{}", a.as_json ? folder_json(scores) : folder_table(scores));
     std::fflush(stdout);
     const auto is_scored = [](const draw::FolderScore& each) { return each.is_scored(); };
-    check_least_f(a, draw::pooled(scores).f());
+    check_least_f(a, draw::pooled_f(scores));
     if (std::all_of(scores.begin(), scores.end(), is_scored)) return;
     fmt::print(stderr, "inkbench: some images have no score\n");
     throw CLI::RuntimeError(std::any_of(scores.begin(), scores.end(), is_scored) ? kImagesUnscored

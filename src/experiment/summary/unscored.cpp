@@ -24,6 +24,12 @@ std::string remedy_of(const harness::Row& row) {
             row.scene,
             row.view);
     }
+    if (row.status.starts_with("empty")) {
+        return fmt::format(
+            "a view that shows lines of it away from the frame: inkbench explain {} "
+            "prints its box and cameras; or a larger --size",
+            row.scene);
+    }
     if (row.status.starts_with("crowded")) {
         return "a larger --size, or a view in which lines lie farther apart; f_2px_with_crowded of "
                "its rows counts the crowded pixels too";

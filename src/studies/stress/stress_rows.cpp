@@ -10,6 +10,7 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/simd.h"
+#include "harness/empty_view.h"
 #include "harness/evaluations.h"
 #include "harness/intersection_scores.h"
 #include "harness/tables/csv.h"
@@ -32,6 +33,8 @@ StressTruth trace(const StressCase& stress, const harness::TraceOptions& options
         truth::SceneModel model(stress.scene_views.scene, options.truth);
         result.truth = harness::trace_view(model, stress.scene_views.views.front(), options);
         result.non_finite = count_non_finite(result.truth->traced);
+        // A difficulty takes no line out of the image. One that took all is a lost case.
+        result.failure = harness::emptiness(*result.truth);
     } catch (const truth::TooLarge& reason) {
         result.failure = fmt::format("too_large: {}", reason.what());
     } catch (const std::bad_alloc&) {

@@ -1,0 +1,124 @@
+// The oracle is the truth itself: it has 1 in every column that is an F, whatever counts there.
+
+#include <gtest/gtest.h>
+
+#include "harness/tables/csv.h"
+#include "harness/tables/row_table.h"
+#include "harness/view_cells.h"
+
+namespace ink::harness {
+namespace {
+
+struct Case {
+    const char* scene;
+    std::pair<int, int> size_px;
+    score::Intersections intersections;
+};
+
+/// A view's baselines, scored in full or as settings are.
+std::vector<Evaluation> baselines_of(const Case& of, bool is_full) {
+    ViewRequest request;
+    request.width_px = of.size_px.first;
+    request.height_px = of.size_px.second;
+    const SceneViews scene_views = make_scene_views(load_scene(of.scene), request);
+    CellOptions options;
+    options.trace.crosscheck = false;
+    options.trace.intersections = of.intersections;
+    truth::SceneModel model(scene_views.scene, options.trace.truth);
+    const scene::View& view = scene_views.views.front();
+    const TracedView traced = trace_with_facts(model, scene_views.scene, view, options.trace);
+    std::vector<Evaluation> evaluations;
+    (is_full ? finish_evaluations : finish_briefly)(
+        scene_views.scene, view, traced, options, evaluations);
+    return evaluations;
+}
+
+/// Columns that hold an F of the row's own image; a random image stands beside it.
+std::vector<std::size_t> columns_of_f() {
+    std::vector<std::size_t> columns;
+    const auto& all = rows_table().columns;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].name.starts_with("f_") && all[i].name != "f_random_2px") columns.push_back(i);
+    }
+    return columns;
+}
+
+/// The fields of the row as rows.csv has them; none of them holds a comma within quotes here.
+std::vector<std::string> fields_of(const Row& row) {
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    for (const char c : row_line(0, Study::compare, row)) {
+        if (c == '"') is_quoted = !is_quoted;
+        if (c == ',' && !is_quoted) {
+            fields.emplace_back();
+        } else if (c != '\n') {
+            fields.back() += c;
+        }
+    }
+    return fields;
+}
+
+class Oracle : public testing::TestWithParam<Case> {};
+
+TEST_P(Oracle, IsOneInEveryColumnThatIsAnFAndNoneIsZero) {
+    const auto& all = rows_table().columns;
+    EXPECT_GE(columns_of_f().size(), 5U);
+    for (const bool is_full : {true, false}) {
+        std::vector<Evaluation> evaluations = baselines_of(GetParam(), is_full);
+        std::vector<std::string> faults;
+        check_baselines(evaluations, faults);
+        EXPECT_TRUE(faults.empty()) << faults.front();
+        for (const Evaluation& evaluation : evaluations) {
+            const Row& row = evaluation.row;
+            if (row.method != "oracle" && row.method != "none") continue;
+            const std::vector<std::string> fields = fields_of(row);
+            ASSERT_EQ(fields.size(), all.size());
+            for (const std::size_t i : columns_of_f()) {
+                SCOPED_TRACE(row.method + " " + all[i].name);
+                const bool may_lack = !row.is_ok() || (!is_full && all[i].name == "f_1px");
+                if (may_lack && fields[i].empty()) continue;
+                EXPECT_EQ(fields[i], row.method == "oracle" ? "1" : "0");
+            }
+        }
+        // Else the law would hold of a table without numbers.
+        EXPECT_TRUE(evaluations.back().row.with_crowded_2px.has_value());
+    }
+}
+
+TEST_P(Oracle, HasARecallOfOneInEveryClass) {
+    const std::vector<Evaluation> evaluations = baselines_of(GetParam(), true);
+    const Row& oracle = evaluations.back().row;
+    ASSERT_EQ(oracle.method, "oracle");
+    for (const auto& [name, recall] : oracle.recall_by_class)
+        EXPECT_EQ(recall, 1) << name;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every,
+    Oracle,
+    testing::Values(
+        // Too crowded to be scored; crowded, and scored; flat intersections; neither.
+        Case{"bush", {240, 135}, score::Intersections::above_crease},
+        Case{"bush", {640, 360}, score::Intersections::above_crease},
+        Case{"bush", {640, 360}, score::Intersections::all},
+        Case{"tree", {320, 180}, score::Intersections::above_crease},
+        Case{"tree", {320, 180}, score::Intersections::all},
+        Case{"cube", {320, 180}, score::Intersections::above_crease}),
+    [](const auto& of) { return of.param.scene + std::string("_") + std::to_string(of.index); });
+
+TEST(Baselines, AnOracleBelowOneOrADrawnNoneIsAFault) {
+    std::vector<Evaluation> evaluations(2);
+    evaluations[0].row.method = "oracle";
+    evaluations[1].row.method = "none";
+    for (Evaluation& evaluation : evaluations) {
+        evaluation.row.f_2px = evaluation.row.f_1px = evaluation.row.method == "oracle" ? 1 : 0;
+        evaluation.row.all_intersections_2px = score::CurveCount{9, 10, 10};
+        evaluation.row.with_crowded_2px = score::CurveCount{8, 10, 10};
+    }
+    std::vector<std::string> reasons;
+    check_baselines(evaluations, reasons);
+    EXPECT_EQ(reasons.size(), 4U) << testing::PrintToString(reasons);
+}
+
+}  // namespace
+}  // namespace ink::harness
