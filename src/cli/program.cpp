@@ -4,6 +4,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/help_format.h"
+#include "cli/options/options.h"
 #include "core/param.h"
 #include "core/provenance.h"
 
@@ -70,9 +71,8 @@ std::unique_ptr<CLI::App> make_program() {
     app->footer(
         "inkbench COMMAND --help says more of each.\n"
         "Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin\n"
-        "Exit codes: 0 done, 1 a check failed or nothing has a score, 2 bad input, 3 some views "
-        "have "
-        "no score (compare, run), 130 interrupted.");
+        "Exit codes: 0 done, 1 a check failed or nothing has a score, 2 bad input, " +
+        std::string(kUnscoredCode) + ", 130 interrupted.");
     add_compare_command(*app);
     add_draw_command(*app);
     add_truth_command(*app);

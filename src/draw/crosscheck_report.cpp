@@ -75,7 +75,7 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
     }
     text += class_line("all", check.agreement.total());
     text += fmt::format(
-        "within {} px; disagreement {} of both lengths, confirmed by a third construction; the "
+        "within {} px; a third construction sides against the truth on {} of both lengths; the "
         "cross-check abstains on {}\n"
         "looked {} times in {:.3f} s, across edges at {} places, closely at {} px; unexplained "
         "{}\n",

@@ -256,6 +256,12 @@ TEST(BadValue, Camera) {
     expect({"--eye", "1,2,3", "--target", "x"}, "--target");
     expect({"--eye", "1,2,3", "--target", "1,2,3"}, "");
     expect({"--eye", "1,2,3", "--up", "0"}, "--up");
+    for (const char* up : {"0,0,0", "0,-0,0.0"})
+        expect({"--eye", "1,2,3", "--up", up}, "length is 0");
+    expect({"--target", "1,2,3"}, "--target: there is no --eye");
+    expect({"--up", "0,0,1"}, "--up: there is no --eye");
+    expect({"--fov", "30"}, "--fov: there is no --eye");
+    expect({"--views", "2", "--up", "0,0,1"}, "--up: there is no --eye");
     for (const char* fov : {"0", "-40", "180", "nan", "wide"})
         expect({"--eye", "1,2,3", "--fov", fov}, "fov");
 }

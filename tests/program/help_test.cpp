@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "tests/program/run_program.h"
@@ -51,6 +52,15 @@ TEST(Help, OfEveryCommandHasAnExampleAndExitCodesAndFitsATerminal) {
             if (line.find("inkbench ") != std::string::npos) continue;
             EXPECT_LE(line.size(), 80U) << line;
         }
+    }
+}
+
+TEST(Help, SaysOfEveryRunWhatExitCode3Means) {
+    for (const char* command : {"compare", "run", "merge", "figures"}) {
+        std::string help = expect_done({command, "--help"});
+        std::replace(help.begin(), help.end(), '\n', ' ');
+        EXPECT_THAT(help, HasSubstr("3 some views have no score (crowded ones do not count)"))
+            << command;
     }
 }
 

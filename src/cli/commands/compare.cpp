@@ -184,9 +184,8 @@ void add_compare_command(CLI::App& app) {
     command->footer(
         "Killed or interrupted, the same command goes on where it stopped.\n"
         "Example: inkbench compare bunny.obj spot.obj --methods mote4,decaudin --size 1920x1080\n"
-        "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input, 3 some "
-        "views "
-        "have no score, 130 interrupted.");
+        "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input, " +
+        std::string(kUnscoredCode) + ", 130 interrupted.");
     command->callback([args, command] {
         if (args->demo) apply_demo(*args, *command);
         if (args->quick) apply_quick(*args, *command);

@@ -256,8 +256,8 @@ void add_figures_command(CLI::App& app) {
         "python3-matplotlib).\n"
         "Example: inkbench figures inkbench-out --format pdf --width 84mm --out figs\n"
         "         inkbench figures --scenes torus,staircase --methods mote4,decaudin --out figs\n"
-        "Exit codes: 0 done, 1 nothing has a score, 2 bad input, 3 some views have no score, 130 "
-        "interrupted.");
+        "Exit codes: 0 done, 1 nothing has a score, 2 bad input, " +
+        std::string(kUnscoredCode) + ", 130 interrupted.");
     command->callback([args, command] {
         const std::vector<std::string> runs = take_runs(args->scenes);
         if (runs.empty()) {

@@ -32,7 +32,8 @@ void add_merge_command(CLI::App& app) {
     command->footer(
         "Example: inkbench merge part1 part2 part3 --out inkbench-out/quality\n"
         "Exit codes: 0 done; 1 the run is invalid or nothing has a score; 2 bad input: shards "
-        "missing, twice, or of another run; 3 some views have no score.");
+        "missing, twice, or of another run; " +
+        std::string(kUnscoredCode) + ".");
     command->callback([args] {
         const experiment::RunOutcome outcome = experiment::merge_shards(
             {args->folders.begin(), args->folders.end()}, args->out, args->is_partial);

@@ -61,8 +61,8 @@ void add_run_command(CLI::App& app) {
         "The folder is inkbench-out/NAME, or that of --out.\n"
         "Example: inkbench run experiments/smoke.toml --size 320x180\n"
         "Exit codes: 0 done, 1 the run is invalid or nothing has a score, 2 bad input or disk "
-        "full, "
-        "3 some views have no score, 130 interrupted.");
+        "full, " +
+        std::string(kUnscoredCode) + ", 130 interrupted.");
     command->callback([args, command] {
         experiment::Experiment experiment = experiment_of(*args);
         experiment.command = run_command_text(*command);

@@ -12,6 +12,7 @@
 
 #include "cli/name_list.h"
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "core/progress.h"
 #include "harness/method_configs.h"
 
@@ -19,6 +20,7 @@ namespace ink::cli {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kFov_deg = 40;  // of a camera that is set by hand
 constexpr double kMostMargin = 0.45;
 constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
@@ -41,7 +43,7 @@ void parse_size(const std::string& text, harness::ViewRequest& request) {
     harness::check_size(request.width_px, request.height_px);
 }
 
-glm::dvec3 parse_point(const std::string& text, const char* option) {
+glm::dvec3 parse_point(const std::string& text, const std::string& option) {
     const std::vector<std::string> parts = harness::split_list(text);
     glm::dvec3 point{0};
     bool is_point = parts.size() == 3;
@@ -55,7 +57,31 @@ glm::dvec3 parse_point(const std::string& text, const char* option) {
     return point;
 }
 
+/// A direction, which has a length.
+glm::dvec3 parse_direction(const std::string& text, const std::string& option) {
+    const glm::dvec3 direction = parse_point(text, option);
+    if (direction == glm::dvec3(0)) {
+        throw core::Error(option,
+                          fmt::format("'{}' is no direction: its length is 0", text),
+                          "X,Y,Z that are not all 0");
+    }
+    return direction;
+}
+
+/// What belongs to a camera that is set by hand says nothing without one.
+void refuse_without_eye(const ViewOptions& options) {
+    const auto refuse = [](const char* option) {
+        throw core::Error(
+            option, "there is no --eye, whose camera it would set", "--eye X,Y,Z beside it");
+    };
+    if (!options.eyes.empty()) return;
+    if (!options.targets.empty()) refuse("--target");
+    if (options.up) refuse("--up");
+    if (options.fov_deg) refuse("--fov");
+}
+
 void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
+    refuse_without_eye(options);
     if (options.targets.size() > options.eyes.size()) {
         throw core::Error(
             "--target", "there are more targets than eyes", "one --eye for each --target");
@@ -66,8 +92,8 @@ void parse_cameras(const ViewOptions& options, harness::ViewRequest& request) {
         if (i < options.targets.size()) {
             camera.target_world = parse_point(options.targets[i], "--target");
         }
-        camera.up_world = parse_point(options.up, "--up");
-        camera.fov_y_rad = options.fov_deg * kRadPerDeg;
+        if (options.up) camera.up_world = parse_direction(*options.up, "--up");
+        camera.fov_y_rad = options.fov_deg.value_or(kFov_deg) * kRadPerDeg;
         request.cameras.push_back(camera);
     }
 }
@@ -135,7 +161,7 @@ void add_quiet_option(CLI::App& command) {
 
 void end_interrupted(const std::string& what_is_left) {
     fmt::print(stderr, "inkbench: interrupted; {}\n", what_is_left);
-    throw CLI::RuntimeError(kInterrupted);
+    throw CLI::RuntimeError(core::kInterrupted);
 }
 
 std::string recorded_command(const CLI::App& command, const std::vector<std::string>& left_out) {
@@ -190,12 +216,13 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
                           options.targets,
                           "Point looked at, one per --eye (default: the scene's centre)",
                           "X,Y,Z");
-    command.add_option("--up", options.up, "Up direction, with --eye")
-        ->type_name("X,Y,Z")
-        ->capture_default_str();
-    command.add_option("--fov", options.fov_deg, "Vertical field of view, with --eye")
-        ->type_name("DEGREES")
-        ->capture_default_str();
+    command.add_option("--up", options.up, "Up direction, with --eye (default: 0,1,0)")
+        ->type_name("X,Y,Z");
+    command
+        .add_option("--fov",
+                    options.fov_deg,
+                    fmt::format("Vertical field of view, with --eye (default: {:g})", kFov_deg))
+        ->type_name("DEGREES");
     command
         .add_option(
             "--time", options.time_s, "Moment of an animated scene (default: its rest pose)")

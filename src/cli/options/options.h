@@ -13,8 +13,9 @@
 
 namespace ink::cli {
 
-/// The exit code of a run that was asked to end: 128 + SIGINT, as shells have it.
-inline constexpr int kInterrupted = 130;
+/// What exit code 3 of a run means, for the help texts.
+inline constexpr const char* kUnscoredCode =
+    "3 some views have no score (crowded ones do not count)";
 
 /// The options by which every command says which views it means, as text until `view_request` reads
 /// them.
@@ -23,8 +24,8 @@ struct ViewOptions {
     std::string views;  ///< a number, or "file"
     std::vector<std::string> eyes;
     std::vector<std::string> targets;
-    std::string up = "0,1,0";
-    double fov_deg = 40;
+    std::optional<std::string> up;  ///< only with eyes, as the next
+    std::optional<double> fov_deg;
     std::optional<double> time_s;
     std::optional<int> frame;
     std::string fit;  ///< "", "sphere" or "box"
