@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "import/imported_lights.h"
 #include "import/origin.h"
 #include "scene/materials.h"
 
@@ -315,7 +316,8 @@ scene::Scene scene_from_reply(ImportReply&& reply,
     const auto animation = take_animation(std::move(reply.animation), scene, where);
     UsableCameras usable = usable_cameras(reply.cameras, scene::bounding_sphere(scene));
     scene.cameras = std::move(usable.cameras);
-    take_camera_motions(usable.motions, animation, scene, where);
+    take_lights(reply.lights, animation, scene);
+    take_camera_motions(usable.motions, animation, scene, where);  // checks the lights', too
     if (material_seams) scene::split_materials(scene);
     return scene;
 }

@@ -181,6 +181,8 @@ glm::dvec3 take_out_origin(ImportReply& reply) {
         camera.eye_world -= origin;
         camera.target_world -= origin;
     }
+    for (ImportedLight& light : reply.lights)
+        light.p_world -= origin;
     return origin;
 }
 

@@ -32,6 +32,14 @@ void pass_camera(Stream& stream, Camera& camera) {
     stream.parts(motion.eye_node, motion.target_node, motion.p_eye, motion.p_target, motion.up);
 }
 
+template <class Stream, class Light>
+void pass_light(Stream& stream, Light& light) {
+    std::uint8_t is_physical = light.is_physical ? 1 : 0;
+    stream.parts(light.kind, light.name, light.p_world, light.direction_world, light.color);
+    stream.parts(is_physical, light.range, light.inner_range, light.node, light.colors);
+    if constexpr (!std::is_const_v<Light>) light.is_physical = is_physical != 0;
+}
+
 /// All between the status and whether there is an animation.
 template <class Stream, class Reply>
 void pass_scene(Stream& of, Reply& reply) {
@@ -39,6 +47,7 @@ void pass_scene(Stream& of, Reply& reply) {
     constexpr std::size_t kLeastMeshBytes = 41;
     constexpr std::size_t kLeastInstanceBytes = 144;
     constexpr std::size_t kLeastCameraBytes = 168;
+    constexpr std::size_t kLeastLightBytes = 101;
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason, reply.faces_read, reply.vertices_read);
@@ -49,6 +58,9 @@ void pass_scene(Stream& of, Reply& reply) {
     });
     of.list(reply.cameras, kLeastCameraBytes, [](auto& stream, auto& camera) {
         pass_camera(stream, camera);
+    });
+    of.list(reply.lights, kLeastLightBytes, [](auto& stream, auto& light) {
+        pass_light(stream, light);
     });
     of.list(reply.parallel_cameras, kLeastTextBytes, pass_text);
     of.list(reply.animation_names, kLeastTextBytes, pass_text);

@@ -68,6 +68,31 @@ struct ImportedCamera {
     scene::CameraMotion motion{};  ///< the same by the reply's nodes
 };
 
+/// What sends light. Shading knows lamps that shine to all sides alone: see take_lights.
+enum class LightKind : std::uint32_t {
+    point,
+    spot,
+    area,
+    distant,  ///< as the sun does, from one side and everywhere alike
+    ambient,  ///< from all sides
+};
+
+/// A light as a file gives it, made world space.
+struct ImportedLight {
+    LightKind kind = LightKind::point;
+    std::string name;
+    glm::dvec3 p_world{0};
+    glm::dvec3 direction_world{0};  ///< where the light of a distant one goes, of any length
+    glm::vec3 color{1};             ///< times its strength
+    /// Whether the strength is in candela, in lux that of a distant one; else a share of full
+    /// light.
+    bool is_physical = false;
+    double range = 0;  ///< world units, as scene::OmniLight has them
+    double inner_range = 0;
+    std::uint32_t node = scene::kNoNode;   ///< of the reply's animation, with which it goes
+    std::vector<scene::VectorKey> colors;  ///< of a colour that changes, else empty
+};
+
 /// What the user may choose of a file; it goes to the import child with the path.
 struct ImportChoice {
     /// Which animation moves the scene: a name that the file has, else a number from 0; empty: the
@@ -84,6 +109,7 @@ struct ImportReply {
     std::vector<ImportedMesh> meshes;
     std::vector<ImportedInstance> instances;
     std::vector<ImportedCamera> cameras;
+    std::vector<ImportedLight> lights;
     std::vector<std::string> parallel_cameras;  ///< names of those that cannot be drawn yet
     std::vector<std::string> animation_names;   ///< of all that the file has; "" has no name
     /// What in the file does not count here, a few words each: "2 materials of mode BLEND are drawn

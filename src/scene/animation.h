@@ -121,6 +121,16 @@ struct CameraMotion {
     glm::dvec3 up{0};                     ///< a direction in the eye's node
 };
 
+/// How a lamp goes with a node, and how its colour changes.
+struct LightMotion {
+    std::uint32_t node = kNoNode;     ///< kNoNode: it stands still
+    glm::dvec3 p_node{0};             ///< in the node
+    std::vector<VectorKey> colors{};  ///< empty: it keeps its colour
+
+    /// What it has at a time, held to the first and the last key; at least one key.
+    [[nodiscard]] glm::dvec3 color_at(double time_s) const;
+};
+
 /// Writes what each vertex follows into `skin`.
 void set_weights(const std::vector<std::vector<BoneWeight>>& of_vertex, Skin& skin);
 
@@ -135,6 +145,7 @@ struct Animation {
     std::vector<Skin> skins;
     std::vector<CameraMotion> cameras{};  ///< per camera of the scene, or empty
     std::vector<Morph> morphs{};          ///< at most one of a mesh
+    std::vector<LightMotion> lights{};    ///< per light of the scene, or empty
 
     /// The most frames that a mesh stores; 0 where motion is by keys alone.
     [[nodiscard]] std::size_t frame_count() const;
@@ -150,7 +161,7 @@ enum class Between {
     whole,    ///< the earlier one, nodes included: as Quake drew them
 };
 
-/// Sets the instances' transforms, the meshes' vertices and the moving cameras to those at
+/// Sets the instances' transforms, the meshes' vertices, the moving cameras and lights to those at
 /// `time_s`, held to 0 .. duration_s. At a key or a stored frame they equal it bit for bit; a part
 /// with fewer frames than others keeps its last. Same bits on every machine. A scene without
 /// animation stays as it is. Cameras keep angle, near and far: fitting these to what has moved is
@@ -162,7 +173,7 @@ void pose_scene(Scene& scene, double time_s, Between between = Between::blended)
                                                        std::optional<double> time_s);
 
 /// Sets it as the file has it without its motion: every node at rest, vertices in their first
-/// frame.
+/// frame, colours of lights at their first key.
 void rest_scene(Scene& scene);
 
 /// A ball that holds the scene, posed as it is and at each of `times_s`.

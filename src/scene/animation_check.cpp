@@ -264,6 +264,21 @@ void check_cameras(const Scene& scene, const Animation& animation, const Complai
     }
 }
 
+void check_lights(const Scene& scene, const Animation& animation, const Complaint& complain) {
+    complain.unless(
+        animation.lights.empty() || animation.lights.size() == scene.lights.size(),
+        fmt::format("it moves {} lights of {}", animation.lights.size(), scene.lights.size()),
+        "none, or as many as there are");
+    for (const LightMotion& light : animation.lights) {
+        complain.unless(light.node == kNoNode || light.node < animation.nodes.size(),
+                        fmt::format("a light hangs on node {}", light.node),
+                        fmt::format("one of {} nodes", animation.nodes.size()));
+        complain.unless(
+            is_finite(light.p_node), "a light has a place that is not finite", "finite numbers");
+        check_keys(light.colors, Course<glm::dvec3>{}, "colours of a light", complain);
+    }
+}
+
 }  // namespace
 
 void check_animation(const Scene& scene, const Animation& animation) {
@@ -286,6 +301,7 @@ void check_animation(const Scene& scene, const Animation& animation) {
     check_morphs(scene, animation, complain);
     check_skins(scene, animation, complain);
     check_cameras(scene, animation, complain);
+    check_lights(scene, animation, complain);
     const double reach = farthest_reach(scene, animation);
     complain.unless(reach < kMostReach,
                     fmt::format("it may reach {:g}", reach),

@@ -130,6 +130,17 @@ void pose_camera(const CameraMotion& motion,
     camera.view_from_world = posed.view_from_world;
 }
 
+/// Where a light stands at the moment, and its colour; without a time, that of its first key.
+void pose_light(const LightMotion& motion,
+                const std::vector<glm::dmat4>& world_from_node,
+                std::optional<double> time_s,
+                OmniLight& light) {
+    if (motion.node != kNoNode)
+        light.p_world = world_from_node[motion.node] * glm::dvec4(motion.p_node, 1);
+    if (motion.colors.empty()) return;
+    light.color = motion.color_at(time_s.value_or(motion.colors.front().time_s));
+}
+
 /// The stored frame at a time, its fraction the way to the next one.
 double frame_at(const Animation& animation, double time_s, Between between) {
     const double frame = time_s * animation.frames_per_s;
@@ -165,6 +176,8 @@ void pose_all(Scene& scene, std::optional<double> time_s, double frame) {
     }
     for (std::size_t c = 0; c < animation.cameras.size(); ++c)
         pose_camera(animation.cameras[c], world, scene.cameras[c]);
+    for (std::size_t l = 0; l < animation.lights.size(); ++l)
+        pose_light(animation.lights[l], world, time_s, scene.lights[l]);
 }
 
 }  // namespace

@@ -137,6 +137,8 @@ double farthest_reach(const Scene& scene, const Animation& animation) {
         add(reach[camera.eye_node].grows * glm::length(camera.up));
         add(reach[camera.target_node].of(glm::length(camera.p_target)));
     }
+    for (const LightMotion& light : animation.lights)
+        if (light.node != kNoNode) add(reach[light.node].of(glm::length(light.p_node)));
     for (const Skin& skin : animation.skins) {
         for (const Skin::Bone& bone : skin.bones) {
             const Reach bound{moved_by(bone.node_from_mesh), growth(bone.node_from_mesh)};

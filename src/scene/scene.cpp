@@ -71,6 +71,16 @@ void check_instance(const Scene& scene, std::size_t index) {
     }
 }
 
+void check_light(const Scene& scene, std::size_t index) {
+    const OmniLight& light = scene.lights[index];
+    const bool is_good = std::isfinite(glm::length(light.p_world)) && is_finite(light.color) &&
+                         std::isfinite(light.range) && std::isfinite(light.inner_range);
+    if (is_good) return;
+    throw core::Error(fmt::format("{}, light {}", scene.name, index),
+                      "its place, colour or range is not finite",
+                      "finite numbers");
+}
+
 /// Calls `visit` with the world position of every corner of every placed triangle.
 template <class Visit>
 void for_each_corner(const Scene& scene, Visit visit) {
@@ -135,6 +145,8 @@ void check_scene(const Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
         check_instance(scene, i);
+    for (std::size_t l = 0; l < scene.lights.size(); ++l)
+        check_light(scene, l);
     if (triangle_count(scene) == 0) {
         throw core::Error(scene.name, "it has no triangle", "a scene with at least one");
     }

@@ -7,7 +7,9 @@
 namespace ink::shade {
 
 double reach(const scene::OmniLight& lamp, double distance) {
-    return lamp.range > 0 ? std::max(0.0, 1 - distance / lamp.range) : 1;
+    if (!(lamp.range > 0) || distance <= lamp.inner_range) return 1;
+    if (distance >= lamp.range) return 0;
+    return 1 - (distance - lamp.inner_range) / (lamp.range - lamp.inner_range);
 }
 
 glm::vec3 light_at(const glm::dvec3& p_world,

@@ -1,9 +1,11 @@
-// Cameras of any .3ds file can be used: they have an angle, and their keys are in order.
+// Cameras and lights of any .3ds file can be used: cameras have an angle, and keys are in order.
 
 #include "import/camera_3ds.h"
 
 #include <numbers>
 
+#include "import/chunks_3ds.h"
+#include "import/light_3ds.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/import/imported_meshes.h"
@@ -27,7 +29,9 @@ scene::Animation motion;
 motion.duration_s = 1;
 motion.node_of_instance = {scene::kNoNode};
 motion.nodes.push_back({scene::kNoNode, glm::dmat4(2), {}, {}, {}});
-reply.cameras = import::read_3ds_cameras(scratch_file("cameras.3ds", bytes), motion);
+const std::filesystem::path file = scratch_file("cameras.3ds", bytes);
+reply.cameras = import::read_3ds_cameras(file, motion);
+reply.lights = import::read_3ds_lights(file, motion, reply.notes);
 reply.animation = std::move(motion);
 return reply;
 }  // namespace
@@ -41,13 +45,15 @@ void check_cameras_3ds(Bytes bytes) {
                "an angle lies between 0 and 180 degrees");
     }
     std::size_t keys = 0;
-    for (const import::CameraKeys& camera : import::read_3ds_camera_keys(std::as_bytes(bytes))) {
-        check_keys(camera.eye);
-        check_keys(camera.target);
-        keys += camera.eye.size() + camera.target.size();
+    for (const import::Track3ds& track : import::tracks_of(std::as_bytes(bytes))) {
+        check_keys(track.places);
+        check_keys(track.colors);
+        keys += track.places.size() + track.colors.size();
     }
-    expect(18 * keys + 32 * cameras.size() <= bytes.size(), "what is read stands in the file");
-    if (!cameras.empty()) expect_scene_or_error(reply_with_cameras(bytes));
+    const auto lights = import::read_3ds_lights(std::as_bytes(bytes));
+    expect(18 * keys + 32 * cameras.size() + 12 * lights.size() <= bytes.size(),
+           "what is read stands in the file");
+    if (!cameras.empty() || !lights.empty()) expect_scene_or_error(reply_with_cameras(bytes));
 }
 
 }  // namespace ink::fuzz

@@ -2,25 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <numbers>
 #include <string>
+
+#include "tests/import/files_3ds.h"
 
 namespace ink::import {
 namespace {
 
-template <class T>
-std::string raw(const T& value) {
-    return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-
-std::string chunk(std::uint16_t id, const std::string& body) {
-    return raw(id) + raw(static_cast<std::uint32_t>(body.size() + 6)) + body;
-}
-
 std::string camera_file(const std::array<float, 8>& camera) {
-    const std::string object = std::string("Cam") + '\0' + chunk(0x4700, raw(camera));
-    return chunk(0x4d4d, chunk(0x0002, raw(3)) + chunk(0x3d3d, chunk(0x4000, object)));
+    return file_3ds(object_3ds("Cam", chunk(0x4700, raw(camera))));
 }
 
 std::vector<ImportedCamera> cameras_in(const std::string& content) {
@@ -45,18 +36,10 @@ TEST(ThreeDsCameras, EyeTargetRollAndLens) {
 std::string track_node(std::uint16_t id,
                        std::int16_t parent,
                        const std::vector<std::pair<std::uint32_t, float>>& keys) {
-    std::string track = std::string(10, '\0') + raw(static_cast<std::uint32_t>(keys.size()));
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        track += raw(keys[k].first) + raw(std::uint16_t(k == 0 ? 0x3 : 0));
-        if (k == 0) track += raw(0.5F) + raw(-0.5F);
-        track += raw(std::array<float, 3>{keys[k].second, 2, 3});
-    }
-    const std::string header = std::string("Cam") + '\0' + std::string(4, '\0') + raw(parent);
-    return chunk(id, chunk(0xb010, header) + chunk(0xb020, track));
-}
-
-std::string keyframer_file(const std::string& nodes) {
-    return chunk(0x4d4d, chunk(0x0002, raw(3)) + chunk(0xb000, nodes));
+    Keys3ds places;
+    for (const auto& [frame, x] : keys)
+        places.push_back({frame, {x, 2, 3}});
+    return node_3ds(id, "Cam", parent, track_3ds(0xb020, places));
 }
 
 std::vector<CameraKeys> keys_in(const std::string& content) {
@@ -64,9 +47,10 @@ std::vector<CameraKeys> keys_in(const std::string& content) {
 }
 
 TEST(ThreeDsCameras, KeysOfEyeAndTarget) {
-    const auto cameras = keys_in(
-        keyframer_file(track_node(0xb003, -1, {{0, 10}, {60, 20}, {90, 25}}) +
-                       track_node(0xb002, -1, {{0, 99}}) + track_node(0xb004, -1, {{15, -1}})));
+    const auto cameras = keys_in(file_3ds("",
+                                          track_node(0xb003, -1, {{0, 10}, {60, 20}, {90, 25}}) +
+                                              track_node(0xb002, -1, {{0, 99}}) +
+                                              track_node(0xb004, -1, {{15, -1}})));
     ASSERT_EQ(cameras.size(), 1U);
     EXPECT_EQ(cameras[0].name, "Cam");
     ASSERT_EQ(cameras[0].eye.size(), 3U);
@@ -80,12 +64,12 @@ TEST(ThreeDsCameras, KeysOfEyeAndTarget) {
 
 TEST(ThreeDsCameras, KeysThatAreNoUseAreLeftOut) {
     const auto eyes = [](const std::string& node) {
-        const auto cameras = keys_in(keyframer_file(node));
+        const auto cameras = keys_in(file_3ds("", node));
         return cameras.empty() ? 0U : cameras[0].eye.size();
     };
     EXPECT_EQ(eyes(track_node(0xb003, 4, {{0, 10}, {60, 20}})), 0U) << "on an object";
     EXPECT_EQ(eyes(track_node(0xb003, -1, {{60, 10}, {30, 20}, {90, 30}})), 1U) << "back in time";
-    const std::string whole = keyframer_file(track_node(0xb003, -1, {{0, 10}, {60, 20}}));
+    const std::string whole = file_3ds("", track_node(0xb003, -1, {{0, 10}, {60, 20}}));
     for (std::size_t size = 0; size < whole.size(); ++size) {
         const auto cameras = keys_in(whole.substr(0, size));
         EXPECT_LT(cameras.empty() ? 0U : cameras[0].eye.size(), 2U) << size;

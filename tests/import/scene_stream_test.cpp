@@ -28,6 +28,17 @@ ImportReply sample_reply() {
     reply.parallel_cameras = {"front"};
     reply.animation_names = {"walk", ""};
     reply.notes = {"a lamp"};
+    reply.lights.resize(2);
+    reply.lights[1] = {.kind = LightKind::distant,
+                       .name = "sun",
+                       .p_world = {1, 2, 3},
+                       .direction_world = {4, 5, 6},
+                       .color = {7, 8, 9},
+                       .is_physical = true,
+                       .range = 10,
+                       .inner_range = 11,
+                       .node = 12,
+                       .colors = {{13, {1, 1, 1}}}};
     reply.cameras = {{.name = "eye",
                       .eye_world = {1, 2, 3},
                       .fov_y_rad = 0.5,
@@ -92,6 +103,20 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->parallel_cameras, sample_reply().parallel_cameras);
     EXPECT_EQ(reply->animation_names, sample_reply().animation_names);
     EXPECT_EQ(reply->notes, sample_reply().notes);
+    ASSERT_EQ(reply->lights.size(), 2U);
+    EXPECT_EQ(reply->lights[0].kind, LightKind::point);
+    EXPECT_FALSE(reply->lights[0].is_physical);
+    EXPECT_EQ(reply->lights[1].kind, LightKind::distant);
+    EXPECT_EQ(reply->lights[1].name, "sun");
+    EXPECT_EQ(reply->lights[1].p_world, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(reply->lights[1].direction_world, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(reply->lights[1].color, glm::vec3(7, 8, 9));
+    EXPECT_TRUE(reply->lights[1].is_physical);
+    EXPECT_EQ(reply->lights[1].range, 10);
+    EXPECT_EQ(reply->lights[1].inner_range, 11);
+    EXPECT_EQ(reply->lights[1].node, 12U);
+    ASSERT_EQ(reply->lights[1].colors.size(), 1U);
+    EXPECT_EQ(reply->lights[1].colors[0].time_s, 13);
     ASSERT_EQ(reply->cameras.size(), 1U);
     EXPECT_EQ(reply->cameras[0].name, "eye");
     EXPECT_EQ(reply->cameras[0].eye_world, glm::dvec3(1, 2, 3));

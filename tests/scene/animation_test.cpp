@@ -321,6 +321,47 @@ TEST(AnimationCamera, OnesWithoutANodeStay) {
     EXPECT_EQ(scene.cameras[0].eye_world, glm::dvec3(0, 0, 9));
 }
 
+/// The cubes, and two lights: one at (1, 0, 0) in the mover's node, one that stands and turns from
+/// red to blue.
+Scene lit_cubes() {
+    Scene scene = moving_cubes();
+    scene.lights = {{.p_world = {2, 2, 3}, .color = {1, 0, 0}, .range = 5},
+                    {.p_world = {0, 9, 0}, .color = {1, 0, 0}, .range = 0}};
+    Animation animation = *scene.animation;
+    animation.lights = {{0, {1, 0, 0}, {}}, {kNoNode, {}, {{1, {1, 0, 0}}, {3, {0, 0, 1}}}}};
+    scene.animation = std::make_shared<const Animation>(animation);
+    return scene;
+}
+
+TEST(AnimationLight, GoesWithItsNodeOrTurnsColour) {
+    Scene scene = lit_cubes();
+    pose_scene(scene, 3);
+    expect_near(scene.lights[0].p_world, {5, 3, 3});
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0, 0));
+    EXPECT_EQ(scene.lights[0].range, 5);
+    EXPECT_EQ(scene.lights[1].p_world, glm::dvec3(0, 9, 0));
+    EXPECT_EQ(scene.lights[1].color, glm::vec3(0, 0, 1));
+    pose_scene(scene, 2);
+    EXPECT_EQ(scene.lights[1].color, glm::vec3(0.5F, 0, 0.5F));
+    rest_scene(scene);
+    EXPECT_EQ(scene.lights[1].color, glm::vec3(1, 0, 0));
+}
+
+TEST(AnimationCheck, RefusesLightsThatDoNotFit) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const Scene scene = lit_cubes();
+    EXPECT_EQ(complaint(scene, [](Animation&) {}), "");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights.resize(3); }), "it moves 3 lights of 2");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights[0].node = 2; }),
+              "a light hangs on node 2");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights[0].p_node.x = kNan; }),
+              "a light has a place that is not finite");
+    EXPECT_EQ(complaint(scene, [](Animation& a) { a.lights[1].colors[1].time_s = 0; }),
+              "colours of a light, key 1 goes back in time");
+    EXPECT_THAT(complaint(scene, [](Animation& a) { a.lights[0].p_node.x = 1e40; }),
+                testing::HasSubstr("it may reach"));
+}
+
 TEST(BoundsOfPoses, HoldTheSceneInAllOfThem) {
     const Scene scene = moving_cubes();
     const Sphere all = bounds_of_poses(scene, std::array{1.0, 2.0, 3.0});

@@ -13,12 +13,14 @@
 #include <utility>
 
 #include "import/animation_choice.h"
+#include "import/assimp/assimp_lights.h"
 #include "import/assimp/assimp_meshes.h"
 #include "import/assimp/assimp_nodes.h"
 #include "import/assimp/dae_cameras.h"
 #include "import/assimp/fbx_axes.h"
 #include "import/assimp/fbx_cameras.h"
 #include "import/camera_3ds.h"
+#include "import/light_3ds.h"
 #include "import/meshes/mesh_reply.h"
 #include "import/model_bytes.h"
 
@@ -191,8 +193,10 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
         *scene, nodes, choose_animation(reply.animation_names, choice.animation), motion);
     if (reader.starts_with("Discreet 3DS") && !nodes.empty()) {
         reply.cameras = read_3ds_cameras(path, motion);
+        reply.lights = read_3ds_lights(path, motion, reply.notes);
     } else {
         convert_cameras(*scene, nodes, camera_facts(path, reader), reply);
+        reply.lights = convert_lights(*scene, nodes);
     }
     note_transparency(*scene, reply);
     if (motion.duration_s > 0 || !motion.skins.empty()) reply.animation = std::move(motion);

@@ -1,0 +1,185 @@
+#include "import/imported_lights.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <utility>
+
+namespace ink::import {
+namespace {
+
+constexpr std::size_t kMostLights = 64;  // each is worked out at every vertex
+// How far a distant light hangs from the scene's middle, in radii: its rays differ by less than a
+// tenth of a degree.
+constexpr double kFarRadii = 1000;
+// Positions are floats, as those of vertices are.
+constexpr double kMostExtent = 1e30;
+
+bool is_usable(double x) {
+    return std::isfinite(x) && std::abs(x) < kMostExtent;
+}
+
+bool is_usable(const glm::dvec3& v) {
+    return is_usable(v.x) && is_usable(v.y) && is_usable(v.z);
+}
+
+bool is_usable(const ImportedLight& light) {
+    const bool has_place =
+        light.kind == LightKind::distant
+            ? is_usable(light.direction_world) && glm::length(light.direction_world) > 0
+            : is_usable(light.p_world);
+    return has_place && is_usable(glm::dvec3(light.color)) && is_usable(light.range) &&
+           is_usable(light.inner_range) && light.range >= 0 && light.inner_range >= 0 &&
+           std::all_of(light.colors.begin(), light.colors.end(), [](const scene::VectorKey& key) {
+               return is_usable(key.value);
+           });
+}
+
+double brightest(const glm::dvec3& color) {
+    return std::max({color.r, color.g, color.b});
+}
+
+/// A lamp and how it moves; its colours as doubles until they are made shares of the brightest.
+struct Lamp {
+    scene::OmniLight light;
+    scene::LightMotion motion;
+    glm::dvec3 color{0};
+
+    void dim(double factor) {
+        color *= factor;
+        for (scene::VectorKey& key : motion.colors)
+            key.value *= factor;
+    }
+    [[nodiscard]] bool is_dark() const {
+        return color == glm::dvec3{0} &&
+               std::all_of(motion.colors.begin(), motion.colors.end(), [](const auto& key) {
+                   return key.value == glm::dvec3{0};
+               });
+    }
+    [[nodiscard]] double most() const {
+        double most = brightest(color);
+        for (const scene::VectorKey& key : motion.colors)
+            most = std::max(most, brightest(key.value));
+        return most;
+    }
+};
+
+Lamp make_lamp(const ImportedLight& from, const scene::Sphere& bounds) {
+    Lamp lamp;
+    lamp.color = from.colors.empty() ? glm::dvec3(from.color) : from.colors.front().value;
+    lamp.motion.colors = from.colors;
+    lamp.light.p_world = from.p_world;
+    const double radius = bounds.radius > 0 ? bounds.radius : 1;
+    if (from.kind == LightKind::distant) {
+        lamp.light.p_world =
+            bounds.center_world - glm::normalize(from.direction_world) * (kFarRadii * radius);
+        return lamp;
+    }
+    lamp.light.range = from.range;
+    lamp.light.inner_range = std::min(from.inner_range, from.range);
+    if (!from.is_physical) return lamp;
+    // Light thins out with the square of the way (which no lamp of the shading's does); from
+    // within the scene as from its rim.
+    const double way = std::max(glm::length(from.p_world - bounds.center_world), radius);
+    lamp.dim(1 / (way * way));
+    return lamp;
+}
+
+/// Hangs the lamp on a node; one that is squeezed flat carries nothing.
+void hang(std::uint32_t node, const std::vector<glm::dmat4>& world_from_node, Lamp& lamp) {
+    const glm::dvec3 p_node =
+        glm::inverse(world_from_node[node]) * glm::dvec4(lamp.light.p_world, 1);
+    if (!is_usable(p_node)) return;
+    lamp.motion.node = node;
+    lamp.motion.p_node = p_node;
+}
+
+/// A line such as "2 spotlights shine to all sides", nothing for none.
+void note(std::size_t count, const char* one, const char* many, scene::Scene& scene) {
+    if (count == 0) return;
+    scene.file.notes.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+}
+
+void note_kinds(const std::vector<ImportedLight>& lights, scene::Scene& scene) {
+    const auto count = [&](LightKind kind) {
+        return static_cast<std::size_t>(std::count_if(
+            lights.begin(), lights.end(), [&](const auto& light) { return light.kind == kind; }));
+    };
+    note(count(LightKind::spot),
+         "spotlight shines to all sides",
+         "spotlights shine to all sides",
+         scene);
+    note(count(LightKind::area),
+         "area light shines from its middle",
+         "area lights shine from their middle",
+         scene);
+    note(count(LightKind::ambient),
+         "ambient light is not heeded",
+         "ambient lights are not heeded",
+         scene);
+}
+
+/// Makes the brightest lamp 1: always where strengths are physical, else only from above.
+void balance(bool is_physical, std::vector<Lamp>& lamps) {
+    double most = 0;
+    for (const Lamp& lamp : lamps)
+        most = std::max(most, lamp.most());
+    if (!(most > (is_physical ? 0 : 1))) return;
+    for (Lamp& lamp : lamps)
+        lamp.dim(1 / most);
+}
+
+}  // namespace
+
+void take_lights(const std::vector<ImportedLight>& lights,
+                 const std::shared_ptr<scene::Animation>& animation,
+                 scene::Scene& scene) {
+    const scene::Sphere bounds = scene::bounding_sphere(scene);
+    const auto world_from_node =
+        animation ? scene::world_from_nodes(*animation, std::nullopt) : std::vector<glm::dmat4>{};
+    std::vector<Lamp> lamps;
+    bool is_physical = false;
+    std::size_t unusable = 0;
+    std::size_t too_many = 0;
+    for (const ImportedLight& from : lights) {
+        if (from.kind >= LightKind::ambient) continue;
+        if (!is_usable(from)) {
+            ++unusable;
+            continue;
+        }
+        Lamp lamp = make_lamp(from, bounds);
+        if (lamp.is_dark()) continue;
+        if (lamps.size() == kMostLights) {
+            ++too_many;
+            continue;
+        }
+        if (from.node < world_from_node.size() && animation->is_moving(from.node))
+            hang(from.node, world_from_node, lamp);
+        is_physical = is_physical || from.is_physical;
+        lamps.push_back(std::move(lamp));
+    }
+    balance(is_physical, lamps);
+    note_kinds(lights, scene);
+    note(unusable, "light has no place or colour", "lights have no place or colour", scene);
+    note(too_many,
+         "light beyond the 64th is not heeded",
+         "lights beyond the 64th are not heeded",
+         scene);
+    bool is_any_moving = false;
+    std::vector<scene::LightMotion> motions;
+    for (Lamp& lamp : lamps) {
+        lamp.light.color = lamp.color;
+        scene.lights.push_back(lamp.light);
+        is_any_moving =
+            is_any_moving || lamp.motion.node != scene::kNoNode || lamp.motion.colors.size() > 1;
+        motions.push_back(std::move(lamp.motion));
+    }
+    if (animation && is_any_moving) animation->lights = std::move(motions);
+}
+
+}  // namespace ink::import

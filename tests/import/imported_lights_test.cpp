@@ -1,0 +1,213 @@
+#include "import/imported_lights.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "import/imported_scene.h"
+#include "tests/import/imported_meshes.h"
+#include "tests/import/model_files.h"
+#include "tests/scene/small_meshes.h"
+
+namespace ink::import {
+namespace {
+
+using testing::ElementsAre;
+using ImportLights = ModelFiles;
+
+/// A cube about zero with lights.
+ImportReply lit_cube(std::vector<ImportedLight> lights) {
+    ImportReply reply;
+    reply.meshes = {imported(scene::unit_cube())};
+    reply.instances = {{0, glm::dmat4(1), "only"}};
+    reply.lights = std::move(lights);
+    return reply;
+}
+
+scene::Scene scene_of(std::vector<ImportedLight> lights) {
+    return scene_from_reply(lit_cube(std::move(lights)), "dir/cube.x", 1000);
+}
+
+ImportedLight point_at(const glm::dvec3& p_world, const glm::vec3& color) {
+    ImportedLight light;
+    light.p_world = p_world;
+    light.color = color;
+    return light;
+}
+
+TEST(ImportedLights, SharesOfFullLightStay) {
+    ImportedLight lamp = point_at({0, 4, 0}, {0.5F, 0.25F, 0});
+    lamp.range = 6;
+    lamp.inner_range = 2;
+    const scene::Scene scene = scene_of({lamp});
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(0.5F, 0.25F, 0));
+    EXPECT_EQ(scene.lights[0].range, 6);
+    EXPECT_EQ(scene.lights[0].inner_range, 2);
+}
+
+TEST(ImportedLights, TheBrightestOfThoseAboveOneIsOne) {
+    const scene::Scene scene =
+        scene_of({point_at({0, 4, 0}, {1000, 500, 0}), point_at({0, 5, 0}, {250, 0, 0})});
+    ASSERT_EQ(scene.lights.size(), 2U);
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0));
+    EXPECT_EQ(scene.lights[1].color, glm::vec3(0.25F, 0, 0));
+}
+
+TEST(ImportedLights, CandelaCountByWhatArrivesInTheMiddle) {
+    // 8 candela 2 away and 8 candela 4 away are 2 and 0.5 lux; the third has 1 lux of its own.
+    ImportedLight near = point_at({2, 0, 0}, glm::vec3(8));
+    ImportedLight far = point_at({0, 4, 0}, glm::vec3(8));
+    ImportedLight sun;
+    sun.kind = LightKind::distant;
+    sun.direction_world = {0, -3, 0};
+    near.is_physical = far.is_physical = sun.is_physical = true;
+    const scene::Scene scene = scene_of({near, far, sun});
+    ASSERT_EQ(scene.lights.size(), 3U);
+    EXPECT_EQ(scene.lights[0].color.r, 1);
+    EXPECT_EQ(scene.lights[1].color.r, 0.25F);
+    EXPECT_EQ(scene.lights[2].color.r, 0.5F);
+}
+
+TEST(ImportedLights, ADistantOneHangsFarAwayAgainstItsDirection) {
+    ImportedLight sun;
+    sun.kind = LightKind::distant;
+    sun.direction_world = {0, -3, 0};
+    sun.range = 7;
+    const scene::Scene scene = scene_of({sun});
+    ASSERT_EQ(scene.lights.size(), 1U);
+    const glm::dvec3& p_world = scene.lights[0].p_world;
+    EXPECT_GT(p_world.y, 500);
+    EXPECT_EQ(p_world, glm::dvec3(0, p_world.y, 0));
+    EXPECT_EQ(scene.lights[0].range, 0) << "it reaches everywhere";
+}
+
+TEST(ImportedLights, WhatIsNotAsInTheFileIsNoted) {
+    ImportedLight spot = point_at({0, 4, 0}, glm::vec3(1));
+    spot.kind = LightKind::spot;
+    ImportedLight area = spot;
+    area.kind = LightKind::area;
+    ImportedLight ambient = spot;
+    ambient.kind = LightKind::ambient;
+    ImportedLight lost = point_at({std::numeric_limits<double>::quiet_NaN(), 0, 0}, glm::vec3(1));
+    const scene::Scene scene = scene_of({spot, spot, area, ambient, lost});
+    EXPECT_EQ(scene.lights.size(), 3U);
+    EXPECT_THAT(scene.file.notes,
+                ElementsAre("2 spotlights shine to all sides",
+                            "1 area light shines from its middle",
+                            "1 ambient light is not heeded",
+                            "1 light has no place or colour"));
+}
+
+TEST(ImportedLights, DarkOnesAreNoneAndManyAreCut) {
+    EXPECT_TRUE(scene_of({point_at({0, 4, 0}, glm::vec3(0))}).lights.empty());
+    std::vector<ImportedLight> many(100, point_at({0, 4, 0}, glm::vec3(1)));
+    const scene::Scene scene = scene_of(many);
+    EXPECT_EQ(scene.lights.size(), 64U);
+    EXPECT_THAT(scene.file.notes, ElementsAre("36 lights beyond the 64th are not heeded"));
+}
+
+/// A cube on node 0, which stands; node 1, which goes from x = 1 to x = 3 in two seconds.
+ImportReply moving_cube(std::vector<ImportedLight> lights) {
+    ImportReply reply = lit_cube(std::move(lights));
+    scene::AnimatedNode mover;
+    mover.parent_from_node[3] = {1, 0, 0, 1};
+    mover.translations = {{0, {1, 0, 0}}, {2, {3, 0, 0}}};
+    mover.rotations = {{0, {1, 0, 0, 0}}};
+    mover.scales = {{0, glm::dvec3(1)}};
+    reply.animation.emplace();
+    reply.animation->duration_s = 2;
+    reply.animation->nodes = {scene::AnimatedNode{}, mover};
+    reply.animation->node_of_instance = {0};
+    return reply;
+}
+
+TEST(ImportedLights, GoWithNodesThatMove) {
+    ImportedLight still = point_at({0, 4, 0}, glm::vec3(1));
+    still.node = 0;
+    ImportedLight moving = point_at({1, 4, 0}, glm::vec3(1));
+    moving.node = 1;
+    ImportedLight lost = still;
+    lost.node = 7;
+    scene::Scene scene = scene_from_reply(moving_cube({still, moving, lost}), "dir/cube.x", 1000);
+    ASSERT_NE(scene.animation, nullptr);
+    scene::pose_scene(scene, 2);
+    EXPECT_EQ(scene.lights[0].p_world, glm::dvec3(0, 4, 0));
+    EXPECT_EQ(scene.lights[1].p_world, glm::dvec3(3, 4, 0));
+    EXPECT_EQ(scene.lights[2].p_world, glm::dvec3(0, 4, 0));
+    scene::rest_scene(scene);
+    EXPECT_EQ(scene.lights[1].p_world, glm::dvec3(1, 4, 0));
+}
+
+TEST(ImportedLights, ASceneFarFromZeroTakesItsLightsAlong) {
+    ImportReply reply = moving_cube({point_at({1e6 + 1, 4, 0}, glm::vec3(1))});
+    reply.lights[0].node = 1;
+    for (scene::VectorKey& key : reply.animation->nodes[1].translations)
+        key.value.x += 1e6;
+    reply.animation->nodes[1].parent_from_node[3].x += 1e6;
+    for (scene::AnimatedNode& node : reply.animation->nodes)
+        if (!node.has_keys()) node.parent_from_node[3].x = 1e6;
+    reply.instances[0].world_from_object[3].x = 1e6;
+    scene::Scene scene = scene_from_reply(std::move(reply), "dir/cube.x", 1000);
+    ASSERT_NE(scene.origin.x, 0);
+    EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 1);
+    scene::pose_scene(scene, 2);
+    EXPECT_EQ(scene.origin.x + scene.lights[0].p_world.x, 1e6 + 3);
+}
+
+/// A triangle with a light and its node in COLLADA.
+std::string collada(const std::string& light) {
+    return R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="m" meter="1"/><up_axis>Y_UP</up_axis></asset>
+<library_lights><light id="L" name="L"><technique_common>)" +
+           light + R"(</technique_common></light></library_lights>
+<library_geometries><geometry id="G" name="G"><mesh>
+<source id="P"><float_array id="PA" count="9">0 0 0 4 0 0 0 4 0</float_array>
+<technique_common><accessor source="#PA" count="3" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="V"><input semantic="POSITION" source="#P"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#V" offset="0"/><p>0 1 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="S" name="S">
+<node id="N" name="N"><instance_geometry url="#G"/></node>
+<node id="LN" name="LN"><translate>1 2 3</translate><instance_light url="#L"/></node>
+</visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#S"/></scene></COLLADA>
+)";
+}
+
+TEST_F(ImportLights, ColladaPointsEndWhereTwiceTheHalfWayLies) {
+    const scene::Scene scene = import_scene(
+        write("point.dae",
+              collada("<point><color>1 0.5 0</color><constant_attenuation>1</constant_attenuation>"
+                      "<linear_attenuation>0</linear_attenuation>"
+                      "<quadratic_attenuation>0.04</quadratic_attenuation></point>")));
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_LT(glm::length(scene.lights[0].p_world - glm::dvec3(1, 2, 3)), 1e-6);
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0));
+    // 1 / (1 + 0.04 d^2) is a half at 5.
+    EXPECT_NEAR(scene.lights[0].range, 10, 1e-5);
+}
+
+TEST_F(ImportLights, ColladaSunsShineFromAfarAndSpotsAreNoted) {
+    const scene::Scene sun =
+        import_scene(write("sun.dae", collada("<directional><color>1 1 1</color></directional>")));
+    ASSERT_EQ(sun.lights.size(), 1U);
+    EXPECT_GT(sun.lights[0].p_world.z, 500) << "it shines along -z";
+    EXPECT_TRUE(sun.file.notes.empty());
+    const scene::Scene spot =
+        import_scene(write("spot.dae", collada("<spot><color>1 1 1</color></spot>")));
+    EXPECT_EQ(spot.lights.size(), 1U);
+    EXPECT_THAT(spot.file.notes, ElementsAre("1 spotlight shines to all sides"));
+    const scene::Scene ambient =
+        import_scene(write("ambient.dae", collada("<ambient><color>1 1 1</color></ambient>")));
+    EXPECT_TRUE(ambient.lights.empty());
+    EXPECT_THAT(ambient.file.notes, ElementsAre("1 ambient light is not heeded"));
+}
+
+}  // namespace
+}  // namespace ink::import
