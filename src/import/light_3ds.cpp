@@ -50,6 +50,7 @@ glm::vec3 color_bytes_in(std::span<const std::byte> body) {
 
 /// A light and what there is to say of it.
 struct Light3ds {
+    std::string name;
     ImportedLight light;
     float multiplier = 1;
     bool has_excluded = false;
@@ -61,7 +62,7 @@ std::optional<Light3ds> parse_light(std::span<const std::byte> body, const std::
     if (body.size() < kPlace) return std::nullopt;
     Light3ds found;
     ImportedLight& light = found.light;
-    light.name = name;
+    found.name = name;
     light.p_world = vector_in(body);
     bool thins_out = false;
     body = body.subspan(kPlace);
@@ -153,7 +154,7 @@ std::vector<ImportedLight> read_3ds_lights(const std::filesystem::path& path,
     for (Light3ds& found : lights_of(file)) {
         for (const Track3ds& track : tracks) {
             const bool is_its =
-                track.name == found.light.name && (track.id == kLightNode || track.id == kSpotNode);
+                track.name == found.name && (track.id == kLightNode || track.id == kSpotNode);
             if (is_its && track.is_hung) ++hung;
             if (is_its && !track.is_hung) hang(track, found, motion);
         }

@@ -35,7 +35,7 @@ void pass_camera(Stream& stream, Camera& camera) {
 template <class Stream, class Light>
 void pass_light(Stream& stream, Light& light) {
     std::uint8_t is_physical = light.is_physical ? 1 : 0;
-    stream.parts(light.kind, light.name, light.p_world, light.direction_world, light.color);
+    stream.parts(light.kind, light.p_world, light.direction_world, light.color);
     stream.parts(is_physical, light.range, light.inner_range, light.node, light.colors);
     if constexpr (!std::is_const_v<Light>) light.is_physical = is_physical != 0;
 }
@@ -47,7 +47,7 @@ void pass_scene(Stream& of, Reply& reply) {
     constexpr std::size_t kLeastMeshBytes = 41;
     constexpr std::size_t kLeastInstanceBytes = 144;
     constexpr std::size_t kLeastCameraBytes = 168;
-    constexpr std::size_t kLeastLightBytes = 101;
+    constexpr std::size_t kLeastLightBytes = 93;
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
     of.parts(reply.reason, reply.faces_read, reply.vertices_read);

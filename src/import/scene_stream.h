@@ -80,7 +80,6 @@ enum class LightKind : std::uint32_t {
 /// A light as a file gives it, made world space.
 struct ImportedLight {
     LightKind kind = LightKind::point;
-    std::string name;
     glm::dvec3 p_world{0};
     glm::dvec3 direction_world{0};  ///< where the light of a distant one goes, of any length
     glm::vec3 color{1};             ///< times its strength

@@ -209,5 +209,57 @@ TEST_F(ImportLights, ColladaSunsShineFromAfarAndSpotsAreNoted) {
     EXPECT_THAT(ambient.file.notes, ElementsAre("1 ambient light is not heeded"));
 }
 
+/// A triangle and a light in the text form of FBX, in metres.
+std::string fbx(const std::string& light) {
+    return R"(; FBX 7.4.0 project file
+FBXHeaderExtension: { FBXHeaderVersion: 1003
+FBXVersion: 7400
+}
+GlobalSettings: { Version: 1000
+Properties70: { P: "UnitScaleFactor", "double", "Number", "",100
+}
+}
+Objects: {
+Geometry: 1, "Geometry::G", "Mesh" {
+Vertices: *9 { a: 0,0,0,4,0,0,0,4,0
+}
+PolygonVertexIndex: *3 { a: 0,1,-3
+}
+GeometryVersion: 124
+}
+Model: 2, "Model::G", "Mesh" { Version: 232
+}
+Model: 3, "Model::L", "Light" { Version: 232
+Properties70: { P: "Lcl Translation", "Lcl Translation", "", "A",1,2,3
+}
+}
+NodeAttribute: 4, "NodeAttribute::L", "Light" { TypeFlags: "Light"
+GeometryVersion: 124
+Properties70: { )" +
+           light + R"(
+}
+}
+}
+Connections: {
+C: "OO",2,0
+C: "OO",3,0
+C: "OO",1,2
+C: "OO",4,3
+}
+)";
+}
+
+TEST_F(ImportLights, FbxLightsDecay) {
+    const scene::Scene scene = import_scene(write("lit.fbx", fbx(R"(P: "LightType", "enum", "", "",0
+P: "Color", "Color", "", "A",1,0.5,0
+P: "Intensity", "Number", "", "A",5000
+P: "DecayType", "enum", "", "",2
+P: "DecayStart", "double", "Number", "",3)")));
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_LT(glm::length(scene.lights[0].p_world - glm::dvec3(1, 2, 3)), 1e-6);
+    EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0)) << "the brightest has full light";
+    EXPECT_NEAR(scene.lights[0].range, 6, 1e-5);
+}
+
 }  // namespace
 }  // namespace ink::import

@@ -30,7 +30,6 @@ ImportReply sample_reply() {
     reply.notes = {"a lamp"};
     reply.lights.resize(2);
     reply.lights[1] = {.kind = LightKind::distant,
-                       .name = "sun",
                        .p_world = {1, 2, 3},
                        .direction_world = {4, 5, 6},
                        .color = {7, 8, 9},
@@ -107,7 +106,6 @@ TEST(SceneStream, GivesBackWhatWasWritten) {
     EXPECT_EQ(reply->lights[0].kind, LightKind::point);
     EXPECT_FALSE(reply->lights[0].is_physical);
     EXPECT_EQ(reply->lights[1].kind, LightKind::distant);
-    EXPECT_EQ(reply->lights[1].name, "sun");
     EXPECT_EQ(reply->lights[1].p_world, glm::dvec3(1, 2, 3));
     EXPECT_EQ(reply->lights[1].direction_world, glm::dvec3(4, 5, 6));
     EXPECT_EQ(reply->lights[1].color, glm::vec3(7, 8, 9));

@@ -54,7 +54,6 @@ std::vector<ImportedLight> convert_lights(const aiScene& scene,
         const glm::dmat4 world = is_placed ? nodes[home->second].world_from_node : glm::dmat4{1};
         ImportedLight& light = lights.emplace_back();
         light.kind = kind_of(from.mType);
-        light.name = from.mName.C_Str();
         light.p_world = world * glm::dvec4(to_glm(from.mPosition), 1);
         light.direction_world = glm::dmat3(world) * to_glm(from.mDirection);
         light.color = {from.mColorDiffuse.r, from.mColorDiffuse.g, from.mColorDiffuse.b};
