@@ -121,7 +121,8 @@ Drawing make_drawing(const harness::SceneViews& scene_views,
     if (options.shading) {
         shade::Shader shader(*options.shading);
         shader.prepare(scene_views.scene);
-        under = shader.draw({view, shade_colors(options, ink.color), n, options.threads});
+        const shade::Colors colors = shade_colors(options, ink.color);
+        under = shader.draw({view, colors, n, options.threads, options.lamps});
         drawing.shading = shade::dither(shade::average(under, n), options.dither);
     }
     const RgbImage image = shade::compose(lines, std::move(under), ink);

@@ -25,6 +25,7 @@ inline constexpr double kMostLineWidth_px = 64;
 /// How one picture is drawn: what lies under the lines, and how lines look.
 struct DrawOptions {
     std::optional<shade::Style> shading = {};  ///< none: paper
+    shade::LampSource lamps = shade::LampSource::own_or_studio;
     // Colours; unless given the default ink, white, and a light grey (under strokes the paper's).
     std::optional<glm::u8vec3> ink = {};
     std::optional<glm::u8vec3> paper = {};

@@ -46,6 +46,7 @@ TEST(Draw, EveryLookIsAnotherImage) {
     std::set<std::string> images;
     const std::vector<Words> looks = {{},
                                       {"--shading", "gouraud"},
+                                      {"--shading", "gouraud", "--lights", "studio"},
                                       {"--shading", "toon"},
                                       {"--shading", "gooch"},
                                       {"--shading", "strokes"},
@@ -117,6 +118,23 @@ TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
     expect_refused({"--shading", "toon", "--no-lines", "--response"}, {"--no-lines", "--response"});
 }
 
+TEST(Draw, TheFilesLightsAreThoseIfItHasAny) {
+    const Desk desk;
+    const Words gouraud = {"--shading", "gouraud"};
+    EXPECT_EQ(draw(desk, {"--shading", "gouraud", "--lights", "file"}), draw(desk, gouraud));
+    desk.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Outcome outcome = desk.run({"draw",
+                                      "dark.obj",
+                                      "--shading",
+                                      "gouraud",
+                                      "--lights",
+                                      "file",
+                                      "-o",
+                                      "dark.png"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("--lights"), HasSubstr("no light of its own")));
+}
+
 TEST(Draw, ALayerThatCountsSaysWhat) {
     const Outcome outcome = Desk().run({"draw",
                                         "cube",
@@ -150,6 +168,7 @@ TEST(Draw, HelpNamesTheLooks) {
     const std::string help = Desk().run({"draw", "--help"}).out;
     for (const char* option : {"--shading",
                                "--set-shade",
+                               "--lights",
                                "--ink",
                                "--paper",
                                "--surface",
@@ -168,6 +187,8 @@ TEST(Draw, ValuesThatMeanNothingAreRefused) {
     expect_refused({"--shading", "toon", "--set-shade", "steps=40"}, {"steps", "40", "1..32"});
     expect_refused({"--shading", "toon", "--set-shade", "step=4"}, {"'step'", "steps"});
     expect_refused({"--shading", "toon", "--set-shade", "steps"}, {"--set-shade", "key=value"});
+    expect_refused({"--shading", "toon", "--lights", "sun"}, {"--lights", "'sun'", "studio"});
+    expect_refused({"--lights", "studio"}, {"--lights", "--shading"});
     expect_refused({"--ink", "black"}, {"--ink", "'black'", "#rrggbb"});
     expect_refused({"--paper", "1,2,256"}, {"--paper", "1,2,256", "0..255"});
     expect_refused({"--shading", "toon", "--surface", "#12345"}, {"--surface", "#12345"});

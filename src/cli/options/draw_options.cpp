@@ -79,6 +79,7 @@ std::optional<shade::Style> parse_style(const LookOptions& options) {
     if (options.shading != "none") return shade::find_shading(options.shading).make(settings);
     const std::string needs = "--shading NAME with it";
     refuse_unused(!settings.empty(), "--set-shade", needs);
+    refuse_unused(!options.lights.empty(), "--lights", needs);
     refuse_unused(!options.surface.empty(), "--surface", needs);
     return std::nullopt;
 }
@@ -101,6 +102,15 @@ shade::DitherFormat parse_dither(const std::string& text) {
 
 }  // namespace
 
+void add_lights_option(CLI::App& command, std::string& text) {
+    command
+        .add_option("--lights",
+                    text,
+                    "What lights the shading: the lights of the file, or three lamps about the "
+                    "camera (default: the file's if it has any)")
+        ->type_name("file|studio");
+}
+
 void add_look_options(CLI::App& command, LookOptions& options) {
     std::string names = "none";
     for (const shade::ShadingInfo& info : shade::shadings())
@@ -114,6 +124,7 @@ void add_look_options(CLI::App& command, LookOptions& options) {
         options.shade_settings,
         "A parameter of the shading; may be given again (see inkbench list shadings)",
         "KEY=VALUE");
+    add_lights_option(command, options.lights);
     const auto add_color = [&](const char* name, std::string& to, const char* doc) {
         command.add_option(name, to, doc)->type_name("R,G,B|#RRGGBB");
     };
@@ -149,6 +160,7 @@ void add_look_options(CLI::App& command, LookOptions& options) {
 draw::DrawOptions drawing_looks(const LookOptions& options) {
     draw::DrawOptions looks;
     looks.shading = parse_style(options);
+    looks.lamps = shade::lamp_source(options.lights);
     looks.ink = parse_color(options.ink, "--ink");
     looks.paper = parse_color(options.paper, "--paper");
     looks.surface = parse_color(options.surface, "--surface");

@@ -12,6 +12,7 @@ namespace ink::cli {
 struct LookOptions {
     std::string shading = "none";
     std::vector<std::string> shade_settings;
+    std::string lights;
     std::string ink;
     std::string paper;
     std::string surface;
@@ -25,14 +26,18 @@ struct LookOptions {
     friend bool operator==(const LookOptions&, const LookOptions&) = default;
 };
 
-/// Adds --shading, --set-shade, --ink, --paper, --surface, --line-width, --hand-drawn, --set-hand,
-/// --seed, --antialias and --dither to a command.
+/// Adds --lights to a command; shade::lamp_source reads it.
+void add_lights_option(CLI::App& command, std::string& text);
+
+/// Adds --shading, --set-shade, --lights, --ink, --paper, --surface, --line-width, --hand-drawn,
+/// --set-hand, --seed, --antialias and --dither to a command.
 void add_look_options(CLI::App& command, LookOptions& options);
 
 /// What the options ask for; threads and skips are left at their defaults.
 ///
 /// Throws core::Error (where = the option) for text that means nothing, and for an option that
-/// would do nothing: --set-shade or --surface without shading, --set-hand or --seed without
+/// would do nothing: --set-shade, --lights or --surface without shading, --set-hand or --seed
+/// without
 /// --hand-drawn.
 [[nodiscard]] draw::DrawOptions drawing_looks(const LookOptions& options);
 
