@@ -13,11 +13,14 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "edge/thin.h"
+#include "edge/threshold.h"
 #include "harness/cell.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/camera_path.h"
 #include "shade/compose.h"
+#include "shade/hand_lines.h"
 #include "shade/shading.h"
 
 namespace ink::studies {
@@ -25,7 +28,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kStep_px = 3;  // a frame: fast enough to see, slow enough for 60 frames
+constexpr double kPenWidth_px = 2;  // as `draw --hand-drawn` has it
+constexpr double kStep_px = 3;      // a frame: fast enough to see, slow enough for 60 frames
 
 template <class Work>
 std::int64_t time_ns(Work work) {
@@ -73,6 +77,36 @@ class PlainFill : public raster::TileSink {
     scene::Sphere bounds_;
     core::Image<std::uint8_t> image_;
 };
+
+/// One shading of every frame.
+class Shaded {
+  public:
+    explicit Shaded(const shade::Style& style, const shade::Colors& colors = {})
+        : shader_(style), colors_(colors) {}
+    /// Returns what it took; poses the scene first if it `is_moved`.
+    std::int64_t draw(const scene::Scene& scene,
+                      bool is_moved,
+                      const scene::View& view,
+                      const TimedemoOptions& options) {
+        return time_ns([&] {
+            if (is_moved) shader_.prepare(scene);
+            image_ = shader_.draw({view, colors_, 1, options.threads, options.lamps});
+        });
+    }
+    [[nodiscard]] const core::Image<shade::Rgb>& image() const { return image_; }
+
+  private:
+    shade::Shader shader_;
+    shade::Colors colors_;
+    core::Image<shade::Rgb> image_;
+};
+
+/// Colours with which strokes lie on paper.
+shade::Colors paper_colors() {
+    shade::Colors colors;
+    colors.surface = colors.paper;
+    return colors;
+}
 
 /// A method under way along one path.
 struct Player {
@@ -194,22 +228,29 @@ class Demo {
             if (scene_.animation || is_new_) fill_.pose(scene_);
             fill_.draw(view, options_.threads);
         });
-        core::Image<shade::Rgb> shaded;
-        line.shade_ns = time_ns([&] {
-            if (scene_.animation || is_new_) shader_.prepare(scene_);
-            shaded = shader_.draw({view, {}, 1, options_.threads});
-        });
+        const bool is_moved = scene_.animation || is_new_;
+        line.shade_ns = plain_.draw(scene_, is_moved, view, options_);
+        line.toon_ns = toon_.draw(scene_, is_moved, view, options_);
+        line.strokes_ns = strokes_.draw(scene_, is_moved, view, options_);
         for (Player& player : players_) {
-            draw(player, view, shaded, line);
+            draw(player, view, line);
+            sketch(player, line);
             out.push_back(line);
         }
         is_new_ = false;
     }
 
-    void draw(Player& player,
-              const scene::View& view,
-              const core::Image<shade::Rgb>& shaded,
-              DemoFrame& line) {
+    /// The lines of the frame that was drawn last, as a hand would draw them.
+    void sketch(const Player& player, DemoFrame& line) {
+        const shade::HandPen pen{.line_width_px = kPenWidth_px, .seed = options_.seed};
+        line.hand_ns = time_ns([&] {
+            const edge::Mask lines =
+                edge::thin(edge::threshold(player.edge_responses, player.threshold));
+            image_ = shade::compose(shade::draw_by_hand(lines, {}, pen), strokes_.image(), {});
+        });
+    }
+
+    void draw(Player& player, const scene::View& view, DemoFrame& line) {
         method::Method& method = *player.method;
         line.method = player.config->info->name;
         line.pose_ns = time_ns([&] {
@@ -220,7 +261,8 @@ class Demo {
             method.draw({view, options_.threads, options_.skips}, player.edge_responses);
         });
         line.compose_ns = time_ns([&] {
-            image_ = shade::compose(player.edge_responses, shaded, {{0, 0, 0}, player.threshold});
+            image_ = shade::compose(
+                player.edge_responses, plain_.image(), {{0, 0, 0}, player.threshold});
         });
         line.image_hash = core::image_hash(player.edge_responses);
         if (line.pass == 0) player.hashes.push_back(line.image_hash);
@@ -240,7 +282,9 @@ class Demo {
     core::Progress& progress_;
     std::vector<Player> players_;
     PlainFill fill_;
-    shade::Shader shader_{shade::GouraudParams{}};
+    Shaded plain_{shade::GouraudParams{}};
+    Shaded toon_{shade::ToonParams{}};
+    Shaded strokes_{shade::StrokeParams{}, paper_colors()};
     core::Image<shade::Rgb> image_;
     bool is_new_ = true;
 };

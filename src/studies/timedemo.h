@@ -9,6 +9,7 @@
 #include "harness/suite.h"
 #include "harness/tables/table.h"
 #include "raster/skips.h"
+#include "shade/shading.h"
 
 namespace ink::studies {
 
@@ -19,10 +20,11 @@ struct TimedemoOptions {
     int cached_passes = 2;  ///< over the same frames again, after the first
     int threads = 1;
     raster::SkipSet skips = {};
-    std::uint64_t seed = 0;  ///< of the shaking camera
+    std::uint64_t seed = 0;  ///< of the shaking camera, and of the hand that sketches
+    shade::LampSource lamps = shade::LampSource::own_or_studio;
 };
 
-/// What one frame of one pass took. Fill and shading are measured once a frame and stand in every
+/// What one frame of one pass took. Fill and shadings are measured once a frame and stand in every
 /// method's line.
 struct DemoFrame {
     /// How the camera moved: orbit, dolly, shake; pan and roll for an eye inside; `own` as the
@@ -31,12 +33,15 @@ struct DemoFrame {
     std::string method;  ///< as registered
     int pass = 0;        ///< 0: every frame for the first time
     int frame = 0;
-    double time_s = 0;          ///< of the animation
-    std::int64_t fill_ns = 0;   ///< the surface moved and filled with one tone
-    std::int64_t shade_ns = 0;  ///< Gouraud's shading, its own rasterization included
-    std::int64_t pose_ns = 0;   ///< of the method; of the very first frame, with its prepare
+    double time_s = 0;            ///< of the animation
+    std::int64_t fill_ns = 0;     ///< the surface moved and filled with one tone
+    std::int64_t shade_ns = 0;    ///< Gouraud's shading, its own rasterization included
+    std::int64_t toon_ns = 0;     ///< the toon table's shading likewise
+    std::int64_t strokes_ns = 0;  ///< that by strokes likewise
+    std::int64_t pose_ns = 0;     ///< of the method; of the very first frame, with its prepare
     std::int64_t draw_ns = 0;
     std::int64_t compose_ns = 0;  ///< the lines put over the shading
+    std::int64_t hand_ns = 0;     ///< thinned instead, drawn again by hand and put over the strokes
     std::string image_hash;       ///< of the edge responses
 };
 
@@ -52,7 +57,7 @@ struct DemoFrame {
 struct DemoRate {
     std::string path;
     std::string method;  ///< "" for what is the same for all methods
-    std::string drawn;   ///< plain, shading, no edges, full: see timedemo_legend
+    std::string drawn;   ///< plain, shading, no edges, full, toon, sketch: see timedemo_legend
     bool is_cached = false;
     double fps = 0;
     double low_fps = 0;
@@ -70,7 +75,11 @@ struct DemoRate {
 /// What the words of the table mean, a line each.
 [[nodiscard]] std::string timedemo_legend();
 
-/// What is shown, in a line: scene, seconds, stored frames, size, threads.
+/// Whether the shadings are lit by the scene's own lights; else by the studio's.
+[[nodiscard]] bool has_own_lights(const harness::SceneViews& scene_views,
+                                  const TimedemoOptions& options);
+
+/// What is shown, in a line: scene, seconds, stored frames, size, threads, lights.
 [[nodiscard]] std::string timedemo_heading(const harness::SceneViews& scene_views,
                                            const TimedemoOptions& options);
 

@@ -27,6 +27,12 @@ constexpr DemoRow kRows[] = {
     {"full",
      true,
      [](const DemoFrame& f) { return f.shade_ns + f.pose_ns + f.draw_ns + f.compose_ns; }},
+    {"toon",
+     true,
+     [](const DemoFrame& f) { return f.toon_ns + f.pose_ns + f.draw_ns + f.compose_ns; }},
+    {"sketch",
+     true,
+     [](const DemoFrame& f) { return f.strokes_ns + f.pose_ns + f.draw_ns + f.hand_ns; }},
 };
 
 /// The values of one column, in the order in which they first come.
@@ -106,9 +112,14 @@ harness::TableOf<FrameLine> make_frames_table() {
     add({"time_s", "s", "of the animation"}, [](const L& l) { return l.frame.time_s; });
     add_time("fill_ns", &DemoFrame::fill_ns, "the surface moved and filled with one tone");
     add_time("shade_ns", &DemoFrame::shade_ns, "shading, its own rasterization included");
+    add_time("toon_ns", &DemoFrame::toon_ns, "the same by the toon table");
+    add_time("strokes_ns", &DemoFrame::strokes_ns, "the same by strokes");
     add_time("pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
     add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
     add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
+    add_time("hand_ns",
+             &DemoFrame::hand_ns,
+             "the lines thinned instead, drawn again by hand and put over the strokes");
     add({"image_hash", "", "of the edge responses"}, [](const L& l) { return l.frame.image_hash; });
     return table;
 }
@@ -185,8 +196,14 @@ std::string timedemo_legend() {
            "shading   Gouraud's shading\n"
            "no edges  shading, and what the method does to follow the motion; no lines\n"
            "full      the same with the lines, which are put over the shading\n"
+           "toon      the same over levels of grey from a table instead\n"
+           "sketch    the same over strokes instead, the lines drawn again by hand\n"
            "first     every frame for the first time along the path\n"
            "cached    the same frames again: methods that keep what they have seen are faster\n";
+}
+
+bool has_own_lights(const harness::SceneViews& scene_views, const TimedemoOptions& options) {
+    return options.lamps != shade::LampSource::studio && !scene_views.scene.lights.empty();
 }
 
 std::string timedemo_heading(const harness::SceneViews& scene_views,
@@ -198,14 +215,16 @@ std::string timedemo_heading(const harness::SceneViews& scene_views,
             ? fmt::format("{:g} s of {} frames", animation->duration_s, animation->frame_count())
             : fmt::format("{:g} s of keys", animation->duration_s);
     return fmt::format(
-        "{}, {}, {} drawn along each path, {}x{}, {} thread{}; frames per second, median [95 %]",
+        "{}, {}, {} drawn along each path, {}x{}, {} thread{}, {} lights; frames per second, "
+        "median [95 %]",
         scene_views.scene.name,
         motion,
         options.frames,
         scene_views.views.front().width_px,
         scene_views.views.front().height_px,
         options.threads,
-        options.threads == 1 ? "" : "s");
+        options.threads == 1 ? "" : "s",
+        has_own_lights(scene_views, options) ? "own" : "studio");
 }
 
 const harness::TableInfo& timedemo_frames_table() {

@@ -25,8 +25,15 @@ TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
                                       "--out",
                                       "demo"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const char* row :
-         {"plain", "shading", "no edges", "full", "orbit, first", "dolly, cached"})
+    for (const char* row : {"plain",
+                            "shading",
+                            "no edges",
+                            "full",
+                            "toon",
+                            "sketch",
+                            "orbit, first",
+                            "dolly, cached",
+                            "own lights"})
         EXPECT_THAT(outcome.out, HasSubstr(row));
     EXPECT_EQ(parse_csv(desk.read("demo/timedemo.csv")).size(), 3U * 3 * 2)
         << "paths, passes, frames";
@@ -38,7 +45,8 @@ TEST(Timedemo, TellsItsRatesAsJson) {
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(json.at("scene"), "gear");
-    ASSERT_EQ(json.at("rates").size(), 3U * 4 * 2) << "paths, kinds of frame, first and cached";
+    EXPECT_EQ(json.at("lights"), "file");
+    ASSERT_EQ(json.at("rates").size(), 3U * 6 * 2) << "paths, kinds of frame, first and cached";
     for (const auto& rate : json.at("rates")) {
         EXPECT_GT(rate.at("fps"), 0);
         EXPECT_LE(rate.at("low_fps"), rate.at("fps"));

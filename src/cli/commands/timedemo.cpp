@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
+#include "cli/options/draw_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -27,6 +28,7 @@ struct TimedemoArgs {
     int frames = 60;
     int threads = 1;
     std::string seed = "0";
+    std::string lights;
     std::vector<std::string> no_skip;
     std::string out;
     bool json = false;
@@ -36,12 +38,14 @@ nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
                                   const studies::TimedemoOptions& options,
                                   const std::vector<studies::DemoFrame>& frames) {
     const scene::View& view = scene_views.views.front();
-    nlohmann::ordered_json json = {{"scene", scene_views.scene.name},
-                                   {"width", view.width_px},
-                                   {"height", view.height_px},
-                                   {"threads", options.threads},
-                                   {"frames", options.frames},
-                                   {"rates", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {
+        {"scene", scene_views.scene.name},
+        {"width", view.width_px},
+        {"height", view.height_px},
+        {"threads", options.threads},
+        {"frames", options.frames},
+        {"lights", studies::has_own_lights(scene_views, options) ? "file" : "studio"},
+        {"rates", nlohmann::ordered_json::array()}};
     for (const studies::DemoRate& rate : studies::timedemo_rates(frames)) {
         json["rates"].push_back({{"path", rate.path},
                                  {"method", rate.method},
@@ -61,6 +65,7 @@ void run_timedemo(const TimedemoArgs& args) {
     options.skips = harness::without_skips({}, skip_list(args.no_skip));
     options.seed = parse_seed(args.seed);
     options.frames = args.frames;
+    options.lamps = shade::lamp_source(args.lights);
     if (args.frames < 2 || args.frames > 10000) {
         throw core::Error("--frames", fmt::format("{} is not possible", args.frames), "2..10000");
     }
@@ -98,7 +103,8 @@ void run_timedemo(const TimedemoArgs& args) {
 void add_timedemo_command(CLI::App& app) {
     auto args = std::make_shared<TimedemoArgs>();
     auto* command = app.add_subcommand(
-        "timedemo", "Time an animation: frames per second plain, shaded and with lines");
+        "timedemo",
+        "Time an animation: frames per second plain, shaded, with lines, toon and sketched");
     add_one_scene_options(*command, args->scene);
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
@@ -108,7 +114,8 @@ void add_timedemo_command(CLI::App& app) {
         ->type_name("NAME");
     add_view_options(*command, args->views);
     add_threads_option(*command, args->threads, "Threads of a method");
-    add_seed_option(*command, args->seed, "Of the shaking camera");
+    add_seed_option(*command, args->seed, "Of the shaking camera and the sketching hand");
+    add_lights_option(*command, args->lights);
     add_no_skip_option(*command, args->no_skip);
     add_out_folder_option(
         *command, args->out, "Folder for timedemo.csv (default: it is not written)");
