@@ -31,19 +31,19 @@ struct ModelChoice {
     [[nodiscard]] bool operator==(const ModelChoice&) const = default;
 };
 
-/// The scene in any file that Assimp reads, or in a Quake model (MDL, MD2, MD3: by readers of our
-/// own, all frames), checked (`check_scene`, `check_animation`), named by the file's stem, with
-/// the file's own cameras (near and far fitted) and its node tree flattened to instances: one for
-/// each use of a mesh by a node, and no mesh without triangles. Points and lines are left out.
+/// The scene in a model file of one of the formats that README.md lists, checked (`check_scene`,
+/// `check_animation`), named by the file's stem, with the file's own cameras (near and far fitted)
+/// and its node tree flattened to instances: one for each node with a mesh, and no mesh without
+/// triangles. Points and lines are left out.
 ///
-/// Vertices stay as the file has them; z-up formats are turned by the instances' transforms, as
-/// Assimp turns them. A mesh keeps its normals (made unit) only if every triangle with an area has
-/// good ones. Material numbers are unique within the file. Names are printable; those of cameras
-/// are distinct and fit for file names. A camera that looks nowhere is left out. The scene's split
-/// is `real`. It stands as the file has it at rest, or in its first frame; `animation` holds what
-/// moves: stored frames, or the first animation's keys on nodes, bones and the cameras on those
-/// nodes. A .3ds camera's eye and target move by their own keys, blended straight; its roll and
-/// lens stay, and so does a camera that hangs on an object there.
+/// Vertices stay as the file has them, but for `Scene::origin`; z-up formats that say so, and
+/// Quake's, are turned by the instances' transforms. A mesh keeps its normals (made unit) only if
+/// every triangle with an area has good ones. Material numbers are unique within the file. Names
+/// are printable; those of cameras are distinct and fit for file names. A camera that looks nowhere
+/// is left out. The scene's split is `real`. It stands as the file has it at rest, or in its first
+/// frame; `animation` holds what moves: stored frames, or the chosen animation's keys on nodes,
+/// bones and the cameras on those nodes. A .3ds camera's eye and target move by their own keys,
+/// blended straight; its roll and lens stay, and so does a camera that hangs on an object there.
 ///
 /// Throws Error with where = the path, in one line: no such file, not a regular file, not readable,
 /// empty, not a model, of an unknown kind, shorter or poorer than its own header says, no triangle,

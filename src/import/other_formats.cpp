@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "import/meshes/line_words.h"
 #include "import/model_bytes.h"
 #include "import/refusal.h"
 
@@ -59,6 +62,24 @@ bool is_ifc(Words head) {
                   "an export of it as glTF, STL, OBJ or PLY");
 }
 
+/// Assimp reads the faces of a DXF file, and says nothing of solids and surfaces beside them.
+void check_dxf(const std::filesystem::path& path) {
+    constexpr std::array<Words, 6> kShapes{"3DSOLID", "BODY", "REGION", "SURFACE", "MESH", "SOLID"};
+    const std::vector<std::byte> bytes = bytes_of(path);
+    LineWords words(Words(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    while (words.next_line()) {
+        // A group is a code and a value, a line each; 0 begins an entity.
+        const bool is_entity = words.word() == "0";
+        if (!words.next_line() || !is_entity) continue;
+        const Words entity = words.word();
+        if (std::find(kShapes.begin(), kShapes.end(), entity) == kShapes.end()) continue;
+        throw Refusal("",
+                      "line " + std::to_string(words.line()) + ": the DXF entity \"" +
+                          std::string(entity) + "\" is not read",
+                      "3DFACE and POLYLINE meshes");
+    }
+}
+
 }  // namespace
 
 void refuse_other_format(const std::filesystem::path& path) {
@@ -72,6 +93,7 @@ void refuse_other_format(const std::filesystem::path& path) {
         if (format.mark.empty() || !text.starts_with(format.mark)) continue;
         refuse(is_ifc(head) ? kOtherFormats.front().name : format.name);
     }
+    if (ending == " .dxf ") check_dxf(path);
     for (const OtherFormat& format : kOtherFormats)
         if (ending.size() > 2 && format.endings.find(ending) != Words::npos) refuse(format.name);
 }

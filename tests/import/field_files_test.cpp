@@ -90,6 +90,17 @@ TEST_F(FieldFiles, KnownFormatsThatAreNotReadAreNamed) {
     EXPECT_THAT(complaint(write("a.sldprt", "x")), HasSubstr("is a CAD part"));
 }
 
+TEST_F(FieldFiles, EntitiesOfDxfThatAreNotReadAreNamed) {
+    const std::string face =
+        "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\n0\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0"
+        "\n22\n1\n"
+        "32\n0\n13\n0\n23\n1\n33\n0\n";
+    const std::string end = "0\nENDSEC\n0\nEOF\n";
+    EXPECT_GT(scene::triangle_count(import_scene(write("a.dxf", face + end))), 0U);
+    EXPECT_THAT(complaint(write("b.dxf", face + "0\n3DSOLID\n8\n0\n" + end)),
+                HasSubstr("line 34: the DXF entity \"3DSOLID\" is not read"));
+}
+
 TEST_F(FieldFiles, FaultsGoToTheUserWithTheirPlace) {
     EXPECT_EQ(complaint(write("a.off", replaced(kOffCube, "4 1 5 7 3", "4 1 5 9 3"))),
               "is damaged; line 16: a face has the vertex 9 (accepted: 0..7)");

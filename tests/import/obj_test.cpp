@@ -132,6 +132,24 @@ TEST(Obj, WhatHasNoAreaIsLeftOutWithANote) {
     EXPECT_THAT(read_obj(cube(), "model").notes, IsEmpty());
 }
 
+TEST(Obj, TransparentMaterialsInUseAreNoted) {
+    const auto notes = [](const std::string& library) {
+        const FilesBeside beside = [&](const std::string& name) {
+            return name == "my shape.mtl" ? library : std::string();
+        };
+        const std::string file =
+            "mtllib my shape.mtl\n" + kThree + "usemtl thin glass\nf 1 2 3\nusemtl wood\nf 1 2 3\n";
+        return read_obj(file, "model", beside).notes;
+    };
+    EXPECT_THAT(notes(""), IsEmpty()) << "no such file";
+    EXPECT_THAT(notes("newmtl thin glass\nd 1\nnewmtl wood\nTr 0\nnewmtl other\nd 0.5\n"),
+                IsEmpty());
+    EXPECT_THAT(notes("newmtl thin glass # see\n Kd 1 1 1\n d 0.5\n"),
+                ElementsAre("1 transparent material is drawn opaque"));
+    EXPECT_THAT(notes("newmtl thin glass\nd 0.5\nnewmtl wood\nTr 1\n"),
+                ElementsAre("2 transparent materials are drawn opaque"));
+}
+
 TEST(Obj, SurfacesAreRefused) {
     for (const char* statement : {"surf 0 1 0 1 1 2 3 4", "bzp 1 2 3", "call other.obj"}) {
         try {

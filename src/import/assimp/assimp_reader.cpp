@@ -134,10 +134,7 @@ void note_transparency(const aiScene& scene, ImportReply& reply) {
             scene.mMaterials[number]->Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS;
         if (is_known && opacity < 1) transparent.insert(number);
     }
-    if (transparent.empty()) return;
-    const bool is_one = transparent.size() == 1;
-    reply.notes.push_back(counted(transparent.size(), "transparent material") +
-                          (is_one ? " is drawn opaque" : " are drawn opaque"));
+    if (!transparent.empty()) reply.notes.push_back(drawn_opaque(transparent.size()));
 }
 
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {

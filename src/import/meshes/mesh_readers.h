@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "import/meshes/obj_materials.h"
 #include "import/scene_stream.h"
 
 // Our own readers of files of meshes. Each takes a whole file and the name that its object has
@@ -34,5 +35,10 @@ namespace ink::import {
 /// are the same vertex where position and normal are. Surfaces are refused; curves, lines and
 /// points are left out with a note.
 [[nodiscard]] ImportReply read_obj(std::string_view file, const std::string& name);
+/// With the material libraries in files beside it, of which transparency is noted; one that is
+/// missing is no fault.
+[[nodiscard]] ImportReply read_obj(std::string_view file,
+                                   const std::string& name,
+                                   const FilesBeside& beside);
 
 }  // namespace ink::import

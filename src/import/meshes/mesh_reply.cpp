@@ -15,6 +15,11 @@ ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces) {
     return reply;
 }
 
+std::string drawn_opaque(std::size_t materials) {
+    return counted(materials, "transparent material") + (materials == 1 ? " is" : " are") +
+           " drawn opaque";
+}
+
 std::string counted(std::size_t count, std::string_view what) {
     return std::to_string(count) + ' ' + std::string(what) + (count == 1 ? "" : "s");
 }

@@ -12,6 +12,9 @@ namespace ink::import {
 /// without three corners are left out with a note.
 [[nodiscard]] ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces);
 
+/// What is said of materials that let light through.
+[[nodiscard]] std::string drawn_opaque(std::size_t materials);
+
 /// "1 line", "2 lines".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view what);
 

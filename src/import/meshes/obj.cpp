@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -20,11 +21,11 @@ constexpr WordRules kObjRules{.comment = '#', .is_continued = true};
 // Statements by what they do here. All of them are in the specification; others are none.
 constexpr std::array<std::string_view, 5> kSurfaces{"surf", "bsp", "bzp", "cdp", "call"};
 constexpr std::array<std::string_view, 3> kCurves{"curv", "curv2", "cdc"};
-constexpr std::array<std::string_view, 29> kWithoutEffect{
-    "vt",       "vp",    "g",          "s",         "mg",     "mtllib", "usemap", "maplib",
-    "bevel",    "lod",   "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",   "step",
-    "parm",     "trim",  "hole",       "scrv",      "sp",     "end",    "con",    "ctech",
-    "c_interp", "stech", "d_interp",   "csh",       "res"};
+constexpr std::array<std::string_view, 28> kWithoutEffect{
+    "vt",    "vp",    "g",          "s",         "mg",       "usemap", "maplib",
+    "bevel", "lod",   "shadow_obj", "trace_obj", "cstype",   "deg",    "bmat",
+    "step",  "parm",  "trim",       "hole",      "scrv",     "sp",     "end",
+    "con",   "ctech", "c_interp",   "stech",     "d_interp", "csh",    "res"};
 
 template <class List>
 bool holds(const List& list, std::string_view word) {
@@ -63,8 +64,8 @@ struct LeftOut {
 
 class ObjReader {
   public:
-    ObjReader(std::string_view file, const std::string& name)
-        : words_(file, kObjRules), file_name_(name), object_(name) {}
+    ObjReader(std::string_view file, const std::string& name, const FilesBeside& beside)
+        : words_(file, kObjRules), beside_(&beside), file_name_(name), object_(name) {}
 
     ImportReply read();
 
@@ -76,15 +77,18 @@ class ObjReader {
     ObjCorner read_corner(std::string_view word);
     std::uint32_t read_index(std::string_view word, std::size_t count, Ahead& ahead);
     void begin_run();
+    [[nodiscard]] std::size_t transparent_count() const;
     [[nodiscard]] std::vector<std::string> notes() const;
 
     LineWords words_;
+    const FilesBeside* beside_;
     std::string file_name_;
     std::string object_;    ///< the current one's name
     std::string material_;  ///< likewise
     bool is_new_run_ = true;
     NameNumbers objects_;
     NameNumbers materials_;
+    std::vector<std::string> libraries_;
     ObjContent content_;
     Ahead ahead_position_;
     Ahead ahead_normal_;
@@ -165,6 +169,8 @@ std::string_view ObjReader::read_line() {
     } else if (keyword == "usemtl") {
         material_ = words_.rest();
         is_new_run_ = true;
+    } else if (keyword == "mtllib") {
+        libraries_.emplace_back(words_.rest());
     } else if (holds(kSurfaces, keyword)) {
         return keyword;
     } else if (keyword == "l" || keyword == "p") {
@@ -189,7 +195,20 @@ std::vector<std::string> ObjReader::notes() const {
                         " that OBJ does not know, first line " +
                         std::to_string(left_out_.first_unknown_line) + ": left out");
     }
+    if (const std::size_t count = transparent_count(); count > 0)
+        notes.push_back(drawn_opaque(count));
     return notes;
+}
+
+/// How many of the materials in use let light through.
+std::size_t ObjReader::transparent_count() const {
+    if (!*beside_) return 0;
+    std::set<std::string> transparent;
+    for (const std::string& library : libraries_)
+        transparent.merge(transparent_materials((*beside_)(library)));
+    const auto& used = materials_.names();
+    return static_cast<std::size_t>(std::count_if(
+        used.begin(), used.end(), [&](auto& name) { return transparent.count(name) != 0; }));
 }
 
 void check_ahead(const Ahead& ahead, std::size_t count, const char* what) {
@@ -222,7 +241,11 @@ ImportReply ObjReader::read() {
 }  // namespace
 
 ImportReply read_obj(std::string_view file, const std::string& name) {
-    return ObjReader(file, name).read();
+    return read_obj(file, name, {});
+}
+
+ImportReply read_obj(std::string_view file, const std::string& name, const FilesBeside& beside) {
+    return ObjReader(file, name, beside).read();
 }
 
 }  // namespace ink::import

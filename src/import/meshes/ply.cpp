@@ -1,123 +1,19 @@
 // PLY (Stanford's polygon file format, version 1.0).
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
 #include "import/meshes/mesh_reply.h"
+#include "import/meshes/ply_body.h"
 #include "import/meshes/ply_header.h"
 
 namespace ink::import {
 namespace {
-
-static_assert(std::endian::native == std::endian::little);
-
-/// What follows the header, number by number.
-class PlyBody {
-  public:
-    PlyBody(std::string_view file, const PlyHeader& header)
-        : format_(header.format),
-          file_(file),
-          at_(header.bytes),
-          words_(file.substr(header.bytes), {}, header.lines + 1) {}
-
-    [[nodiscard]] bool is_text() const { return format_ == PlyFormat::ascii; }
-
-    void begin_row(const PlyElement& element, std::uint64_t row) {
-        element_ = &element;
-        row_ = row;
-        if (is_text() && !words_.next_line()) fail_short();
-    }
-    void end_row() {
-        if (!is_text() || words_.is_line_over()) return;
-        words_.fail("more numbers than the properties of element " + quoted(element_->name),
-                    "one line for each, of as many numbers as it has properties");
-    }
-
-    double value(PlyType type) {
-        if (is_text()) return words_.number("a number of element " + quoted(element_->name));
-        switch (type) {
-            case PlyType::int8:
-                return take<std::int8_t>();
-            case PlyType::uint8:
-                return take<std::uint8_t>();
-            case PlyType::int16:
-                return take<std::int16_t>();
-            case PlyType::uint16:
-                return take<std::uint16_t>();
-            case PlyType::int32:
-                return take<std::int32_t>();
-            case PlyType::uint32:
-                return take<std::uint32_t>();
-            case PlyType::float32:
-                return take<float>();
-            case PlyType::float64:
-                return take<double>();
-        }
-        return 0;
-    }
-
-    /// The length of a list whose entries take `bytes` each; it lies in the file.
-    std::uint64_t length(PlyType type, std::size_t bytes) {
-        const double length = value(type);
-        if (!(length >= 0) || length != std::floor(length))
-            fail("a list has " + shown(length) + " entries", "a whole number of 0 or more");
-        // In a text each entry takes a digit and a blank, but for the last one's.
-        const std::size_t left = is_text() ? file_.size() / 2 + 1 : (file_.size() - at_) / bytes;
-        if (length > static_cast<double>(left)) fail_short();
-        return static_cast<std::uint64_t>(length);
-    }
-
-    /// How many rows there can be at most, so that a hostile count allocates nothing.
-    [[nodiscard]] std::uint64_t most_rows(const PlyElement& element) const {
-        const std::size_t least = std::max<std::size_t>(
-            is_text() ? 2 * element.properties.size() : element.least_bytes(), 1);
-        return std::min<std::uint64_t>(element.count, file_.size() / least + 1);
-    }
-
-    [[noreturn]] void fail(const std::string& what, const std::string& accepted) const {
-        if (is_text()) words_.fail(what, accepted);
-        throw core::Error("", "byte " + std::to_string(at_) + ": " + what, accepted);
-    }
-
-    /// A number as whole as it is.
-    [[nodiscard]] static std::string shown(double value) {
-        const auto whole = static_cast<std::int64_t>(std::clamp(value, -1e15, 1e15));
-        return static_cast<double>(whole) == value ? std::to_string(whole) : std::to_string(value);
-    }
-
-  private:
-    template <class T>
-    T take() {
-        if (file_.size() - at_ < sizeof(T)) fail_short();
-        std::array<char, sizeof(T)> raw;
-        std::memcpy(raw.data(), file_.data() + at_, sizeof(T));
-        if (format_ == PlyFormat::binary_big_endian) std::reverse(raw.begin(), raw.end());
-        at_ += sizeof(T);
-        return std::bit_cast<T>(raw);
-    }
-
-    [[noreturn]] void fail_short() const {
-        throw core::Error("",
-                          "the file is cut short: it ends in element " + quoted(element_->name) +
-                              ", row " + std::to_string(row_ + 1) + " of " +
-                              std::to_string(element_->count),
-                          "all rows that the header promises");
-    }
-
-    PlyFormat format_;
-    std::string_view file_;
-    std::size_t at_;
-    LineWords words_;
-    const PlyElement* element_ = nullptr;  ///< the one being read
-    std::uint64_t row_ = 0;
-};
 
 /// Reads all rows of an element: `take(property, value)` gets every number outside lists,
 /// `list(property, length)` and then `take` those of lists.
