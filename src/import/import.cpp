@@ -5,12 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -24,11 +21,11 @@ namespace {
 
 constexpr const char* kChildName = "inkbench_import";
 constexpr const char* kSomeFormats =
-    ".gltf, .glb, .obj, .ply, .stl, .off, .3ds, .fbx, .dae, .md2, .md3, .mdl and others, listed in "
-    "src/import/README.md";
+    ".gltf, .glb, .obj, .ply, .stl, .off, .fbx, .dae, .3ds, .3mf, .ac, .lwo, .x, .md2, .md3, .mdl "
+    "and some others";
 constexpr const char* kWholeFile = "a whole, valid model file";
 constexpr int kCannotStart = 127;  // of the dynamic loader, and of a failed exec
-constexpr std::size_t kMostReasonChars = 160;
+constexpr std::size_t kMostReasonChars = 320;
 
 /// Throws about one file.
 class Complaint {

@@ -35,7 +35,7 @@ TEST(Obj, Cube) {
 
 TEST(Obj, LinesMayEndEitherWayAndGoOn) {
     for (const char* end : {"\r\n", "\r", "  \n\n", " # comment\n", " \\\n \n", "\\\r\n\r\n"})
-        expect_unit_cube(read_one(read_obj, replaced(cube(), "\n", end))) << end;
+        expect_unit_cube(read_one(read_obj, replaced(cube(), "\n", end)));
     expect_unit_cube(read_one(read_obj, replaced(cube(), " ", " \\\n\t")));
     expect_unit_cube(read_one(read_obj, replaced(cube(), "f ", "fo ")));
 }

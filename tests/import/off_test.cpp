@@ -34,7 +34,7 @@ TEST(Off, CommentsMayStandAnywhere) {
 TEST(Off, HeadsOfAllKinds) {
     expect_unit_cube(read_one(read_off, cube("OFF 8 6 12\n")));
     expect_unit_cube(read_one(read_off, cube("OFF\n8 6\n")));
-    expect_unit_cube(read_one(read_off, cube("8 6 0\n"))) << "the word may be missing";
+    expect_unit_cube(read_one(read_off, cube("8 6 0\n")));  // the word may be missing
     expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " 255 0 0\n")));
     expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " .5 0 0 1\n", " 255 255 255\n")));
     expect_unit_cube(read_one(read_off, cube("STOFF\n8 6 0\n", " .5 .5\n")));

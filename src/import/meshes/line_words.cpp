@@ -39,6 +39,16 @@ bool LineWords::is_end_of_line(const char* p) const {
     return p == end_ || is_line_break(*p);
 }
 
+/// Whether the line goes on behind its end.
+bool LineWords::is_joint(const char* p) const {
+    return rules_.is_continued && *p == '\\' && p + 1 != end_ && is_line_break(p[1]);
+}
+
+bool LineWords::is_end_of_word(const char* p) const {
+    return is_end_of_line(p) || is_blank(*p) || is_joint(p) ||
+           (rules_.ends_words && *p == rules_.comment);
+}
+
 void LineWords::skip_line_end() {
     if (at_ == end_) return;
     if (*at_ == '\r' && at_ + 1 != end_ && at_[1] == '\n') ++at_;
@@ -49,9 +59,7 @@ void LineWords::skip_line_end() {
 void LineWords::skip_blanks() {
     for (; at_ != end_; ++at_) {
         if (is_blank(*at_)) continue;
-        const bool is_joint =
-            rules_.is_continued && *at_ == '\\' && at_ + 1 != end_ && is_line_break(at_[1]);
-        if (!is_joint) return;
+        if (!is_joint(at_)) return;
         ++at_;
         skip_line_end();
         --at_;  // the loop takes its step
@@ -80,12 +88,8 @@ bool LineWords::is_line_over() {
 std::string_view LineWords::word() {
     if (is_line_over()) return {};
     const char* first = at_;
-    while (!is_end_of_line(at_) && !is_blank(*at_)) {
-        const bool is_joint =
-            rules_.is_continued && *at_ == '\\' && at_ + 1 != end_ && is_line_break(at_[1]);
-        if (is_joint) break;
+    while (!is_end_of_word(at_))
         ++at_;
-    }
     return {first, static_cast<std::size_t>(at_ - first)};
 }
 
@@ -110,8 +114,7 @@ double LineWords::number(std::string_view what) {
     if (*first == '+' && first + 1 != end_ && first[1] != '-') ++first;
     double value = 0;
     const auto [end, error] = std::from_chars(first, end_, value);
-    const bool is_number = error != std::errc::invalid_argument &&
-                           (is_end_of_line(end) || is_blank(*end) || *end == '\\');
+    const bool is_number = error != std::errc::invalid_argument && is_end_of_word(end);
     if (!is_number) fail(std::string(what) + " is " + quoted(word()), "a number");
     if (error == std::errc::result_out_of_range)
         value = out_of_range({first, static_cast<std::size_t>(end - first)});

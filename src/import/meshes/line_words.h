@@ -10,6 +10,7 @@ namespace ink::import {
 /// How a text is split.
 struct WordRules {
     char comment = 0;           ///< begins one where a word would begin; 0: there are none
+    bool ends_words = false;    ///< it does inside a word, too
     bool is_continued = false;  ///< a backslash at a line's end joins it to the next
 };
 
@@ -50,6 +51,8 @@ class LineWords {
     void skip_blanks();
     void skip_line_end();
     [[nodiscard]] bool is_end_of_line(const char* p) const;
+    [[nodiscard]] bool is_joint(const char* p) const;
+    [[nodiscard]] bool is_end_of_word(const char* p) const;
 
     const char* at_;
     const char* end_;

@@ -12,7 +12,7 @@
 namespace ink::import {
 namespace {
 
-constexpr WordRules kOffRules{.comment = '#'};
+constexpr WordRules kOffRules{.comment = '#', .ends_words = true};
 
 /// The prefixes of the format's word, in their order: [ST][C][N][4][n]OFF.
 struct OffKind {

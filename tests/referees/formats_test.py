@@ -1,0 +1,91 @@
+"""PLY, STL, OFF and OBJ as the referees write them come out as they were meant, or are refused by name."""
+
+import subprocess
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+from format_writers import all_cases
+from program import PROGRAM
+
+
+def exported(case, folder):
+    """(exit code, message, triangles as (m, 3, 3), count of objects) of `inkbench export`."""
+    path = Path(folder) / case.name
+    path.write_bytes(case.data)
+    done = subprocess.run([PROGRAM, "export", str(path), "-o", str(Path(folder) / "out"), "--size", "64x64", "--force"],
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        return done.returncode, done.stderr, None, 0
+    mesh = next((Path(folder) / "out").rglob("mesh.obj"))
+    points, triangles, objects = [], [], 0
+    for line in mesh.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append([float(w) for w in words[1:4]])
+        elif words[:1] == ["f"]:
+            triangles.append([points[int(w.split("/")[0]) - 1] for w in words[1:4]])
+        elif words[:1] == ["o"]:
+            objects += 1
+    return 0, "", np.array(triangles), objects
+
+
+def key(triangle):
+    """The triangle, whichever corner it begins with."""
+    corners = [tuple(corner) for corner in triangle]
+    first = corners.index(min(corners))
+    return tuple(corners[first:] + corners[:first])
+
+
+def area(triangle):
+    return np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0]) / 2
+
+
+def uncovered(case, soup):
+    """What is wrong with the soup: triangles that are not there, not asked for, or do not cover their polygon."""
+    points = np.array(case.points, float)
+    left = Counter(map(key, soup))
+    faults = []
+    for polygon in case.polygons:
+        corners = {tuple(points[c]) for c in polygon}
+        mine = [t for t in left if corners.issuperset(t)]
+        for triangle in mine:
+            left[triangle] -= 1
+        if len(polygon) == 3:
+            if mine != [key(points[list(polygon)])]:
+                faults.append(f"{polygon}: {mine}")
+            continue
+        whole = sum(area(points[[polygon[0], polygon[i], polygon[i + 1]]]) for i in range(1, len(polygon) - 1))
+        parts = [area(np.array(t)) for t in mine]
+        # All turned alike, none without area, and their sum the whole: they cover it once.
+        is_right = len(parts) == len(polygon) - 2 and all(p @ whole > 0 for p in parts)
+        if not is_right or np.abs(sum(parts) - whole).max() > 1e-9:
+            faults.append(f"{polygon}: {mine}")
+    return faults + [f"not asked for: {t}" for t, count in left.items() if count > 0]
+
+
+class FormatsTest(unittest.TestCase):
+    def test_all(self):
+        cases = list(all_cases())
+        read = refused = 0
+        for case in cases:
+            with self.subTest(case.name), tempfile.TemporaryDirectory() as folder:
+                code, message, soup, objects = exported(case, folder)
+                if case.refusal:
+                    self.assertEqual(code, 2, message)
+                    self.assertIn(case.refusal, message)
+                    self.assertEqual(message.count("\n"), 1, message)
+                    refused += 1
+                    continue
+                self.assertEqual(code, 0, message)
+                self.assertEqual(uncovered(case, soup), [])
+                self.assertEqual(objects, case.objects)
+                read += 1
+        print(f"{len(cases)} files: {read} read as they were meant, {refused} refused by name")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
