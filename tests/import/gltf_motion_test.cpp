@@ -103,7 +103,7 @@ GlbFile growing_cube() {
     GlbFile file = cube_file();
     std::vector<float> higher(24, 0);
     for (std::size_t v = 0; v < 8; ++v)
-        higher[3 * v + 1] = (v & 2) != 0 ? 1 : 0;
+        higher[3 * v + 1] = (v & 2) != 0 ? 1.0F : 0.0F;
     file.json["meshes"][0]["primitives"][0]["targets"] = {
         {{"POSITION", file.accessor(higher, "VEC3")}}};
     file.put("nodes", {{"mesh", 0}});
@@ -247,7 +247,7 @@ TEST_F(GltfMotionFile, BonesTakeWhatMorphsMade) {
     GlbFile file = skinned_cube<std::uint8_t, float>(1, Json::object());
     std::vector<float> wider(24, 0);
     for (std::size_t v = 0; v < 8; ++v)
-        wider[3 * v] = (v & 1) != 0 ? 1 : 0;
+        wider[3 * v] = (v & 1) != 0 ? 1.0F : 0.0F;
     file.json["meshes"][0]["primitives"][0]["targets"] = {
         {{"POSITION", file.accessor(wider, "VEC3")}}};
     animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});

@@ -49,8 +49,11 @@ Packed packed_indices(bool is_sequence) {
     const std::vector<unsigned> indices(kCubeIndices.begin(), kCubeIndices.end());
     Packed packed(is_sequence ? meshopt_encodeIndexSequenceBound(indices.size(), 8)
                               : meshopt_encodeIndexBufferBound(indices.size(), 8));
-    const auto encode = is_sequence ? meshopt_encodeIndexSequence : meshopt_encodeIndexBuffer;
-    packed.resize(encode(packed.data(), packed.size(), indices.data(), indices.size()));
+    const unsigned* from = indices.data();
+    packed.resize(
+        is_sequence
+            ? meshopt_encodeIndexSequence(packed.data(), packed.size(), from, indices.size())
+            : meshopt_encodeIndexBuffer(packed.data(), packed.size(), from, indices.size()));
     return packed;
 }
 

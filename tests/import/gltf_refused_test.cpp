@@ -64,8 +64,8 @@ TEST_F(GltfRefuses, WrongNumbersByTheirPlace) {
                 HasSubstr("mesh 0, primitive 0: mode is 7"));
     EXPECT_THAT(with("/meshes/0/primitives/0/attributes/POSITION", 44),
                 HasSubstr("mesh 0, primitive 0, attributes: POSITION is 44"));
-    EXPECT_THAT(with("/meshes/0/primitives/0/attributes/JOINTS_0", 2),
-                HasSubstr("accessor 2: componentType is 5126"));
+    EXPECT_THAT(with("/meshes/0/primitives/0/attributes/JOINTS_0", 3),
+                HasSubstr("accessor 3: componentType is 5126"));
     EXPECT_THAT(with("/nodes/0/mesh", 3), HasSubstr("node 0: mesh is 3"));
     EXPECT_THAT(with("/nodes/0/skin", 3), HasSubstr("node 0: skin is 3"));
     EXPECT_THAT(with("/nodes/0/rotation", {0, 0, 0, 0}),

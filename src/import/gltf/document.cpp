@@ -77,8 +77,11 @@ std::span<const std::byte> json_chunk(GltfDocument& document) {
     return json;
 }
 
-void check_version(const JsonObject& asset) {
-    const std::string version = asset.text("version");
+void check_version(const JsonObject& asset, const nlohmann::json& json) {
+    // Files of glTF 1.0 may have a number there.
+    const nlohmann::json version_json = json.value("version", nlohmann::json());
+    const std::string version =
+        version_json.is_number() ? version_json.dump() : asset.text("version");
     if (!version.starts_with("2.")) asset.refuse("glTF " + version + " is not read", kAccepted);
     const std::string least = asset.text("minVersion");
     if (!least.empty() && least != "2.0") asset.refuse("it needs glTF " + least, kAccepted);
@@ -101,17 +104,23 @@ std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& pat
 }
 
 std::optional<GltfDocument> open_gltf(const std::filesystem::path& path) {
-    GltfDocument document;
-    document.folder = path.parent_path();
     auto bytes = read_file(path, std::numeric_limits<std::uint64_t>::max());
     if (!bytes) return std::nullopt;
-    document.bytes = std::move(*bytes);
+    return parse_gltf(std::move(*bytes), path.parent_path());
+}
+
+std::optional<GltfDocument> parse_gltf(std::vector<std::byte> bytes,
+                                       const std::filesystem::path& folder) {
+    GltfDocument document;
+    document.folder = folder;
+    document.bytes = std::move(bytes);
     const bool is_glb = is_binary(document.bytes);
     if (!is_glb && !is_text(document.bytes)) return std::nullopt;
-    document.json = std::make_shared<nlohmann::json>(
+    const auto json = std::make_shared<nlohmann::json>(
         parse_json(is_glb ? json_chunk(document) : std::span<const std::byte>(document.bytes)));
+    document.json = json;
     const JsonObject root = document.root();
-    check_version(root.at("asset"));
+    check_version(root.at("asset"), (*json)["asset"]);
     document.accessors = root.list("accessors", "accessor");
     document.buffer_views = root.list("bufferViews", "bufferView");
     document.buffers = root.list("buffers", "buffer");

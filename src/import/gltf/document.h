@@ -29,6 +29,10 @@ struct GltfDocument {
 /// if it is damaged, and Refusal if it is of another version.
 [[nodiscard]] std::optional<GltfDocument> open_gltf(const std::filesystem::path& path);
 
+/// As `open_gltf`, of a file's bytes; what its URIs name lies in `folder`.
+[[nodiscard]] std::optional<GltfDocument> parse_gltf(std::vector<std::byte> bytes,
+                                                     const std::filesystem::path& folder);
+
 /// The bytes of a regular file, `most` at most; nothing if it cannot be read.
 [[nodiscard]] std::optional<std::vector<std::byte>> read_file(const std::filesystem::path& path,
                                                               std::uint64_t most);

@@ -34,7 +34,7 @@ constexpr std::array kExtensions{
     Extension{"KHR_node_hoverability", Heeded::needless},
     Extension{"KHR_node_selectability", Heeded::needless},
     Extension{"KHR_physics_*", Heeded::needless},
-    Extension{"KHR_techniques_webgl", Heeded::needless},
+    Extension{"KHR_technique*", Heeded::needless},
     Extension{"KHR_xmp*", Heeded::needless},
     Extension{"EXT_instance_features", Heeded::needless},
     Extension{"EXT_lights_*", Heeded::needless},

@@ -276,13 +276,17 @@ ImportReply GltfReader::read() {
 
 }  // namespace
 
+ImportReply read_gltf(const GltfDocument& document, const ImportChoice& choice) {
+    std::vector<std::string> notes;
+    check_extensions(document, notes);
+    return GltfReader(document, choice, std::move(notes)).read();
+}
+
 std::optional<ImportReply> read_gltf(const std::filesystem::path& path,
                                      const ImportChoice& choice) {
     const auto document = open_gltf(path);
     if (!document) return std::nullopt;
-    std::vector<std::string> notes;
-    check_extensions(*document, notes);
-    return GltfReader(*document, choice, std::move(notes)).read();
+    return read_gltf(*document, choice);
 }
 
 }  // namespace ink::import

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "import/gltf/document.h"
 #include "import/scene_stream.h"
 
 namespace ink::import {
@@ -13,5 +14,8 @@ namespace ink::import {
 /// needs what is not read.
 [[nodiscard]] std::optional<ImportReply> read_gltf(const std::filesystem::path& path,
                                                    const ImportChoice& choice);
+
+/// As above, of a document that is open.
+[[nodiscard]] ImportReply read_gltf(const GltfDocument& document, const ImportChoice& choice);
 
 }  // namespace ink::import
