@@ -70,7 +70,22 @@ def _ez_tree(data, context):
         return (folder / "tree.obj").read_bytes()
 
 
+def _assimp(data, context):
+    """A format that Inkbench refuses, as Assimp reads it: right or not, the same for everybody."""
+    if shutil.which("assimp") is None:
+        raise packages.Missing("assimp is not on this machine: apt-get install assimp-utils")
+    with tempfile.TemporaryDirectory() as name:
+        source = Path(name) / Path(context.path).name
+        source.write_bytes(data)
+        done = subprocess.run(["assimp", "export", source.name, "model.glb", "-fglb2"],
+                              cwd=name, capture_output=True, text=True, check=False)
+        model = Path(name) / "model.glb"
+        if done.returncode != 0 or not model.exists():
+            raise packages.Missing(f"assimp could not export {source.name}")
+        return model.read_bytes()
+
+
 # By the name that models.toml uses. Each takes the file's bytes and its context: the package, the
 # path in it, the packages it needs beside, and the folder of downloads.
 CONVERTERS = {"copy": _copy, "gunzip": _gunzip, "json_mesh": _json_mesh, "md3_player": _md3_player,
-              "q3_map": _q3_map, "ez_tree": _ez_tree}
+              "q3_map": _q3_map, "ez_tree": _ez_tree, "assimp": _assimp}
