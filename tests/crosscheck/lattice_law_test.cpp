@@ -1,0 +1,159 @@
+// Laws over random scenes on a lattice, where faces lie in one plane, edges on edges and eyes in
+// the planes of both: truth and cross-check agree, a line is whole or not there, and turning a
+// scene changes nothing.
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "harness/compare_truths.h"
+#include "scene/predicates.h"
+#include "tests/crosscheck/lattice_shapes.h"
+#include "truth/model.h"
+
+namespace ink::crosscheck {
+namespace {
+
+constexpr int kScenes = 100;
+constexpr int kFarthest = 12;  ///< an eye, along each axis
+constexpr int kNearest = 7;    ///< along at least one: the scenes reach to 6 at most
+constexpr double kMostAbstained = 0.01;
+
+/// A scene and where it is seen from.
+struct Setting {
+    scene::Scene scene;
+    glm::dvec3 eye{0}, target{0}, up{0, 1, 0};
+
+    [[nodiscard]] scene::View view() const {
+        scene::View view = truth::view_from(eye, target);
+        const double near = view.camera.near;
+        view.camera = scene::look_at(eye, target, up, 40 * std::numbers::pi / 180);
+        view.camera.near = near;
+        view.width_px = 240;
+        view.height_px = 180;
+        return view;
+    }
+};
+
+enum class Parts { solids, soups };
+
+/// One to four objects, some of two parts.
+scene::Scene any_scene(LatticeShapes& shapes, Parts parts) {
+    const auto any_part = [&] {
+        return parts == Parts::soups ? shapes.soup() : shapes.any_solid();
+    };
+    std::vector<scene::Mesh> objects;
+    for (int i = shapes.number(1, 4); i > 0; --i) {
+        scene::Mesh object = any_part();
+        if (shapes.number(0, 3) == 0) {
+            const scene::Mesh other = any_part();
+            for (const scene::Triangle& t : other.triangles) {
+                const auto& p = other.positions;
+                truth::add_triangle(object, p[t[0]], p[t[1]], p[t[2]]);
+            }
+        }
+        objects.push_back(std::move(object));
+    }
+    return truth::scene_of(std::move(objects));
+}
+
+/// A lattice point in the plane of a face, or in that of an edge and a vertex; nothing if a scene
+/// has no face or chance finds none.
+std::optional<glm::dvec3> eye_in_a_plane(LatticeShapes& shapes, const scene::Scene& scene) {
+    const scene::Topology topology = scene::weld(scene);
+    if (topology.faces.empty()) return std::nullopt;
+    const auto& p = topology.p_world;
+    const auto one_of = [&](const auto& all) -> const auto& {
+        return all[static_cast<std::size_t>(shapes.number(0, static_cast<int>(all.size()) - 1))];
+    };
+    for (int attempt = 0; attempt < 3000; ++attempt) {
+        const glm::dvec3 eye(shapes.place(-kFarthest, kFarthest));
+        if (std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}) < kNearest) continue;
+        const scene::Face& face = one_of(topology.faces);
+        const bool is_face = shapes.number(0, 1) == 0;
+        const glm::dvec3 third = is_face ? p[face.vertices[2]] : one_of(p);
+        if (scene::orient3d(p[face.vertices[0]], p[face.vertices[1]], third, eye) == 0) return eye;
+    }
+    return std::nullopt;
+}
+
+void expect_agreement(const truth::Model& model,
+                      const scene::View& view,
+                      const truth::Truth& truth) {
+    const SamplingOptions options;
+    const SampledLines crosscheck = sample_lines(model.topology, view, options);
+    harness::Agreement agreement = harness::compare_truths(truth.curves, crosscheck, view);
+    harness::judge_disagreements(model.topology, view, options, agreement);
+    EXPECT_EQ(crosscheck.counts.unexplained, 0U);
+    EXPECT_LT(agreement.abstained_share(), kMostAbstained);
+    for (std::size_t i = 0; i < truth::kLineClasses.size(); ++i) {
+        const harness::ClassAgreement& c = agreement.by_class[i];
+        EXPECT_TRUE(c.is_agreed()) << truth::name(truth::kLineClasses[i]) << ": " << c.truth_px
+                                   << " px seen to " << c.truth_share() << ", " << c.crosscheck_px
+                                   << " px traced to " << c.crosscheck_share();
+    }
+}
+
+class LatticeLaw : public testing::TestWithParam<Parts> {};
+
+TEST_P(LatticeLaw, AnEyeInThePlanesOfFacesAndEdgesIsNoTie) {
+    std::mt19937_64 random(31);
+    LatticeShapes shapes(random);
+    int seen = 0;
+    for (int i = 0; i < kScenes; ++i) {
+        SCOPED_TRACE(i);
+        Setting setting{any_scene(shapes, GetParam()), {}, glm::dvec3(shapes.place(-1, 1))};
+        const auto eye = eye_in_a_plane(shapes, setting.scene);
+        if (!eye) continue;
+        setting.eye = *eye;
+        const glm::dvec3 sight = glm::normalize(setting.target - setting.eye);
+        if (std::abs(sight.y) > 0.99) setting.up = {1, 0, 0};
+        const truth::Model model = truth::build_model(setting.scene, {.threads = 1});
+        const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+        expect_agreement(model, setting.view(), truth);
+        ++seen;
+    }
+    EXPECT_GT(seen, kScenes / 2);
+}
+
+TEST_P(LatticeLaw, TurnedAndRoundedAnewTheLinesAreTheSame) {
+    std::mt19937_64 random(32);
+    LatticeShapes shapes(random);
+    std::uniform_real_distribution<double> aside(-0.45, 0.45);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < kScenes; ++i) {
+        SCOPED_TRACE(i);
+        const double x = aside(random), y = aside(random), z = aside(random);
+        // From within a unit of a corner of a box round the scene: in no plane of it.
+        Setting setting{any_scene(shapes, GetParam()),
+                        glm::dvec3(shapes.place(0, 1)) * 18.0 - 9.0 + glm::dvec3(x, y, z),
+                        glm::dvec3(shapes.place(-1, 1)) + glm::dvec3(z, x, y)};
+        auto expected =
+            truth::lengths(truth::trace_truth(setting.scene, setting.view(), {.threads = 1}));
+        const double a = normal(random), b = normal(random), c = normal(random);
+        const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(normal(random), a, b, c)));
+        for (scene::Mesh& mesh : setting.scene.meshes) {
+            for (glm::vec3& p : mesh.positions)
+                p = glm::vec3(turn * glm::dvec3(p));
+        }
+        setting.eye = turn * setting.eye;
+        setting.target = turn * setting.target;
+        setting.up = turn * setting.up;
+        const truth::Model model = truth::build_model(setting.scene, {.threads = 1});
+        const truth::Truth truth = truth::trace_truth(model, setting.view(), {1, false});
+        auto found = truth::lengths(truth);
+        for (const truth::LineClass line_class : truth::kLineClasses) {
+            const double length = expected[line_class];
+            EXPECT_NEAR(found[line_class], length, 0.3 + 1e-3 * length) << truth::name(line_class);
+        }
+        expect_agreement(model, setting.view(), truth);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Truth,
+                         LatticeLaw,
+                         testing::Values(Parts::solids, Parts::soups),
+                         [](const auto& test) {
+                             return test.param == Parts::solids ? "solids" : "soups";
+                         });
+
+}  // namespace
+}  // namespace ink::crosscheck
