@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "import/animation_choice.h"
 #include "import/gltf/extensions.h"
 #include "import/gltf/meshes.h"
 #include "import/gltf/motion.h"
@@ -28,9 +29,9 @@ class GltfReader {
           accessors_(document, buffers_),
           meshes_(document, buffers_, accessors_),
           tree_(read_tree(document)) {
-        const std::size_t animation = chosen_animation(document, choice.animation);
         for (const JsonObject& one : document.animations)
             reply_.animation_names.push_back(one.text("name"));
+        const std::size_t animation = choose_animation(reply_.animation_names, choice.animation);
         if (!document.animations.empty())
             moves_ = read_motion(document, animation, accessors_, tree_);
         reply_.notes = std::move(notes);

@@ -200,10 +200,13 @@ void GltfMeshReader::add_vertices(const JsonObject& primitive,
 
 /// The first vertex of an earlier primitive that has the very same ones: files that split a mesh by
 /// material share them. Nothing if there is none.
-std::optional<std::uint32_t> GltfMeshReader::shared_vertices(const JsonObject& primitive) const {
-    for (const auto& [other, first_vertex] : added_) {
-        if (primitive.is_same("attributes", other) && primitive.is_same("targets", other) &&
-            !primitive.extension(kDraco) && !other.extension(kDraco))
+std::optional<std::uint32_t> GltfMeshReader::shared_vertices(const JsonObject& primitive,
+                                                             std::size_t position) const {
+    const auto [first, last] = added_.equal_range(position);
+    for (auto other = first; other != last; ++other) {
+        const auto& [json, first_vertex] = other->second;
+        if (primitive.is_same("attributes", json) && primitive.is_same("targets", json) &&
+            !primitive.extension(kDraco) && !json.extension(kDraco))
             return first_vertex;
     }
     return std::nullopt;
@@ -222,7 +225,8 @@ void GltfMeshReader::add_primitive(const JsonObject& primitive,
         ++to.empty_parts;
         return;
     }
-    const auto shared = shared_vertices(primitive);
+    const std::size_t position = attributes.accessor("POSITION");
+    const auto shared = shared_vertices(primitive, position);
     // Before the corners: their number is then known to be in the file.
     const auto p = shared ? std::vector<double>{} : attributes.numbers("POSITION", kPosition, 3);
     const std::vector<std::uint32_t> v = corners(primitive, attributes);
@@ -243,7 +247,7 @@ void GltfMeshReader::add_primitive(const JsonObject& primitive,
     to.mesh.triangles.insert(to.mesh.triangles.end(), triangles.begin(), triangles.end());
     if (shared) return;
     add_vertices(primitive, attributes, p, to);
-    added_.emplace_back(primitive, first_vertex);
+    added_.emplace(position, std::pair(primitive, first_vertex));
 }
 
 GltfMesh GltfMeshReader::read_mesh(std::size_t index, bool has_bones) {

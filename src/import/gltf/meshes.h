@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,7 +37,8 @@ class GltfMeshReader {
                       Attributes& attributes,
                       const std::vector<double>& p,
                       GltfMesh& to);
-    [[nodiscard]] std::optional<std::uint32_t> shared_vertices(const JsonObject& primitive) const;
+    [[nodiscard]] std::optional<std::uint32_t> shared_vertices(const JsonObject& primitive,
+                                                               std::size_t position) const;
     void add_influences(Attributes& attributes, GltfMesh& to);
     void add_targets(const JsonObject& primitive, std::size_t vertices, GltfMesh& to);
     [[nodiscard]] std::vector<std::uint32_t> corners(const JsonObject& primitive,
@@ -45,7 +47,8 @@ class GltfMeshReader {
     const GltfDocument& document_;
     GltfBuffers& buffers_;
     GltfAccessors& accessors_;
-    std::vector<std::pair<JsonObject, std::uint32_t>> added_;  // primitives and first vertices
+    /// The mesh's primitives so far and their first vertices, by the accessor of their positions.
+    std::multimap<std::size_t, std::pair<JsonObject, std::uint32_t>> added_;
 };
 
 }  // namespace ink::import

@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "import/refusal.h"
-
 namespace ink::import {
 namespace {
 
@@ -159,16 +157,6 @@ std::optional<Target> target_of(const GltfDocument& document,
     return Target{*node, path};
 }
 
-std::string names_of(const std::vector<JsonObject>& animations) {
-    std::string names;
-    for (const JsonObject& animation : animations) {
-        const std::string name = animation.text("name");
-        if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
-    }
-    const std::string numbers = "0.." + std::to_string(animations.size() - 1);
-    return names.empty() ? numbers : names + ", or " + numbers;
-}
-
 }  // namespace
 
 void GltfWeightKeys::share_out(std::vector<scene::Morph::Target>& targets) const {
@@ -182,19 +170,6 @@ void GltfWeightKeys::share_out(std::vector<scene::Morph::Target>& targets) const
         take_keys(
             one, 1, [](const double* v) { return *v; }, targets[t].weights, targets[t].course);
     }
-}
-
-std::size_t chosen_animation(const GltfDocument& document, const std::string& wanted) {
-    const std::vector<JsonObject>& all = document.animations;
-    if (wanted.empty()) return 0;
-    if (all.empty()) document.root().refuse("it has no animation " + wanted + ", nor any other");
-    for (std::size_t a = 0; a < all.size(); ++a)
-        if (all[a].text("name") == wanted) return a;
-    std::size_t number = 0;
-    const char* last = wanted.data() + wanted.size();
-    const auto [end, failure] = std::from_chars(wanted.data(), last, number);
-    if (failure == std::errc{} && end == last && number < all.size()) return number;
-    document.root().refuse("it has no animation " + wanted, names_of(all));
 }
 
 GltfMotion read_motion(const GltfDocument& document,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <string>
 
 #include "import/gltf/accessors.h"
 #include "import/gltf/tree.h"
@@ -24,10 +23,6 @@ struct GltfMotion {
     std::map<std::size_t, GltfWeightKeys> weights;  ///< by the file's number of the node
     std::size_t ignored_pointers = 0;  ///< channels of KHR_animation_pointer that move no node
 };
-
-/// The number of the animation that `wanted` names, or gives as a number; of the first for "".
-/// Throws Refusal if there is none such.
-[[nodiscard]] std::size_t chosen_animation(const GltfDocument& document, const std::string& wanted);
 
 /// Gives the tree's nodes the keys of an animation, and returns what else moves.
 [[nodiscard]] GltfMotion read_motion(const GltfDocument& document,
