@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -84,8 +85,19 @@ ImportedCamera convert_camera(const aiCamera& from, const std::vector<PlacedNode
 
 /// What Assimp does not say of a file's cameras.
 struct CameraFacts {
-    std::vector<DaeCamera> dae;               ///< in the order of Assimp's
-    std::set<std::string> parallel_of_fbx{};  ///< nodes
+    std::vector<DaeCamera> dae{};
+    std::map<std::string, std::size_t> asked{};  ///< how often, of each node
+    std::set<std::string> parallel_of_fbx{};     ///< nodes
+
+    /// The next Collada camera of a node, in the file's order. A node that is placed several times
+    /// is asked for its own again.
+    const DaeCamera* next_dae(const std::string& node) {
+        const bool has_name = !node.starts_with("$ColladaAutoName$");
+        std::vector<const DaeCamera*> own;
+        for (const DaeCamera& camera : dae)
+            if (camera.node == (has_name ? node : "")) own.push_back(&camera);
+        return own.empty() ? nullptr : own[asked[has_name ? node : ""]++ % own.size()];
+    }
 };
 
 CameraFacts camera_facts(const std::filesystem::path& path, const std::string& reader) {
@@ -107,19 +119,17 @@ void convert_cameras(const aiScene& scene,
     for (unsigned c = 0; c < scene.mNumCameras; ++c) {
         const aiCamera& camera = *scene.mCameras[c];
         const std::string name = camera.mName.C_Str();
-        const auto dae = std::find_if(
-            facts.dae.begin(), facts.dae.end(), [&](auto& known) { return known.node == name; });
+        const DaeCamera* dae = facts.next_dae(name);
         const bool is_parallel = camera.mOrthographicWidth > 0 ||
                                  facts.parallel_of_fbx.count(name) != 0 ||
-                                 (dae != facts.dae.end() && dae->is_parallel);
+                                 (dae != nullptr && dae->is_parallel);
         if (is_parallel) {
             reply.parallel_cameras.push_back(name);
         } else {
             reply.cameras.push_back(convert_camera(camera, nodes));
-            const auto angle = dae == facts.dae.end() ? std::nullopt : dae->fov_y_rad();
+            const auto angle = dae == nullptr ? std::nullopt : dae->fov_y_rad();
             if (angle) reply.cameras.back().fov_y_rad = *angle;
         }
-        if (dae != facts.dae.end()) facts.dae.erase(dae);  // a node may have several
     }
 }
 
