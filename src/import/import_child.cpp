@@ -15,6 +15,7 @@
 #include <new>
 
 #include "core/error.h"
+#include "import/animation_choice.h"
 #include "import/assimp/assimp_reader.h"
 #include "import/file_length.h"
 #include "import/gltf/gltf_reader.h"
@@ -82,6 +83,15 @@ ImportReply answer(ImportStatus status, const core::Error& error) {
 }
 
 /// By our own readers what they know, all else by Assimp.
+ImportReply read_known(const std::filesystem::path& path, const ImportChoice& choice) {
+    check_length(path);
+    if (auto reply = read_quake_model(path)) return std::move(*reply);
+    if (auto reply = read_gltf(path, choice)) return std::move(*reply);
+    if (auto reply = read_mesh_file(path)) return std::move(*reply);
+    refuse_other_format(path);
+    return read_with_assimp(path, choice, 0);
+}
+
 ImportReply read_model(const std::filesystem::path& path, const ImportChoice& choice) {
 #ifdef INK_IMPORT_FAULTS
     // Our readers are tested against Assimp's, frame by frame.
@@ -89,12 +99,11 @@ ImportReply read_model(const std::filesystem::path& path, const ImportChoice& ch
         return read_with_assimp(path, choice, std::atoi(frame));
 #endif
     try {
-        check_length(path);
-        if (auto reply = read_quake_model(path)) return std::move(*reply);
-        if (auto reply = read_gltf(path, choice)) return std::move(*reply);
-        if (auto reply = read_mesh_file(path)) return std::move(*reply);
-        refuse_other_format(path);
-        return read_with_assimp(path, choice, 0);
+        ImportReply reply = read_known(path, choice);
+        // Of readers that know no animations none was chosen, which must not pass unnoticed.
+        if (reply.status == ImportStatus::scene)
+            (void)choose_animation(reply.animation_names, choice.animation);
+        return reply;
     } catch (const Refusal& refusal) {
         return answer(ImportStatus::refused, refusal);
     } catch (const core::Error& error) {
