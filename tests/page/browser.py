@@ -4,6 +4,7 @@ Tests run by ctest with INKBENCH (the program) in the environment. Without Chrom
 Selenium they skip: the exit code is 77, and the last line says what is missing.
 """
 
+import contextlib
 import os
 import shutil
 import subprocess
@@ -78,6 +79,16 @@ class BrowserTest(unittest.TestCase):
         self.browser.get_log("browser")
         self.browser.get((file or self.folder / "before" / "report.html").as_uri() + address)
         self.wait(lambda: self.script("return document.documentElement.dataset.ready === '1'"))
+
+    @contextlib.contextmanager
+    def window(self, width, height=844):
+        """A window of another size; one as narrow as a phone's is one."""
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500})
+        try:
+            yield
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
     def tearDown(self):
         said = [entry["message"] for entry in self.browser.get_log("browser")

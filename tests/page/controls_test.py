@@ -249,30 +249,27 @@ class ControlsTest(BrowserTest):
                 settle(self.browser)
                 self.assertNotEqual(self.address(), before, part)
             self.script("state.reset()")
-        self.unfold("rows")
-        self.find("#rows details.picker summary").click()
-        self.script("document.querySelector('#rows .picker-list').scrollTop = 200;"
-                    "document.querySelector('#rows .data').parentElement.scrollLeft = 10;"
-                    "document.querySelectorAll('#rows .picker-list input')[30].click()")
-        settle(self.browser)
-        self.assertEqual(self.script("return [document.querySelector('#rows .picker-list').scrollTop,"
-                                     "document.querySelector('#rows .data').parentElement.scrollLeft]"), [200, 10])
+        with self.window(400):
+            self.unfold("rows")
+            self.find("#rows details.picker summary").click()
+            self.script("document.querySelector('#rows .picker-list').scrollTop = 200;"
+                        "document.querySelector('#rows .data').parentElement.scrollLeft = 90;"
+                        "document.querySelectorAll('#rows .picker-list input')[30].click()")
+            settle(self.browser)
+            self.assertEqual(self.script("return [document.querySelector('#rows .picker-list').scrollTop,"
+                                         "document.querySelector('#rows .data').parentElement.scrollLeft]"), [200, 90])
 
     # ---- Themes and widths -------------------------------------------------------------------------
 
     def test_dark_and_light_and_a_phone_show_every_picture(self):
         # Light and wide is what all other tests see.
         for theme, width in (("dark", 1280), ("light", 400)):
-            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-                "width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width < 500})
-            try:
+            with self.window(width):
                 self.open(address=f"#theme={theme}")
                 for part in self.parts():
                     self.unfold(part)
                     self.check(f"{theme}, {width} px", f"#{part}")
                 self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), width)
-            finally:
-                self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
 if __name__ == "__main__":

@@ -227,14 +227,10 @@ class PageTest(BrowserTest):
         self.assertLess(warning.location["y"], 500)
 
     def test_phone_width_has_no_sideways_scroll(self):
-        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
-            "width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": True})
-        try:
+        with self.window(390):
             self.open()
             self.script("for (const section of sections) if (!section.node.hidden) drawSection(section)")
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
-        finally:
-            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
 
 if __name__ == "__main__":
