@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "scene/animation.h"
+#include "scene/topology.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {
