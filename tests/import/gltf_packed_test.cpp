@@ -97,8 +97,8 @@ TEST_F(GltfPacked, MeshoptStreamsOfEveryMode) {
 }
 
 TEST_F(GltfPacked, MeshoptFilters) {
-    std::vector<std::uint32_t> rows(24);
-    meshopt_encodeFilterExp(rows.data(), 8, 12, 15, cube_corners<float>().data());
+    // A word is a mantissa of 24 bits and an exponent of 8: that of 0 and 1 may be 0.
+    const auto rows = cube_corners<std::uint32_t>();
     GlbFile file = meshopt_cube(
         packed_rows(rows, 8), {{"mode", "ATTRIBUTES"}, {"filter", "EXPONENTIAL"}}, false);
     // A normal along y for each corner.

@@ -26,6 +26,8 @@ WRONG = {
     "badArray.gltf": "primitives is an object",
     "sceneWrongType.gltf": 'scene is "hello"',
     "MissingBin/BoxTextured.gltf": "BoxTextured0.bin cannot be read",
+    "TestNoRootNode/NoScene.gltf": "it holds no triangle",
+    "glTF/BoxTextured-glTF-Binary/BoxTextured.glb": "is cut short",  # and of version 1
 }
 EMPTY = "it holds no triangle"
 VERSION_1 = "glTF 1"
@@ -71,10 +73,11 @@ def fault(file, judged):
         return complaint, "refused"
     if "error" in judged:
         return "", "alone"  # gltf-transform cannot read it: an image or a buffer is missing
+    # Rotations of six digits are made unit here, and taken as they are there.
     count, low, high = measured
     size = np.abs([judged["low"], judged["high"]]).max()
     gap = np.abs(np.array([low, high]) - [judged["low"], judged["high"]]).max()
-    if count != judged["triangles"] or gap > 2e-6 * size:
+    if count != judged["triangles"] or gap > 1e-5 * size:
         return f"{count} triangles of {judged['triangles']}, box off by {gap:g}", "wrong"
     return "", "equal"
 
