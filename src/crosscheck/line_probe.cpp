@@ -12,7 +12,8 @@
 namespace ink::crosscheck {
 namespace {
 
-constexpr std::array<double, 5> kRadii_px{0x1p-9, 0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24};
+constexpr std::array<double, 7> kRadii_px{
+    0x1p-9, 0x1p-12, 0x1p-16, 0x1p-20, 0x1p-24, 0x1p-28, 0x1p-32};
 constexpr int kDirections = 8;
 constexpr double kTurn_rad = 0.1;  ///< lines along the axes pass between the directions
 

@@ -18,7 +18,7 @@ struct ClaimedPoint {
 /// decides where truth and cross-check differ.
 ///
 /// Sees without Embree, by trying every triangle near the point with exact predicates. Looks at
-/// opposite points of circles round the claimed one, from 1/512 px down to 6e-8 px, so that strips
+/// opposite points of circles round the claimed one, from 1/512 px down to 2e-10 px, so that strips
 /// far thinner than samples lie apart show. One entry per claim, 1 or 0; the same for every thread
 /// count.
 [[nodiscard]] std::vector<char> see_claimed_lines(const scene::Topology& topology,

@@ -73,6 +73,14 @@ double Visibility::rounding_of(std::uint32_t f) const {
     return std::max({rounding[v[0]], rounding[v[1]], rounding[v[2]]});
 }
 
+/// How far the point may lie off a face that it lies in: of one that coincides with one of the two
+/// that cross, as far as rounding may have moved them; of others, what computing it lost.
+double Visibility::doubt_of(std::uint32_t f, const LinePoint& point) const {
+    const Crossing& crossing = *point.crossing;
+    const bool is_one_of_two = is_coplanar(f, crossing.face0) || is_coplanar(f, crossing.face1);
+    return is_one_of_two ? point.doubt_world + rounding_of(f) : crossing.error;
+}
+
 /// The side where the true point lies for sure, else 0.
 int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const {
     const auto& p = eye_.model.topology.p_world;
@@ -81,10 +89,14 @@ int Visibility::side_of_crossing(std::uint32_t f, const LinePoint& point) const 
     const glm::dvec3 normal = glm::cross(u0, u1);
     const glm::dvec3 d = point.p_world - p[v[0]];
     const double height = glm::dot(normal, d);
-    const double off = point.doubt_world + rounding_of(f) + kRounding * size(point.p_world);
-    const double bound =
-        off * glm::length(normal) + kRounding * glm::length(u0) * glm::length(u1) * glm::length(d);
-    return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
+    const double noise =
+        kRounding * (size(u0) * size(u1) * size(d) + size(point.p_world) * size(normal));
+    const auto is_off = [&](double off) {
+        return std::abs(height) > off * glm::length(normal) + noise;
+    };
+    const int side = height > 0 ? 1 : -1;
+    if (is_off(point.doubt_world + rounding_of(f))) return side;
+    return is_off(doubt_of(f, point)) ? side : 0;
 }
 
 bool Visibility::is_coplanar(std::uint32_t face0, std::uint32_t face1) const {
@@ -201,7 +213,7 @@ bool Visibility::blocks(std::uint32_t f, const LinePoint& point) const {
     if (side_eye == 0 || is_own(f, point)) return false;
     const int side = side_of_point(f, point) * side_eye;
     if (side > 0 || (side == 0 && point.crossing == nullptr)) return false;
-    const double slack = side == 0 ? point.doubt_world + rounding_of(f) : 0;
+    const double slack = side == 0 ? doubt_of(f, point) : 0;
     if (!pierces(f, point, slack) || is_cut_away(f, point)) return false;
     return side < 0 || covers(f, point);
 }

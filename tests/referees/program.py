@@ -51,15 +51,20 @@ def numbers(values):
     return ",".join(repr(float(v)) for v in values)
 
 
-def trace(mesh, camera, crease_deg=40):
-    """The truth of one view of a mesh, or of the model file at a path."""
+def trace(mesh, camera, crease_deg=40, crosscheck=False):
+    """The truth of one view of a mesh, or of the model file at a path.
+
+    With `crosscheck` it must agree with its cross-check, else a RuntimeError says how they differ.
+    """
     folder = Path(DESK.name)
     model = Path(mesh) if isinstance(mesh, (str, Path)) else folder / "model.obj"
     if model.parent == folder:
         write_obj(mesh, model)
     # With "=": an option's value may begin with a minus.
+    checked = ["--crosscheck", "--disagreement", folder / "disagreement.png"] if crosscheck else []
     inkbench("truth", model, f"--eye={numbers(camera.eye)}", f"--target={numbers(camera.target)}",
              f"--up={numbers(camera.up)}", f"--fov={camera.fov_deg!r}",
              f"--size={camera.width_px}x{camera.height_px}", f"--crease={crease_deg}",
-             "-o", folder / "truth.png", "--svg", folder / "truth.svg", "--no-cache", "--quiet")
+             "-o", folder / "truth.png", "--svg", folder / "truth.svg", "--no-cache", "--quiet",
+             *checked)
     return Traced(np.asarray(Image.open(folder / "truth.png")), read_outline(folder / "truth.svg"))
