@@ -162,8 +162,8 @@ def ply_cases():
                       count="int").case(f"{short}_strip_{index}")
         yield Ply(form, after=b"\n1 2 3 rest").case(f"{short}_after")
         if form != "ascii":
-            # The first byte of the body is a line feed, or looks like the second half of a line's end.
-            points = tuple((10, y, z) if (x, y, z) == (0, 0, 0) else (x, y, z) for x, y, z in BOX + PIT)
+            # The body begins with the byte of a line feed.
+            points = tuple((x + 10, y, z) for x, y, z in BOX) + tuple((x + 20, y, z) for x, y, z in PIT)
             for end_name, end in (("lf", "\n"), ("crlf", "\r\n"), ("cr", "\r")):
                 yield Ply(form, position="uchar", points=points, end=end).case(f"{short}_first_0a_{end_name}")
     yield Ply(mark=True).case("ascii_mark")

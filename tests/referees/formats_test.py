@@ -16,7 +16,7 @@ def exported(case, folder):
     """(exit code, message, triangles as (m, 3, 3), count of objects) of `inkbench export`."""
     path = Path(folder) / case.name
     path.write_bytes(case.data)
-    done = subprocess.run([PROGRAM, "export", str(path), "-o", str(Path(folder) / "out"), "--size", "64x64", "--force"],
+    done = subprocess.run([PROGRAM, "export", str(path), "-o", str(Path(folder) / "out"), "--size", "64x64"],
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         return done.returncode, done.stderr, None, 0

@@ -115,7 +115,7 @@ double LineWords::number(std::string_view what) {
     double value = 0;
     const auto [end, error] = std::from_chars(first, end_, value);
     const bool is_number = error != std::errc::invalid_argument && is_end_of_word(end);
-    if (!is_number) fail(std::string(what) + " is " + quoted(word()), "a number");
+    if (!is_number) fail(std::string(what) + " is " + in_quotes(word()), "a number");
     if (error == std::errc::result_out_of_range)
         value = out_of_range({first, static_cast<std::size_t>(end - first)});
     at_ = end;
@@ -129,7 +129,7 @@ std::uint64_t LineWords::count(std::string_view what) {
     const auto [end, error] = std::from_chars(digits.data(), last, value);
     if (digits.empty()) fail(std::string(what) + " is missing", "a whole number of 0 or more");
     if (error != std::errc{} || end != last) {
-        fail(std::string(what) + " is " + quoted(digits), "a whole number of 0 or more");
+        fail(std::string(what) + " is " + in_quotes(digits), "a whole number of 0 or more");
     }
     return value;
 }
@@ -148,7 +148,7 @@ bool is_same_word(std::string_view a, std::string_view b) {
     });
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t kMost = 40;
     const bool is_long = word.size() > kMost;
     return '"' + std::string(word.substr(0, is_long ? kMost - 3 : kMost)) +

@@ -65,6 +65,6 @@ class LineWords {
 [[nodiscard]] bool is_same_word(std::string_view a, std::string_view b);
 
 /// A foreign word fit for a message: in quotes, cut where it is long.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 }  // namespace ink::import

@@ -108,7 +108,7 @@ std::uint32_t ObjReader::read_index(std::string_view word, std::size_t count, Ah
     const char* last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, number);
     if (error != std::errc{} || end != last)
-        words_.fail("a corner has the number " + quoted(word), "v, v/vt, v//vn or v/vt/vn");
+        words_.fail("a corner has the number " + in_quotes(word), "v, v/vt, v//vn or v/vt/vn");
     const std::int64_t from_1 = number < 0 ? static_cast<std::int64_t>(count) + 1 + number : number;
     if (from_1 < 1 || from_1 > 0xfffffffe) {
         words_.fail(

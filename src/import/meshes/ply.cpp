@@ -96,7 +96,7 @@ std::size_t index_list(const PlyElement& element) {
         if (property && element.properties[*property].count_type) return *property;
     }
     LineWords::fail_at(element.line,
-                       "element " + quoted(element.name) + " has no list of vertices",
+                       "element " + in_quotes(element.name) + " has no list of vertices",
                        "a list called vertex_indices or vertex_index");
 }
 
@@ -174,7 +174,8 @@ const PlyElement* find_element(const PlyHeader& header, std::string_view name) {
     for (const PlyElement& element : header.elements) {
         if (element.name != name) continue;
         if (found != nullptr)
-            LineWords::fail_at(element.line, "a second element " + quoted(name), "one of a name");
+            LineWords::fail_at(
+                element.line, "a second element " + in_quotes(name), "one of a name");
         found = &element;
     }
     return found;

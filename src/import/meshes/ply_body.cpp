@@ -36,12 +36,12 @@ void PlyBody::begin_row(const PlyElement& element, std::uint64_t row) {
 
 void PlyBody::end_row() {
     if (!is_text() || words_.is_line_over()) return;
-    words_.fail("more numbers than the properties of element " + quoted(element_->name),
+    words_.fail("more numbers than the properties of element " + in_quotes(element_->name),
                 "one line for each, of as many numbers as it has properties");
 }
 
 double PlyBody::value(PlyType type) {
-    if (is_text()) return words_.number("a number of element " + quoted(element_->name));
+    if (is_text()) return words_.number("a number of element " + in_quotes(element_->name));
     switch (type) {
         case PlyType::int8:
             return take<std::int8_t>();
@@ -86,7 +86,7 @@ void PlyBody::fail(const std::string& what, const std::string& accepted) const {
 
 void PlyBody::fail_short() const {
     throw core::Error("",
-                      "the file is cut short: it ends in element " + quoted(element_->name) +
+                      "the file is cut short: it ends in element " + in_quotes(element_->name) +
                           ", row " + std::to_string(row_ + 1) + " of " +
                           std::to_string(element_->count),
                       "all rows that the header promises");

@@ -28,7 +28,7 @@ PlyType read_type(LineWords& words) {
     for (std::size_t t = 0; t < kTypes.size(); ++t)
         if (name == kTypes[t].old_name || name == kTypes[t].new_name)
             return static_cast<PlyType>(t);
-    words.fail("the type is " + quoted(name),
+    words.fail("the type is " + in_quotes(name),
                "char, uchar, short, ushort, int, uint, float, double, int8, uint8, int16, uint16, "
                "int32, uint32, float32 or float64");
 }
@@ -36,11 +36,12 @@ PlyType read_type(LineWords& words) {
 PlyFormat read_format(LineWords& words) {
     const std::string_view name = words.word();
     const std::string_view version = words.word();
-    if (version != "1.0") words.fail("the version is " + quoted(version), "1.0");
+    if (version != "1.0") words.fail("the version is " + in_quotes(version), "1.0");
     if (name == "ascii") return PlyFormat::ascii;
     if (name == "binary_little_endian") return PlyFormat::binary_little_endian;
     if (name == "binary_big_endian") return PlyFormat::binary_big_endian;
-    words.fail("the format is " + quoted(name), "ascii, binary_little_endian or binary_big_endian");
+    words.fail("the format is " + in_quotes(name),
+               "ascii, binary_little_endian or binary_big_endian");
 }
 
 PlyElement read_element(LineWords& words) {
@@ -77,7 +78,7 @@ void read_line(LineWords& words, PlyHeader& header, bool& has_format) {
     } else if (keyword == "property" && !header.elements.empty()) {
         header.elements.back().properties.push_back(read_property(words));
     } else if (!header.elements.empty()) {  // Blender 2.4 began with a comment without the word
-        words.fail("the header says " + quoted(keyword),
+        words.fail("the header says " + in_quotes(keyword),
                    "format, comment, obj_info, element, property or end_header");
     }
 }
@@ -133,7 +134,7 @@ PlyHeader read_ply_header(std::string_view file) {
         }
         if (line > 1) read_line(words, header, has_format);
         if (line == 1 && ahead.line() == 1 && file.substr(0, 3) != "ply")
-            words.fail("the file begins with " + quoted(words.word()), "ply");
+            words.fail("the file begins with " + in_quotes(words.word()), "ply");
     }
     throw core::Error("", "the file ends inside its header", "a line \"end_header\"");
 }

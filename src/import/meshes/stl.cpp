@@ -90,7 +90,7 @@ void expect(LineWords& words, std::string_view keyword) {
     }
     const std::string_view word = words.word();
     if (is_same_word(word, keyword)) return;
-    words.fail(quoted(word) + " stands where " + quoted(keyword) + " belongs",
+    words.fail(in_quotes(word) + " stands where " + in_quotes(keyword) + " belongs",
                "a facet of three "
                "vertices");
 }
@@ -134,7 +134,7 @@ void read_solid(LineWords& words, Facets& facets) {
         const std::string_view word = words.word();
         if (is_same_word(word, "endsolid")) return (void)words.rest();
         if (!is_same_word(word, "facet"))
-            words.fail(quoted(word) + " stands between facets", "facet or endsolid");
+            words.fail(in_quotes(word) + " stands between facets", "facet or endsolid");
         read_facet(words, facets);
     }
 }
@@ -148,7 +148,7 @@ ImportReply read_text(std::string_view file, const std::string& name) {
         // A text from DOS may end with its end mark.
         if (!names.empty() && word.find_first_not_of('\x1a') == word.npos) continue;
         if (!is_same_word(word, "solid"))
-            words.fail(quoted(word) + " stands outside of a solid", "solid");
+            words.fail(in_quotes(word) + " stands outside of a solid", "solid");
         const std::size_t before = facets.positions.size();
         const std::string solid(words.rest());
         read_solid(words, facets);
