@@ -75,8 +75,8 @@ std::string crosscheck_summary(const harness::Crosscheck& check,
     }
     text += class_line("all", check.agreement.total());
     text += fmt::format(
-        "within {} px; a third construction sides against the truth on {} of both lengths; the "
-        "cross-check abstains on {}\n"
+        "within {} px; disagreement {} of both lengths, where a third construction sides against "
+        "the truth; the cross-check abstains on {}\n"
         "looked {} times in {:.3f} s, across edges at {} places, closely at {} px; unexplained "
         "{}\n",
         harness::kAgreement_px,
