@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "import/chunks_3ds.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {
@@ -90,7 +91,7 @@ std::vector<CameraKeys> read_3ds_camera_keys(std::span<const std::byte> file) {
 std::vector<ImportedCamera> read_3ds_cameras(const std::filesystem::path& path,
                                              scene::Animation& motion) {
     const glm::dmat4 world_from_file = motion.nodes.front().parent_from_node;
-    const std::vector<std::byte> file = bytes_of_file(path);
+    const std::vector<std::byte> file = bytes_of(path);
     std::vector<ImportedCamera> cameras = read_3ds_cameras(file);
     const std::vector<CameraKeys> all_keys = read_3ds_camera_keys(file);
     for (ImportedCamera& camera : cameras) {

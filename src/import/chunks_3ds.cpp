@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
-#include <iterator>
 #include <utility>
 
 namespace ink::import {
@@ -65,13 +63,6 @@ Track3ds parse_track(const Chunk3ds& node) {
 }
 
 }  // namespace
-
-std::vector<std::byte> bytes_of_file(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    const auto all = std::as_bytes(std::span(bytes));
-    return {all.begin(), all.end()};
-}
 
 std::optional<Chunk3ds> take_chunk(Bytes& bytes) {
     if (bytes.size() < kHeaderBytes) return std::nullopt;

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,9 +22,6 @@ struct Chunk3ds {
 
 inline constexpr std::uint16_t kEditor3ds = 0x3d3d;
 inline constexpr std::uint16_t kKeyframer3ds = 0xb000;
-
-/// All bytes of a file; none where it cannot be read.
-[[nodiscard]] std::vector<std::byte> bytes_of_file(const std::filesystem::path& path);
 
 /// Takes the first chunk off `bytes`, cut to what is there; nothing if not even a header is left.
 [[nodiscard]] std::optional<Chunk3ds> take_chunk(std::span<const std::byte>& bytes);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "import/chunks_3ds.h"
+#include "import/model_bytes.h"
 
 namespace ink::import {
 namespace {
@@ -146,7 +147,7 @@ std::vector<ImportedLight> read_3ds_lights(const std::filesystem::path& path,
                                            std::vector<std::string>& notes) {
     const glm::dmat4 world_from_file = motion.nodes.front().parent_from_node;
     const double stretch = std::cbrt(std::abs(glm::determinant(glm::dmat3(world_from_file))));
-    const std::vector<std::byte> file = bytes_of_file(path);
+    const std::vector<std::byte> file = bytes_of(path);
     const std::vector<Track3ds> tracks = tracks_of(file);
     std::vector<ImportedLight> lights;
     std::size_t excluding = 0;

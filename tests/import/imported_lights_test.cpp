@@ -256,9 +256,10 @@ P: "Intensity", "Number", "", "A",5000
 P: "DecayType", "enum", "", "",2
 P: "DecayStart", "double", "Number", "",3)")));
     ASSERT_EQ(scene.lights.size(), 1U);
-    EXPECT_LT(glm::length(scene.lights[0].p_world - glm::dvec3(1, 2, 3)), 1e-6);
+    const glm::dvec3 p_cm(100, 200, 300);
+    EXPECT_LT(glm::length(scene.lights[0].p_world - p_cm), 1e-4);
     EXPECT_EQ(scene.lights[0].color, glm::vec3(1, 0.5F, 0)) << "the brightest has full light";
-    EXPECT_NEAR(scene.lights[0].range, 6, 1e-5);
+    EXPECT_NEAR(scene.lights[0].range, 600, 1e-3) << "half of the light is left at 3 m";
 }
 
 }  // namespace

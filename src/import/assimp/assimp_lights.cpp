@@ -23,9 +23,9 @@ LightKind kind_of(aiLightSourceType type) {
     }
 }
 
-/// Light that thins out by 1 / (c + l d + q d^2) has no end; our lamps lose it evenly up to their
-/// range. The two agree where half of the light is left: that is half the range. Where nothing is
-/// at c, full light is 1. 0 for a light that does not thin out.
+/// The range at which a lamp of ours has lost half of its light where the file's has; 0 for one
+/// that loses none. The file's, 1 / (c + l d + q d^2), has no end. Its full light is what it has at
+/// d = 0, or 1 where that is without bounds.
 double range_of(const aiLight& light) {
     const double c = light.mAttenuationConstant;
     const double l = light.mAttenuationLinear;

@@ -9,7 +9,8 @@
 
 namespace ink::import {
 
-/// The lamps of the scene, each with the node of its name, as cameras are.
+/// The lights of a file, each with the node of its name. Their strengths are as the file has them,
+/// their ranges in the world's units.
 [[nodiscard]] std::vector<ImportedLight> convert_lights(const aiScene& scene,
                                                         const std::vector<PlacedNode>& nodes);
 

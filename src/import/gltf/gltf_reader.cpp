@@ -8,6 +8,7 @@
 
 #include "import/animation_choice.h"
 #include "import/gltf/extensions.h"
+#include "import/gltf/lights.h"
 #include "import/gltf/meshes.h"
 #include "import/gltf/motion.h"
 #include "import/gltf/notes.h"
@@ -268,6 +269,7 @@ ImportReply GltfReader::read() {
     }
     note_left_out(lines, empty_parts, moves_.ignored_pointers, reply_.notes);
     note_materials(document_, reply_.meshes, reply_.notes);
+    reply_.lights = read_lights(document_, tree_, reply_.notes);
     motion_.nodes = std::move(tree_.nodes);
     motion_.duration_s = moves_.duration_s;
     if (motion_.duration_s > 0 || !motion_.skins.empty() || !motion_.morphs.empty())
