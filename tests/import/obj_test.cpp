@@ -99,6 +99,14 @@ TEST(Obj, ObjectsAreMadeByOAlone) {
                 ElementsAre("model"));
 }
 
+TEST(Obj, NamesMayGoOnInTheNextLine) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        const ImportReply reply =
+            read_obj(replaced("o first\\\none # it\n" + kThree + "f 1 2 3\n", "\n", end), "model");
+        EXPECT_THAT(names_in(reply), ElementsAre("first one"));
+    }
+}
+
 TEST(Obj, AnObjectThatComesAgainGoesOn) {
     const ImportReply reply =
         read_obj(kThree + "o a\nf 1 2 3\no b\nf 1 2 3\no a\nf 3 2 1\n", "model");

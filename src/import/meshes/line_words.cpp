@@ -68,7 +68,7 @@ void LineWords::skip_blanks() {
 
 bool LineWords::next_line() {
     if (is_started_) {
-        (void)rest();
+        (void)skip_line();
         skip_line_end();
     }
     is_started_ = true;
@@ -93,7 +93,7 @@ std::string_view LineWords::word() {
     return {first, static_cast<std::size_t>(at_ - first)};
 }
 
-std::string_view LineWords::rest() {
+std::string_view LineWords::skip_line() {
     if (is_line_over()) {
         while (!is_end_of_line(at_))
             ++at_;
@@ -106,6 +106,17 @@ std::string_view LineWords::rest() {
     while (!is_end_of_line(at_))
         ++at_;
     return {first, static_cast<std::size_t>(last - first)};
+}
+
+std::string LineWords::rest() {
+    std::string text(skip_line());
+    if (!rules_.is_continued) return text;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+        if (text[i] != '\\' || !is_line_break(text[i + 1])) continue;
+        const bool is_pair = text.substr(i + 1, 2) == "\r\n";
+        text.replace(i, is_pair ? 3 : 2, " ");
+    }
+    return text;
 }
 
 double LineWords::number(std::string_view what) {

@@ -30,8 +30,9 @@ class LineWords {
 
     /// The next word of the line; empty at its end.
     std::string_view word();
-    /// What is left of the line, without blanks around it and without a comment.
-    std::string_view rest();
+    /// What is left of the line, without blanks around it and without a comment; blank where it was
+    /// joined to the next.
+    std::string rest();
 
     /// The next word, as a number: `what` in messages. What no double can hold is infinite or 0.
     double number(std::string_view what);
@@ -49,6 +50,8 @@ class LineWords {
 
   private:
     void skip_blanks();
+    /// Goes to the line's end; returns what was left but blanks around it and a comment.
+    std::string_view skip_line();
     void skip_line_end();
     [[nodiscard]] bool is_end_of_line(const char* p) const;
     [[nodiscard]] bool is_joint(const char* p) const;

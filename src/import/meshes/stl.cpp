@@ -150,7 +150,7 @@ ImportReply read_text(std::string_view file, const std::string& name) {
         if (!is_same_word(word, "solid"))
             words.fail(in_quotes(word) + " stands outside of a solid", "solid");
         const std::size_t before = facets.positions.size();
-        const std::string solid(words.rest());
+        const std::string solid = words.rest();
         read_solid(words, facets);
         if (facets.positions.size() > before) names.push_back(solid);
     }
