@@ -115,8 +115,6 @@ void add_surfaces(const Md3File& part, std::uint32_t node, Assembly& whole) {
         mesh.normals.assign(frames.normals.begin(), frames.normals.begin() + first);
         const auto number = static_cast<std::uint32_t>(whole.reply.meshes.size());
         mesh.parts = {{.material = number}};
-        whole.reply.faces_read += mesh.triangles.size();
-        whole.reply.vertices_read += vertices;
         whole.reply.instances.push_back({number, glm::dmat4(1), part.part + '/' + mesh.name});
         whole.reply.meshes.push_back(std::move(mesh));
         whole.animation.node_of_instance.push_back(node);

@@ -89,8 +89,6 @@ ImportReply reply_of_frames(const std::string& name,
     mesh.positions.assign(frames.positions.begin(), frames.positions.begin() + vertices);
     mesh.normals.assign(frames.normals.begin(), frames.normals.begin() + vertices);
     mesh.triangles = std::move(triangles);
-    reply.faces_read = mesh.triangles.size();
-    reply.vertices_read = mesh.positions.size();
     reply.meshes.push_back(std::move(mesh));
     reply.instances.push_back({0, y_up_from_quake(), name});
     if (frames.frame_count < 2) return reply;

@@ -50,7 +50,7 @@ void pass_scene(Stream& of, Reply& reply) {
     constexpr std::size_t kLeastLightBytes = 93;
     constexpr std::size_t kLeastTextBytes = 8;
     const auto pass_text = [](auto& stream, auto& text) { stream.parts(text); };
-    of.parts(reply.reason, reply.faces_read, reply.vertices_read);
+    of.parts(reply.reason);
     of.list(
         reply.meshes, kLeastMeshBytes, [](auto& stream, auto& mesh) { pass_mesh(stream, mesh); });
     of.list(reply.instances, kLeastInstanceBytes, [](auto& stream, auto& instance) {

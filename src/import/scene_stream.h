@@ -103,8 +103,6 @@ struct ImportChoice {
 struct ImportReply {
     ImportStatus status = ImportStatus::scene;
     std::string reason;
-    std::uint64_t faces_read = 0;  ///< of any number of corners, before triangulation
-    std::uint64_t vertices_read = 0;
     std::vector<ImportedMesh> meshes;
     std::vector<ImportedInstance> instances;
     std::vector<ImportedCamera> cameras;

@@ -34,6 +34,7 @@ TEST(Off, CommentsMayStandAnywhere) {
 TEST(Off, HeadsOfAllKinds) {
     expect_unit_cube(read_one(read_off, cube("OFF 8 6 12\n")));
     expect_unit_cube(read_one(read_off, cube("OFF\n8 6\n")));
+    expect_unit_cube(read_one(read_off, cube("# a\nOFF8 6 12\n")));
     expect_unit_cube(read_one(read_off, cube("8 6 0\n")));  // the word may be missing
     expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " 255 0 0\n")));
     expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " .5 0 0 1\n", " 255 255 255\n")));
@@ -57,6 +58,7 @@ TEST(Off, LinesMayEndEitherWay) {
 TEST(Off, IsToldByItsWord) {
     EXPECT_TRUE(is_off("OFF\n"));
     EXPECT_TRUE(is_off("# a\n STCN4OFF 3"));
+    EXPECT_TRUE(is_off("OFF490 518 0"));
     EXPECT_FALSE(is_off("OFFSET 3"));
     EXPECT_FALSE(is_off("solid\n"));
 }

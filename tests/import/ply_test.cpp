@@ -192,6 +192,12 @@ TEST(Ply, WhatHasNoAreaIsLeftOutWithANote) {
                 ElementsAre(HasSubstr("1 face of less than 3 corners"), HasSubstr("2 edges")));
 }
 
+TEST(Ply, ElementsWithoutRowsMayLackAnything) {
+    const ImportReply reply = read_ply(
+        header("ascii", "element vertex 1\n" + kXyz + "element face 0\n") + "0 0 0\n", "model");
+    EXPECT_TRUE(reply.meshes.at(0).triangles.empty());
+}
+
 TEST(Ply, NumbersBehindTheLastRowAreLeftAlone) {
     expect_unit_cube(read_one(read_ply, text_cube() + "1 2 3\n"));
 }

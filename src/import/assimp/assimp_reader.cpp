@@ -171,17 +171,13 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
     importer.SetPropertyBool("AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION", true);
     const aiScene* scene = importer.ReadFile(path.string(), 0);
     if (scene == nullptr) return refusal(importer, path);
-    const bool is_all_there =
-        std::all_of(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* mesh) {
+    const auto full =
+        std::count_if(scene->mMeshes, scene->mMeshes + scene->mNumMeshes, [](const aiMesh* mesh) {
             return mesh->mNumVertices > 0 && mesh->mNumFaces > 0;
         });
-    // Counted before triangulation: these are what the file's header promises.
     ImportReply reply;
-    for (unsigned m = 0; m < scene->mNumMeshes; ++m) {
-        reply.faces_read += scene->mMeshes[m]->mNumFaces;
-        reply.vertices_read += scene->mMeshes[m]->mNumVertices;
-    }
-    if (reply.faces_read == 0) return reply;  // the validation would only say it less clearly
+    if (full == 0) return reply;  // the validation would only say it less clearly
+    const bool is_all_there = full == scene->mNumMeshes;
     // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
     // sorting by kind would split meshes and reorder vertices. One empty part is no reason to
     // refuse the others, as the validation does.

@@ -83,8 +83,6 @@ const GltfMesh& GltfReader::mesh(std::size_t index, bool has_bones) {
     const auto [place, is_new] = read_meshes_.try_emplace({index, has_bones});
     if (!is_new) return place->second;
     place->second = meshes_.read_mesh(index, has_bones);
-    reply_.faces_read += place->second.mesh.triangles.size();
-    reply_.vertices_read += place->second.mesh.positions.size();
     return place->second;
 }
 

@@ -40,6 +40,12 @@ std::optional<OffKind> kind_of(std::string_view word) {
     return word == "OFF" ? std::optional(kind) : std::nullopt;
 }
 
+/// Some writers forget to end the line behind the word: "OFF490 518 0".
+bool is_glued(std::string_view word) {
+    return word.starts_with("OFF") && word.size() > 3 &&
+           word.find_first_not_of("0123456789", 3) == word.npos;
+}
+
 void next_line(LineWords& words, const char* of_what) {
     if (words.next_line()) return;
     throw core::Error("",
@@ -89,7 +95,9 @@ std::uint64_t read_count(LineWords& words, const char* what) {
 
 bool is_off(std::string_view file) {
     LineWords words(file, kOffRules);
-    return words.next_line() && kind_of(words.word());
+    if (!words.next_line()) return false;
+    const std::string_view word = words.word();
+    return kind_of(word) || is_glued(word);
 }
 
 ImportReply read_off(std::string_view file, const std::string& name) {
@@ -108,6 +116,10 @@ ImportReply read_off(std::string_view file, const std::string& name) {
                               (is_binary ? " BINARY" : "") + "\", which is not read",
                           "OFF as text, of three coordinates");
         }
+    }
+    if (is_glued(word)) {
+        const auto behind = static_cast<std::size_t>(word.data() + 3 - file.data());
+        words = LineWords(file.substr(behind), kOffRules, words.line());
     }
     const std::uint64_t vertices = read_count(words, "the count of vertices");
     const std::uint64_t faces = read_count(words, "the count of faces");

@@ -198,6 +198,8 @@ ImportReply read_ply(std::string_view file, const std::string& name) {
     for (const PlyElement& element : header.elements) {
         if (&element == vertices) {
             read_vertices(body, element, mesh.mesh);
+        } else if (element.count == 0) {
+            continue;
         } else if (element.name == "face") {
             read_faces(body, element, mesh);
         } else if (element.name == "tristrips") {
