@@ -121,7 +121,7 @@ std::size_t fill_one(const EyeView& eye, const Visibility& visibility, Curve& cu
             std::max(curve.view_angle_rad, view_angle_rad(eye, curve.face1, to_point));
         return rays;
     }
-    const LinePoint point{curve.edge, p_world, w, nullptr};
+    const LinePoint point{curve.edge, p_world, w, nullptr, rounding_between(p_world, p_world)};
     const auto behind = visibility.first_behind(point, rays);
     curve.gap = behind ? gap_to(eye, *behind, point) : std::numeric_limits<float>::infinity();
     return rays;

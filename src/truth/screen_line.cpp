@@ -54,6 +54,7 @@ LinePoint ScreenLine::line_point(double s) const {
             segment.a_world + t * (segment.b_world - segment.a_world),
             w_at(s),
             segment.crossing,
+            segment.noise_world,
             segment.doubt_world};
 }
 
@@ -71,6 +72,7 @@ WorldSegment segment_of(const EyeView& eye, std::uint32_t e) {
     const scene::Edge& edge = eye.model.topology.edges[e];
     const auto& p = eye.model.topology.p_world;
     return {.edge = e,
+            .noise_world = rounding_between(p[edge.a], p[edge.b]),
             .a_world = p[edge.a],
             .b_world = p[edge.b],
             .a_clip = eye.p_clip[edge.a],
@@ -80,6 +82,7 @@ WorldSegment segment_of(const EyeView& eye, std::uint32_t e) {
 WorldSegment segment_of(const EyeView& eye, const Crossing& crossing) {
     const glm::dvec3 &a = crossing.begin_world, &b = crossing.end_world;
     return {.crossing = &crossing,
+            .noise_world = rounding_between(a, b),
             .doubt_world = doubt_of(eye.model.topology, crossing),
             .a_world = a,
             .b_world = b,

@@ -15,7 +15,8 @@ namespace ink::truth {
 struct WorldSegment {
     std::uint32_t edge = kNoEdge;        ///< kNoEdge for a crossing
     const Crossing* crossing = nullptr;  ///< null for an edge
-    double doubt_world = 0;              ///< as LinePoint has it
+    double noise_world = 0;              ///< as LinePoint has them
+    double doubt_world = 0;
     glm::dvec3 a_world{0}, b_world{0};
     glm::dvec3 a_clip{0}, b_clip{0};
 };

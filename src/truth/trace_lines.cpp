@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "scene/topology.h"
 #include "truth/crossings/touching.h"
@@ -37,6 +38,7 @@ class LineTracer {
     void trace(const ScreenLine& line) {
         line_ = &line;
         blocker_ = kNoFace;
+        look_ = Visibility::Look::quick;
         const double inset = std::min(0.25, kInset_px / line.length_px);
         const int steps = std::max(1, static_cast<int>(std::ceil(line.length_px / kSpacing_px)));
         double s = line.length_px <= kBisected_px ? 0.5 : inset;
@@ -53,11 +55,15 @@ class LineTracer {
     }
 
   private:
-    State state_at(double s, Visibility::Look look = Visibility::Look::quick) {
+    State state_at(double s) {
         const LinePoint point = line_->line_point(s);
         ++out_.samples;
         if (!visibility_.is_visible(point, blocker_, out_.rays)) return State::hidden;
         if (line_->line_class != LineClass::contour) return State::plain;
+        return contour_state(point, look_);
+    }
+
+    State contour_state(const LinePoint& point, Visibility::Look look) {
         switch (visibility_.kind_behind(point, look, out_.rays)) {
             case ContourKind::other_object:
                 return State::against_other;
@@ -68,24 +74,31 @@ class LineTracer {
         }
     }
 
+    /// The state of a contour's sample by a closer look. What was seen of one object stays seen.
+    State closer(double s, State state) {
+        if (eye_.model.is_one_object && state == State::against_self) return state;
+        return contour_state(line_->line_point(s), Visibility::Look::close);
+    }
+
     static bool is_contour(State state) { return state != State::hidden && state != State::plain; }
 
     /// Finds every change of state that halving meets between two samples. Where only what lies
-    /// behind a contour changes, a closer look may find that it does not: both states are set anew.
+    /// behind a contour changes, a closer look may find that it does not: a surface that ends right
+    /// behind the line is met by chance. Then both states are set anew, and all of the line is
+    /// looked at closely from there on.
     void bisect(double low, State at_low, double high, State& at_high) {
         while (at_low != at_high) {
-            const bool is_behind = is_contour(at_low) && is_contour(at_high);
-            const auto look = is_behind ? Visibility::Look::close : Visibility::Look::quick;
-            if (is_behind) {
-                at_low = state_at(low, look);
-                at_high = state_at(high, look);
+            if (is_contour(at_low) && is_contour(at_high)) {
+                const State low_before = std::exchange(at_low, closer(low, at_low));
+                const State high_before = std::exchange(at_high, closer(high, at_high));
+                if (at_low != low_before || at_high != high_before) look_ = Visibility::Look::close;
                 if (at_low == at_high) return;
             }
             double near_end = low, far_end = high;
             State beyond = at_high;
             while ((far_end - near_end) * line_->length_px > kBisected_px) {
                 const double middle = near_end + (far_end - near_end) / 2;
-                const State state = state_at(middle, look);
+                const State state = state_at(middle);
                 if (state == at_low) {
                     near_end = middle;
                 } else {
@@ -160,6 +173,7 @@ class LineTracer {
     TracedLines& out_;
     const ScreenLine* line_ = nullptr;
     std::uint32_t blocker_ = kNoFace;
+    Visibility::Look look_ = Visibility::Look::quick;
     double begin_s_ = 0;
 };
 

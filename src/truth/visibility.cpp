@@ -27,7 +27,33 @@ double size(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
+/// The plane through the eye and two points.
+class Sight {
+  public:
+    Sight(const glm::dvec3& eye, const glm::dvec3& q, const glm::dvec3& r)
+        : eye_(eye),
+          normal_(glm::cross(r - eye, q - eye)),
+          noise_(kRounding * size(q - eye) * size(r - eye)) {}
+
+    /// The side on which a point lies that may be so far off, as orient3d of eye, point, q and r;
+    /// 0 if that leaves it open.
+    [[nodiscard]] int side(const glm::dvec3& p, double off) const {
+        const glm::dvec3 d = p - eye_;
+        const double height = glm::dot(normal_, d);
+        const double bound = off * size(normal_) + noise_ * size(d);
+        return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
+    }
+
+  private:
+    glm::dvec3 eye_, normal_;
+    double noise_;
+};
+
 }  // namespace
+
+double rounding_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return kRounding * (size(a) + size(b));
+}
 
 bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
     if (point.crossing != nullptr) {
@@ -143,35 +169,26 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
            (most > 0 && is_over(high, own > nearing(high)));
 }
 
-/// On which side of the plane through the eye, q and r the point lies; 0 all along a line that runs
-/// in that plane. As in side_of_point the ends decide where the point is too near to tell, so that
-/// a line right behind a border is behind it as a whole, whatever rounding did to its points.
-int Visibility::side_of_sight(const LinePoint& point,
-                              double slack_world,
-                              const glm::dvec3& q,
-                              const glm::dvec3& r) const {
+/// On which side of the plane through the eye, q and r the point lies where that is too near to
+/// tell: the ends of its line decide, as in side_of_point, so that a line right behind a border is
+/// behind it as a whole, whatever rounding did to its points. 0 all along a line that runs in the
+/// plane, a crossing within the slack.
+int Visibility::side_by_ends(const LinePoint& point,
+                             double slack_world,
+                             const glm::dvec3& q,
+                             const glm::dvec3& r) const {
     const glm::dvec3& eye = eye_.eye_world();
-    const glm::dvec3 normal = glm::cross(r - eye, q - eye);
-    const double noise = kRounding * size(q - eye) * size(r - eye);
-    const auto sure_side = [&](const glm::dvec3& p, double off) {
-        const double height = glm::dot(normal, p - eye);
-        const double bound = off * size(normal) + noise * size(p - eye);
-        return std::abs(height) <= bound ? 0 : height > 0 ? 1 : -1;
-    };
-    const Crossing* crossing = point.crossing;
-    const scene::Topology& topology = eye_.model.topology;
-    const auto end_of = [&](std::uint32_t scene::Edge::*end) {
-        return topology.p_world[topology.edges[point.edge].*end];
-    };
-    const glm::dvec3 a = crossing ? crossing->begin_world : end_of(&scene::Edge::a);
-    const glm::dvec3 b = crossing ? crossing->end_world : end_of(&scene::Edge::b);
-    const int side = sure_side(point.p_world, slack_world + kRounding * (size(a) + size(b)));
-    if (side != 0) return side;
-    const auto side_of_end = [&](const glm::dvec3& end) {
-        return crossing ? sure_side(end, slack_world + crossing->error)
-                        : scene::orient3d(eye, end, q, r);
-    };
-    const int side_a = side_of_end(a), side_b = side_of_end(b);
+    int side_a = 0, side_b = 0;
+    if (const Crossing* crossing = point.crossing) {
+        const Sight sight(eye, q, r);
+        side_a = sight.side(crossing->begin_world, slack_world + crossing->error);
+        side_b = sight.side(crossing->end_world, slack_world + crossing->error);
+    } else {
+        const auto& p = eye_.model.topology.p_world;
+        const scene::Edge& edge = eye_.model.topology.edges[point.edge];
+        side_a = scene::orient3d(eye, p[edge.a], q, r);
+        side_b = scene::orient3d(eye, p[edge.b], q, r);
+    }
     if (side_a * side_b < 0) return scene::orient3d(eye, point.p_world, q, r);
     return side_a != 0 ? side_a : side_b;
 }
@@ -183,7 +200,9 @@ bool Visibility::pierces(std::uint32_t f, const LinePoint& point, double slack_w
     const auto& v = eye_.model.topology.faces[f].vertices;
     int low = 0, high = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int s = side_of_sight(point, slack_world, p[v[i]], p[v[(i + 1) % 3]]);
+        const glm::dvec3 &q = p[v[i]], &r = p[v[(i + 1) % 3]];
+        int s = Sight(eye_.eye_world(), q, r).side(point.p_world, slack_world + point.noise_world);
+        if (s == 0) s = side_by_ends(point, slack_world, q, r);
         low = std::min(low, s);
         high = std::max(high, s);
         if (low < 0 && high > 0) return false;

@@ -17,8 +17,12 @@ struct LinePoint {
     glm::dvec3 p_world{0};
     double w = 0;  ///< distance along the view direction
     const Crossing* crossing = nullptr;
-    double doubt_world = 0;  ///< how far rounding may have moved a point of a crossing
+    double noise_world = 0;  ///< how far off its line computing it may have put it
+    double doubt_world = 0;  ///< how far rounding of vertices may have moved a point of a crossing
 };
+
+/// How far off the line between two points rounding may put one that is computed to lie on it.
+[[nodiscard]] double rounding_between(const glm::dvec3& a_world, const glm::dvec3& b_world);
 
 /// The exact rule of visibility: a point of a line is visible if the open segment from the eye to
 /// it meets no triangle except the line's own faces: those of the edge, or the two that cross.
@@ -69,10 +73,10 @@ class Visibility {
     [[nodiscard]] int side_of_crossing(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool covers(std::uint32_t face, const LinePoint& point) const;
     [[nodiscard]] bool is_coplanar(std::uint32_t face0, std::uint32_t face1) const;
-    [[nodiscard]] int side_of_sight(const LinePoint& point,
-                                    double slack_world,
-                                    const glm::dvec3& q,
-                                    const glm::dvec3& r) const;
+    [[nodiscard]] int side_by_ends(const LinePoint& point,
+                                   double slack_world,
+                                   const glm::dvec3& q,
+                                   const glm::dvec3& r) const;
     [[nodiscard]] bool pierces(std::uint32_t face,
                                const LinePoint& point,
                                double slack_world = 0) const;
