@@ -33,7 +33,6 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       view_(view),
       projection_(view),
       crease_rad_(options.crease_rad),
-      material_seams_(options.material_seams),
       tolerances_(scene::weld_tolerances(topology)),
       p_clip_(topology.p_world.size()),
       orientation_(topology.faces.size()),
@@ -111,7 +110,7 @@ int ClipMesh::side_of(const scene::Edge& edge, std::uint32_t face) const {
 
 bool ClipMesh::is_seam(std::uint32_t face0, std::uint32_t face1) const {
     const scene::Face &f0 = topology_.faces[face0], &f1 = topology_.faces[face1];
-    return f0.object != f1.object || (material_seams_ && f0.material != f1.material);
+    return f0.object != f1.object;
 }
 
 truth::LineClass ClipMesh::class_between(const scene::Edge& edge,

@@ -120,7 +120,6 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
     model.crossings = find_crossings(model.topology, {.threads = options.threads});
     if (model.crossings.is_too_many) return model;  // no view of it is traced
     model.crease_rad = options.crease_rad;
-    model.material_seams = options.material_seams;
     const auto& faces = model.topology.faces;
     model.is_one_object = std::all_of(faces.begin(), faces.end(), [&](const scene::Face& f) {
         return f.object == faces.front().object;

@@ -17,7 +17,6 @@ struct TruthOptions;
 struct Model {
     scene::Topology topology;
     double crease_rad = 0;
-    bool material_seams = false;
     std::vector<double> tolerances;  ///< weld tolerance of each object, world units
     bool is_one_object = false;      ///< all faces belong to one
     /// Per entry of `topology.edge_faces`: 1 where the face runs from the edge's a to its b, else
@@ -40,9 +39,7 @@ struct Model {
 
     /// Whether a flat join of the two faces is a seam.
     [[nodiscard]] bool is_seam(std::uint32_t face0, std::uint32_t face1) const {
-        const scene::Face& f0 = topology.faces[face0];
-        const scene::Face& f1 = topology.faces[face1];
-        return f0.object != f1.object || (material_seams && f0.material != f1.material);
+        return topology.faces[face0].object != topology.faces[face1].object;
     }
 
     /// The class of an edge whose seen faces, one on either side, are these: none, crease or seam.

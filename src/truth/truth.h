@@ -18,7 +18,6 @@ namespace ink::truth {
 struct TruthOptions {
     double crease_rad =
         0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
-    bool material_seams = false;  ///< a seam also where only the material differs
     double weld_epsilon = 0;      ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "scene/materials.h"
 #include "tests/truth/shapes.h"
 
 namespace ink::truth {
@@ -89,16 +90,15 @@ TEST(Class, AbuttingBoxesWithLevelTopsHaveASeamAndNoCreaseThere) {
     EXPECT_EQ(seams, 2U) << "one on top, one in front";
 }
 
-TEST(Class, MaterialsMakeASeamOnlyWhenAsked) {
+TEST(Class, MaterialsMakeASeamOnceTheyAreObjects) {
     scene::Mesh mesh;
     add_quad(mesh, {-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0});
     add_quad(mesh, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0});
     mesh.materials = {0, 0, 1, 1};
-    const scene::Scene scene = scene_of({mesh});
+    scene::Scene scene = scene_of({mesh});
     EXPECT_EQ(lengths(trace(scene, view_from(6))).count(LineClass::seam), 0U);
-    TruthOptions options;
-    options.material_seams = true;
-    EXPECT_NEAR(lengths(trace_truth(scene, view_from(6), options))[LineClass::seam], 200, kPx);
+    scene::split_materials(scene);
+    EXPECT_NEAR(lengths(trace(scene, view_from(6)))[LineClass::seam], 200, kPx);
 }
 
 /// A square whose right side meets two squares of half the height: a T-junction at (0, 0, 0). The

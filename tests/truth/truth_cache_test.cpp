@@ -186,9 +186,6 @@ TEST_F(Cache, KeyDependsOnAllThatChangesTheTruth) {
     options.crease_rad = 0.5;
     EXPECT_NE(key, truth_key(scene_, view_, options));
     options = options_;
-    options.material_seams = true;
-    EXPECT_NE(key, truth_key(scene_, view_, options));
-    options = options_;
     options.layers = false;
     EXPECT_NE(key, truth_key(scene_, view_, options));
     scene::View view = view_;
