@@ -8,9 +8,9 @@
 
 #include "core/hash.h"
 #include "core/parallel.h"
-#include "harness/crowded.h"
 #include "harness/intersection_scores.h"
 #include "harness/line_scores.h"
+#include "harness/unscored_view.h"
 #include "score/random_baseline.h"
 #include "truth/curve_facts.h"
 

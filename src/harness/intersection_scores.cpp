@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "harness/cell.h"
-#include "harness/crowded.h"
 #include "harness/recall_groups.h"
+#include "harness/unscored_view.h"
 #include "score/drawn_matcher.h"
 
 namespace ink::harness {

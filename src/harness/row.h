@@ -44,7 +44,8 @@ struct Row {
     score::Intersections intersections = score::Intersections::above_crease;
     std::optional<score::CurveCount> above_crease_2px = {};       ///< at 2 px, if flat ones do not
     std::optional<score::CurveCount> all_intersections_2px = {};  ///< count, and if they do
-    /// At 2 px, if crowded pixels count too (harness/crowded.h): also where the view is `crowded`.
+    /// At 2 px, if crowded pixels count too (harness/unscored_view.h): also where the view is
+    /// `crowded`.
     std::optional<score::CurveCount> with_crowded_2px = {};
     /// Of kRecallGroups (recall_groups.h) -> recall, groups present only.
     std::map<std::string, double> recall_by_class;

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "harness/crowded.h"
-#include "harness/empty_view.h"
 #include "harness/intersection_scores.h"
+#include "harness/unscored_view.h"
 #include "harness/view_lists.h"
 
 namespace ink::harness {

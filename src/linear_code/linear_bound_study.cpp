@@ -10,7 +10,7 @@
 #include "core/progress.h"
 #include "core/text_table.h"
 #include "harness/cell.h"
-#include "harness/empty_view.h"
+#include "harness/unscored_view.h"
 #include "linear_code/channel_planes.h"
 #include "truth/limits.h"
 

@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "harness/cell.h"
-#include "harness/empty_view.h"
+#include "harness/unscored_view.h"
 #include "score/matching.h"
 #include "statistics/spread.h"
 

@@ -1,4 +1,4 @@
-#include "harness/crowded.h"
+#include "harness/unscored_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "harness/empty_view.h"
+#include "harness/unscored_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -96,6 +96,7 @@ TEST(EmptyView, ChangesNoNumberOfTheOthers) {
         }
     }
     EXPECT_EQ(parse_csv(desk.read("out/unscored.csv")).size(), 1U);
+    EXPECT_THAT(desk.read("out/report.html"), HasSubstr("empty: no line of the scene"));
 }
 
 TEST(EmptyView, IsNothingToSearchOrToBound) {

@@ -10,10 +10,10 @@
 #include "core/hash.h"
 #include "core/parallel.h"
 #include "core/simd.h"
-#include "harness/empty_view.h"
 #include "harness/evaluations.h"
 #include "harness/intersection_scores.h"
 #include "harness/tables/csv.h"
+#include "harness/unscored_view.h"
 #include "studies/stress/stress_counts.h"
 #include "truth/limits.h"
 
@@ -33,7 +33,6 @@ StressTruth trace(const StressCase& stress, const harness::TraceOptions& options
         truth::SceneModel model(stress.scene_views.scene, options.truth);
         result.truth = harness::trace_view(model, stress.scene_views.views.front(), options);
         result.non_finite = count_non_finite(result.truth->traced);
-        // A difficulty takes no line out of the image. One that took all is a lost case.
         result.failure = harness::emptiness(*result.truth);
     } catch (const truth::TooLarge& reason) {
         result.failure = fmt::format("too_large: {}", reason.what());
@@ -70,6 +69,7 @@ harness::Evaluation draw_evaluation(const harness::MethodConfig& config,
 }
 
 void score_evaluation(const StressTruth& truth, harness::Evaluation& evaluation) {
+    if (!evaluation.row.is_ok()) return;
     if (!truth.failure.empty()) evaluation.row.status = truth.failure;
     if (!evaluation.row.is_ok()) return;
     const score::Strokes strokes = score::make_strokes(
@@ -133,7 +133,9 @@ std::vector<StressRow> stress_rows(const StressCase& stress,
         StressCounts counts = given;
         counts.non_finite += truth.non_finite + count_non_finite(row);
         counts.overflow += overflow[i];
-        counts.lost = row.is_ok() ? 0 : 1;
+        // A difficulty takes no line out of the image: where all are gone the case is lost. Lines
+        // that a zoom has made too dense to score are there.
+        counts.lost = row.is_ok() || row.status.starts_with("crowded") ? 0 : 1;
         rows.push_back({stress.axis, stress.value, axis.unit, std::move(row), counts});
     }
     return rows;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "harness/evaluations.h"
@@ -20,8 +21,19 @@ void fill_crowded(const score::Strokes& strokes,
                   const ViewLists& lists,
                   Row& row);
 
-/// Gives the rows of a view that is too crowded the status "crowded: ..."; rows that failed keep
+/// The status of a view that is too crowded, "crowded: ..."; "" for one that is not.
+[[nodiscard]] std::string crowdedness(const ViewTruth& truth);
+
+/// The status of a view of which no true pixel counts, "empty: ...", or that of a crowded one if
+/// that is why; "" if one counts.
+[[nodiscard]] std::string emptiness(const ViewTruth& truth);
+
+/// Gives the rows of an empty view that status, before they are scored; rows that failed keep
 /// theirs.
+void note_empty(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
+
+/// Gives the scored rows of a view that is too crowded the status "crowded: ..."; rows that failed
+/// keep theirs.
 void note_crowded(const ViewTruth& truth, std::vector<Evaluation>& evaluations);
 
 }  // namespace ink::harness
