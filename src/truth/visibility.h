@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 
 #include "truth/eye_scene.h"
@@ -20,6 +21,9 @@ struct LinePoint {
     double noise_world = 0;  ///< how far off its line computing it may have put it
     double doubt_world = 0;  ///< how far rounding of vertices may have moved a point of a crossing
 };
+
+/// Of a few operations in double, relative.
+inline constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
 
 /// How far off the line between two points rounding may put one that is computed to lie on it.
 [[nodiscard]] double rounding_between(const glm::dvec3& a_world, const glm::dvec3& b_world);
