@@ -142,6 +142,8 @@ TEST_F(GltfRefuses, ChunksThatDoNotFit) {
     bytes = whole;
     bytes.replace(20, 1, "[");
     EXPECT_THAT(complaint(write("json.glb", bytes)), HasSubstr("its JSON has a parse error"));
+    EXPECT_THAT(complaint(write("huge.gltf", "{\"asset\":1e999}")),
+                HasSubstr("its JSON has a number overflow"));
 }
 
 TEST_F(GltfRefuses, OtherVersionsByName) {

@@ -217,7 +217,7 @@ Json parse_json(std::span<const std::byte> text) {
     const auto* first = reinterpret_cast<const char*>(text.data());
     try {
         return Json::parse(first, first + text.size(), check_depth);
-    } catch (const Json::parse_error& error) {
+    } catch (const Json::exception& error) {
         // "[json.exception.parse_error.101] parse error at line 3, column 7: ..."
         const std::string message = error.what();
         throw core::Error("JSON", "its JSON has a " + message.substr(message.find(']') + 2));
