@@ -17,7 +17,7 @@ constexpr std::size_t kMostLights = 64;  // each is worked out at every vertex
 // How far a distant light hangs from the scene's middle, in radii: its rays differ by less than a
 // tenth of a degree.
 constexpr double kFarRadii = 1000;
-// Positions are floats, as those of vertices are.
+// As far as check_animation lets anything reach.
 constexpr double kMostExtent = 1e30;
 
 bool is_usable(double x) {
@@ -165,7 +165,10 @@ void take_lights(const std::vector<ImportedLight>& lights,
     }
     balance(is_physical, lamps);
     note_kinds(lights, scene);
-    note(unusable, "light has no place or colour", "lights have no place or colour", scene);
+    note(unusable,
+         "light of impossible numbers is not heeded",
+         "lights of impossible numbers are not heeded",
+         scene);
     note(too_many,
          "light beyond the 64th is not heeded",
          "lights beyond the 64th are not heeded",

@@ -99,7 +99,7 @@ TEST(ImportedLights, WhatIsNotAsInTheFileIsNoted) {
                 ElementsAre("2 spotlights shine to all sides",
                             "1 area light shines from its middle",
                             "1 ambient light is not heeded",
-                            "1 light has no place or colour"));
+                            "1 light of impossible numbers is not heeded"));
 }
 
 TEST(ImportedLights, DarkOnesAreNoneAndManyAreCut) {

@@ -111,6 +111,13 @@ TEST_F(ThreeDsLights, GoAndTurnColourByTheirKeys) {
     EXPECT_EQ(scene.lights[0].color, glm::vec3(0, 0, 0.5F));
 }
 
+TEST_F(ThreeDsLights, NeedNoNodeOfTheKeyframer) {
+    const scene::Scene scene = import_scene(
+        write("bare.3ds", file_3ds(triangle() + lamp("Lamp", kOrange), kTriangleNode)));
+    EXPECT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.animation, nullptr);
+}
+
 TEST_F(ThreeDsLights, WhatIsNotHeededIsNoted) {
     const std::string spot = chunk(0x4610, raw(std::array<float, 5>{0, 0, 0, 40, 45}));
     const std::string tracks = track_3ds(0xb020, {{0, {1, 2, 3}}, {30, {5, 2, 3}}});

@@ -3,6 +3,7 @@
 #include <assimp/camera.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
+#include <assimp/light.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -147,6 +148,23 @@ void note_transparency(const aiScene& scene, ImportReply& reply) {
     if (!transparent.empty()) reply.notes.push_back(drawn_opaque(transparent.size()));
 }
 
+/// Whether each camera and each light has a node of its name, and that name alone.
+bool have_nodes(const aiScene& scene) {
+    std::map<std::string, int> nodes;
+    for (const PlacedNode& placed : placed_nodes(scene, glm::dmat4(1)))
+        ++nodes[placed.node->mName.C_Str()];
+    const auto take = [&](const aiString& name) {
+        const auto node = nodes.find(name.C_Str());
+        return node != nodes.end() && node->second-- == 1;
+    };
+    return std::all_of(scene.mCameras,
+                       scene.mCameras + scene.mNumCameras,
+                       [&](const aiCamera* camera) { return take(camera->mName); }) &&
+           std::all_of(scene.mLights, scene.mLights + scene.mNumLights, [&](const aiLight* light) {
+               return take(light->mName);
+           });
+}
+
 ImportReply refusal(const Assimp::Importer& importer, const std::filesystem::path& path) {
     ImportReply reply;
     reply.reason = importer.GetErrorString();
@@ -179,10 +197,11 @@ ImportReply read_with_assimp(const std::filesystem::path& path,
     if (full == 0) return reply;  // the validation would only say it less clearly
     const bool is_all_there = full == scene->mNumMeshes;
     // Points and lines stay in and are dropped with the faces that are no triangles: Assimp's own
-    // sorting by kind would split meshes and reorder vertices. One empty part is no reason to
-    // refuse the others, as the validation does.
+    // sorting by kind would split meshes and reorder vertices. One empty part, or a light without a
+    // node, is no reason to refuse the others, as the validation does.
+    const bool is_validated = is_all_there && have_nodes(*scene);
     scene = importer.ApplyPostProcessing(aiProcess_Triangulate |
-                                         (is_all_there ? aiProcess_ValidateDataStructure : 0U));
+                                         (is_validated ? aiProcess_ValidateDataStructure : 0U));
     if (scene == nullptr) return refusal(importer, path);
     const std::string reader = reader_name(importer);
     const bool is_fbx = reader.starts_with("Autodesk FBX");
