@@ -193,7 +193,7 @@ TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
 }
 
 TEST(Printable, OneShortPlainLine) {
-    EXPECT_EQ(printable("a\nb\t\x1b[1m\xc3\xa9  ", 80), "a b ?[1m??");
+    EXPECT_EQ(printable("a\nb\t\x1b[1m\xc3\xa9  ", 80), "a b ?[1m\xc3\xa9");
     EXPECT_EQ(printable("abcdefghij", 8), "abcde...");
     EXPECT_EQ(printable("", 8), "");
 }
