@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "draw/id_agreement.h"
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 #include "harness/row.h"
 #include "truth/curve.h"
 

@@ -7,7 +7,7 @@
 
 #include "edge/edge_image.h"
 #include "harness/cell.h"
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 #include "harness/miss_prediction.h"
 #include "harness/row.h"
 #include "harness/shown_view.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/cell.h"
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 #include "harness/evaluations.h"
 #include "harness/frame_counts.h"
 #include "harness/miss_prediction.h"

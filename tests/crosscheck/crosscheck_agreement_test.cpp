@@ -2,8 +2,8 @@
 
 #include "catalogue/catalogue.h"
 #include "crosscheck/dense_sampling.h"
-#include "harness/compare_truths.h"
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/compare_truths.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 #include "import/import.h"
 #include "tests/catalogue_names.h"
 #include "tests/shared_files.h"

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "harness/compare_truths.h"
+#include "harness/crosscheck/compare_truths.h"
 #include "scene/predicates.h"
 #include "tests/crosscheck/lattice_shapes.h"
 #include "truth/model.h"

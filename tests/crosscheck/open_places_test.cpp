@@ -1,7 +1,7 @@
 #include "crosscheck/open_places.h"
 
 #include "crosscheck/dense_sampling.h"
-#include "harness/compare_truths.h"
+#include "harness/crosscheck/compare_truths.h"
 #include "tests/truth/shapes.h"
 #include "truth/model.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/byte_stream.h"
 #include "core/hash.h"
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 #include "tests/fuzz/fuzz.h"
 #include "truth/truth_file.h"
 

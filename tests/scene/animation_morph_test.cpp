@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "scene/animation.h"
-#include "scene/animation_reach.h"
+#include "scene/animation/animation_reach.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::scene {

@@ -1,4 +1,4 @@
-#include "scene/animation_reach.h"
+#include "scene/animation/animation_reach.h"
 
 #include <algorithm>
 #include <cmath>

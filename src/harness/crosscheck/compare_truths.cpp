@@ -1,4 +1,4 @@
-#include "harness/compare_truths.h"
+#include "harness/crosscheck/compare_truths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "harness/crosscheck_cache.h"
+#include "harness/crosscheck/crosscheck_cache.h"
 
 #include <chrono>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "scene/animation.h"
-#include "scene/animation_reach.h"
+#include "scene/animation/animation_reach.h"
 
 namespace ink::scene {
 namespace {
