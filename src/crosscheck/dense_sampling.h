@@ -12,7 +12,7 @@ namespace ink::crosscheck {
 /// How the cross-check looks.
 struct SamplingOptions {
     double crease_rad = 0.6981317007977318;  ///< 40 degrees
-    int subsamples = 8;       ///< K: a refined pixel is looked at K x K times
+    int subsamples = 8;                      ///< K: a refined pixel is looked at K x K times
     bool everywhere = false;  ///< refine every pixel: slow, for measuring what adapting leaves out
     int threads = 1;
 };

@@ -17,8 +17,8 @@ namespace ink::truth {
 /// What the truth depends on besides scene and view.
 struct TruthOptions {
     double crease_rad =
-        0.6981317007977318;       ///< 40 degrees: faces that bend at least this much crease
-    double weld_epsilon = 0;      ///< as scene::WeldOptions has it
+        0.6981317007977318;   ///< 40 degrees: faces that bend at least this much crease
+    double weld_epsilon = 0;  ///< as scene::WeldOptions has it
     int threads = 1;
     bool layers = true;  ///< also layers, `sampled` and `exact_corner`; without, they stay empty
     TruthLimits limits = {};

@@ -28,12 +28,12 @@ std::optional<std::vector<std::byte>> read_all(MeshReader read, std::string_view
     std::vector<std::byte> stream;
     import::write_reply(reply, [&](const void* data, std::size_t size) {
         const auto* bytes = static_cast<const std::byte*>(data);
-        stream.insert(stream.end(), bytes, bytes + size);
-    });
-    return stream;
-}
-
+    stream.insert(stream.end(), bytes, bytes + size);
+});
+return stream;
 }  // namespace
+
+}  // namespace ink::fuzz
 
 void check_mesh_reader(MeshReader read, Bytes bytes) {
     const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -297,7 +297,8 @@ TEST_F(GltfMotionFile, AnimationsAreChosenByNameOrNumber) {
         (void)chosen("Run");
         ADD_FAILURE() << "there is none";
     } catch (const core::Error& error) {
-        EXPECT_EQ(error.what_happened(), "it has no animation \"Run\" (accepted: Walk, Grow, or a number, 0..1)");
+        EXPECT_EQ(error.what_happened(),
+                  "it has no animation \"Run\" (accepted: Walk, Grow, or a number, 0..1)");
     }
 }
 

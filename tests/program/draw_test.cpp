@@ -123,14 +123,8 @@ TEST(Draw, TheFilesLightsAreThoseIfItHasAny) {
     const Words gouraud = {"--shading", "gouraud"};
     EXPECT_EQ(draw(desk, {"--shading", "gouraud", "--lights", "file"}), draw(desk, gouraud));
     desk.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Outcome outcome = desk.run({"draw",
-                                      "dark.obj",
-                                      "--shading",
-                                      "gouraud",
-                                      "--lights",
-                                      "file",
-                                      "-o",
-                                      "dark.png"});
+    const Outcome outcome = desk.run(
+        {"draw", "dark.obj", "--shading", "gouraud", "--lights", "file", "-o", "dark.png"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("--lights"), HasSubstr("no light of its own")));
 }
