@@ -65,6 +65,29 @@ TEST(StressRows, NoExtremeLosesACellOrANumber) {
     }
 }
 
+TEST(StressRows, ACaseWithoutATruePixelHasNoScore) {
+    const auto configs = harness::make_configs("mote4", {});
+    int crowded = 0;
+    for (const StressRow& row : rows_of("zoom", 1.0 / 32, configs, {960, 540})) {
+        EXPECT_EQ(row.counts.lost, 0) << "lines too dense to score are there";
+        const bool has_truth = row.row.n_truth > 0;
+        EXPECT_EQ(row.row.is_scored(), has_truth) << row.row.status;
+        crowded += has_truth ? 0 : 1;
+    }
+    EXPECT_GT(crowded, 0);
+    StressCase away = find_stress_axis("zoom").cases(1, kSmall).front();
+    const scene::Sphere bounds = scene::bounding_sphere(away.scene_views.scene);
+    const glm::dvec3 eye_world = bounds.center_world + glm::dvec3(0, 0, 3 * bounds.radius);
+    scene::Camera camera =
+        scene::look_at(eye_world, eye_world + glm::dvec3(0, 0, 1), {0, 1, 0}, 0.7);
+    scene::fit_clip_range(camera, bounds);
+    away.scene_views.views.front().camera = camera;
+    for (const StressRow& row : stress_rows(away, configs, {}, {})) {
+        EXPECT_THAT(row.row.status, testing::StartsWith("empty: ")) << row.row.method;
+        EXPECT_EQ(row.counts.lost, 1) << "a difficulty takes no line out of the image";
+    }
+}
+
 TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
     const auto rows = rows_of("zoom", 0.25, harness::make_configs("mote2", {}));
     ASSERT_EQ(rows.size(), 20U);
