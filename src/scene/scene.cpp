@@ -159,7 +159,7 @@ std::uint64_t hash_of(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes) {
         hasher.items(std::span(mesh.positions)).items(std::span(mesh.normals));
         hasher.items(std::span(mesh.triangles)).items(std::span(mesh.materials));
-        hasher.value(mesh.rounding);
+        if (mesh.rounding != 0) hasher.value(mesh.rounding);
     }
     for (const Instance& instance : scene.instances) {
         hasher.value(instance.mesh).value(instance.world_from_object);
