@@ -9,6 +9,22 @@
 namespace ink::import {
 namespace {
 
+/// Draco has bools, doubles and 64 bits as well, which no accessor of glTF can stand for.
+bool is_gltf_type(draco::DataType type) {
+    switch (type) {
+        case draco::DT_INT8:
+        case draco::DT_UINT8:
+        case draco::DT_INT16:
+        case draco::DT_UINT16:
+        case draco::DT_INT32:
+        case draco::DT_UINT32:
+        case draco::DT_FLOAT32:
+            return true;
+        default:
+            return false;
+    }
+}
+
 template <class Number>
 bool take(const draco::PointAttribute& attribute,
           std::size_t vertices,
@@ -62,6 +78,11 @@ std::vector<double> DracoMesh::numbers(std::uint32_t unique_id, std::size_t widt
         json_.fail("attribute " + std::to_string(unique_id) + " of its stream has " +
                        std::to_string(attribute->num_components()) + " components",
                    std::to_string(width));
+    }
+    if (!is_gltf_type(attribute->data_type())) {
+        json_.fail("attribute " + std::to_string(unique_id) + " of its stream is of type " +
+                       std::to_string(attribute->data_type()) + " of Draco's",
+                   "integers of 8 to 32 bits, or floats");
     }
     std::vector<double> numbers;
     const bool is_float = attribute->data_type() == draco::DT_FLOAT32;
