@@ -141,7 +141,7 @@ std::string truth_summary(const truth::Truth& truth) {
         100 * n.crowded_share,
         truth.trace_s);
     if (n.rounding_px > scene::kUnseen_px) {
-        text += fmt::format("rounding of coordinates may move what is seen by {:.2g} px\n",
+        text += fmt::format("rounding of coordinates may move what is seen by {:.3g} px\n",
                             n.rounding_px);
     }
     if (n.joined_vertices > 0) {

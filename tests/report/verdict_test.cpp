@@ -238,5 +238,16 @@ TEST(FormatMs, KeepsThreeDigits) {
     EXPECT_EQ(format_ms(1234.4), "1234");
 }
 
+TEST(VerdictTable, WarnsOfViewsInWhichRoundingShows) {
+    std::vector<harness::Row> rows = small_comparison();
+    EXPECT_THAT(verdict_table(rows, {}), Not(HasSubstr("rounding")));
+    for (harness::Row& row : rows)
+        if (row.view == "1") row.rounding_px = 0.25;
+    const auto says = AllOf(HasSubstr("in 1 view rounding of coordinates may move lines"),
+                            HasSubstr("by 0.25 px in 1 of cube"));
+    EXPECT_THAT(verdict_table(rows, {}), says);
+    EXPECT_THAT(verdict_markdown(rows, {}), says);
+}
+
 }  // namespace
 }  // namespace ink::report

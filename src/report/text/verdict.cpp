@@ -223,7 +223,7 @@ std::string rounding_warning(const std::vector<harness::Row>& rows) {
     for (const harness::Row& row : rows)
         if (row.shows_rounding()) views.insert({row.scene, row.view});
     return fmt::format(
-        "Warning: in {} view{} rounding of coordinates may move lines visibly, by {:.2g} px in {} "
+        "Warning: in {} view{} rounding of coordinates may move lines visibly, by {:.3g} px in {} "
         "of {}; a file with more digits, or nearer to its origin, has it right (`rounding_px` in "
         "rows.csv).",
         views.size(),
