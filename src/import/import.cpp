@@ -14,6 +14,7 @@
 #include "core/error.h"
 #include "import/child_process.h"
 #include "import/imported_scene.h"
+#include "import/printable.h"
 #include "import/scene_stream.h"
 
 namespace ink::import {

@@ -21,8 +21,4 @@ namespace ink::import {
                                             std::uint64_t most_triangles,
                                             bool material_seams = false);
 
-/// Foreign text as one line of printable UTF-8, shortened to `most` bytes; what is none becomes
-/// '?'.
-[[nodiscard]] std::string printable(const std::string& text, std::size_t most);
-
 }  // namespace ink::import

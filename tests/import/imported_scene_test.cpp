@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "import/printable.h"
 #include "tests/import/imported_meshes.h"
 #include "tests/scene/small_meshes.h"
 
