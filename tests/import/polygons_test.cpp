@@ -104,7 +104,8 @@ TEST(Polygons, AnythingIsCutUp) {
         for (int axis = 0; axis < 3; ++axis)
             p[axis] = (state = state * 1664525 + 1013904223) >> 28;
         points.push_back(p);
-        if (i >= 2) EXPECT_EQ(cut_up(points).size(), points.size() - 2);
+        if (i < 2) continue;
+        EXPECT_EQ(cut_up(points).size(), points.size() - 2);
     }
     EXPECT_EQ(cut_up(std::vector<glm::dvec3>(9, glm::dvec3(1))).size(), 7U);
 }
