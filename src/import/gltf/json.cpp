@@ -1,7 +1,9 @@
 #include "import/gltf/json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "core/error.h"
 #include "import/refusal.h"
@@ -24,6 +26,22 @@ std::string shown(const Json& value) {
 
 std::string up_to(std::uint64_t most) {
     return "a whole number, 0.." + std::to_string(most);
+}
+
+/// How many lists and objects stand in each other, at most. Asked before the JSON is parsed: with a
+/// callback, the parser looks at all members of a list again at the end of each.
+int depth_of(std::string_view json) {
+    int depth = 0, most = 0;
+    bool is_in_text = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (is_in_text && c == '\\') ++i;
+        if (c == '"') is_in_text = !is_in_text;
+        if (is_in_text) continue;
+        if (c == '[' || c == '{') most = std::max(most, ++depth);
+        if (c == ']' || c == '}') --depth;
+    }
+    return most;
 }
 
 }  // namespace
@@ -206,17 +224,14 @@ bool JsonObject::flag_or(const char* key, bool fallback) const {
 }
 
 Json parse_json(std::span<const std::byte> text) {
-    const auto check_depth = [](int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
-        if (depth > kMostDepth) {
-            throw core::Error("JSON",
-                              "its JSON is nested too deep",
-                              "up to " + std::to_string(kMostDepth) + " levels");
-        }
-        return true;
-    };
-    const auto* first = reinterpret_cast<const char*>(text.data());
+    const std::string_view json(reinterpret_cast<const char*>(text.data()), text.size());
+    if (depth_of(json) > kMostDepth) {
+        throw core::Error("JSON",
+                          "its JSON is nested too deep",
+                          "up to " + std::to_string(kMostDepth) + " levels");
+    }
     try {
-        return Json::parse(first, first + text.size(), check_depth);
+        return Json::parse(json);
     } catch (const Json::exception& error) {
         // "[json.exception.parse_error.101] parse error at line 3, column 7: ..."
         const std::string message = error.what();
