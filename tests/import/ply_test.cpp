@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "core/error.h"
 #include "import/meshes/mesh_readers.h"
 #include "tests/import/quake_files.h"
 #include "tests/import/read_meshes.h"
@@ -132,6 +134,26 @@ TEST(Ply, BodyMayBeginWithTheByteOfALineFeed) {
         const ImportedMesh mesh = read_one(read_ply, file);
         EXPECT_THAT(mesh.positions,
                     ElementsAre(glm::dvec3(10, 0, 0), glm::dvec3(13, 1, 0), glm::dvec3(0, 0, 1)));
+    }
+}
+
+TEST(Ply, IndicesThatAreNoNumbersAreShown) {
+    std::string body;
+    for (int i = 0; i < 9; ++i)
+        put(body, 0.1F);
+    body += '\3';
+    for (int i = 0; i < 3; ++i)
+        put(body, std::numeric_limits<float>::quiet_NaN());
+    const std::string file = header("binary_little_endian",
+                                    "element vertex 3\nproperty float x\nproperty float y\n"
+                                    "property float z\nelement face 1\n"
+                                    "property list uchar float vertex_indices\n") +
+                             body;
+    try {
+        (void)read_ply(file, "model");
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_THAT(error.what_happened(), testing::HasSubstr("a face has the vertex nan"));
     }
 }
 

@@ -93,6 +93,7 @@ void PlyBody::fail_short() const {
 }
 
 std::string PlyBody::shown(double value) {
+    if (std::isnan(value)) return "nan";
     const auto whole = static_cast<std::int64_t>(std::clamp(value, -1e15, 1e15));
     return static_cast<double>(whole) == value ? std::to_string(whole) : std::to_string(value);
 }
