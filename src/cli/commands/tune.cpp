@@ -160,11 +160,11 @@ void run_tune(const TuneArgs& args, const std::string& command) {
     }
     const harness::ViewRequest request = view_request(args.views);
     std::vector<harness::SceneViews> scenes = harness::load_scenes(scenes_of(args), request);
-    for (harness::SceneViews& scene_views : scenes) {
-        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
+    for (harness::SceneViews& scene_views : scenes)
         tune::add_training_views(scene_views, request, args.more_views);
-    }
     add_unseen(args, request, scenes, options);
+    for (const harness::SceneViews& scene_views : scenes)
+        print_not_heeded(scene_views.scene.name, scene_views.scene.file.notes);
     const std::string what_is_left =
         fmt::format("the finished evaluations are in {}, and the same command goes on from there",
                     (options.out / "evaluations.csv.part").string());
