@@ -215,7 +215,7 @@ TuneResult tune(std::vector<harness::SceneViews> scenes, const TuneOptions& opti
                           "none of them may be searched: all are held out",
                           "a model file, or one of those that inkbench list scenes calls training");
     }
-    begin_folder(options, space);
+    begin_folder(options, space, scenes);
 
     TuneResult result;
     for (const harness::SceneViews& scene_views : train)

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <sstream>
+#include <utility>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -133,9 +134,15 @@ harness::TableInfo evaluations_table(const TuneSpace& space) {
     return table;
 }
 
-void begin_folder(const TuneOptions& options, const TuneSpace& space) {
+void begin_folder(const TuneOptions& options,
+                  const TuneSpace& space,
+                  const std::vector<harness::SceneViews>& scenes) {
     harness::make_out_folder(options.out);
-    const experiment::RunRecord mine = record_of(options, space);
+    experiment::RunRecord mine = record_of(options, space);
+    experiment::Plan plan;
+    for (const harness::SceneViews& scene_views : scenes)
+        plan.add_model(scene_views.scene);
+    mine.models = std::move(plan.models);
     experiment::take_folder(options.out, mine, options.is_forced);
     experiment::write_record(mine, options.out);
 }
@@ -145,6 +152,7 @@ void finish_folder(const TuneResult& result, const TuneOptions& options, const T
     core::write_whole_file(options.out / "evaluations.csv", evaluations_csv(result, space));
     core::write_whole_file(options.out / "methods.csv", harness::methods_csv({options.config}));
     experiment::RunRecord record = record_of(options, space);
+    if (auto begun = experiment::read_record(options.out)) record.models = std::move(begun->models);
     record.state = experiment::RunState::finished;
     record.blocks_done = record.blocks;
     experiment::write_record(record, options.out);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "experiment/run_record.h"
 #include "harness/tables/table.h"
 #include "tune/tune.h"
@@ -11,8 +13,10 @@ namespace ink::tune {
 
 /// Takes `options.out` for a search: refuses it with core::Error (where = the folder) if it holds
 /// another run, unless `options.is_forced`, which throws that away; then writes run.toml, which
-/// says that the search is not finished.
-void begin_folder(const TuneOptions& options, const TuneSpace& space);
+/// says that the search is not finished, and what there is to say of the models in `scenes`.
+void begin_folder(const TuneOptions& options,
+                  const TuneSpace& space,
+                  const std::vector<harness::SceneViews>& scenes);
 
 /// Writes what came of a search into `options.out`, as every run folder has it: rows.csv with a
 /// line per scene for the method as it was, as it was tuned and at random search's best,

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "experiment/run_record.h"
 #include "harness/cell.h"
 #include "methods/preset.h"
 #include "methods/presets.h"
@@ -201,6 +202,18 @@ TEST_F(Tune, ModelsOfTheUserAreSearchedUnlessTheyAreUnseen) {
     EXPECT_EQ(beside.heldout_scenes, std::vector<std::string>{"tune_test_roof"});
     EXPECT_TRUE(beside.left_out.empty());
     fs::remove(model);
+}
+
+TEST_F(Tune, ItsRecordSaysWhatOfModelsDoesNotCount) {
+    std::vector<harness::SceneViews> models = scenes({"cube", "torus"});
+    models[1].scene.file.notes = {"a lamp"};
+    TuneOptions with = options("mote4", "threshold=1..64");
+    with.plan.evaluations = 4;
+    (void)tune(models, with);
+    const auto record = experiment::read_record(with.out);
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->state, experiment::RunState::finished);
+    EXPECT_EQ(record->models, (std::vector<experiment::ModelFacts>{{"torus", {}, {"a lamp"}}}));
 }
 
 TEST_F(Tune, BadWishesAreRefused) {
