@@ -1,12 +1,7 @@
 #include "bench/bench_scene.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -94,7 +89,6 @@ scene::Scene make_scene(const std::string& name) {
     if (const auto found = model_files().find(name); found != model_files().end())
         return import::import_scene(found->second);
     if (name == "sphere") return make_sphere(131, 266);
-    if (name == "sphere_x16") return make_sphere(524, 1064);
     if (name == "dragon") return import::import_scene(model_path("dragon.ply"));
     scene::Scene bunny = import::import_scene(model_path("bunny.obj"));
     if (name == "bunny") return bunny;
@@ -124,52 +118,6 @@ void add_model(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path))
         throw core::Error("--model", "'" + path.string() + "'", "a model file");
     model_files()[path.stem().string()] = path;
-}
-
-std::vector<std::string> limit_mesh_names() {
-    std::vector<std::string> names = mesh_names();
-    names.insert(names.begin() + 1, "sphere_x16");
-    return names;
-}
-
-void write_limit_meshes(const std::filesystem::path& folder) {
-    for (const std::string& name : limit_mesh_names()) {
-        const scene::Surface& surface = bench_surface(name);
-        const std::filesystem::path path = folder / (name + ".obj");
-        std::FILE* const file = std::fopen(path.c_str(), "w");
-        if (file == nullptr)
-            throw core::Error(path.string(), std::strerror(errno), "a file that can be written");
-        // As the scene has them, one position a corner of its meshes.
-        for (const glm::dvec3& p : surface.p_world)
-            std::fprintf(file, "v %.9g %.9g %.9g\n", p.x, p.y, p.z);
-        for (const auto& [a, b, c] : surface.triangles)
-            std::fprintf(file, "f %u %u %u\n", a + 1, b + 1, c + 1);
-        if (std::fclose(file) != 0)
-            throw core::Error(path.string(), std::strerror(errno), "a disk with room");
-    }
-}
-
-scene::View limit_view(const scene::Scene& scene) {
-    const scene::Surface surface = scene::flatten(scene, scene::NormalSource::facet, 0);
-    glm::dvec3 low = surface.p_world.front();
-    glm::dvec3 high = low;
-    for (const glm::dvec3& p : surface.p_world) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    const glm::dvec3 center = (low + high) / 2.0;
-    double radius = 0;
-    for (const glm::dvec3& p : surface.p_world)
-        radius = std::max(radius, glm::length(p - center));
-    const glm::dvec3 away{0.8, 0.55, 2.6};
-    const double half_height = std::tan(std::asin(1 / glm::length(away))) * 1.02;
-    scene::View view;
-    view.camera =
-        scene::look_at(center + radius * away, center, {0, 1, 0}, 2 * std::atan(half_height));
-    scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
-    view.width_px = kWidth_px;
-    view.height_px = kHeight_px;
-    return view;
 }
 
 const scene::Scene& bench_scene(const std::string& name) {

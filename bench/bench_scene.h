@@ -45,15 +45,4 @@ void add_model(const std::filesystem::path& path);
                                                      const ImageSize& size = {
                                                          "1080p", kWidth_px, kHeight_px});
 
-/// The meshes that are held against the prototype of `bench/limits.py`: the same, and `sphere_x16`
-/// (made here, 1.1 million triangles), which is closed.
-[[nodiscard]] std::vector<std::string> limit_mesh_names();
-
-/// Writes them to a folder as OBJ, which the prototype reads. Throws core::Error if it cannot.
-void write_limit_meshes(const std::filesystem::path& folder);
-
-/// What the prototype sees: from (0.8, 0.55, 2.6) radii of the ball round the middle of the mesh's
-/// box, which nearly fills the height of kWidth_px x kHeight_px.
-[[nodiscard]] scene::View limit_view(const scene::Scene& scene);
-
 }  // namespace ink::bench

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 /// One function per room: it registers the room's benchmarks under the names that scripts look for.
 ///
 /// Explicit, like the registry of methods; main.cpp calls them in the order in which tables show
@@ -14,10 +11,6 @@ void add_filter_benchmarks();
 /// Passes and frames are run exactly `draws` times a repetition; 0 lets the library choose.
 void add_raster_benchmarks(int draws);
 void add_frame_benchmarks(int draws);
-/// Frames stage by stage, as `bench/limits.py` holds them against its prototype.
-void add_limit_benchmarks(const std::vector<std::string>& meshes);
-/// Frames as they would take on 1 to 16 cores, from the times of their parts on one.
-void add_projection_benchmarks(const std::vector<std::string>& meshes);
 /// Builders of edge lists, and what a cache of edges saves.
 void add_edge_benchmarks();
 void add_embree_benchmarks();

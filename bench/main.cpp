@@ -59,15 +59,9 @@ int run(int argc, char** argv) {
     if (!options.simd.empty()) forced.emplace(find_target(options.simd));
     for (const std::string& model : options.models)
         bench::add_model(model);
-    if (!options.mesh_folder.empty()) {
-        bench::write_limit_meshes(options.mesh_folder);
-        return 0;
-    }
     bench::add_filter_benchmarks();
     bench::add_raster_benchmarks(options.draws);
     bench::add_frame_benchmarks(options.draws);
-    bench::add_limit_benchmarks(bench::limit_mesh_names());
-    bench::add_projection_benchmarks(bench::limit_mesh_names());
     bench::add_edge_benchmarks();
     bench::add_embree_benchmarks();
     bench::add_truth_benchmarks();

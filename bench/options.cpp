@@ -40,8 +40,6 @@ Options parse_options(int argc, char** argv) {
             options.draws = parse_count(*draws);
         } else if (const auto model = value_of(word, "--model=")) {
             options.models.push_back(*model);
-        } else if (const auto folder = value_of(word, "--write-meshes=")) {
-            options.mesh_folder = *folder;
         } else {
             options.library_words.push_back(word);
         }

@@ -121,7 +121,6 @@ def filter_row(work, store, goal, copy, over_opencv):
 
 
 def frame_row(work, mesh, others=""):
-    """How frames stand beside the prototype is what limits.py prints."""
     return Row(work, others + "Embree's primary rays", "the quicker", [
         in_ms(frame(mesh)),
         gain(f"embree/primary/{mesh}/1080p/threads:1", frame(mesh), "x Embree", at_least=1)])
