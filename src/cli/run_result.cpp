@@ -18,9 +18,7 @@
 #include "experiment/summary/unscored.h"
 #include "linear_code/linear_bound_study.h"
 #include "report/run_page.h"
-#include "report/text/best_settings.h"
 #include "report/text/verdict.h"
-#include "report/text/verdict_terms.h"
 
 namespace ink::cli {
 namespace {
@@ -94,9 +92,7 @@ void print_comparison(const experiment::RunTables& tables, bool one_place) {
             first.height,
             first.threads);
     }
-    fmt::print("{}\n", report::verdict_table(tables.rows, tables.curves));
-    fmt::print("{}", report::threshold_lines(tables.rows, tables.curves));
-    fmt::print("{}", report::best_settings_table(tables.rows, tables.sweep));
+    fmt::print("{}\n", report::verdict_table(tables.rows));
 }
 
 void print_warnings(const experiment::RunRecord& record,
@@ -129,8 +125,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     experiment::keep_one_place(run.tables);
     const std::vector<harness::Row>& rows = run.tables.rows;
     if (!rows.empty()) {
-        core::write_whole_file(folder / "verdict.md",
-                               report::verdict_markdown(rows, run.tables.curves) + "\n");
+        core::write_whole_file(folder / "verdict.md", report::verdict_markdown(rows));
     }
     if (is_json) {
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));

@@ -73,37 +73,6 @@ std::string left_out_line(const TuneResult& result) {
         result.left_out.size());
 }
 
-/// Best value after the first `n` steps.
-double best_after(const std::vector<TuneStep>& steps, std::size_t n) {
-    double best = steps.front().found.value;
-    for (std::size_t i = 0; i < std::min(n, steps.size()); ++i)
-        best = std::min(best, steps[i].found.value);
-    return best;
-}
-
-std::vector<std::size_t> milestones(std::size_t count) {
-    std::vector<std::size_t> at;
-    for (const std::size_t n : {1, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000}) {
-        if (n < count) at.push_back(n);
-    }
-    at.push_back(count);
-    return at;
-}
-
-std::string convergence(const TuneResult& result) {
-    std::string head = fmt::format("{:<24}", "best after evaluations");
-    std::string found = fmt::format("{:<24}", "  the search");
-    std::string chance = fmt::format("{:<24}", "  random search");
-    for (const std::size_t n : milestones(result.steps.size())) {
-        head += fmt::format(" {:>7}", n);
-        found += fmt::format(" {:>7.4f}", best_after(result.steps, n));
-        if (!result.random_steps.empty()) {
-            chance += fmt::format(" {:>7.4f}", best_after(result.random_steps, n));
-        }
-    }
-    return head + "\n" + found + "\n" + (result.random_steps.empty() ? "" : chance + "\n");
-}
-
 /// Who drew the search's settings, and how much it matters.
 std::string agreement_line(const TuneResult& result) {
     if (!result.agreement) return "";
@@ -203,8 +172,6 @@ std::string tune_summary(const TuneResult& result, const TuneOptions& options) {
                             result.tuned.found.draw_ms.value_or(0),
                             *options.budget_ms);
     }
-    text += '\n';
-    text += convergence(result);
     text += '\n';
     text += agreement_line(result);
     text += settings_lines(result, options);

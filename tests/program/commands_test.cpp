@@ -181,7 +181,8 @@ TEST(Compare, WritesTolerancesAndSweepUnlessToldNotTo) {
         EXPECT_NE(row.at("f_random_2px"), "");
     EXPECT_EQ(page_table(desk.read("out/report.html"), "sweep.csv")["lines"],
               parse_csv(desk.read("out/sweep.csv")).size());
-    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| F minus F of |"));
+    EXPECT_THAT(desk.read("out/verdict.md"), HasSubstr("| method | F 2px | 95 % |"));
+    EXPECT_NE(desk.read("out/differences.csv"), "");
 
     words.push_back("--no-sweep");
     const Outcome other = desk.run(words);

@@ -100,7 +100,6 @@ TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
                              "95 %",
                              "random search",
                              "paired difference of mine",
-                             "best after evaluations",
                              "range_depth",
                              "out/mine.toml"}) {
         EXPECT_THAT(tuned.out, HasSubstr(word));

@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include "core/text_table.h"
 #include "draw/crosscheck_report.h"
 #include "experiment/summary/paired_differences.h"
+#include "experiment/summary/summary.h"
 #include "harness/method_configs.h"
-#include "harness/recall_groups.h"
-#include "report/text/text_table.h"
-#include "report/text/verdict_terms.h"
 
 namespace ink::report {
 namespace {
@@ -25,69 +22,41 @@ std::string views_of(const experiment::MethodSummary& s) {
     return s.failed == 0 ? views : fmt::format("{}/{}", views, s.views + s.failed);
 }
 
-std::vector<TextColumn> main_columns() {
-    return {
-        name_column(),
-        share_column("F 2px", &experiment::MethodSummary::f_2px),
-        {"95 %", [](const experiment::MethodSummary& s) { return format_range(s.f_2px_range); }},
-        share_column("train", &experiment::MethodSummary::f_train),
-        share_column("held-out", &experiment::MethodSummary::f_heldout),
-        share_column("real", &experiment::MethodSummary::f_real),
-        share_column("macro", &experiment::MethodSummary::f_macro),
-        share_column("F 1px", &experiment::MethodSummary::f_1px),
-        share_column("prec.", &experiment::MethodSummary::precision),
-        share_column("recall", &experiment::MethodSummary::recall),
-        {"width",
-         [](const experiment::MethodSummary& s) {
-             return s.mean_width_px ? fmt::format("{:.2f}", *s.mean_width_px) : "-";
-         }},
-        {"draw ms", [](const experiment::MethodSummary& s) { return format_ms(s.draw_ms); }},
-        {"B/px",
-         [](const experiment::MethodSummary& s) {
-             return s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-";
-         }},
-        {"views", views_of},
-    };
+/// ".881-.932"; "-" for nothing.
+std::string format_range(const std::optional<statistics::Interval>& range) {
+    return range ? core::format_share(range->low) + "-" + core::format_share(range->high) : "-";
 }
 
-/// What a recall group is called in a table.
-std::string heading_of(std::string_view group) {
-    if (group == harness::kAboveCrease) return "inters. >= crease";
-    if (group == harness::kBelowCrease) return "inters. < crease";
-    return std::string(group);
+/// Whole, so that it can be copied.
+std::string name_of(const experiment::MethodSummary& s) {
+    if (s.is_baseline) return s.method + " *";
+    return s.method + (s.has_own_clock ? " +" : "");
 }
 
-/// One column per class that some view has, intersections by their bend.
-std::vector<TextColumn> class_columns(const std::vector<experiment::MethodSummary>& summaries) {
-    std::vector<TextColumn> columns;
-    for (const std::string_view group : harness::kShownRecallGroups) {
-        const std::string name(group);
-        const bool is_there = std::any_of(
-            summaries.begin(), summaries.end(), [&](const experiment::MethodSummary& s) {
-                return s.recall_by_class.count(name) != 0;
-            });
-        if (!is_there) continue;
-        columns.push_back({heading_of(group), [name](const experiment::MethodSummary& s) {
-                               const auto found = s.recall_by_class.find(name);
-                               return found == s.recall_by_class.end()
-                                          ? "-"
-                                          : core::format_share(found->second);
-                           }});
+core::Cells cells_of(const std::vector<experiment::MethodSummary>& summaries) {
+    core::Cells cells = {
+        {"method", "F 2px", "95 %", "train", "held-out", "real", "draw ms", "B/px", "views"}};
+    for (const experiment::MethodSummary& s : summaries) {
+        cells.push_back({name_of(s),
+                         core::format_share(s.f_2px),
+                         format_range(s.f_2px_range),
+                         core::format_share(s.f_train),
+                         core::format_share(s.f_heldout),
+                         core::format_share(s.f_real),
+                         format_ms(s.draw_ms),
+                         s.bytes_per_px ? fmt::format("{}", *s.bytes_per_px) : "-",
+                         views_of(s)});
     }
-    return columns;
+    return cells;
 }
 
-constexpr const char* kBaselineNote =
-    "* baselines, not methods: `none` draws nothing, `sampled` is one exact sample a pixel,\n  "
-    "`exact_corner` one at its corner, `oracle` is the truth itself.";
-
-constexpr const char* kOwnClockNote =
-    "+ from outside: images made elsewhere, times by their own clock";
-
-/// Whether a method from outside takes part.
-bool has_own_clock(const std::vector<experiment::MethodSummary>& summaries) {
-    return std::any_of(
+/// What the marks behind names mean.
+std::string marks(const std::vector<experiment::MethodSummary>& summaries) {
+    const bool has_own_clock = std::any_of(
         summaries.begin(), summaries.end(), [](const auto& s) { return s.has_own_clock; });
+    return std::string("`*` a baseline, no method") +
+           (has_own_clock ? "; `+` from outside: images made elsewhere, times by their own clock"
+                          : "");
 }
 
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
@@ -233,30 +202,39 @@ std::string rounding_warning(const std::vector<harness::Row>& rows) {
         most->scene);
 }
 
-/// What stands below the verdict's sentence, each a line of its own; may be empty.
+/// What stands below the verdict's sentence, each a line of its own.
 std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
                                   const std::vector<experiment::MethodSummary>& summaries) {
-    return {sample_warning("sampled", rows, summaries),
-            sample_warning("exact_corner", rows, summaries),
-            draw::crosscheck_sentence(rows),
-            rounding_warning(rows)};
+    std::vector<std::string> lines = {sample_warning("sampled", rows, summaries),
+                                      sample_warning("exact_corner", rows, summaries),
+                                      draw::crosscheck_sentence(rows),
+                                      rounding_warning(rows)};
+    std::erase(lines, "");
+    return lines;
 }
 
-/// As a Markdown list below a line of its own.
-std::string threshold_list(const std::vector<harness::Row>& rows,
-                           const std::vector<statistics::CellCurve>& curves) {
-    std::string text;
-    std::istringstream lines(threshold_lines(rows, curves));
-    for (std::string line; std::getline(lines, line);)
-        text += fmt::format("{}- {}\n", text.empty() ? "\n" : "", line);
-    return text;
+/// The winner's F, what it costs against the cheapest, whether its paired difference is
+/// significant, how many cells failed.
+std::string sentence_of(const std::vector<harness::Row>& rows,
+                        const std::vector<experiment::MethodSummary>& summaries) {
+    const experiment::Verdict verdict = experiment::find_verdict(summaries);
+    if (verdict.best == nullptr)
+        return "No method was scored on any view, so there is no verdict." + failures(summaries);
+    const experiment::MethodSummary& best = *verdict.best;
+    return fmt::format(
+        "{}{}: F {} at 2 px over {} view{} pooled{}{}{}{}",
+        best.method,
+        verdict.runner_up == nullptr ? " is the only method scored" : " makes the fewest errors",
+        core::format_share(best.f_2px),
+        best.views,
+        best.views == 1 ? "" : "s",
+        cost_of(verdict),
+        doubt(rows, verdict),
+        by_part(summaries),
+        failures(summaries));
 }
 
 }  // namespace
-
-std::string format_range(const std::optional<statistics::Interval>& range) {
-    return range ? core::format_share(range->low) + "-" + core::format_share(range->high) : "-";
-}
 
 std::string format_ms(const std::optional<double>& ms) {
     if (!ms) return "-";
@@ -265,95 +243,26 @@ std::string format_ms(const std::optional<double>& ms) {
     return fmt::format("{:.{}f}", *ms, decimals);
 }
 
-std::string verdict_details(const std::vector<harness::Row>& rows,
-                            const std::vector<experiment::MethodSummary>& summaries) {
-    const experiment::Verdict verdict = experiment::find_verdict(summaries);
-    if (verdict.best == nullptr) {
-        return "No method was scored on any view, so there is no verdict." + failures(summaries);
-    }
-    const experiment::MethodSummary& best = *verdict.best;
-    return fmt::format("F {} at 2 px over {} view{} pooled{}{}{}{}",
-                       core::format_share(best.f_2px),
-                       best.views,
-                       best.views == 1 ? "" : "s",
-                       cost_of(verdict),
-                       doubt(rows, verdict),
-                       by_part(summaries),
-                       failures(summaries));
-}
-
-std::string verdict_headline(const experiment::Verdict& verdict) {
-    if (verdict.best == nullptr) return "No verdict: no method was scored";
-    const bool is_alone = verdict.runner_up == nullptr;
-    return verdict.best->method +
-           (is_alone ? " is the only method scored" : " makes the fewest errors");
-}
-
-std::string verdict_sentence(const std::vector<harness::Row>& rows,
-                             const std::vector<experiment::MethodSummary>& summaries) {
-    const experiment::Verdict verdict = experiment::find_verdict(summaries);
-    const std::string details = verdict_details(rows, summaries);
-    if (verdict.best == nullptr) return details;
-    return fmt::format("{}: {}", verdict_headline(verdict), details);
-}
-
-std::string verdict_table(const std::vector<harness::Row>& rows,
-                          const std::vector<statistics::CellCurve>& curves) {
-    std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
-    experiment::add_curves(curves, summaries);
-    const std::string sentence = verdict_sentence(rows, summaries);
+std::string verdict_table(const std::vector<harness::Row>& rows) {
+    const std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    const std::string sentence = sentence_of(rows, summaries);
     if (summaries.empty()) return sentence;
-    std::string text = core::aligned(cells_of(main_columns(), summaries));
-    const auto add = [&](std::string_view title, std::vector<TextColumn> columns) {
-        if (columns.empty()) return;
-        columns.insert(columns.begin(), name_column());
-        text += fmt::format("\n{}\n{}", title, core::aligned(cells_of(columns, summaries)));
-    };
-    add("recall of", class_columns(summaries));
-    add("F at other thresholds and tolerances", statistics_columns(summaries));
-    text += fmt::format("\n{}\n", kBaselineNote);
-    if (has_own_clock(summaries)) text += fmt::format("{}\n", kOwnClockNote);
-    text += "\n";
-    for (const auto& [term, meaning] : definitions())
-        text += fmt::format("{:<14}{}\n", term, meaning);
-    text += "\n" + sentence;
+    std::string text =
+        fmt::format("{}{}\n\n{}", core::aligned(cells_of(summaries)), marks(summaries), sentence);
     for (const std::string& line : warnings(rows, summaries))
-        if (!line.empty()) text += "\n" + line;
+        text += "\n" + line;
     return text;
 }
 
-std::string verdict_markdown(const std::vector<harness::Row>& rows,
-                             const std::vector<statistics::CellCurve>& curves) {
-    std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
-    experiment::add_curves(curves, summaries);
-    const std::string sentence = verdict_sentence(rows, summaries);
+std::string verdict_markdown(const std::vector<harness::Row>& rows) {
+    const std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    const std::string sentence = sentence_of(rows, summaries);
     if (summaries.empty()) return sentence + "\n";
-    std::vector<TextColumn> columns = main_columns();
-    for (TextColumn& column : class_columns(summaries)) {
-        columns.push_back({"recall " + column.heading, column.text});
-    }
-    std::string text = core::markdown(cells_of(columns, summaries)) + "\n" + sentence + "\n";
+    std::string text = fmt::format(
+        "{}\n{}\n\n{}\n", core::markdown(cells_of(summaries)), marks(summaries), sentence);
     for (const std::string& line : warnings(rows, summaries))
-        if (!line.empty()) text += "\n" + line + "\n";
-    std::vector<TextColumn> statistics = statistics_columns(summaries);
-    if (!statistics.empty()) {
-        statistics.insert(statistics.begin(), name_column());
-        text += "\nAt other thresholds and tolerances:\n\n" +
-                core::markdown(cells_of(statistics, summaries));
-    }
-    const core::Cells differences =
-        paired_difference_cells(experiment::all_paired_differences(rows));
-    if (!differences.empty()) {
-        text +=
-            "\nBy how much F of a line's method exceeds that of a column's, with intervals that "
-            "hold "
-            "all together with 95 % (scenes resampled, all methods on the same ones):\n\n" +
-            core::markdown(differences);
-    }
-    text += '\n';
-    for (const auto& [term, meaning] : definitions())
-        text += fmt::format("- {}: {}.\n", term, meaning);
-    return text + threshold_list(rows, curves);
+        text += "\n" + line + "\n";
+    return text;
 }
 
 }  // namespace ink::report
