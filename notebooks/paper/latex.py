@@ -3,18 +3,22 @@
 import pandas as pd
 
 from paper.chart import Nothing, Table
-from paper.runs import BASELINES, RECALL_GROUPS, counted
+from paper.runs import BASELINES, CLASS_PARTS, RECALL_GROUPS, counted
 from paper.style import MM_PER_IN
 
 _WIDE_MM = 120
-_LATEX_GROUPS = {"intersection_above_crease": r"inters.\ $\ge$ crease",
-                 "intersection_below_crease": r"inters.\ $<$ crease"}
 
 
 def _escaped(text):
     for char in "\\&%$#_{}":
         text = text.replace(char, "\\" + char if char != "\\" else r"\textbackslash{}")
     return text
+
+
+def _group(name):
+    """What a recall group is called at the head of a column."""
+    title = CLASS_PARTS[name]["short"] if name in CLASS_PARTS else name
+    return title.replace(". ", r".\ ").replace("\u2265", r"$\ge$").replace("<", "$<$")
 
 
 def _numbers(values, digits):
@@ -50,7 +54,7 @@ def verdict(runs, style):
     columns["B/px"] = ["--" if pd.isna(v) else f"{v:g}" for v in lines["bytes_per_px"]]
     there = [c for c in RECALL_GROUPS if lines[f"recall_{c}"].notna().any()] if is_wide else []
     for name in there:
-        columns[_LATEX_GROUPS.get(name, name)] = _numbers(lines[f"recall_{name}"].where(~lines.index.isin(BASELINES)), 3)
+        columns[_group(name)] = _numbers(lines[f"recall_{name}"].where(~lines.index.isin(BASELINES)), 3)
     out = ["% Made by inkbench figures; needs \\usepackage{booktabs}.",
            r"\begin{tabular}{l" + "r" * (len(columns) - 1) + "}", r"\toprule"]
     if there:

@@ -9,6 +9,7 @@ three lines:
 """
 
 import fnmatch
+import json
 import re
 import tomllib
 from pathlib import Path
@@ -17,13 +18,21 @@ import pandas as pd
 
 from paper.chart import Nothing
 
-CLASSES = ["contour", "boundary", "crease", "intersection", "seam"]
-# What recall is told of, and its name in figures: intersections by whether they bend at least by
-# the crease angle.
-RECALL_GROUPS = {"contour": "contour", "boundary": "boundary", "crease": "crease",
-                 "intersection_above_crease": "intersection\u00a0\u2265\u00a0crease",
-                 "intersection_below_crease": "intersection\u00a0<\u00a0crease",
-                 "seam": "seam"}
+
+def _vocabulary():
+    """The words and colours of results: src/core/vocabulary.json, or its copy where it is installed."""
+    here = Path(__file__).resolve().parent
+    installed = here / "vocabulary.json"
+    path = installed if installed.is_file() else here.parents[1] / "src/core/vocabulary.json"
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+VOCABULARY = _vocabulary()
+CLASSES = [each["name"] for each in VOCABULARY["classes"]]
+CLASS_PARTS = {part["name"]: part for part in VOCABULARY["class_parts"]}
+# What recall is told of, and its name in figures: the classes, or the parts of those that have parts.
+RECALL_GROUPS = {name: title for each in CLASSES for name, title in (
+    {n: part["title"] for n, part in CLASS_PARTS.items() if part["class"] == each} or {each: each}).items()}
 BASELINES = ["none", "sampled", "exact_corner", "oracle"]
 
 # The baselines of one exact sample a pixel: what a legend says, and the dashes of their lines.

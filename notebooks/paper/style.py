@@ -12,7 +12,7 @@ import matplotlib
 import pandas as pd
 from matplotlib.colors import to_hex, to_rgb
 
-from paper.runs import BASELINES, BadInput
+from paper.runs import BASELINES, VOCABULARY, BadInput
 
 MM_PER_IN = 25.4
 PT_PER_IN = 72
@@ -21,10 +21,9 @@ PT_PER_IN = 72
 # that lines a pixel wide survive, and those that stand in one figure keep apart in CIE L*a*b* for
 # normal sight and for all three kinds of dichromatic sight (Machado, Oliveira and Fernandes 2009).
 INK, FAINT, MIST, PAPER = "#20242a", "#5b6470", "#cdd1d6", "#ffffff"
-CLASS_COLOURS = {"contour": INK, "boundary": "#5c2170", "crease": "#0e6023",
-                 "intersection": "#bf7800", "seam": "#009bcf"}
+CLASS_COLOURS = {each["name"]: each["figure"] for each in VOCABULARY["classes"]}
 # Of differing lightness too, so that they are told apart in grey: drawn 14, false 33, missing 55.
-MISSING, FALSE = "#ff265c", "#2000ff"
+MISSING, FALSE = VOCABULARY["marks"]["missing"], VOCABULARY["marks"]["false"]
 
 # Okabe and Ito, Color Universal Design, 2008, as the page has them.
 BLUE, VERMILION, GREEN = "#0072b2", "#d55e00", "#009e73"
@@ -33,31 +32,16 @@ PURPLE, ORANGE, SKY = "#cc79a7", "#e69f00", "#56b4e9"
 # The causes of errors in the order of their codes in *.errors.png, 1 the first: column of rows.csv,
 # words, colour. `undeclared` is never in one image with other missing ones, and may come close to
 # them.
-FALSE_CAUSES = {
-    "false_positives_one_triangle": ("inside one triangle", "#8000ff"),
-    "false_positives_one_patch": ("in a smooth patch", "#9578ef"),
-    "false_positives_crack": ("beside a true line, out of reach", "#394abf"),
-    "false_positives_frame": ("at the frame", "#12008f"),
-    "false_positives_other": ("between surfaces, no true line", "#a64dff"),
-}
-MISSING_CAUSES = {
-    "false_negatives_cancelled": ("cancelled: channels changed, their sum did not", "#cf3eab"),
-    "false_negatives_below_threshold": ("below threshold", "#401e0a"),
-    "false_negatives_sub_pixel": ("between samples", "#800050"),
-    "false_negatives_thinned": ("thinned away", "#cf1f61"),
-    "false_negatives_unexplained": ("unexplained", "#9f8b50"),
-    "false_negatives_undeclared": ("seen, but the method declares no code", "#8f4886"),
-}
-CAUSES = FALSE_CAUSES | MISSING_CAUSES
+CAUSES = {f"{cause['kind']}_{cause['name']}": (cause["short"], cause["figure"])
+          for cause in VOCABULARY["causes"]}
+FALSE_CAUSES = {c: look for c, look in CAUSES.items() if c.startswith("false_positives")}
+MISSING_CAUSES = {c: look for c, look in CAUSES.items() if c.startswith("false_negatives")}
 
 # A family in methods.csv: its word in legends, and its colour.
-FAMILIES = {"packed": ("packed", BLUE), "full_buffers": ("full buffers", VERMILION),
-            "ids": ("ids", GREEN), "edges_and_hulls": ("edges, hulls", PURPLE),
-            "other": ("other", INK)}
+FAMILIES = {each["name"]: (each["short"], each["figure"]) for each in VOCABULARY["families"]}
 OTHERS = FAMILIES["other"][0]
 # A marker there, and what Matplotlib calls it; within a family methods stand in this order.
-SHAPES = {"circle": "o", "square": "s", "diamond": "D", "up": "^", "down": "v", "plus": "P",
-          "cross": "X", "left": "<", "right": ">"}
+SHAPES = {each["name"]: each["matplotlib"] for each in VOCABULARY["markers"]}
 MARKERS = list(SHAPES.values())
 _DASHES = ["-", (0, (4, 1.2)), (0, (1.2, 1.2)), (0, (5, 1.2, 1.2, 1.2)), (0, (2.5, 1))]
 

@@ -5,12 +5,15 @@
 #include <string_view>
 
 #include "harness/cell.h"
-#include "harness/recall_groups.h"
 #include "harness/unscored_view.h"
 #include "score/drawn_matcher.h"
 
 namespace ink::harness {
 namespace {
+
+// Recall groups of core/vocabulary.h.
+constexpr std::string_view kAboveCrease = "intersection_above_crease";
+constexpr std::string_view kBelowCrease = "intersection_below_crease";
 
 using score::Intersections;
 using score::PixelList;

@@ -47,7 +47,7 @@ struct Row {
     /// At 2 px, if crowded pixels count too (harness/unscored_view.h): also where the view is
     /// `crowded`.
     std::optional<score::CurveCount> with_crowded_2px = {};
-    /// Of kRecallGroups (recall_groups.h) -> recall, groups present only.
+    /// Of the recall groups (core/vocabulary.h) -> recall, groups present only.
     std::map<std::string, double> recall_by_class;
     std::map<std::string, std::int64_t> truth_px_by_class = {};  ///< what that recall is a share of
     std::map<std::string, std::int64_t> k_by_class = {};         ///< and what it is made from

@@ -21,9 +21,6 @@ inline constexpr std::array kFamilies = {
 /// "packed", "full_buffers", ...: as tables spell it.
 [[nodiscard]] std::string_view name_of(Family family);
 
-/// "packed", "full buffers", ...: a word or two for a legend.
-[[nodiscard]] std::string_view label_of(Family family);
-
 /// The shape that tells a method from others of its family.
 enum class Marker { circle, square, diamond, up, down, plus, cross, left, right };
 

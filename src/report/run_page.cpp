@@ -7,6 +7,7 @@
 
 #include "core/escape.h"
 #include "core/provenance.h"
+#include "core/vocabulary.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
 #include "experiment/run_data.h"
@@ -138,8 +139,9 @@ std::string run_page(const std::vector<experiment::RunData>& runs) {
                    {"d3", std::string(page_files().d3)},
                    {"scripts", std::string(page_files().scripts)},
                    {"data",
-                    fmt::format(R"({{"version":{},"columns":{},"runs":[{}]}})",
+                    fmt::format(R"({{"version":{},"vocabulary":{},"columns":{},"runs":[{}]}})",
                                 json_text(core::provenance().version),
+                                core::vocabulary().json,
                                 column_docs(runs),
                                 fmt::join(packed, ","))},
                    {"images", packed_images(runs, kImageBudget_bytes)}});

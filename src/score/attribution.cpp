@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/vocabulary.h"
 #include "score/pixel_list.h"
 
 namespace ink::score {
@@ -102,31 +103,7 @@ Cause false_negative_cause(const std::vector<Pixel>& seeing,
 }  // namespace
 
 std::string_view name(Cause cause) {
-    switch (cause) {
-        case Cause::one_triangle:
-            return "one_triangle";
-        case Cause::one_patch:
-            return "one_patch";
-        case Cause::crack:
-            return "crack";
-        case Cause::frame:
-            return "frame";
-        case Cause::other:
-            return "other";
-        case Cause::cancelled:
-            return "cancelled";
-        case Cause::below_threshold:
-            return "below_threshold";
-        case Cause::sub_pixel:
-            return "sub_pixel";
-        case Cause::thinned:
-            return "thinned";
-        case Cause::unexplained:
-            return "unexplained";
-        case Cause::undeclared:
-            return "undeclared";
-    }
-    return "?";
+    return core::vocabulary().causes[static_cast<std::size_t>(cause)].name;
 }
 
 bool sees_line(const TruthStencils& stencils, Pixel pixel) {

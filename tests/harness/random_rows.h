@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "harness/recall_groups.h"
+#include "core/vocabulary.h"
 #include "harness/tables/row_table.h"
 
 namespace ink::harness {
@@ -70,9 +70,9 @@ inline void fill_random_scores(RandomValues& any, Row& row) {
     row.above_crease_2px = any.maybe(count);
     row.all_intersections_2px = any.maybe(count);
     row.with_crowded_2px = any.maybe(count);
-    for (const std::string_view group : kRecallGroups) {
+    for (const core::Term& group : core::vocabulary().recall_groups) {
         if (any.coin()) continue;
-        const std::string key(group);
+        const std::string key(group.name);
         row.recall_by_class[key] = any.share();
         row.k_by_class[key] = any.count();
         row.truth_px_by_class[key] = any.count();

@@ -65,10 +65,12 @@ TEST_F(Install, TheProgramReadsModelsWhereItIs) {
         return (file.starts_with("share/inkbench/notebooks/paper/") && file.ends_with(".py")) ||
                file.starts_with(kManPages) || file.starts_with("lib/python");
     });
-    EXPECT_THAT(
-        files,
-        ElementsAre(
-            "bin/inkbench", "bin/inkbench_import", kScript, "share/inkbench/notebooks/figures.py"))
+    EXPECT_THAT(files,
+                ElementsAre("bin/inkbench",
+                            "bin/inkbench_import",
+                            kScript,
+                            "share/inkbench/notebooks/figures.py",
+                            "share/inkbench/notebooks/paper/vocabulary.json"))
         << "nothing else is installed";
     desk_.write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     // By a link, as package managers make them: the child is beside the program itself.

@@ -3,9 +3,9 @@
 #include <map>
 #include <optional>
 
+#include "core/vocabulary.h"
 #include "experiment/summary/class_recalls.h"
 #include "experiment/summary/summary.h"
-#include "harness/recall_groups.h"
 #include "harness/tables/table_of.h"
 
 namespace ink::experiment {
@@ -33,8 +33,8 @@ std::optional<T> find_in(const std::map<std::string, T>& values, const std::stri
 }
 
 void add_recalls(SummaryTable& table) {
-    for (const std::string_view group : harness::kRecallGroups) {
-        const std::string name(group);
+    for (const core::Term& group : core::vocabulary().recall_groups) {
+        const std::string name(group.name);
         const std::string key = "recall_" + name;
         table.add_derived(
             {key, "0..1", "recall of this class, pooled over views"},

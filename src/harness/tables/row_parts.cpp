@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "core/vocabulary.h"
+
 namespace ink::harness {
 namespace {
-
-using score::Cause;
 
 template <class Lines>
 void add_cracks(const Lines& lines) {
@@ -83,22 +83,13 @@ void add_line_columns(RowTable& table) {
 
 void add_cause_columns(RowTable& table) {
     const auto causes = table.part(&RowRecord::row).part(&Row::causes);
-    const auto add = [&causes](Cause cause, std::string doc) {
+    for (std::size_t i = 0; i < score::kCauseCount; ++i) {
+        const auto cause = static_cast<score::Cause>(i);
         const char* of = score::is_miss(cause) ? "false_negatives" : "false_positives";
-        causes.add({fmt::format("{}_{}", of, name(cause)), "px", std::move(doc)},
+        const std::string_view text = core::vocabulary().causes[i].text;
+        causes.add({fmt::format("{}_{}", of, name(cause)), "px", std::string(text)},
                    [cause](auto& counts) -> decltype(auto) { return counts[cause]; });
-    };
-    add(Cause::one_triangle, "of false_positives: one triangle fills the stencil");
-    add(Cause::one_patch, "of false_positives: triangles of one smooth patch");
-    add(Cause::crack, "of false_positives: a true line crosses the stencil, out of reach");
-    add(Cause::frame, "of false_positives: the frame took the true line away");
-    add(Cause::other, "of false_positives: several surfaces without a true line between");
-    add(Cause::cancelled, "of false_negatives: a channel changed enough, the code did not");
-    add(Cause::below_threshold, "of false_negatives: no channel changed enough");
-    add(Cause::sub_pixel, "of false_negatives: no stencil of pixel centres sees the line");
-    add(Cause::thinned, "of false_negatives: drawn, but thinning took it out of reach");
-    add(Cause::unexplained, "of false_negatives: the declared code should have drawn it");
-    add(Cause::undeclared, "of false_negatives: seen by a stencil, and no code is declared");
+    }
 }
 
 void add_skip_columns(RowTable& table) {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "harness/recall_groups.h"
+#include "core/vocabulary.h"
 #include "harness/tables/row_parts.h"
 #include "score/intersections.h"
 
@@ -10,12 +10,10 @@ namespace ink::harness {
 namespace {
 
 /// What a column of a recall group means: `doc`, which speaks of "this class".
-std::string group_doc(std::string_view group, std::string doc) {
+std::string group_doc(const core::Term& group, std::string doc) {
     constexpr std::string_view kClass = "this class";
-    std::string_view group_text = kClass;
-    if (group == kAboveCrease) group_text = "intersections at or above the crease angle";
-    if (group == kBelowCrease) group_text = "intersections below the crease angle";
-    return doc.replace(doc.find(kClass), kClass.size(), group_text);
+    if (group.text.empty()) return doc;
+    return doc.replace(doc.find(kClass), kClass.size(), group.text);
 }
 
 /// A column per recall group, empty where the view has none of it.
@@ -25,8 +23,8 @@ void add_by_class(RowTable& table,
                   const std::string& unit,
                   const std::string& doc,
                   std::map<std::string, T> Row::*field) {
-    for (const std::string_view group : kRecallGroups) {
-        const std::string key(group);
+    for (const core::Term& group : core::vocabulary().recall_groups) {
+        const std::string key(group.name);
         table.add(
             {prefix + key, unit, group_doc(group, doc)},
             [=](const RowRecord& r) {

@@ -111,7 +111,7 @@ function colourTable(isTruth, look) {
         if (look === 'causes') return cause.rgb;
         return isFalse ? FALSE_RGB : MISSING_RGB;
     });
-    return [paper, look === 'drawn' ? paper : [205, 209, 214], ink, ...wrong];
+    return [paper, look === 'drawn' ? paper : IGNORED_RGB, ink, ...wrong];
 }
 
 /// The codes in colour, on a canvas of the image's size.
@@ -148,7 +148,7 @@ function imageLegend(look) {
     const items = [entry(LABEL_RGB[1], 'right')];
     if (look === 'causes') items.push(...CAUSES.map(cause => entry(cause.rgb, cause.text)));
     else items.push(entry(MISSING_RGB, 'missing'), entry(FALSE_RGB, 'false'));
-    items.push(entry([205, 209, 214], 'does not count'));
+    items.push(entry(IGNORED_RGB, 'does not count'));
     return element('ul', {class: 'legend'}, items);
 }
 

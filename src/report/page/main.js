@@ -109,10 +109,9 @@ function applyTheme() {
 }
 
 function start() {
-    const packed = JSON.parse(document.getElementById('data').textContent);
-    runs = packed.runs.map((run, index) => new Run(run, index));
+    runs = PACKED.runs.map((run, index) => new Run(run, index));
     viewImages = new ViewImages(JSON.parse(document.getElementById('images').textContent));
-    window.columnDocs = packed.columns;
+    window.columnDocs = PACKED.columns;
     applyTheme();
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', applyTheme);
     drawHeader(document.querySelector('header .wrap'), cachedView());
@@ -124,7 +123,7 @@ function start() {
         openFolds();
     });
     document.querySelector('footer').textContent =
-        `Made by inkbench ${packed.version}. This page needs no other file and no network.`;
+        `Made by inkbench ${PACKED.version}. This page needs no other file and no network.`;
     document.documentElement.dataset.ready = '1';
 }
 

@@ -1,5 +1,9 @@
 // What the whole page knows: the runs, their images, and the parts that were declared.
 
+/// The tables of the runs as the program packed them, and its words and colours (src/core/vocabulary.json).
+const PACKED = JSON.parse(document.getElementById('data').textContent);
+const VOCABULARY = PACKED.vocabulary;
+
 let runs = [];
 let viewImages = null;
 const sections = [];

@@ -125,17 +125,17 @@ class Run {
 }
 
 const BASELINES = ['none', 'sampled', 'exact_corner', 'oracle'];
-const CLASSES = ['contour', 'boundary', 'crease', 'intersection', 'seam'];
+const CLASSES = VOCABULARY.classes.map(each => each.name);
+const CLASS_PARTS = new Map(VOCABULARY.class_parts.map(part => [part.name, part]));
 
-/// What recall is told of: the classes, intersections by whether they bend at least by the crease angle.
-const RECALL_GROUPS = ['contour', 'boundary', 'crease', 'intersection_above_crease', 'intersection_below_crease', 'seam'];
-const GROUP_TITLES = {
-    intersection_above_crease: 'inters. ≥ crease',
-    intersection_below_crease: 'inters. < crease',
-};
+/// What recall is told of: the classes, or the parts of those that have parts.
+const RECALL_GROUPS = CLASSES.flatMap(name => {
+    const parts = [...CLASS_PARTS.values()].filter(part => part.class === name).map(part => part.name);
+    return parts.length ? parts : [name];
+});
 
 function groupTitle(name) {
-    return GROUP_TITLES[name] || name;
+    return CLASS_PARTS.has(name) ? CLASS_PARTS.get(name).short : name;
 }
 
 /// "a=1;b=2" as an object.
