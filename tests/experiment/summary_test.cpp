@@ -6,8 +6,6 @@
 namespace ink::experiment {
 namespace {
 
-using testing::ElementsAre;
-
 /// A row with these counts at 2 px; as many pixels drawn as there are true ones.
 harness::Row counted_row(const std::string& method,
                          const std::string& view,
@@ -39,7 +37,6 @@ std::vector<harness::Row> two_views() {
     small.truth_px_by_class = {{"crease", 100}};
     small.draw_ns = 2'000'000;
     small.bytes_per_px = 5;
-    small.mean_width_px = 1;
     harness::Row large = counted_row("a", "back", 300, 300);
     large.split = "heldout";
     large.k_1px = 200;
@@ -69,10 +66,6 @@ TEST(Summarise, PoolsCountsAndTakesMeansApart) {
     EXPECT_EQ(s.recall_by_class.count("contour"), 0U);
     EXPECT_DOUBLE_EQ(*s.draw_ms, 3.0);
     EXPECT_EQ(s.bytes_per_px, 5);
-}
-
-TEST(Summarise, AnEmptyValueEntersNoMean) {
-    EXPECT_DOUBLE_EQ(*summarise(two_views())[0].mean_width_px, 1.0);
 }
 
 TEST(Summarise, AFailedRowIsCountedAndNothingElse) {
@@ -117,19 +110,6 @@ TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
     EXPECT_EQ(s.scenes, 2);
     EXPECT_DOUBLE_EQ(*s.f_2px, 0.86);   // 2 * 860 / 2000
     EXPECT_DOUBLE_EQ(*s.f_macro, 0.7);  // (.9 + .5) / 2
-}
-
-TEST(Summarise, PoolsTheToleranceSweepAndTheRandomBaseline) {
-    std::vector<harness::Row> rows = two_views();
-    EXPECT_TRUE(summarise(rows)[0].f_at_tolerances.empty());
-    EXPECT_FALSE(summarise(rows)[0].f_random);
-    rows[0].tolerance_sweep = {{40, 100, 100}, {50, 100, 100}};
-    rows[1].tolerance_sweep = {{200, 300, 300}, {300, 300, 300}};
-    rows[0].random_baseline = score::CurveCount{10, 100, 100};
-    rows[1].random_baseline = score::CurveCount{30, 300, 300};
-    const MethodSummary s = summarise(rows)[0];
-    EXPECT_THAT(s.f_at_tolerances, ElementsAre(0.6, 0.875));
-    EXPECT_DOUBLE_EQ(*s.f_random, 0.1);
 }
 
 TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {

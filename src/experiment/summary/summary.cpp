@@ -13,10 +13,6 @@ namespace {
 
 using Counts = score::CurveCount;
 
-Counts counts_1px(const harness::Row& row) {
-    return {*row.k_1px, *row.n_pred_1px, row.n_truth};
-}
-
 std::optional<double> share(std::int64_t part, std::int64_t whole) {
     if (whole == 0) return std::nullopt;
     return static_cast<double>(part) / static_cast<double>(whole);
@@ -41,16 +37,6 @@ Rows of_split(const Rows& rows, std::string_view split) {
     return kept;
 }
 
-/// The values that rows have, the empty ones left out.
-template <class ValueOf>
-std::vector<double> values_of(const Rows& rows, ValueOf value_of) {
-    std::vector<double> values;
-    for (const harness::Row* row : rows) {
-        if (const auto value = value_of(*row)) values.push_back(static_cast<double>(*value));
-    }
-    return values;
-}
-
 std::optional<double> macro_f(const std::vector<Counts>& scenes) {
     std::vector<double> values;
     for (const Counts& scene : scenes)
@@ -58,29 +44,15 @@ std::optional<double> macro_f(const std::vector<Counts>& scenes) {
     return statistics::mean(values);
 }
 
-/// Pooled F at each tolerance, if every row has its tolerance sweep.
-std::vector<double> f_at_tolerances(const Rows& rows) {
-    std::vector<Counts> sums;
-    for (const harness::Row* row : rows) {
-        if (row->tolerance_sweep.empty()) return {};
-        sums.resize(row->tolerance_sweep.size());
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            sums[i] += row->tolerance_sweep[i];
-    }
-    std::vector<double> tolerance_sweep;
-    for (const Counts& sum : sums)
-        tolerance_sweep.push_back(sum.f());
-    return tolerance_sweep;
-}
-
-/// F of the counts of those rows that have them.
-template <class Has, class CountsOf>
-std::optional<double> pooled_where(const Rows& rows, Has has, CountsOf counts_of) {
+/// Over the rows that were scored at 1 px, too.
+std::optional<double> f_1px(const Rows& rows) {
     Rows kept;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const harness::Row* row) {
-        return has(*row);
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [](const harness::Row* row) {
+        return row->k_1px && row->n_pred_1px;
     });
-    return pooled(kept, counts_of);
+    return pooled(kept, [](const harness::Row& row) {
+        return Counts{*row.k_1px, *row.n_pred_1px, row.n_truth};
+    });
 }
 
 /// Recalls weighed by the truth pixels they are shares of. Counts of a class come back from its
@@ -103,42 +75,30 @@ std::map<std::string, double> pooled_recalls(const Rows& rows) {
 }
 
 void summarise_scores(const Rows& rows, MethodSummary& summary) {
-    const auto f_2px = values_of(rows, [](const harness::Row& row) { return row.f_2px; });
     Counts sum;
     for (const harness::Row* row : rows)
         sum += counts_2px(*row);
     const std::vector<Counts> scenes = counts_by_scene(rows);
     summary.scenes = static_cast<int>(scenes.size());
     summary.f_2px = pooled(rows, counts_2px);
-    if (!rows.empty()) {
+    if (!rows.empty())
         summary.f_2px_range = statistics::f_interval(scenes, {.seed = rows.front()->seed});
-        summary.threshold = rows.front()->threshold;
-    }
     summary.f_train = pooled(of_split(rows, "train"), counts_2px);
     summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
     summary.f_real = pooled(of_split(rows, "real"), counts_2px);
     summary.f_macro = macro_f(scenes);
-    summary.f_1px = pooled_where(
-        rows, [](const harness::Row& row) { return row.k_1px && row.n_pred_1px; }, counts_1px);
-    summary.f_at_tolerances = f_at_tolerances(rows);
-    summary.f_random = pooled_where(
-        rows,
-        [](const harness::Row& row) { return row.random_baseline.has_value(); },
-        [](const harness::Row& row) { return *row.random_baseline; });
+    summary.f_1px = f_1px(rows);
     summary.precision = share(sum.k, sum.n_pred);
     summary.recall = share(sum.k, sum.n_truth);
     summary.recall_by_class = pooled_recalls(rows);
-    summary.mean_width_px = statistics::mean(
-        values_of(rows, [](const harness::Row& row) { return row.mean_width_px; }));
 }
 
 void summarise_costs(const Rows& rows, MethodSummary& summary) {
     summary.has_own_clock = std::any_of(
         rows.begin(), rows.end(), [](const harness::Row* row) { return row->clock == "own"; });
-    std::vector<double> draw_ms =
-        values_of(rows, [](const harness::Row& row) { return row.draw_ns; });
-    for (double& value : draw_ms)
-        value *= 1e-6;
+    std::vector<double> draw_ms;
+    for (const harness::Row* row : rows)
+        if (row->draw_ns) draw_ms.push_back(static_cast<double>(*row->draw_ns) * 1e-6);
     summary.draw_ms = statistics::quantile(draw_ms, 0.5);
     if (draw_ms.size() > 1) {
         summary.draw_ms_quartiles = statistics::Interval{*statistics::quantile(draw_ms, 0.25),

@@ -29,17 +29,12 @@ struct MethodSummary {
     std::optional<double> f_heldout;  ///< pooled over those of held-out scenes
     std::optional<double> f_real;     ///< pooled over those of model files
     std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
-    std::optional<int> threshold;     ///< at which it is scored, from its parameters
-    std::vector<double>
-        f_at_tolerances;             ///< pooled, at each of kTolerances_px; empty if not scored
-    std::optional<double> f_random;  ///< pooled, of random images of as many pixels
     std::optional<statistics::CurveSummary>
         curve;                        ///< over thresholds, all its views; see add_curves
     std::optional<double> f_1px;      ///< pooled
     std::optional<double> precision;  ///< pooled, 2 px
     std::optional<double> recall;
     std::map<std::string, double> recall_by_class;          ///< pooled, classes present only
-    std::optional<double> mean_width_px;                    ///< mean over views
     std::optional<double> draw_ms;                          ///< median over views
     std::optional<statistics::Interval> draw_ms_quartiles;  ///< over views
     std::optional<int> bytes_per_px;                        ///< the largest
