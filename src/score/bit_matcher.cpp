@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <limits>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 namespace ink::score {
 namespace {
@@ -53,25 +50,14 @@ void visit_bits(Bits bits, Visit visit) {
         visit(std::countr_zero(bits));
 }
 
-int places_of(const Disk& disk) {
-    int places = 0;
-    for (int dy = -disk.radius_px(); dy <= disk.radius_px(); ++dy)
-        places += 2 * disk.half_width_px(dy) + 1;
-    return places;
-}
-
 std::size_t stride_of(int width_px) {
     return static_cast<std::size_t>(width_px + 63) / 64 + 2;
 }
 
 }  // namespace
 
-bool BitMatcher::takes(const Disk& disk) {
-    return places_of(disk) <= std::numeric_limits<std::uint8_t>::max();
-}
-
 BitMatcher::BitMatcher(int width_px, int height_px, const Disk& disk) {
-    assert(takes(disk));
+    assert(disk.radius_px() <= kMostRadius_px);
     const std::size_t stride = stride_of(width_px);
     const int radius = disk.radius_px();
     word_count_ = stride * static_cast<std::size_t>(height_px + 2);
@@ -228,79 +214,6 @@ std::int64_t BitMatcher::count_reached(const Side& side, const Side& other) cons
         reached += std::popcount(wanted & found);
     }
     return reached;
-}
-
-namespace {
-
-/// A part of an image; empty where a list is.
-struct Box {
-    int x0 = std::numeric_limits<int>::max();
-    int y0 = std::numeric_limits<int>::max();
-    int x1 = 0;  ///< behind the last
-    int y1 = 0;
-};
-
-Box box_of(const PixelList& pixels) {
-    Box box;
-    for (int y = 0; y < pixels.height_px(); ++y) {
-        const std::size_t begin = pixels.row_begin(y), end = pixels.row_begin(y + 1);
-        if (begin == end) continue;
-        box = {std::min(box.x0, pixels.x(begin)),
-               std::min(box.y0, y),
-               std::max(box.x1, pixels.x(end - 1) + 1),
-               y + 1};
-    }
-    return box;
-}
-
-/// What of a list lies in a box, as a set of an image of the box's size.
-void mark(const PixelList& pixels, const Box& box, std::vector<Bits>& words) {
-    const std::size_t stride = stride_of(box.x1 - box.x0);
-    for (int y = box.y0; y < box.y1; ++y) {
-        Bits* row = words.data() + static_cast<std::size_t>(y - box.y0 + 1) * stride + 1;
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            const int x = pixels.x(i) - box.x0;
-            if (x >= 0 && pixels.x(i) < box.x1) row[x / 64] |= Bits{1} << (x % 64);
-        }
-    }
-}
-
-/// A matcher of the two lists, on the part of the image where they are near each other; nothing if
-/// they nowhere are.
-std::optional<BitMatcher> matcher_of(const PixelList& left,
-                                     const PixelList& right,
-                                     const Disk& disk) {
-    if (left.is_empty() || right.is_empty()) return std::nullopt;
-    const Box a = box_of(left), b = box_of(right);
-    const int reach = disk.radius_px();
-    const Box box{std::max({0, std::max(a.x0, b.x0) - reach}),
-                  std::max({0, std::max(a.y0, b.y0) - reach}),
-                  std::min(std::max(a.x1, b.x1), std::min(a.x1, b.x1) + reach),
-                  std::min(std::max(a.y1, b.y1), std::min(a.y1, b.y1) + reach)};
-    if (box.x0 >= box.x1 || box.y0 >= box.y1) return std::nullopt;
-    std::optional<BitMatcher> matcher(std::in_place, box.x1 - box.x0, box.y1 - box.y0, disk);
-    std::vector<Bits> words(matcher->word_count());
-    mark(left, box, words);
-    matcher->set_left(words);
-    std::fill(words.begin(), words.end(), 0);
-    mark(right, box, words);
-    matcher->set_right(words);
-    return matcher;
-}
-
-}  // namespace
-
-MatchCounts match_bits(const PixelList& left, const PixelList& right, const Disk& disk) {
-    std::optional<BitMatcher> matcher = matcher_of(left, right, disk);
-    if (!matcher) return {};
-    return {.k = matcher->match(),
-            .left_reached = matcher->left_reached(),
-            .right_reached = matcher->right_reached()};
-}
-
-std::int64_t count_pairs_in_bits(const PixelList& left, const PixelList& right, const Disk& disk) {
-    std::optional<BitMatcher> matcher = matcher_of(left, right, disk);
-    return matcher ? matcher->match() : 0;
 }
 
 }  // namespace ink::score

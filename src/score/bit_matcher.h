@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "score/matching.h"
 #include "score/pixel_list.h"
 
 namespace ink::score {
@@ -20,10 +19,10 @@ namespace ink::score {
 /// begins there, and sets that differ in little cost little.
 class BitMatcher {
   public:
-    /// Whether a disk has few enough places: any of a radius up to 8.
-    [[nodiscard]] static bool takes(const Disk& disk);
+    /// The widest disk: the number of a place in it must fit in a byte.
+    static constexpr int kMostRadius_px = 8;
 
-    /// Of two empty sets, on an image of this size; `disk` must be one that it takes.
+    /// Of two empty sets, on an image of this size.
     BitMatcher(int width_px, int height_px, const Disk& disk);
 
     /// Words that a set of this size has.
@@ -78,14 +77,5 @@ class BitMatcher {
     std::vector<Place> queue_;
     std::vector<Place> reached_;
 };
-
-/// match_pixels() for a disk that a BitMatcher takes.
-[[nodiscard]] MatchCounts match_bits(const PixelList& left,
-                                     const PixelList& right,
-                                     const Disk& disk);
-/// count_pairs() for such a disk.
-[[nodiscard]] std::int64_t count_pairs_in_bits(const PixelList& left,
-                                               const PixelList& right,
-                                               const Disk& disk);
 
 }  // namespace ink::score

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,16 +61,13 @@ class ByResponse {
 /// Counts one mask after the other against one truth.
 class CurveCounter {
   public:
-    explicit CurveCounter(const TruthLists& lists) : lists_(lists) {
-        if (!BitMatcher::takes(lists.disk)) return;
-        const int width_px = lists.countable.width_px();
-        matcher_.emplace(width_px, lists.truth.height_px(), lists.disk);
-        matcher_->set_right(mask_of(lists.truth, width_px).words());
+    explicit CurveCounter(const TruthLists& lists)
+        : lists_(lists), matcher_(lists.countable.width_px(), lists.truth.height_px(), lists.disk) {
+        matcher_.set_right(mask_of(lists.truth, lists.countable.width_px()).words());
     }
 
     /// `drawn` is thin, and changed by this.
     [[nodiscard]] CurveCount count(edge::BitMask& drawn) {
-        if (!matcher_) return match_counts(counted_pixels(std::move(drawn), lists_), lists_);
         CurveCount result{.n_truth = static_cast<std::int64_t>(lists_.truth.size())};
         for (std::size_t i = 0; i < drawn.words().size(); ++i) {
             std::uint64_t& word = drawn.words()[i];
@@ -79,14 +75,14 @@ class CurveCounter {
             word &= lists_.countable.words()[i];
             result.n_pred += std::popcount(word);
         }
-        matcher_->set_left(drawn.words());
-        result.k = matcher_->match();
+        matcher_.set_left(drawn.words());
+        result.k = matcher_.match();
         return result;
     }
 
   private:
     const TruthLists& lists_;
-    std::optional<BitMatcher> matcher_;
+    BitMatcher matcher_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "edge/bit_mask.h"
 #include "score/bit_matcher.h"
@@ -13,7 +12,6 @@ namespace ink::score {
 /// bins, kinds. What belongs to the image alone is made once.
 class DrawnMatcher {
   public:
-    /// `drawn` must outlive this.
     DrawnMatcher(const PixelList& drawn, const Disk& disk, int width_px);
 
     /// The size of a maximum one-to-one matching with `truth`, of the image's size:
@@ -21,10 +19,9 @@ class DrawnMatcher {
     [[nodiscard]] std::int64_t match(const PixelList& truth);
 
   private:
-    const PixelList& drawn_;
-    Disk disk_;
-    edge::BitMask truth_;                ///< all 0 between two calls
-    std::optional<BitMatcher> matcher_;  ///< for disks that it takes
+    bool is_empty_;
+    edge::BitMask truth_;  ///< all 0 between two calls
+    BitMatcher matcher_;
 };
 
 }  // namespace ink::score

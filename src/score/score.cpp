@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "edge/thin.h"
+#include "score/bit_matcher.h"
 #include "score/drawing.h"
 #include "score/drawn_matcher.h"
 #include "score/matching.h"
@@ -14,8 +15,6 @@
 
 namespace ink::score {
 namespace {
-
-constexpr double kMaxTolerance = 64;
 
 /// Moves the ignore label from the labels to a mask of its own.
 edge::Mask take_out_ignore(core::Image<std::uint8_t>& labels, std::optional<int> ignore_label) {
@@ -95,10 +94,10 @@ std::optional<double> Score::recall() const {
 }
 
 void check(const ScoreOptions& options) {
-    if (!(options.tolerance_px > 0 && options.tolerance_px <= kMaxTolerance)) {
+    if (!(options.tolerance_px > 0 && options.tolerance_px <= BitMatcher::kMostRadius_px)) {
         throw core::Error("tolerance",
                           fmt::format("{} px", options.tolerance_px),
-                          fmt::format("more than 0, at most {} px", kMaxTolerance));
+                          fmt::format("more than 0, at most {} px", BitMatcher::kMostRadius_px));
     }
     if (options.threshold < 1 || options.threshold > 255) {
         throw core::Error("threshold", fmt::format("{}", options.threshold), "1..255");

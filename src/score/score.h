@@ -13,7 +13,7 @@ namespace ink::score {
 
 /// How two images are compared (section 7 of the design).
 struct ScoreOptions {
-    /// Matched pixels are at most this far apart, centre to centre; more than 0, at most 64.
+    /// Matched pixels are at most this far apart, centre to centre; more than 0, at most 8.
     double tolerance_px = 2;
     int threshold = 128;  ///< predicted pixels have at least this edge response, 1..255
     bool thin = true;     ///< thin the prediction (Guo-Hall) after the threshold

@@ -37,7 +37,7 @@ Pair images(Feed& feed) {
 }
 
 ScoreOptions some_options(Feed& feed) {
-    constexpr std::array kTolerances_px{0.5, 1.0, 1.5, 2.0, 3.0, 9.5};
+    constexpr std::array kTolerances_px{0.5, 1.0, 1.5, 2.0, 3.0, 8.0};
     ScoreOptions options;
     options.tolerance_px =
         kTolerances_px[static_cast<std::size_t>(feed.whole(0, kTolerances_px.size() - 1))];

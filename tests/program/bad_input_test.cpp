@@ -318,7 +318,7 @@ TEST(BadScore, Options) {
     const auto expect = [&](const std::string& option, const std::string& value) {
         expect_refused(desk, {"score", "truth.png", "truth.png", option, value}, "");
     };
-    for (const char* value : {"0", "-1", "nan", "inf", "65", "x"})
+    for (const char* value : {"0", "-1", "nan", "inf", "8.5", "65", "x"})
         expect("--tol", value);
     for (const char* value : {"0", "-1", "256", "12.5", "x"})
         expect("--threshold", value);

@@ -127,6 +127,8 @@ class Module(unittest.TestCase):
         image = np.zeros((180, 320), np.uint8)
         with self.assertRaisesRegex(inkbench.Error, "tolerance: 0"):
             inkbench.score(image, image, tolerance_px=0)
+        with self.assertRaisesRegex(inkbench.Error, "tolerance: 9 px .*at most 8 px"):
+            inkbench.score(image, image, tolerance_px=9)
         with self.assertRaisesRegex(inkbench.Error, "321"):
             inkbench.score(np.zeros((180, 321), np.uint8), image)
 

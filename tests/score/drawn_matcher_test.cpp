@@ -23,8 +23,7 @@ PixelList random_pixels(std::mt19937& random, int count) {
 
 TEST(DrawnMatcher, MatchesOneSetAfterTheOtherAsEachAlone) {
     std::mt19937 random(7);
-    // The last is wider than a BitMatcher takes.
-    for (const double tolerance_px : {0.5, 1.0, 2.0, 4.0, 12.0}) {
+    for (const double tolerance_px : {0.5, 1.0, 2.0, 4.0, 8.0}) {
         const Disk disk(tolerance_px);
         const PixelList drawn = random_pixels(random, 300);
         DrawnMatcher matcher(drawn, disk, kWidth_px);

@@ -124,8 +124,9 @@ void run_score(ScoreArguments a) {
 
 void add_scoring_options(CLI::App& command, ScoreArguments& a) {
     command
-        .add_option(
-            "--tol", a.request.options.tolerance_px, "Matched pixels are at most this far apart")
+        .add_option("--tol",
+                    a.request.options.tolerance_px,
+                    "Matched pixels are at most this far apart, at most 8")
         ->type_name("PX")
         ->capture_default_str();
     command
