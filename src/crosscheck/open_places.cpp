@@ -69,9 +69,10 @@ class Places {
     }
     /// How far digits may have moved a face, less than 0 if the image may show it.
     [[nodiscard]] double written(std::uint32_t face, double px_world) const {
-        double most = 0;
-        for (const std::uint32_t v : mesh_.topology().faces[face].vertices)
-            most = std::max(most, mesh_.topology().written_rounding_world[v]);
+        const scene::Topology& topology = mesh_.topology();
+        double most = topology.written_rounding_world[topology.faces[face].object];
+        for (const std::uint32_t v : topology.faces[face].vertices)
+            most = std::max(most, topology.rounding_world[v]);
         return most < scene::kUnseen_px * px_world ? most : -1;
     }
 

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "core/hash.h"
+#include "scene/box.h"
 #include "scene/near_points.h"
 #include "scene/precision/rounding.h"
 #include "scene/precision/written_digits.h"
@@ -139,13 +140,10 @@ class Moves {
     }
 
     [[nodiscard]] double diagonal(const std::vector<std::uint32_t>& part) {
-        if (part.empty()) return 0;
-        glm::dvec3 low = places_.keys()[part.front()], high = low;
-        for (const std::uint32_t i : part) {
-            low = glm::min(low, places_.keys()[i]);
-            high = glm::max(high, places_.keys()[i]);
-        }
-        return glm::length(high - low);
+        Box box;
+        for (const std::uint32_t i : part)
+            box.add(places_.keys()[i]);
+        return box.diagonal();
     }
 
     Numbering<glm::dvec3, PointHash> places_;
@@ -167,7 +165,6 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     Numbering<glm::dvec3, PointHash> points(count / 2);
     Numbering<FaceKey, FaceHash> seen(count);
     topology.counts.triangles = count;
-    WrittenRoundings written(scene);
 
     std::uint32_t triangle_index = 0;
     for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
@@ -175,7 +172,6 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         const Mesh& mesh = scene.meshes[instance.mesh];
         const bool mirrored = is_mirrored(instance);
         const double stretch = most_stretched(instance);
-        const double written_world = written.of(instance);
         std::vector<std::uint32_t> welded(mesh.positions.size(), kFree);
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t, ++triangle_index) {
             Face face;
@@ -190,7 +186,6 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
                     double& rounding = topology.rounding_world[welded[v]];
                     rounding = std::max(
                         {rounding, stretch * half_ulp(mesh.positions[v]), stretch * mesh.rounding});
-                    written.note(welded[v], written_world);
                 }
                 face.vertices[i] = welded[v];
             }
@@ -211,7 +206,7 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
         }
     }
     topology.p_world = std::move(points.keys());
-    topology.written_rounding_world = written.per_vertex(topology);
+    topology.written_rounding_world = written_roundings(scene, topology.p_world);
 }
 
 bool runs_forward(const Face& face, const Edge& edge) {

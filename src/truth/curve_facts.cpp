@@ -83,7 +83,7 @@ void fill_faces(const EyeView& eye, double t, Curve& curve) {
     // What a box stands on is no face of the box's outline, but is one of a seam or an
     // intersection.
     SeenFaces seen = eye.seen_faces(edge);
-    if (!is_one_sided && eye.is_touched(curve.edge)) {
+    if (!is_one_sided && eye.model.is_touched[curve.edge] != 0) {
         const SeenSheets sheets = seen_sheets_at(eye, curve.edge, t);
         seen = {sheets.left.face, sheets.right.face};
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "core/parallel.h"
 #include "scene/precision/rounding.h"
@@ -29,8 +28,7 @@ void for_all(std::size_t count, int threads, Body&& body) {
 bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::uint32_t f1) {
     const scene::Topology& topology = eye.model.topology;
     const auto& p = topology.p_world;
-    const double w = std::min(eye.p_clip[edge.a].z, eye.p_clip[edge.b].z);
-    const auto point = [&](std::uint32_t vertex) { return eye.rounded_point(vertex, w); };
+    const auto point = [&](std::uint32_t vertex) { return scene::rounded_point(topology, vertex); };
     const std::uint32_t v0 = scene::opposite_vertex(topology.faces[f0], edge);
     const std::uint32_t v1 = scene::opposite_vertex(topology.faces[f1], edge);
     const int other = scene::sure_orient3d(point(edge.a), point(edge.b), point(v0), point(v1));
@@ -95,22 +93,6 @@ LineClass own_class_at(const EyeView& eye, std::uint32_t e, double t) {
     return class_between(eye, own, continuations, t);
 }
 
-/// The least distance along the view direction of what two faces have in common.
-double nearest(const EyeView& eye, const WrittenContact& pair) {
-    double w = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < pair.touching.contact_count; ++i) {
-        const Contact& c = pair.touching.contacts[i];
-        const scene::Edge& edge = eye.model.topology.edges[c.edge];
-        w = std::min({w, eye.depth_at(edge, c.t_begin), eye.depth_at(edge, c.t_end)});
-    }
-    if (pair.as_given) {
-        w = std::min({w,
-                      eye.projection.to_clip(pair.as_given->begin_world).z,
-                      eye.projection.to_clip(pair.as_given->end_world).z});
-    }
-    return w;
-}
-
 void append(std::vector<ClassStretch>& stretches, const ClassStretch& next) {
     if (!stretches.empty() && stretches.back().line_class == next.line_class) {
         stretches.back().t_end = next.t_end;
@@ -143,18 +125,6 @@ EyeView::EyeView(const Model& model_, const scene::View& view, int threads)
     for_all(edge_class.size(), threads, [&](std::size_t e) {
         edge_class[e] = class_of(*this, static_cast<std::uint32_t>(e));
     });
-    by_digits =
-        find_seen_contacts(model.crossings, topology.edges.size(), [&](const WrittenContact& c) {
-            return is_unseen(c.rounding_world, nearest(*this, c));
-        });
-}
-
-scene::RoundedPoint EyeView::rounded_point(std::uint32_t vertex, double w) const {
-    if (by_digits) {
-        const double written = model.topology.written_rounding_world[vertex];
-        if (is_unseen(written, w)) return {model.topology.p_world[vertex], written};
-    }
-    return scene::rounded_point(model.topology, vertex);
 }
 
 SeenFaces EyeView::seen_faces(const scene::Edge& edge) const {
@@ -182,12 +152,12 @@ bool EyeView::goes_on(const Continuation& continuation, double t) const {
 
 LineClass EyeView::class_at(std::uint32_t edge, double t) const {
     const LineClass own_class = own_class_at(*this, edge, t);
-    return is_touched(edge) ? touched_class(*this, edge, t, own_class) : own_class;
+    return model.is_touched[edge] != 0 ? touched_class(*this, edge, t, own_class) : own_class;
 }
 
 std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
     const LineClass whole = eye.edge_class[e];
-    const bool is_touched = eye.is_touched(e);
+    const bool is_touched = eye.model.is_touched[e] != 0;
     if (whole == LineClass::none && !is_touched) return {};
     const auto continuations = whole == LineClass::boundary ? eye.model.continuations_of(e)
                                                             : std::span<const Continuation>();
@@ -205,7 +175,7 @@ std::vector<ClassStretch> line_stretches(const EyeView& eye, std::uint32_t e) {
         const double change = change_of_sight(eye, c);
         if (change > c.t_begin && change < c.t_end) ends.push_back(change);
     }
-    for (const Contact& c : eye.contacts_of(e)) {
+    for (const Contact& c : eye.model.crossings.contacts_of(e)) {
         ends.push_back(c.t_begin);
         ends.push_back(c.t_end);
     }

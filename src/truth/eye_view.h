@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "scene/camera.h"
 #include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
-#include "truth/crossings/seen_contacts.h"
 #include "truth/model.h"
 
 namespace ink::truth {
@@ -35,29 +33,10 @@ struct EyeView {
     std::vector<glm::dvec3> p_clip;     ///< per vertex, (x, y, w) as Projection::to_clip has them
     std::vector<std::int8_t> facing;    ///< per face: 1 front, -1 back, 0 edge-on, exact
     std::vector<LineClass> edge_class;  ///< per edge, by its own faces; class_at has the rest
-    /// What touches before this eye, if that is more than the model's own contacts: also faces that
-    /// touch by the digits of their vertices, where the image is too coarse to show that they do
-    /// not. Nothing on most scenes.
-    std::optional<SeenContacts> by_digits;
 
     EyeView(const Model& model, const scene::View& view, int threads);
 
     [[nodiscard]] const glm::dvec3& eye_world() const { return projection.eye_world(); }
-
-    /// The contacts of a mesh edge before this eye.
-    [[nodiscard]] std::span<const Contact> contacts_of(std::uint32_t edge) const {
-        return by_digits ? by_digits->all.contacts_of(edge) : model.crossings.contacts_of(edge);
-    }
-    [[nodiscard]] bool is_touched(std::uint32_t edge) const {
-        return (by_digits ? by_digits->is_touched : model.is_touched)[edge] != 0;
-    }
-    /// The coplanar pairs before this eye in which a face is the higher.
-    [[nodiscard]] std::span<const CoplanarPair> coplanar_with(std::uint32_t face) const {
-        return by_digits ? by_digits->all.coplanar_with(face) : model.crossings.coplanar_with(face);
-    }
-    /// A vertex, and how far from there it may have been meant: by its digits where the image is
-    /// too coarse, at this distance along the view direction, to show so much; else as a float.
-    [[nodiscard]] scene::RoundedPoint rounded_point(std::uint32_t vertex, double w) const;
 
     /// On which side of the plane through the eye and the edge its i-th face lies: 1, -1, or 0 for
     /// a face in that plane. Exact.

@@ -76,18 +76,6 @@ void join_patches(Model& model) {
     }
 }
 
-/// Takes away the contacts by digits of surfaces that cross nonetheless.
-void judge_written_contacts(Model& model) {
-    WrittenPairs& pairs = model.crossings.written;
-    if (!pairs.contacts.empty()) {
-        std::vector<std::uint8_t> is_smooth(model.topology.edges.size());
-        for (std::size_t e = 0; e < is_smooth.size(); ++e)
-            is_smooth[e] = is_smooth_edge(model, e) ? 1 : 0;
-        keep_one_sided(model.topology, {model.patch, model.runs, is_smooth}, pairs);
-    }
-    pairs.sides = {};  // of no use to any view
-}
-
 std::size_t count_defects(const Model& model) {
     std::size_t count = 0;
     std::uint32_t last = 0xffffffffU;
@@ -131,7 +119,6 @@ Model build_model(const scene::Scene& scene, const TruthOptions& options) {
                                              {.tolerances = model.tolerances,
                                               .crease_rad = options.crease_rad,
                                               .threads = options.threads});
-    judge_written_contacts(model);
     mark_slit_crossings(
         model.topology, model.continuations, model.tolerances, model.crossings.segments);
     model.is_touched.assign(model.topology.edges.size(), 0);

@@ -134,7 +134,7 @@ class Walker {
     /// set.
     [[nodiscard]] SeenSheet across(const Passage& at, std::uint32_t from) const {
         const scene::Edge& edge = eye_.model.topology.edges[at.edge];
-        if (eye_.is_touched(at.edge)) {
+        if (eye_.model.is_touched[at.edge] != 0) {
             const SeenSheets seen = seen_sheets_at(eye_, at.edge, at.t);
             const bool is_left = side_of(edge, from) < 0;
             const SeenSheet& beyond = is_left ? seen.right : seen.left;
@@ -154,7 +154,7 @@ class Walker {
     [[nodiscard]] bool is_break(std::uint32_t e, std::uint32_t from, std::uint32_t to) const {
         const Model& model = eye_.model;
         if (model.patch[from] == model.patch[to]) return false;
-        const auto coplanar = eye_.coplanar_with(std::max(from, to));
+        const auto coplanar = eye_.model.crossings.coplanar_with(std::max(from, to));
         const auto is_pair = [&](const CoplanarPair& pair) {
             return pair.lower_face == std::min(from, to);
         };

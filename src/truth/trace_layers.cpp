@@ -42,7 +42,7 @@ bool meets(const EyeView& eye, const glm::dvec3& ray, std::uint32_t f) {
 
 /// Of the faces that coincide with this one on the ray the lowest.
 std::uint32_t lowest(const EyeView& eye, const glm::dvec3& ray, std::uint32_t face) {
-    for (const CoplanarPair& pair : eye.coplanar_with(face)) {
+    for (const CoplanarPair& pair : eye.model.crossings.coplanar_with(face)) {
         if (meets(eye, ray, pair.lower_face)) return pair.lower_face;
     }
     return face;

@@ -142,7 +142,7 @@ class LineTracer {
         const scene::Edge& edge = topology.edges[e];
         const bool is_outline =
             line_->line_class == LineClass::contour || line_->line_class == LineClass::boundary;
-        if (eye_.is_touched(e) && !is_outline) {
+        if (eye_.model.is_touched[e] != 0 && !is_outline) {
             return static_cast<float>(seen_deviation_rad(eye_, e, line_->segment_parameter(s)));
         }
         if (edge.face_count < 2) return 0;
@@ -180,7 +180,7 @@ class LineTracer {
 std::vector<std::uint32_t> feature_edges(const EyeView& eye) {
     std::vector<std::uint32_t> edges;
     for (std::uint32_t e = 0; e < eye.edge_class.size(); ++e) {
-        if (eye.edge_class[e] != LineClass::none || eye.is_touched(e)) {
+        if (eye.edge_class[e] != LineClass::none || eye.model.is_touched[e] != 0) {
             edges.push_back(e);
         }
     }
@@ -194,17 +194,12 @@ bool is_unseen_slit(const EyeView& eye, const Crossing& crossing) {
     return eye.is_unseen(crossing.slit_world, w);
 }
 
-/// Whether the two faces only touch, as far as their digits and the image can tell.
-bool is_contact_by_digits(const EyeView& eye, const Crossing& crossing) {
-    return eye.by_digits && eye.by_digits->is_contact(crossing.face0, crossing.face1);
-}
-
 /// A face seen edge-on has no sides, so a crossing with it is none.
 std::vector<const Crossing*> seen_crossings(const EyeView& eye) {
     std::vector<const Crossing*> crossings;
     for (const Crossing& crossing : eye.model.crossings.segments) {
         if (eye.facing[crossing.face0] != 0 && eye.facing[crossing.face1] != 0 &&
-            !is_unseen_slit(eye, crossing) && !is_contact_by_digits(eye, crossing)) {
+            !is_unseen_slit(eye, crossing)) {
             crossings.push_back(&crossing);
         }
     }

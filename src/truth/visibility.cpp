@@ -63,8 +63,8 @@ bool Visibility::is_own(std::uint32_t face, const LinePoint& point) const {
 /// Known since the model was built; finding it anew takes two exact predicates that come out 0, the
 /// slowest there are.
 bool Visibility::is_touched_by(std::uint32_t face, std::uint32_t edge) const {
-    if (!eye_.is_touched(edge)) return false;
-    const auto contacts = eye_.contacts_of(edge);
+    if (eye_.model.is_touched[edge] == 0) return false;
+    const auto contacts = eye_.model.crossings.contacts_of(edge);
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
         return contact.face == face;
     });

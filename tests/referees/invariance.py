@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from outline import CLASSES, coverage
-from poses import ALL_POSES
+from poses import POSES
 from program import trace
 
 MOST_SHARE = 0.001  # of the truth's pixels
@@ -76,5 +76,5 @@ def changes(scene, mesh, camera, poses, seed, crease_deg=40):
     before = trace(mesh, camera, crease_deg)
     random = np.random.default_rng(seed)
     for pose in poses:
-        moved, seen_from = ALL_POSES[pose](mesh, camera, random)
+        moved, seen_from = POSES[pose](mesh, camera, random)
         yield compare(scene, pose, before, trace(moved, seen_from, crease_deg))

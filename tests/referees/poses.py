@@ -21,13 +21,6 @@ def rotate(mesh, camera, random):
     return _moved(mesh, camera, lambda p: p @ matrix.T, lambda v: matrix @ v)
 
 
-def rotate_and_write(mesh, camera, random):
-    """By a random rotation, each number then written with five decimals: of shapes a few units
-    wide that is less than an image shows."""
-    turned, seen_from = rotate(mesh, camera, random)
-    return turned.moved(lambda p: np.round(p, 5)), seen_from
-
-
 def scale(mesh, camera, random):
     """By a factor of .01 to 100."""
     factor = 10 ** random.uniform(-2, 2)
@@ -92,9 +85,5 @@ def mirror(mesh, camera, _):
     return _moved(mesh, camera, lambda p: p * [-1, 1, 1], lambda v: v * [-1, 1, 1])
 
 
-# Of scenes of any size and detail.
 POSES = {pose.__name__: pose for pose in (rotate, scale, scale_by_two, move, assemble, permute,
                                           shuffle, flip, double, mirror)}
-
-# And one of shapes.py alone.
-ALL_POSES = POSES | {"rotate_and_write": rotate_and_write}

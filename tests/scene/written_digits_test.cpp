@@ -1,6 +1,6 @@
 #include "scene/precision/written_digits.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
@@ -10,6 +10,10 @@
 
 namespace ink::scene {
 namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 Mesh mesh_of(const std::vector<glm::vec3>& positions) {
     Mesh mesh;
@@ -54,36 +58,36 @@ TEST(WrittenDigits, AreFoundThoughAReaderRoundsThemToTheNextFloat) {
     EXPECT_DOUBLE_EQ(written_rounding(mesh_of({{1, beside, -3.1416F}})), 5e-5);
 }
 
-TEST(WrittenDigits, ReachTheWorldByTheFarthestCorner) {
-    Instance instance{0, glm::dmat4(1), "part"};
-    EXPECT_DOUBLE_EQ(most_moved_world(instance, 0.1), 0.1 * std::sqrt(3.0));
-    instance.world_from_object = glm::scale(glm::dmat4(1), glm::dvec3(2, 3, 6));
-    EXPECT_DOUBLE_EQ(most_moved_world(instance, 0.1), 0.7);
-    // A shear: x + y and x - y are no longer equally long.
-    instance.world_from_object = glm::dmat4(1);
-    instance.world_from_object[1] = glm::dvec4(-1, 1, 0, 0);
-    EXPECT_DOUBLE_EQ(most_moved_world(instance, 1), std::sqrt(6.0));
+/// What digits may have moved a vertex by, of each object.
+std::vector<double> roundings(const Scene& scene) {
+    return weld(scene).written_rounding_world;
 }
 
-TEST(WrittenDigits, CountWhereTheyAreMoreThanFloatsAndLessThanImagesShow) {
-    // Thousandths in a box of 100: 1/64 px of an image 1800 px wide.
+// Thousandths in a box of 100: 1/64 px of an image 1800 px wide.
+const std::vector<glm::vec3> kThousandths{{0, 0, 0}, {60.001F, 0, 0}, {0, 80, 0}};
+
+TEST(WrittenDigits, ReachTheWorldByTheFarthestCorner) {
     Scene scene;
-    scene.meshes.push_back(mesh_of({{0, 0, 0}, {60.001F, 0, 0}, {0, 80, 0}}));
+    scene.meshes.push_back(mesh_of(kThousandths));
     scene.instances.push_back({0, glm::dmat4(1), "part"});
-    const Topology topology = weld(scene);
-    ASSERT_EQ(topology.written_rounding_world.size(), 3U);
-    for (const double rounding : topology.written_rounding_world)
-        EXPECT_DOUBLE_EQ(rounding, 0.0005 * std::sqrt(3.0));
-    // Tenths are more than an image 256 px wide hides.
-    scene.meshes[0] = mesh_of({{0, 0, 0}, {60.1F, 0, 0}, {0, 80, 0}});
-    EXPECT_TRUE(weld(scene).written_rounding_world.empty());
-    // A second part with more digits stays a float's.
-    scene.meshes[0] = mesh_of({{0, 0, 0}, {60.001F, 0, 0}, {0, 80, 0}});
-    scene.meshes.push_back(mesh_of({{0, 0, 1.0F / 3}, {60, 0, 1}, {0, 80, 1}}));
+    glm::dmat4& world_from_object = scene.instances[0].world_from_object;
+    EXPECT_THAT(roundings(scene), ElementsAre(DoubleEq(5e-4 * std::sqrt(3.0))));
+    world_from_object = glm::scale(glm::dmat4(1), glm::dvec3(2, 3, 6));
+    EXPECT_THAT(roundings(scene), ElementsAre(DoubleEq(5e-4 * 7)));
+    // A shear: x + y and x - y are no longer equally long.
+    world_from_object = glm::dmat4(1);
+    world_from_object[1] = glm::dvec4(-1, 1, 0, 0);
+    EXPECT_THAT(roundings(scene), ElementsAre(DoubleEq(5e-4 * std::sqrt(6.0))));
+}
+
+TEST(WrittenDigits, CountWhereAnImageHidesThem) {
+    Scene scene;
+    scene.meshes.push_back(mesh_of({{0, 0, 0}, {60.1F, 0, 0}, {0, 80, 0}}));
+    scene.instances.push_back({0, glm::dmat4(1), "part"});
+    EXPECT_THAT(roundings(scene), IsEmpty()) << "tenths are more than an image 256 px wide hides";
+    scene.meshes.push_back(mesh_of(kThousandths));
     scene.instances.push_back({1, glm::dmat4(1), "other"});
-    const Topology both = weld(scene);
-    ASSERT_EQ(both.written_rounding_world.size(), 6U);
-    EXPECT_EQ(both.written_rounding_world[3], both.rounding_world[3]);
+    EXPECT_THAT(roundings(scene), ElementsAre(0, DoubleEq(5e-4 * std::sqrt(3.0))));
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+
+#include "scene/box.h"
 
 namespace ink::scene {
 namespace {
@@ -35,14 +36,16 @@ bool is_written(float x, double scale) {
     return std::abs(x - std::round(x * scale) / scale) <= 1.5 * unit_of(std::abs(x));
 }
 
-/// Of the box round all vertices, world units; there is at least one.
-double diagonal(const std::vector<glm::dvec3>& p_world) {
-    glm::dvec3 low = p_world.front(), high = low;
-    for (const glm::dvec3& p : p_world) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    return glm::length(high - low);
+/// How far a rounding of each coordinate by at most `rounding` may have moved a vertex once the
+/// instance is placed, world units.
+double most_moved_world(const Instance& instance, double rounding) {
+    const glm::dmat4& m = instance.world_from_object;
+    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
+    // Of the box that a point may have been rounded in, one of the corners is the farthest off.
+    return rounding * std::max({glm::length(x + y + z),
+                                glm::length(x + y - z),
+                                glm::length(x - y + z),
+                                glm::length(x - y - z)});
 }
 
 }  // namespace
@@ -65,41 +68,22 @@ double written_rounding(const Mesh& mesh) {
     return 0.5 / scale;
 }
 
-double most_moved_world(const Instance& instance, double rounding) {
-    const glm::dmat4& m = instance.world_from_object;
-    const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
-    // Of the box that a point may have been rounded in, one of the corners is the farthest off.
-    return rounding * std::max({glm::length(x + y + z),
-                                glm::length(x + y - z),
-                                glm::length(x - y + z),
-                                glm::length(x - y - z)});
-}
-
-WrittenRoundings::WrittenRoundings(const Scene& scene) : of_mesh_(scene.meshes.size()) {
-    std::transform(scene.meshes.begin(), scene.meshes.end(), of_mesh_.begin(), written_rounding);
-}
-
-double WrittenRoundings::of(const Instance& instance) const {
-    return most_moved_world(instance, of_mesh_[instance.mesh]);
-}
-
-void WrittenRoundings::note(std::uint32_t vertex, double written_world) {
-    if (written_world == 0) return;
-    if (vertex >= of_vertex_.size()) of_vertex_.resize(vertex + 1, 0);
-    of_vertex_[vertex] = std::max(of_vertex_[vertex], written_world);
-}
-
-std::vector<double> WrittenRoundings::per_vertex(const Topology& topology) const {
-    if (of_vertex_.empty()) return {};
-    const double most = kMostWritten * diagonal(topology.p_world);
-    std::vector<double> all = topology.rounding_world;
-    bool has_any = false;
-    for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
-        if (of_vertex_[v] <= all[v] || of_vertex_[v] > most) continue;
-        all[v] = of_vertex_[v];
-        has_any = true;
+std::vector<double> written_roundings(const Scene& scene, std::span<const glm::dvec3> p_world) {
+    Box box;
+    for (const glm::dvec3& p : p_world)
+        box.add(p);
+    const double most = kMostWritten * box.diagonal();
+    std::vector<double> of_mesh(scene.meshes.size());
+    std::transform(scene.meshes.begin(), scene.meshes.end(), of_mesh.begin(), written_rounding);
+    std::vector<double> of_object;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Instance& instance = scene.instances[i];
+        const double moved = most_moved_world(instance, of_mesh[instance.mesh]);
+        if (moved == 0 || moved > most) continue;
+        of_object.resize(scene.instances.size(), 0);
+        of_object[i] = moved;
     }
-    return has_any ? all : std::vector<double>();
+    return of_object;
 }
 
 }  // namespace ink::scene

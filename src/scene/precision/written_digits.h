@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "scene/mesh.h"
 #include "scene/scene.h"
-#include "scene/topology.h"
 
 namespace ink::scene {
 
@@ -19,25 +19,8 @@ namespace ink::scene {
 /// O(vertices), and a few steps for a mesh with digits of all kinds.
 [[nodiscard]] double written_rounding(const Mesh& mesh);
 
-/// How far a rounding of each coordinate by at most `rounding` may have moved a vertex once the
-/// instance is placed, world units.
-[[nodiscard]] double most_moved_world(const Instance& instance, double rounding);
-
-/// Gathers, while a scene is welded, what the digits of its meshes may have moved each vertex by.
-class WrittenRoundings {
-  public:
-    explicit WrittenRoundings(const Scene& scene);
-
-    /// How far the digits of its mesh may have moved a vertex of the instance, world units.
-    [[nodiscard]] double of(const Instance& instance) const;
-    /// Notes that of a vertex of the welded scene; the most counts.
-    void note(std::uint32_t vertex, double written_world);
-    /// Topology::written_rounding_world, from the places and roundings of the vertices.
-    [[nodiscard]] std::vector<double> per_vertex(const Topology& topology) const;
-
-  private:
-    std::vector<double> of_mesh_;
-    std::vector<double> of_vertex_;  ///< up to the last that has some
-};
+/// Topology::written_rounding_world of a scene with vertices at these places.
+[[nodiscard]] std::vector<double> written_roundings(const Scene& scene,
+                                                    std::span<const glm::dvec3> p_world);
 
 }  // namespace ink::scene

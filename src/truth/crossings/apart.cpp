@@ -15,27 +15,8 @@ constexpr double kHalfUlp = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kPlaneError = 64 * kHalfUlp;
 constexpr double kSideError = 512 * kHalfUlp;
 
-constexpr double kLeastHeight = 8;  ///< of a triangle, in roundings by its digits
-
 double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-/// The least of a triangle's heights; of a needle's none is.
-double least_height(const Flat& f) {
-    const double longest = std::max(
-        {glm::length(f.p[1] - f.p[0]), glm::length(f.p[2] - f.p[1]), glm::length(f.p[0] - f.p[2])});
-    return glm::length(f.normal) / longest;
-}
-
-/// How far digits may have moved the triangle. One that is not much larger than that has no shape
-/// to go by, and is taken as it is.
-double written_of(const scene::Topology& topology, const Flat& f) {
-    if (topology.written_rounding_world.empty()) return f.rounding;
-    double written = 0;
-    for (const std::uint32_t v : f.vertices)
-        written = std::max(written, topology.written_rounding_world[v]);
-    return least_height(f) >= kLeastHeight * written ? written : f.rounding;
 }
 
 /// The corners of one triangle that the other does not share.
@@ -149,13 +130,12 @@ Flat flat(const scene::Topology& topology, std::uint32_t f) {
     const glm::dvec3 u = result.p[1] - result.p[0], v = result.p[2] - result.p[0];
     result.normal = glm::cross(u, v);
     result.size = std::max({largest(u), largest(v), largest(v - u)});
-    result.written = written_of(topology, result);
     return result;
 }
 
-bool is_apart(const Flat& f, const Flat& g, double rounding_world) {
+bool is_apart(const Flat& f, const Flat& g) {
     const Loose of_f = loose_corners(f, g), of_g = loose_corners(g, f);
-    const double rounding = rounding_world;
+    const double rounding = f.rounding + g.rounding;
     if (is_beside_plane(f, g, of_g, rounding) || is_beside_plane(g, f, of_f, rounding)) return true;
     if (of_f.count == 1) return is_unfolded(f, g, of_f, of_g);
     if (of_f.count == 2 && is_parted_at_corner(f, of_f, g, of_g, rounding)) return true;

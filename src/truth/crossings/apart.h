@@ -14,7 +14,6 @@ struct Flat {
     glm::dvec3 normal;    ///< cross product of two sides
     double size = 0;      ///< largest component of its sides
     double rounding = 0;  ///< the most of its vertices, world units
-    double written = 0;   ///< the same by their digits; `rounding` where it is too thin for them
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t face = 0;
 };
@@ -23,7 +22,7 @@ struct Flat {
 [[nodiscard]] Flat flat(const scene::Topology& topology, std::uint32_t f);
 
 /// Whether two triangles whose boxes touch certainly have nothing in common but what they share,
-/// though `rounding_world`, of both together, may have moved them.
-[[nodiscard]] bool is_apart(const Flat& f, const Flat& g, double rounding_world);
+/// though rounding may have moved them.
+[[nodiscard]] bool is_apart(const Flat& f, const Flat& g);
 
 }  // namespace ink::truth

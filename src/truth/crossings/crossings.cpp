@@ -35,7 +35,7 @@ class Budget {
 
 /// Segments and contacts.
 std::size_t found_in(const Crossings& part) {
-    return part.segments.size() + part.contacts.size() + part.written.contacts.size();
+    return part.segments.size() + part.contacts.size();
 }
 
 /// Tests the pairs of one task after another and keeps what they have in common.
@@ -49,14 +49,7 @@ class PairTester {
         if (++pairs_ == kReport && !report(out)) return false;
         const Flat& f = flats_[place0];
         const Flat& g = flats_[place1];
-        const double rounding = f.rounding + g.rounding, written = f.written + g.written;
-        if (is_apart(f, g, written)) return true;
-        Meeting meeting;
-        if (written == rounding || !is_apart(f, g, rounding)) {
-            meeting = meet(topology_, f.face, g.face);
-            keep(meeting, f.face, g.face, out);
-        }
-        if (written > rounding) out.written.add(topology_, meeting, f.face, g.face);
+        if (!is_apart(f, g)) keep(meet(topology_, f.face, g.face), f.face, g.face, out);
         return true;
     }
 
@@ -93,8 +86,8 @@ PairTree tree_of(const scene::Topology& topology) {
     for (std::uint32_t f = 0; f < boxes.size(); ++f) {
         const Flat triangle = flat(topology, f);
         for (const glm::dvec3& p : triangle.p) {
-            boxes[f].add(p - triangle.written);
-            boxes[f].add(p + triangle.written);
+            boxes[f].add(p - triangle.rounding);
+            boxes[f].add(p + triangle.rounding);
         }
     }
     return PairTree(boxes);
@@ -114,9 +107,6 @@ void sort_and_merge(Crossings& all) {
         all.coplanar.begin(), all.coplanar.end(), [](const CoplanarPair& x, const CoplanarPair& y) {
             return std::tie(x.face, x.lower_face) < std::tie(y.face, y.lower_face);
         });
-    std::ranges::sort(all.written.contacts, {}, [](const WrittenContact& c) {
-        return std::tie(c.face0, c.face1);
-    });
     auto& contacts = all.contacts;
     std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
         return std::tie(x.edge, x.face, x.t_begin, x.t_end) <
@@ -188,8 +178,6 @@ Crossings find_crossings(const scene::Topology& topology, const CrossingOptions&
         append(all.segments, part.segments);
         append(all.contacts, part.contacts);
         append(all.coplanar, part.coplanar);
-        append(all.written.contacts, part.written.contacts);
-        append(all.written.sides, part.written.sides);
     }
     sort_and_merge(all);
     return all;

@@ -7,7 +7,6 @@
 
 #include "scene/topology.h"
 #include "truth/crossings/pierce.h"
-#include "truth/crossings/written_contacts.h"
 
 namespace ink::truth {
 
@@ -16,7 +15,6 @@ struct Crossings {
     std::vector<Crossing> segments;      ///< sorted by (face0, face1)
     std::vector<Contact> contacts;       ///< sorted by edge, then t_begin, then face
     std::vector<CoplanarPair> coplanar;  ///< sorted by (face, lower_face)
-    WrittenPairs written;                ///< what touches by its digits
     std::size_t pairs_tested = 0;        ///< pairs of triangles whose boxes touch
     bool is_too_many = false;            ///< the search was given up; then the lists are empty and
                                          ///< pairs_tested is the budget

@@ -35,12 +35,8 @@ struct Span {
 
 class Pair {
   public:
-    /// `rounding_world` has one entry per vertex.
-    Pair(const scene::Topology& topology,
-         const std::vector<double>& rounding_world,
-         std::uint32_t f,
-         std::uint32_t g)
-        : p_(topology.p_world), topology_(topology), rounding_world_(rounding_world), index_{f, g} {
+    Pair(const scene::Topology& topology, std::uint32_t f, std::uint32_t g)
+        : p_(topology.p_world), topology_(topology), index_{f, g} {
         for (std::size_t i = 0; i < 2; ++i)
             face_[i] = &topology.faces[index_[i]];
     }
@@ -53,13 +49,6 @@ class Pair {
         if (!is_too_far_) return meeting;
         is_as_given_ = true;
         return attempt();
-    }
-
-    /// The first of these alone.
-    WrittenMeeting meet_as_written() {
-        WrittenMeeting met{attempt(), sides(signs_of(0)), sides(signs_of(1))};
-        if (is_too_far_) met.meeting.reset();
-        return met;
     }
 
   private:
@@ -108,10 +97,6 @@ class Pair {
     [[nodiscard]] static bool is_zero(const Signs& s) {
         return s[0] == 0 && s[1] == 0 && s[2] == 0;
     }
-    [[nodiscard]] static Sides sides(const Signs& s) {
-        const auto has = [&](int sign) { return std::find(s.begin(), s.end(), sign) != s.end(); };
-        return {has(0) && has(1), has(0) && has(-1)};
-    }
     [[nodiscard]] static bool is_apart(const Signs& s) {
         return s[0] * s[1] > 0 && s[1] * s[2] > 0;
     }
@@ -136,7 +121,7 @@ class Pair {
     }
 
     [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t vertex) const {
-        return {p_[vertex], is_as_given_ ? 0 : rounding_world_[vertex]};
+        return {p_[vertex], is_as_given_ ? 0 : topology_.rounding_world[vertex]};
     }
 
     [[nodiscard]] std::array<std::uint32_t, 2> side_vertices(std::size_t i, Side side) const {
@@ -303,7 +288,6 @@ class Pair {
 
     const std::vector<glm::dvec3>& p_;
     const scene::Topology& topology_;
-    const std::vector<double>& rounding_world_;
     std::array<std::uint32_t, 2> index_;
     std::array<const scene::Face*, 2> face_{};
     std::array<Span, 2> span_;
@@ -314,14 +298,7 @@ class Pair {
 }  // namespace
 
 Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) {
-    return Pair(topology, topology.rounding_world, std::min(f, g), std::max(f, g)).meet();
-}
-
-WrittenMeeting meet_as_written(const scene::Topology& topology, std::uint32_t f, std::uint32_t g) {
-    Pair pair(topology, topology.written_rounding_world, std::min(f, g), std::max(f, g));
-    WrittenMeeting met = pair.meet_as_written();
-    if (f > g) std::swap(met.of_f, met.of_g);
-    return met;
+    return Pair(topology, std::min(f, g), std::max(f, g)).meet();
 }
 
 }  // namespace ink::truth

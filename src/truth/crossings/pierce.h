@@ -64,24 +64,4 @@ struct Meeting {
 /// Degenerate triangles are not allowed (weld drops them). Same result if the faces are swapped.
 [[nodiscard]] Meeting meet(const scene::Topology& topology, std::uint32_t f, std::uint32_t g);
 
-/// On which sides of another triangle's plane the corners of one lie for sure, if others lie in it
-/// as far as digits can tell.
-struct Sides {
-    bool has_above = false;  ///< the front
-    bool has_below = false;
-};
-
-/// What two triangles have in common as far as written digits can tell.
-struct WrittenMeeting {
-    /// Nothing where only a plane that was followed too far says that they touch.
-    std::optional<Meeting> meeting;
-    Sides of_f, of_g;  ///< the corners of either, at the other's plane
-};
-
-/// The same with the rounding of written digits (Topology::written_rounding_world, which must not
-/// be empty).
-[[nodiscard]] WrittenMeeting meet_as_written(const scene::Topology& topology,
-                                             std::uint32_t f,
-                                             std::uint32_t g);
-
 }  // namespace ink::truth

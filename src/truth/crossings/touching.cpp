@@ -25,13 +25,10 @@ struct Sheet {
 class Bundle {
   public:
     Bundle(const EyeView& eye, std::uint32_t e, double t)
-        : eye_(eye),
-          p_(eye.model.topology.p_world),
-          edge_(eye.model.topology.edges[e]),
-          w_(eye.depth_at(edge_, t)) {
+        : eye_(eye), p_(eye.model.topology.p_world), edge_(eye.model.topology.edges[e]) {
         for (const std::uint32_t f : eye.model.topology.faces_of(edge_))
             add(f, true);
-        for (const Contact& contact : eye.contacts_of(e)) {
+        for (const Contact& contact : eye.model.crossings.contacts_of(e)) {
             if (contact.t_begin <= t && t <= contact.t_end) add(contact.face, false);
         }
     }
@@ -101,7 +98,7 @@ class Bundle {
 
   private:
     [[nodiscard]] scene::RoundedPoint point_of(std::uint32_t v) const {
-        return eye_.rounded_point(v, w_);
+        return scene::rounded_point(eye_.model.topology, v);
     }
     /// How far rounding may have turned a sheet about the edge.
     [[nodiscard]] double doubt_rad(const Sheet& s) const {
@@ -147,7 +144,6 @@ class Bundle {
     const EyeView& eye_;
     const std::vector<glm::dvec3>& p_;
     const scene::Edge& edge_;
-    double w_;
     Sheet left_, right_;
 };
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace ink::scene {
+
+/// A box along the axes; the default one is empty.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    void add(const Box& box) {
+        low = glm::min(low, box.low);
+        high = glm::max(high, box.high);
+    }
+    [[nodiscard]] bool is_empty() const { return !(low.x <= high.x); }
+    [[nodiscard]] glm::dvec3 center() const { return low * 0.5 + high * 0.5; }
+    /// Length; 0 of an empty box.
+    [[nodiscard]] double diagonal() const { return is_empty() ? 0 : glm::length(high - low); }
+    [[nodiscard]] bool touches(const Box& o) const {
+        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
+               low.z <= o.high.z && o.low.z <= high.z;
+    }
+};
+
+}  // namespace ink::scene
