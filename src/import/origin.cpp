@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "scene/box.h"
 #include "scene/precision/rounding.h"
 
 namespace ink::import {
@@ -17,22 +17,16 @@ namespace {
 
 constexpr double kFarRadii = 64;
 
-/// A box round points.
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+using scene::Box;
 
-    void add(const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    [[nodiscard]] glm::dvec3 center() const { return low + (high - low) * 0.5; }
-    [[nodiscard]] double radius() const { return glm::length(high - low) * 0.5; }
-    /// Whether it holds something and all of it is somewhere.
-    [[nodiscard]] bool is_finite() const {
-        return std::isfinite(radius()) && std::isfinite(glm::length(center()));
-    }
-};
+double radius_of(const Box& box) {
+    return box.diagonal() * 0.5;
+}
+/// Whether it holds something and all of it is somewhere.
+bool is_finite(const Box& box) {
+    return !box.is_empty() && std::isfinite(radius_of(box)) &&
+           std::isfinite(glm::length(box.center()));
+}
 
 /// Where a mesh stands for each of its uses; what has bones stands by its first.
 std::vector<std::vector<glm::dmat4>> places_of(const ImportReply& reply) {
@@ -76,7 +70,7 @@ Box box_of(const ImportReply& reply, const std::vector<std::vector<glm::dmat4>>&
     Box whole;
     for (std::size_t m = 0; m < reply.meshes.size(); ++m) {
         const Box box = box_of(reply.meshes[m]);
-        if (!box.is_finite()) continue;
+        if (!is_finite(box)) continue;
         for (const glm::dmat4& world_from_mesh : places[m])
             for (int corner = 0; corner < 8; ++corner) {
                 const glm::bvec3 is_high{corner & 1, corner & 2, corner & 4};
@@ -95,7 +89,7 @@ glm::dvec3 take_out_of_mesh(ImportedMesh& mesh,
     // As long as an edge of one is in the world; 0 is no place at all.
     const double stretch = std::cbrt(std::abs(glm::determinant(glm::dmat3(world_from_mesh))));
     const Box box = box_of(mesh);
-    if (!(stretch > 0) || !box.is_finite()) return glm::dvec3{0};
+    if (!(stretch > 0) || !is_finite(box)) return glm::dvec3{0};
     const double radius = radius_world / stretch;
     const glm::dvec3 origin = glm::inverse(world_from_mesh) * glm::dvec4(origin_world, 1);
     const glm::dvec3 taken =
@@ -152,8 +146,8 @@ void move_meshes(const std::vector<glm::dvec3>& taken, scene::Animation& animati
 glm::dvec3 take_out_origin(ImportReply& reply) {
     const auto places = places_of(reply);
     const Box whole = box_of(reply, places);
-    if (!whole.is_finite()) return glm::dvec3{0};
-    const double radius = whole.radius();
+    if (!is_finite(whole)) return glm::dvec3{0};
+    const double radius = radius_of(whole);
     const glm::dvec3 origin =
         in_steps(whole.center(), radius, is_beyond(whole.center(), kFarRadii * radius));
     if (origin == glm::dvec3{0}) return origin;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "scene/box.h"
 #include "scene/clusters.h"
 #include "scene/predicates.h"
 
@@ -12,20 +13,6 @@ namespace ink::scene {
 namespace {
 
 constexpr double kOutwards = 1 + 1e-12;  ///< on a radius, so that rounding leaves nothing outside
-
-/// A box that grows round points, and the ball that holds them.
-class Box {
-  public:
-    void add(const glm::dvec3& p) {
-        low_ = glm::min(low_, p);
-        high_ = glm::max(high_, p);
-    }
-    [[nodiscard]] glm::dvec3 center() const { return low_ * 0.5 + high_ * 0.5; }
-
-  private:
-    glm::dvec3 low_{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high_{-std::numeric_limits<double>::infinity()};
-};
 
 /// A face's unit normal as double has it, and how far it may be from the true one.
 struct Normal {

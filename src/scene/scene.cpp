@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "scene/box.h"
 #include "scene/sharing/shared_work.h"
 
 namespace ink::scene {
@@ -95,14 +96,10 @@ void for_each_corner(const Scene& scene, Visit visit) {
 
 Sphere sphere_of(const Scene& scene) {
     // The box's centre, and the farthest corner from it: at most sqrt(3) too large, and stable.
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-    for_each_corner(scene, [&](const glm::dvec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    });
-    if (!(low.x <= high.x)) return {};
-    Sphere sphere{(low + high) * 0.5, 0};
+    Box box;
+    for_each_corner(scene, [&](const glm::dvec3& p) { box.add(p); });
+    if (box.is_empty()) return {};
+    Sphere sphere{(box.low + box.high) * 0.5, 0};
     for_each_corner(scene, [&](const glm::dvec3& p) {
         sphere.radius = std::max(sphere.radius, glm::length(p - sphere.center_world));
     });

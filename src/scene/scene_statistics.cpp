@@ -5,10 +5,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <vector>
 
+#include "scene/box.h"
 #include "scene/components.h"
 #include "scene/near_points.h"
 #include "scene/near_sheets.h"
@@ -92,15 +94,13 @@ std::size_t count_cracked_corners(const Topology& topology) {
         }
     }
     if (corners.empty()) return 0;
-    glm::dvec3 low = corners.front(), high = low;
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < corners.size(); ++i) {
-        low = glm::min(low, corners[i]);
-        high = glm::max(high, corners[i]);
-        all.push_back(i);
-    }
+    Box box;
+    for (const glm::dvec3& p : corners)
+        box.add(p);
+    std::vector<std::uint32_t> all(corners.size());
+    std::iota(all.begin(), all.end(), 0U);
     NearPoints near(corners);
-    near.add(all, kCrackShare * glm::length(high - low));
+    near.add(all, kCrackShare * box.diagonal());
     std::vector<glm::dvec3> places = near.representatives();
     // Both sides of a crack count: all but those that stayed alone at their place.
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -117,19 +117,15 @@ std::size_t count_cracked_corners(const Topology& topology) {
 
 /// Half the diagonal of each object's own box, the largest over the smallest that is not 0.
 double extent_ratio(const Topology& topology, std::size_t objects) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    std::vector<glm::dvec3> low(objects, glm::dvec3(kInfinity));
-    std::vector<glm::dvec3> high(objects, glm::dvec3(-kInfinity));
+    std::vector<Box> boxes(objects);
     for (const Face& face : topology.faces) {
-        for (const std::uint32_t v : face.vertices) {
-            low[face.object] = glm::min(low[face.object], topology.p_world[v]);
-            high[face.object] = glm::max(high[face.object], topology.p_world[v]);
-        }
+        for (const std::uint32_t v : face.vertices)
+            boxes[face.object].add(topology.p_world[v]);
     }
-    double least = kInfinity, most = 0;
-    for (std::size_t i = 0; i < objects; ++i) {
-        if (!(low[i].x <= high[i].x)) continue;
-        const double size = glm::length(high[i] - low[i]);
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Box& box : boxes) {
+        if (box.is_empty()) continue;
+        const double size = box.diagonal();
         least = std::min(least, size);
         most = std::max(most, size);
     }

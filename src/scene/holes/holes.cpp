@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/box.h"
 #include "scene/clusters.h"
 #include "scene/face_graph.h"
 #include "scene/holes/remainder.h"
@@ -66,23 +67,12 @@ bool walk_rings(std::span<RimSide> sides, const FaceGraph& graph, Clusters& clus
     return true;
 }
 
-struct Box {
-    glm::dvec3 low;
-    glm::dvec3 high;
-
-    explicit Box(const Corners& c)
-        : low(glm::min(glm::min(c[0], c[1]), c[2])), high(glm::max(glm::max(c[0], c[1]), c[2])) {}
-    void add(const Box& other) {
-        low = glm::min(low, other.low);
-        high = glm::max(high, other.high);
-    }
-    [[nodiscard]] bool meets(const Box& other) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
-        }
-        return true;
-    }
-};
+Box box_of(const Corners& c) {
+    Box box;
+    for (const glm::dvec3& p : c)
+        box.add(p);
+    return box;
+}
 
 /// Whether a segment meets a triangle, exactly. One that lies in its plane does not count.
 bool crosses(const glm::dvec3& p, const glm::dvec3& q, const Corners& c) {
@@ -145,10 +135,12 @@ bool is_pierced(const Surface& moved,
                 std::uint32_t solid,
                 const Hole& hole,
                 const std::vector<Corners>& fan) {
-    std::vector<Box> boxes(fan.begin(), fan.end());
-    Box all = boxes.front();
-    for (const Box& box : boxes)
-        all.add(box);
+    std::vector<Box> boxes;
+    Box all;
+    for (const Corners& corners : fan) {
+        boxes.push_back(box_of(corners));
+        all.add(boxes.back());
+    }
     for (const Cluster& cluster : clusters_of(clusters, solid)) {
         const double reach = cluster.bounds.radius + hole.bounds.radius;
         const glm::dvec3 way = cluster.bounds.center_world - hole.bounds.center_world;
@@ -156,10 +148,10 @@ bool is_pierced(const Surface& moved,
         for (std::size_t t = 0; t < cluster.triangle_count; ++t) {
             const auto& ids = moved.triangles[clusters.triangle_ids[cluster.first_triangle + t]];
             const Corners face{moved.p_world[ids[0]], moved.p_world[ids[1]], moved.p_world[ids[2]]};
-            const Box box(face);
-            if (!box.meets(all)) continue;
+            const Box box = box_of(face);
+            if (!box.touches(all)) continue;
             for (std::size_t i = 0; i < fan.size(); ++i) {
-                if (box.meets(boxes[i]) && pierces(face, fan[i])) return true;
+                if (box.touches(boxes[i]) && pierces(face, fan[i])) return true;
             }
         }
     }

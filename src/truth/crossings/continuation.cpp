@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "core/parallel.h"
-#include "truth/crossings/box_tree.h"
+#include "scene/box.h"
+#include "truth/crossings/pair_tree.h"
 #include "truth/crossings/triangle_distance.h"
 
 namespace ink::truth {
@@ -50,15 +51,15 @@ std::vector<Border> list_borders(const scene::Topology& topology,
     return borders;
 }
 
-BoxTree tree_of(const std::vector<Border>& borders) {
-    std::vector<Box> boxes(borders.size());
+std::vector<scene::Box> boxes_of(const std::vector<Border>& borders) {
+    std::vector<scene::Box> boxes(borders.size());
     for (std::size_t i = 0; i < borders.size(); ++i) {
         for (const glm::dvec3& p : {borders[i].a, borders[i].b}) {
             boxes[i].add(p - borders[i].tolerance);
             boxes[i].add(p + borders[i].tolerance);
         }
     }
-    return BoxTree(std::move(boxes));
+    return boxes;
 }
 
 /// Parameters of an edge, 0..1.
@@ -188,19 +189,20 @@ Triangle triangle_of(const scene::Topology& topology, const scene::Face& face) {
 std::vector<Continuation> find_continuations(const scene::Topology& topology,
                                              const ContinuationOptions& options) {
     const auto borders = list_borders(topology, options.tolerances);
-    const BoxTree tree = tree_of(borders);
-    std::vector<std::vector<Continuation>> found((topology.faces.size() + kChunk - 1) / kChunk);
     if (borders.empty()) return {};
+    const std::vector<scene::Box> boxes = boxes_of(borders);
+    const PairTree tree(boxes);
+    std::vector<std::vector<Continuation>> found((topology.faces.size() + kChunk - 1) / kChunk);
 
     core::parallel_for(found.size(), options.threads, [&](std::size_t chunk) {
         const std::size_t end = std::min(topology.faces.size(), (chunk + 1) * kChunk);
         for (std::size_t f = chunk * kChunk; f < end; ++f) {
             const Triangle triangle = triangle_of(topology, topology.faces[f]);
-            Box box;
+            scene::Box box;
             for (const glm::dvec3& p : triangle.p)
                 box.add(p);
-            tree.for_each(box, [&](std::uint32_t i) {
-                if (borders[i].face == f) return;
+            tree.for_each_near(box, [&](std::uint32_t i) {
+                if (borders[i].face == f || !boxes[i].touches(box)) return;
                 auto c = continuation(borders[i], triangle, options);
                 if (!c) return;
                 c->face = static_cast<std::uint32_t>(f);

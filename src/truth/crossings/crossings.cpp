@@ -82,7 +82,7 @@ class PairTester {
 };
 
 PairTree tree_of(const scene::Topology& topology) {
-    std::vector<Box> boxes(topology.faces.size());
+    std::vector<scene::Box> boxes(topology.faces.size());
     for (std::uint32_t f = 0; f < boxes.size(); ++f) {
         const Flat triangle = flat(topology, f);
         for (const glm::dvec3& p : triangle.p) {

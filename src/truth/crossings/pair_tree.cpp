@@ -44,9 +44,9 @@ void sort_by_key(std::vector<Keyed>& items) {
     }
 }
 
-std::vector<std::uint32_t> along_the_curve(const std::vector<Box>& boxes) {
-    Box all;
-    for (const Box& box : boxes)
+std::vector<std::uint32_t> along_the_curve(const std::vector<scene::Box>& boxes) {
+    scene::Box all;
+    for (const scene::Box& box : boxes)
         all.add(0.5 * (box.low + box.high));
     const glm::dvec3 size = all.high - all.low;
     glm::dvec3 scale{0};
@@ -83,7 +83,7 @@ void PairTree::FloatBox::add(const FloatBox& o) {
     }
 }
 
-PairTree::FloatBox PairTree::rounded_outward(const Box& box) {
+PairTree::FloatBox PairTree::rounded_outward(const scene::Box& box) {
     FloatBox result;
     for (int i = 0; i < 3; ++i) {
         result.low[static_cast<std::size_t>(i)] = rounded_down(box.low[i]);
@@ -92,7 +92,7 @@ PairTree::FloatBox PairTree::rounded_outward(const Box& box) {
     return result;
 }
 
-PairTree::PairTree(const std::vector<Box>& boxes) : order_(along_the_curve(boxes)) {
+PairTree::PairTree(const std::vector<scene::Box>& boxes) : order_(along_the_curve(boxes)) {
     const auto leaves = static_cast<std::uint32_t>((boxes.size() + kLeafSize - 1) / kLeafSize);
     leaf_count_ = std::bit_ceil(std::max(1U, leaves));
     leaves_.resize(leaf_count_);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "truth/crossings/box_tree.h"
+#include "scene/box.h"
 
 namespace ink::truth {
 
@@ -24,7 +24,7 @@ class PairTree {
         std::uint32_t second = 0;
     };
 
-    explicit PairTree(const std::vector<Box>& boxes);
+    explicit PairTree(const std::vector<scene::Box>& boxes);
 
     [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
 
@@ -36,6 +36,13 @@ class PairTree {
     template <class Visit>
     void for_each(const Task& task, Visit&& visit) const {
         (void)descend(task.first, task.second, visit);
+    }
+
+    /// Calls `visit(i)` for the index of each box that touches `box`, in an order that only the
+    /// boxes decide; as above, some that do not touch it in double are visited, too.
+    template <class Visit>
+    void for_each_near(const scene::Box& box, Visit&& visit) const {
+        descend_near(1, rounded_outward(box), visit);
     }
 
   private:
@@ -75,7 +82,7 @@ class PairTree {
         }
     };
 
-    [[nodiscard]] static FloatBox rounded_outward(const Box& box);
+    [[nodiscard]] static FloatBox rounded_outward(const scene::Box& box);
     void expand(std::uint32_t a, std::uint32_t b, std::vector<Task>& tasks) const;
 
     template <class Visit>
@@ -106,6 +113,19 @@ class PairTree {
             }
         }
         return true;
+    }
+
+    template <class Visit>
+    void descend_near(std::uint32_t node, const FloatBox& box, Visit& visit) const {
+        if (!nodes_[node].touches(box)) return;
+        if (node < leaf_count_) {
+            descend_near(2 * node, box, visit);
+            descend_near(2 * node + 1, box, visit);
+            return;
+        }
+        const auto hits = leaves_[node - leaf_count_].touching(box);
+        for (std::uint32_t j = 0; j < kLeafSize; ++j)
+            if (hits[j] != 0) visit(order_[(node - leaf_count_) * kLeafSize + j]);
     }
 
     std::vector<std::uint32_t> order_;  ///< per place the box's index
