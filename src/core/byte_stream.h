@@ -56,6 +56,18 @@ class ByteWriter {
     const ByteSink& sink_;
 };
 
+/// The bytes that `write` gives a ByteWriter.
+template <class Write>
+[[nodiscard]] std::string written_bytes(const Write& write) {
+    std::string bytes;
+    const ByteSink sink = [&bytes](const void* data, std::size_t size) {
+        bytes.append(static_cast<const char*>(data), size);
+    };
+    ByteWriter writer(sink);
+    write(writer);
+    return bytes;
+}
+
 /// Reads what a ByteWriter wrote until the bytes run out; from then on `is_good` is false and all
 /// values are zero. Allocates no more than a small multiple of the bytes, whatever counts they
 /// claim.
@@ -95,6 +107,11 @@ class ByteReader {
     void part(T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
         take(&value, sizeof value);
+    }
+    void part(bool& value) {
+        const auto byte = this->value<std::uint8_t>();
+        if (byte > 1) fail();
+        value = byte == 1;
     }
     template <class T>
     void part(std::vector<T>& values) {

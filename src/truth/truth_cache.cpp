@@ -1,10 +1,9 @@
 #include "truth/truth_cache.h"
 
 #include <optional>
-#include <vector>
 
-#include "core/error.h"
 #include "core/hash.h"
+#include "core/kept_file.h"
 #include "core/whole_file.h"
 #include "truth/truth_file.h"
 #include "truth/truth_sources.h"
@@ -17,23 +16,10 @@ namespace fs = std::filesystem;
 std::optional<Truth> load(const fs::path& path, const std::string& key, const scene::View& view) {
     const auto bytes = core::read_whole_file(path);
     if (!bytes) return std::nullopt;
-    auto truth =
-        decode_truth({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()}, key);
+    auto truth = decode_truth(*bytes, key);
     const bool fits = truth && truth->labels.width_px() == view.width_px &&
                       truth->labels.height_px() == view.height_px;
     return fits ? std::move(truth) : std::nullopt;
-}
-
-/// Writes beside and renames. Whatever goes wrong leaves no file behind and is not told.
-void save(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    if (error) return;
-    try {
-        core::write_whole_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    } catch (const core::Error&) {
-        // A truth that cannot be kept is traced again the next time: that costs time, nothing else.
-    }
 }
 
 }  // namespace
@@ -62,7 +48,7 @@ Truth cached_truth(SceneModel& scene,
     const fs::path path = cache_dir / (key + ".truth");
     if (auto truth = load(path, key, view)) return std::move(*truth);
     Truth truth = trace_truth(scene.model(), view, trace);
-    save(path, encode_truth(truth, key));
+    core::keep_file(path, encode_truth(truth, key));
     return truth;
 }
 

@@ -1,16 +1,16 @@
 #include "truth/truth_file.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <span>
 
 #include "core/byte_stream.h"
-#include "core/hash.h"
+#include "core/kept_file.h"
 
 namespace ink::truth {
 namespace {
 
-constexpr std::array<char, 8> kMagic = {'i', 'n', 'k', 't', 'r', 'u', 't', '1'};
+constexpr core::KeptKind kKind = {'i', 'n', 'k', 't', 'r', 'u', 't', '1'};
 
 struct Size {
     std::int32_t width_px = 0, height_px = 0;
@@ -151,43 +151,17 @@ std::optional<Truth> read_payload(core::ByteReader& in) {
     return truth;
 }
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-    return core::Hasher().bytes(bytes.data(), bytes.size()).result();
-}
-
-/// Adds what is written to `bytes`.
-core::ByteSink sink_into(std::vector<std::uint8_t>& bytes) {
-    return [&bytes](const void* data, std::size_t size) {
-        const auto* begin = static_cast<const std::uint8_t*>(data);
-        bytes.insert(bytes.end(), begin, begin + size);
-    };
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> encode_truth(const Truth& truth, const std::string& key) {
-    std::vector<std::uint8_t> payload;
-    const core::ByteSink into_payload = sink_into(payload);
-    core::ByteWriter payload_writer(into_payload);
-    write_payload(payload_writer, truth);
-    std::vector<std::uint8_t> bytes;
-    const core::ByteSink into_bytes = sink_into(bytes);
-    core::ByteWriter(into_bytes)
-        .parts(kMagic, key, hash_of(std::as_bytes(std::span(payload))), payload);
-    return bytes;
+std::string encode_truth(const Truth& truth, const std::string& key) {
+    return core::sealed(
+        kKind, key, core::written_bytes([&](core::ByteWriter& out) { write_payload(out, truth); }));
 }
 
-std::optional<Truth> decode_truth(std::span<const std::uint8_t> bytes, const std::string& key) {
-    core::ByteReader in(std::as_bytes(bytes));
-    std::array<char, 8> magic{};
-    std::string stored_key;
-    std::uint64_t hash = 0;
-    std::uint64_t size = 0;
-    in.parts(magic, stored_key, hash, size);
-    if (!in.is_good() || magic != kMagic || stored_key != key || size != in.left().size() ||
-        hash != hash_of(in.left())) {
-        return std::nullopt;
-    }
+std::optional<Truth> decode_truth(std::string_view bytes, const std::string& key) {
+    const auto payload = core::unsealed(bytes, kKind, key);
+    if (!payload) return std::nullopt;
+    core::ByteReader in(*payload);
     return read_payload(in);
 }
 

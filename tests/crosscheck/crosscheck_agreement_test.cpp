@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "catalogue/catalogue.h"
+#include "core/kept_file.h"
 #include "crosscheck/dense_sampling.h"
 #include "harness/crosscheck/compare_truths.h"
 #include "harness/crosscheck/crosscheck_cache.h"
@@ -335,9 +336,16 @@ TEST(CrosscheckFile, HoldsNoNumberThatIsNoneOfItsKind) {
     harness::Disagreement no_class = sound;
     no_class.line_class = static_cast<truth::LineClass>(200);
     EXPECT_FALSE(is_read(no_class));
-    harness::Disagreement far_curve = sound;
-    far_curve.curve = ~std::size_t{0};
-    EXPECT_FALSE(is_read(far_curve)) << "2^64 as a double, which no index holds";
+    // The last byte is `is_confirmed`: neither true nor false.
+    harness::Crosscheck check;
+    check.agreement.disagreements = {sound};
+    const core::KeptKind kind = {'i', 'n', 'k', 'w', 'i', 't', 'n', '3'};
+    const std::string bytes = harness::encode_check(check, "key");
+    const auto payload = core::unsealed(bytes, kind, "key");
+    ASSERT_TRUE(payload);
+    std::string changed(reinterpret_cast<const char*>(payload->data()), payload->size());
+    changed.back() = 2;
+    EXPECT_FALSE(harness::decode_check(core::sealed(kind, "key", changed), "key"));
 }
 
 /// Two sheets of one object, flat or bent a little, whose borders lie 3e-5 apart: seven times the

@@ -1,11 +1,11 @@
 // Any bytes under the right hash are a truth that is kept as it is, or none; and nothing else is
 // thrown, whatever lengths they claim.
 
+#include <algorithm>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "core/byte_stream.h"
-#include "core/hash.h"
+#include "core/kept_file.h"
 #include "harness/crosscheck/crosscheck_cache.h"
 #include "tests/fuzz/fuzz.h"
 #include "truth/truth_file.h"
@@ -15,25 +15,10 @@ namespace {
 
 constexpr const char* kKey = "key";
 
-/// A head as encode_truth writes it in front of `payload`.
-std::vector<std::uint8_t> with_head(Bytes payload) {
-    std::vector<std::uint8_t> bytes = truth::encode_truth({}, kKey);
-    const std::size_t head_bytes = 8 + 8 + std::string(kKey).size();
-    bytes.resize(head_bytes);
-    const core::ByteSink sink = [&](const void* data, std::size_t size) {
-        const auto* begin = static_cast<const std::uint8_t*>(data);
-        bytes.insert(bytes.end(), begin, begin + size);
-    };
-    core::ByteWriter(sink).parts(core::Hasher().bytes(payload.data(), payload.size()).result(),
-                                 static_cast<std::uint64_t>(payload.size()));
-    bytes.insert(bytes.end(), payload.begin(), payload.end());
-    return bytes;
-}
-
-void check_truth(Bytes bytes) {
+void check_truth(std::string_view bytes) {
     const auto truth = truth::decode_truth(bytes, kKey);
     if (!truth) return;
-    const std::vector<std::uint8_t> kept = truth::encode_truth(*truth, kKey);
+    const std::string kept = truth::encode_truth(*truth, kKey);
     const auto again = truth::decode_truth(kept, kKey);
     expect(again.has_value(), "a truth that was kept can be read");
     expect(truth::encode_truth(*again, kKey) == kept, "a truth is kept as it is");
@@ -50,21 +35,22 @@ void check_crosscheck(const std::string& text) {
     expect(harness::encode_check(*again, kKey) == kept, "a cross-check is kept as it is");
 }
 
-/// The same with the head that encode_check writes in front of `payload`.
-std::string check_with_head(Bytes payload) {
-    constexpr std::size_t kMagicBytes = 8;
-    const std::string magic = harness::encode_check({}, kKey).substr(0, kMagicBytes);
-    const std::string hash = core::Hasher().bytes(payload.data(), payload.size()).hex();
-    return magic + kKey + hash + std::string(payload.begin(), payload.end());
+/// `payload` sealed as what is kept in `kept` is.
+std::string with_head(const std::string& kept, Bytes payload) {
+    core::KeptKind kind{};
+    std::copy_n(kept.begin(), kind.size(), kind.begin());
+    return core::sealed(
+        kind, kKey, {reinterpret_cast<const char*>(payload.data()), payload.size()});
 }
 
 }  // namespace
 
 void check_kept_truth(Bytes bytes) {
-    check_truth(bytes);
-    check_truth(with_head(bytes));
-    check_crosscheck({bytes.begin(), bytes.end()});
-    check_crosscheck(check_with_head(bytes));
+    const std::string text(bytes.begin(), bytes.end());
+    check_truth(text);
+    check_truth(with_head(truth::encode_truth({}, kKey), bytes));
+    check_crosscheck(text);
+    check_crosscheck(with_head(harness::encode_check({}, kKey), bytes));
 }
 
 }  // namespace ink::fuzz

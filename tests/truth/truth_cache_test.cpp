@@ -7,7 +7,8 @@
 #include <fstream>
 #include <limits>
 
-#include "core/hash.h"
+#include "core/byte_stream.h"
+#include "core/kept_file.h"
 #include "tests/truth/shapes.h"
 #include "truth/truth_file.h"
 
@@ -32,8 +33,7 @@ class Cache : public testing::Test {
         Truth truth = trace_truth(scene_, view_, options_);
         truth.trace_s = 12345;
         const std::string key = truth_key(scene_, view_, options_);
-        const auto bytes = encode_truth(truth, key);
-        write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        write(encode_truth(truth, key));
         return truth;
     }
     void write(std::string_view bytes) { std::ofstream(file(), std::ios::binary) << bytes; }
@@ -149,21 +149,11 @@ TEST(TruthFile, HasImagesOfOneSize) {
 
 TEST(TruthFile, ClaimsOfManyPixelsAreNotAllocated) {
     // The labels' size with its runs, under a hash that fits: 2^20 x 2^20 px in one run of few.
-    std::vector<std::uint8_t> payload;
-    for (const std::uint32_t number : {1U << 20, 1U << 20, 12U}) {
-        for (int byte = 0; byte < 4; ++byte)
-            payload.push_back(static_cast<std::uint8_t>(number >> (8 * byte)));
-    }
-    payload.push_back(0);
-    std::vector<std::uint8_t> bytes = encode_truth({}, "key");
-    bytes.resize(8 + 8 + 3);
-    const auto add = [&](std::uint64_t number) {
-        for (int byte = 0; byte < 8; ++byte)
-            bytes.push_back(static_cast<std::uint8_t>(number >> (8 * byte)));
-    };
-    add(core::Hasher().bytes(payload.data(), payload.size()).result());
-    add(payload.size());
-    bytes.insert(bytes.end(), payload.begin(), payload.end());
+    const std::string payload = core::written_bytes(
+        [](core::ByteWriter& out) { out.parts(1U << 20, 1U << 20, 12U, std::uint8_t{0}); });
+    const core::KeptKind kind = {'i', 'n', 'k', 't', 'r', 'u', 't', '1'};
+    EXPECT_TRUE(core::unsealed(encode_truth({}, "key"), kind, "key").has_value());
+    const std::string bytes = core::sealed(kind, "key", payload);
     EXPECT_FALSE(decode_truth(bytes, "key").has_value());
 }
 

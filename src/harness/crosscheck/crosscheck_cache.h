@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "crosscheck/dense_sampling.h"
@@ -33,7 +32,7 @@ struct Crosscheck {
 /// A check as bytes, and back; nothing if they are cut off, changed, of another key, or hold a
 /// number that is none of its kind.
 [[nodiscard]] std::string encode_check(const Crosscheck& check, const std::string& key);
-[[nodiscard]] std::optional<Crosscheck> decode_check(const std::string& bytes,
+[[nodiscard]] std::optional<Crosscheck> decode_check(std::string_view bytes,
                                                      const std::string& key);
 
 }  // namespace ink::harness
