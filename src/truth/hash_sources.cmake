@@ -1,7 +1,9 @@
-# cmake -DSOURCE=<src folder> -DFILES=<paths below it, joined by |> -DOUTPUT=<header> -P this: writes
-# one hash over the named files, so that a cached truth never outlives the code that traced it.
+# cmake -DSOURCE=<src folder> -DROOMS=<folders below it, joined by |> -DOUTPUT=<header> -P this: writes
+# one hash over all files of the rooms, so that a kept truth never outlives the code that traced it.
 cmake_minimum_required(VERSION 3.25)
-string(REPLACE "|" ";" files "${FILES}")
+string(REPLACE "|" ";" rooms "${ROOMS}")
+list(TRANSFORM rooms REPLACE ".+" "${SOURCE}/\\0/*" OUTPUT_VARIABLE globs)
+file(GLOB_RECURSE files RELATIVE ${SOURCE} ${globs})
 set(all "")
 foreach(file ${files})
     file(SHA256 "${SOURCE}/${file}" hash)
