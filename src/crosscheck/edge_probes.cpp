@@ -2,15 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 
 #include "core/parallel.h"
+#include "crosscheck/clip_mesh.h"
 #include "crosscheck/line_names.h"
-#include "crosscheck/screen_segment.h"
 
 namespace ink::crosscheck {
 namespace {
+
+/// A line on the image with q = 1/w at its ends; between them q is linear in px.
+struct ScreenSegment {
+    glm::dvec2 a{0}, b{0};
+    double q_a = 0, q_b = 0;
+
+    [[nodiscard]] glm::dvec2 at(double s) const { return a + s * (b - a); }
+    [[nodiscard]] double q_at(double s) const { return q_a + s * (q_b - q_a); }
+};
+
+/// A stretch of a segment.
+struct Range {
+    double begin = 0, end = 1;
+    [[nodiscard]] bool is_empty() const { return begin > end; }
+};
+
+/// Where a + s (b - a) lies between low and high, within `range`.
+Range clip(Range range, double a, double b, double low, double high) {
+    if (a == b) return a >= low && a <= high ? range : Range{1, 0};
+    const auto [first, last] = std::minmax({(low - a) / (b - a), (high - a) / (b - a)});
+    return {std::max(range.begin, first), std::min(range.end, last)};
+}
+
+/// The part of a mesh edge that lies beyond the near plane and inside the image; false if there is
+/// none.
+bool project_edge(const ClipMesh& mesh, const scene::Edge& edge, ScreenSegment& segment) {
+    glm::dvec3 a = mesh.p_clip()[edge.a], b = mesh.p_clip()[edge.b];
+    const double near = mesh.view().camera.near;
+    if (a.z < near && b.z < near) return false;
+    const glm::dvec3 cut = a + (b - a) * ((near - a.z) / (b.z - a.z));
+    if (a.z < near) a = cut;
+    if (b.z < near) b = cut;
+    const ScreenSegment all{glm::dvec2(a) / a.z, glm::dvec2(b) / b.z, 1 / a.z, 1 / b.z};
+    Range inside = clip({}, all.a.x, all.b.x, 0, mesh.view().width_px);
+    inside = clip(inside, all.a.y, all.b.y, 0, mesh.view().height_px);
+    if (inside.is_empty()) return false;
+    segment = {
+        all.at(inside.begin), all.at(inside.end), all.q_at(inside.begin), all.q_at(inside.end)};
+    return true;
+}
 
 constexpr double kSpacing_px = 0.375;
 constexpr double kAside_px = 1.0 / 1024;

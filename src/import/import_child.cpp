@@ -24,11 +24,13 @@
 #include "import/quake_models.h"
 #include "import/refusal.h"
 #include "import/scene_stream.h"
-#ifdef INK_IMPORT_FAULTS
-#include "import/import_faults.h"
-#endif
 
 namespace ink::import {
+
+#ifdef INK_IMPORT_FAULTS
+void provoke_fault(const std::string& path, int output_fd);  // tests/import/import_faults.cpp
+#endif
+
 namespace {
 
 enum ExitCode { kSuccess = 0, kWriteFailed = 1, kUsage = 2 };

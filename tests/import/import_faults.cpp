@@ -1,5 +1,3 @@
-#include "import/import_faults.h"
-
 #include <unistd.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace ink::import {
@@ -35,6 +34,12 @@ void flood(int fd) {
 
 }  // namespace
 
+void provoke_fault(const std::string& path, int output_fd);
+
+/// Misbehaves as the stem of `path` asks, in the test build of the import child only: `crash`,
+/// `abort`, `hang`, `sleep`, `hungry` (memory), `quit` (an exit without an answer), `babble`
+/// (nonsense for an answer), `flood` (an endless answer), `linger` (closes its answer and stays).
+/// Else returns.
 void provoke_fault(const std::string& path, int output_fd) {
     const std::map<std::string, std::function<void()>> faults{
         {"crash", [] { raise(SIGSEGV); }},
