@@ -46,9 +46,9 @@ struct Topology {
     /// coordinates are floats. Half a unit in the last place of the largest of them, carried
     /// through the object's transform; of joined vertices the most.
     std::vector<double> rounding_world;
-    /// Per object: how far digits may have moved a vertex, if its coordinates were written with few
-    /// (precision/written_digits.h); 0 where they have all that floats have, or where it is more
-    /// than 1/64 px of an image on which the scene is 256 px wide. Empty if it is 0 for all.
+    /// Per object: how far the few decimal digits that its file has may have moved a vertex
+    /// (precision/written_digits.h); 0 where floats have more to say, or it is more than 1/64 px of
+    /// an image on which the scene is 256 px wide. Empty where it is 0 for all.
     std::vector<double> written_rounding_world;
     std::vector<Face> faces;
     std::vector<Edge> edges;
