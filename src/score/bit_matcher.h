@@ -12,11 +12,11 @@ namespace ink::score {
 
 /// Matches two sets of pixels one to one, and again after they changed, without a list of pairs.
 ///
-/// Sets are masks with a bit a pixel, in words laid out as edge::BitMask has them. Who may be
-/// matched with whom is read off the bits round a pixel: 64 pixels that have a partner at one
-/// offset are matched at once, and breadth-first augmenting paths (Berge) find the rest, so the
-/// size is exact. A set that is replaced keeps the pairs whose pixels stayed: the next matching
-/// begins there, and sets that differ in little cost little.
+/// Sets are masks with a bit a pixel. Who may be matched with whom is read off the bits round a
+/// pixel: 64 pixels that have a partner at one offset are matched at once, and breadth-first
+/// augmenting paths (Berge) find the rest, so the size is exact. A set that is replaced keeps the
+/// pairs whose pixels stayed: the next matching begins there, and sets that differ in little cost
+/// little.
 class BitMatcher {
   public:
     /// The widest disk: the number of a place in it must fit in a byte.
@@ -25,10 +25,7 @@ class BitMatcher {
     /// Of two empty sets, on an image of this size.
     BitMatcher(int width_px, int height_px, const Disk& disk);
 
-    /// Words that a set of this size has.
-    [[nodiscard]] std::size_t word_count() const { return word_count_; }
-
-    /// Replaces a set. `words` has word_count() words; bits outside the image are 0.
+    /// Replaces a set by the words of an edge::BitMask of the image's size.
     void set_left(std::span<const std::uint64_t> words) { replace(left_, right_, words); }
     void set_right(std::span<const std::uint64_t> words) { replace(right_, left_, words); }
 
