@@ -278,7 +278,7 @@ TEST(Refused, SizesThatDifferAreBothNamed) {
 TEST(Refused, OptionsOutsideTheirRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const double tolerance_px : {0.0, -1.0, 64.5, nan, infinity}) {
+    for (const double tolerance_px : {0.0, -1.0, 8.5, nan, infinity}) {
         EXPECT_THROW(ink::score::check({.tolerance_px = tolerance_px}), ink::core::Error);
     }
     for (const int threshold : {-1, 0, 256}) {
@@ -288,7 +288,7 @@ TEST(Refused, OptionsOutsideTheirRange) {
     for (const int label : {0, 256, -7}) {
         EXPECT_THROW(ink::score::check({.ignore_label = label}), ink::core::Error);
     }
-    EXPECT_NO_THROW(ink::score::check({.tolerance_px = 64, .threshold = 255, .ignore_label = 255}));
+    EXPECT_NO_THROW(ink::score::check({.tolerance_px = 8, .threshold = 255, .ignore_label = 255}));
 }
 
 }  // namespace
