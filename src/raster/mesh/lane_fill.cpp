@@ -1,5 +1,4 @@
 #include "raster/mesh/lane_triangles.h"
-#include "raster/mesh/micro_triangles.h"
 #include "raster/pass/tile_buffer.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -233,27 +232,24 @@ HWY_INLINE void FillTriangle(const LaneTriangles& t,
 }
 
 template <class Depth, class Values>
-void Fill(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
+void Fill(const LaneTriangles& triangles, TileBuffer& to) {
     auto* const depth = to.depth_row<typename Depth::Value>(0);
     Values values(triangles, to);
-    MicroTriangleRun micro_triangles(format, triangles, to);
     for (std::size_t i = 0; i < triangles.count; ++i) {
-        if (micro_triangles.takes(i)) continue;
         triangles.needs_limits[i] != 0 ? FillTriangle<Depth, true>(triangles, i, depth, values)
                                        : FillTriangle<Depth, false>(triangles, i, depth, values);
     }
-    micro_triangles.finish();
 }
 
 template <class Depth>
 void FillConstants(const PassFormat& format, const LaneTriangles& triangles, TileBuffer& to) {
     switch (format.store) {
         case Store::u8:
-            return Fill<Depth, ConstantLanes<std::uint8_t>>(format, triangles, to);
+            return Fill<Depth, ConstantLanes<std::uint8_t>>(triangles, to);
         case Store::u16:
-            return Fill<Depth, ConstantLanes<std::uint16_t>>(format, triangles, to);
+            return Fill<Depth, ConstantLanes<std::uint16_t>>(triangles, to);
         default:
-            return Fill<Depth, ConstantLanes<std::uint32_t>>(format, triangles, to);
+            return Fill<Depth, ConstantLanes<std::uint32_t>>(triangles, to);
     }
 }
 
@@ -262,14 +258,14 @@ void FillStore(const PassFormat& format, const LaneTriangles& triangles, TileBuf
     if (format.constant) return FillConstants<Depth>(format, triangles, to);
     switch (format.store) {
         case Store::u8:
-            return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(format, triangles, to)
-                                            : Fill<Depth, CodeLanes<2, 16>>(format, triangles, to);
+            return format.interpolants == 1 ? Fill<Depth, CodeLanes<1, 16>>(triangles, to)
+                                            : Fill<Depth, CodeLanes<2, 16>>(triangles, to);
         case Store::u16:
-            return Fill<Depth, CodeLanes<1, 14>>(format, triangles, to);
+            return Fill<Depth, CodeLanes<1, 14>>(triangles, to);
         case Store::f32:
-            return Fill<Depth, NumberLanes>(format, triangles, to);
+            return Fill<Depth, NumberLanes>(triangles, to);
         default:
-            return Fill<Depth, NoLanes>(format, triangles, to);
+            return Fill<Depth, NoLanes>(triangles, to);
     }
 }
 

@@ -3,7 +3,6 @@
 #include "raster/mesh/lane_collect.h"
 #include "raster/mesh/lane_rows.h"
 #include "raster/mesh/lane_triangles.h"
-#include "raster/mesh/micro_triangles.h"
 #include "raster/pass/screen_vertex.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -150,7 +149,6 @@ void set_up_lanes(const PassFormat& format,
                   LaneTriangles& out) {
     HWY_DYNAMIC_DISPATCH(SetUpLanes)(format, source, entries, drawn, depth_bias, out);
     find_rows(out);
-    find_micro_triangles(format, out);
 }
 
 }  // namespace ink::raster

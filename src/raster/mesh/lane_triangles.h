@@ -140,19 +140,6 @@ struct LaneTriangles {
         alignas(64) float values[kMaxPlanes][kPadded];
     };
     Corners corners[3];
-
-    /// Pixels of triangles that touch at most 2 x 2, in the order of the triangles: found a vector
-    /// of triangles at a time.
-    struct MicroTriangles {
-        /// Four a triangle, and a vector's worth more.
-        static constexpr std::size_t kCapacity = 4 * kCount + kLanePad;
-        /// Per triangle, how many of the pixels are its; -1: it is drawn otherwise.
-        alignas(64) Ints counts;
-        alignas(64) std::int32_t offset[kCapacity];  ///< y * kTileStride + x
-        alignas(64) float q[kCapacity];
-        alignas(64) std::uint32_t values[kMaxPlanes][kCapacity];  ///< codes, or floats' bits
-    };
-    MicroTriangles micro_triangles;
 };
 
 /// Sets up at most LaneTriangles::kCount listed triangles, none of them of the scalar path, for the
