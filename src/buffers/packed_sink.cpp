@@ -7,7 +7,6 @@
 #include "buffers/sample_grid.h"
 #include "edge/binomial_blur.h"
 #include "edge/laplacian.h"
-#include "raster/pass/needed_rows.h"
 
 namespace ink::buffers {
 namespace {
@@ -112,50 +111,13 @@ void copy_tile(const Codes<T>& codes, const raster::Tile& tile, core::Image<std:
         std::copy_n(codes.row(y), tile.width_px, to.row(tile.y0_px + y) + tile.x0_px);
 }
 
-/// Rows of edge responses as long as a tile's, whole or cut at the image's frame.
-template <int kWhole_px>
-void clear_rows(const core::ImageView<std::uint8_t>& edge_responses,
-                int x,
-                const raster::RowRun& rows) {
-    const auto width = static_cast<std::size_t>(std::min(kWhole_px, edge_responses.width_px - x));
-    for (int y = rows.begin; y < rows.end; ++y) {
-        std::uint8_t* const to = edge_responses.row(y) + x;
-        if (width == kWhole_px) {  // known to the compiler: a few stores, no call
-            std::memset(to, 0, kWhole_px);
-        } else {
-            std::memset(to, 0, width);
-        }
-    }
-}
-
-/// Filters the rows in which any stencil is needed, and clears what is not. A column that needs
-/// fewer of them is cleared afterwards: that takes less time than to filter it by itself.
 template <class T>
-void filter_needed(const Codes<T>& codes,
-                   const edge::LaplacianResponse& response,
-                   const raster::Tile& tile,
-                   const core::ImageView<std::uint8_t>& to) {
-    const raster::RowRun rows =
-        tile.needed ? tile.needed->hull() : raster::RowRun{0, tile.height_px};
-    const core::ImageView<const T> from{
-        codes.row(rows.begin), tile.width_px, rows.count(), codes.stride};
-    const core::ImageView<std::uint8_t> part{
-        to.row(rows.begin), tile.width_px, rows.count(), to.stride};
-    edge::laplacian(from, part, response);
-    if (!tile.needed) return;
-    clear_rows<raster::kTileSize_px>(to, 0, {0, rows.begin});
-    clear_rows<raster::kTileSize_px>(to, 0, {rows.end, tile.height_px});
-    for (std::size_t i = 0; i < raster::kStencilColumns; ++i) {
-        const int x = static_cast<int>(i) * raster::kStencilColumn_px;
-        const raster::RowRun& kept = tile.needed->of[i];
-        if (x >= tile.width_px) break;
-        if (kept.is_empty()) {
-            clear_rows<raster::kStencilColumn_px>(to, x, rows);
-        } else {
-            clear_rows<raster::kStencilColumn_px>(to, x, {rows.begin, kept.begin});
-            clear_rows<raster::kStencilColumn_px>(to, x, {kept.end, rows.end});
-        }
-    }
+void filter_codes(const Codes<T>& codes,
+                  const edge::LaplacianResponse& response,
+                  const core::ImageView<std::uint8_t>& to) {
+    edge::laplacian(core::ImageView<const T>{codes.row(0), to.width_px, to.height_px, codes.stride},
+                    to,
+                    response);
 }
 
 /// Writes a tile's edge responses; joins them with what an earlier field left by their maximum.
@@ -167,11 +129,11 @@ void filter_tile(const Codes<T>& codes,
                  edge::EdgeImage& out) {
     const core::ImageView<std::uint8_t> to{
         out.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out.width_px()};
-    if (is_first) return filter_needed(codes, response, tile, to);
+    if (is_first) return filter_codes(codes, response, to);
     std::array<std::uint8_t, raster::kTileSize_px * raster::kTileSize_px> buffer;
     const core::ImageView<std::uint8_t> edge_responses{
         buffer.data(), tile.width_px, tile.height_px, raster::kTileSize_px};
-    filter_needed(codes, response, tile, edge_responses);
+    filter_codes(codes, response, edge_responses);
     for (int y = 0; y < tile.height_px; ++y) {
         const std::uint8_t* mine = edge_responses.row(y);
         std::uint8_t* joined = to.row(y);
@@ -187,7 +149,13 @@ void clear_tile(const raster::Tile& tile, edge::EdgeImage& out) {
     if (output.width_px == 0 || output.height_px == 0) return;
     const core::ImageView<std::uint8_t> to{
         out.row(tile.y0_px) + tile.x0_px, output.width_px, output.height_px, out.width_px()};
-    clear_rows<raster::kTileSize_px>(to, 0, {0, output.height_px});
+    for (int y = 0; y < to.height_px; ++y) {
+        if (to.width_px == raster::kTileSize_px) {  // known to the compiler: a few stores, no call
+            std::memset(to.row(y), 0, raster::kTileSize_px);
+        } else {
+            std::memset(to.row(y), 0, static_cast<std::size_t>(to.width_px));
+        }
+    }
 }
 
 PackedSink::PackedSink(const Packer& packer,

@@ -151,7 +151,6 @@ Optimisation omit(const raster::SkipInfo& info,
         case Skip::empty_tiles:
             return omit_empty_tiles(facts.views);
         case Skip::flat_tiles:
-        case Skip::flat_stencils:
             return omit_flat(std::string(info.name), code);
         case Skip::temporal_reuse:
             break;

@@ -20,7 +20,6 @@ const std::array<SkipInfo, kSkipCount>& skip_infos() {
          "Triangles behind what was already drawn."},
         {Skip::empty_tiles, "empty_tiles", "tiles", "Tiles to which nothing is drawn."},
         {Skip::flat_tiles, "flat_tiles", "tiles", "Tiles inside one plane: the filter gives 0."},
-        {Skip::flat_stencils, "flat_stencils", "pixels", "Stencils inside one triangle: 0 too."},
         {Skip::temporal_reuse,
          "temporal_reuse",
          "tiles",

@@ -17,10 +17,9 @@ enum class Skip {
     occlusion_culling,  ///< triangles and blocks behind what is drawn already
     empty_tiles,        ///< tiles that nobody draws to
     flat_tiles,         ///< tiles inside one plane, where a filter answers 0
-    flat_stencils,      ///< stencils that touch one triangle only
     temporal_reuse,     ///< tiles that nothing moved in since the last frame
 };
-inline constexpr std::size_t kSkipCount = 9;
+inline constexpr std::size_t kSkipCount = 8;
 
 /// A row of the table of skips.
 struct SkipInfo {

@@ -110,13 +110,6 @@ SkipScene wall() {
     return scene_for(Skip::flat_tiles, "A wall that fills the frame.", stage);
 }
 
-SkipScene facets() {
-    Stage stage;
-    stage.add("ball", catalogue::make_icosphere(1, 1), Pose{{0, 0, 0}, {10, 20, 0}});
-    stage.view(EyeShot{"facets", {0, 0, 1.9}, {0, 0, 0}, 50});
-    return scene_for(Skip::flat_stencils, "A few large facets.", stage);
-}
-
 SkipScene one_of_nine_turns(int levels) {
     Stage stage;
     const int across = 4 << std::min(levels - 2, 3);
@@ -162,8 +155,6 @@ SkipScene skip_scene(raster::Skip skip, int levels) {
             return far_teapot();
         case Skip::flat_tiles:
             return wall();
-        case Skip::flat_stencils:
-            return facets();
         case Skip::temporal_reuse:
             return one_of_nine_turns(levels);
     }

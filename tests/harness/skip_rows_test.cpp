@@ -52,8 +52,7 @@ TEST(ForbiddenSkips, AreNamedInTheOrderOfTheTable) {
               "frustum_culling;occlusion_culling");
     EXPECT_EQ(forbidden_skips(SkipSet::none()),
               "attributes;frustum_culling;back_face_culling;no_sample;occlusion_culling;empty_"
-              "tiles;flat_tiles;flat_stencils;"
-              "temporal_reuse");
+              "tiles;flat_tiles;temporal_reuse");
 }
 
 TEST(SkipsOfRepeatedDrawings, AreAllButThoseOfWhatStandsStill) {

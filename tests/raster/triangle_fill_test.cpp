@@ -126,7 +126,7 @@ TEST(TriangleFill, GivesTheBitsOfThePlainLoopOnEveryTarget) {
                 int drawn = 0;
                 for (std::uint32_t i = 0; i < batches.front().triangles.size(); ++i) {
                     const BinEntry entry{0, i};
-                    if (!fill_triangle(job, entry, DrawnRows::all(vectors), vectors)) continue;
+                    if (!fill_triangle(job, entry, vectors)) continue;
                     fill_function(made.format)(job, {&entry, 1}, plain);
                     ++drawn;
                 }
@@ -137,32 +137,6 @@ TEST(TriangleFill, GivesTheBitsOfThePlainLoopOnEveryTarget) {
             }
         }
     }
-}
-
-TEST(TriangleFill, LeavesAloneWhatLiesOutsideItsRows) {
-    const Case made = cases()[2];
-    const Input scene(made);
-    const PassInput input = scene.pass();
-    std::vector<Batch> batches(1);
-    set_up_more(made.format, input, {0, 0, kSize_px, kSize_px}, batches.front());
-    const FillJob job{made.format, input, batches};
-    TileBuffer buffer(made.format, input, {kSize_px, kSize_px, 1});
-    buffer.start(0);
-    buffer.touch();
-    const DrawnRows rows{{{{5, 22}, {}, {9, 30}, {40, 64}, {0, 7}}}};
-    for (std::uint32_t i = 0; i < batches.front().triangles.size(); ++i)
-        EXPECT_TRUE(fill_triangle(job, {0, i}, rows, buffer));
-    int inside = 0;
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            const RowRun& run = rows.of[static_cast<std::size_t>(x + 8) / 16];
-            const bool is_in = y >= run.begin && y < run.end;
-            const float depth = buffer.depth_row<float>(y)[x];
-            inside += is_in && depth > 0 ? 1 : 0;
-            EXPECT_TRUE(is_in || depth == 0) << x << ' ' << y;
-        }
-    }
-    EXPECT_GT(inside, 300);
 }
 
 }  // namespace

@@ -73,24 +73,6 @@ TEST(SkipViews, AreEmptySmallAndFull) {
     EXPECT_GT(drawn_px(views[2]), 0);
 }
 
-TEST(SkipScenes, FacetsLeaveOutAThirdOfTheStencilsAndNoLine) {
-    SkipStudyOptions options = kQuick;
-    options.width_px = 1280;
-    options.height_px = 720;
-    const auto stencils = static_cast<std::size_t>(Skip::flat_stencils);
-    for (const char* method : {"mote4", "mote16"}) {
-        const auto times = time_skips(
-            {&methods::find_method(method), {}}, skip_scene(Skip::flat_stencils, 2), options);
-        ASSERT_EQ(times.size(), 3U);
-        EXPECT_GT(3 * times[0].counts[stencils].skipped, times[0].counts[stencils].of) << method;
-        for (const SkipTime& time : times) {
-            EXPECT_EQ(time.status, "ok") << method;  // the same image in every arm
-            const bool leaves_out = time.arm == SkipArm::on;
-            EXPECT_EQ(time.counts[stencils].skipped > 0, leaves_out) << method;
-        }
-    }
-}
-
 TEST(TimeSkips, DrawsAllArmsInTurnsAndCountsTheSkipsOfEach) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "buffers/packed_sink.h"
-#include "raster/pass/needed_rows.h"
 #include "scene/sharing/shared_work.h"
 
 namespace ink::buffers {
@@ -54,36 +53,15 @@ class DifferenceSink : public raster::TileSink {
     void finish(const raster::Tile& drawn) override {
         if (drawn.is_empty) return clear_tile(drawn, out_);
         const raster::Tile tile = output_tile(drawn, out_.width_px(), out_.height_px());
-        const raster::RowRun rows =
-            tile.needed ? tile.needed->hull() : raster::RowRun{0, tile.height_px};
-        filter(tile, {rows.begin, std::min(rows.end, tile.height_px)});
-        if (tile.needed) clear_unneeded(tile);
-    }
-
-  private:
-    void filter(const raster::Tile& tile, const raster::RowRun& rows) const {
-        if (rows.is_empty() || tile.width_px == 0) return;
+        if (tile.width_px == 0 || tile.height_px <= 0) return;
         edge::side_differences(
-            {tile.row<Code>(0, rows.begin), tile.width_px, rows.count(), tile.stride},
-            {out_.row(tile.y0_px + rows.begin) + tile.x0_px,
-             tile.width_px,
-             rows.count(),
-             out_.width_px()},
+            {tile.row<Code>(0, 0), tile.width_px, tile.height_px, tile.stride},
+            {out_.row(tile.y0_px) + tile.x0_px, tile.width_px, tile.height_px, out_.width_px()},
             sides_,
             gain_bits_);
     }
-    void clear_unneeded(const raster::Tile& tile) const {
-        for (std::size_t i = 0; i < raster::kStencilColumns; ++i) {
-            const int x = static_cast<int>(i) * raster::kStencilColumn_px;
-            const int width = std::clamp(tile.width_px - x, 0, raster::kStencilColumn_px);
-            const raster::RowRun& kept = tile.needed->of[i];
-            for (int y = 0; y < tile.height_px; ++y) {
-                if (y >= kept.begin && y < kept.end) continue;
-                std::fill_n(out_.row(tile.y0_px + y) + tile.x0_px + x, width, std::uint8_t{0});
-            }
-        }
-    }
 
+  private:
     edge::Sides sides_;
     int gain_bits_;
     edge::EdgeImage& out_;

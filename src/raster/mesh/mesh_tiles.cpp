@@ -56,7 +56,6 @@ void MeshTileWorker::draw_front(int tile) {
     const auto end = runs_.begin() + static_cast<std::ptrdiff_t>(fronts_);
     if (std::none_of(runs_.begin(), end, has_lanes)) return;
     buffer_.start(tile);
-    rows_ = DrawnRows::all(buffer_);
     buffer_.touch();
     coarse_.start(buffer_);
     is_late_ = false;
@@ -73,14 +72,13 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
     if (fronts_ > 0 && front_.tile(tile).is_drawn) {
         buffer_.resume(tile, front_.tile(tile).pixels);
         ++count_of(skips_, Skip::empty_tiles).of;
-        if (job_.input.flat_gives_zero) count_own_pixels();  // none flat: there are lanes
-        rows_ = DrawnRows::all(buffer_);
+        if (job_.input.flat_gives_zero) ++count_of(skips_, Skip::flat_tiles).of;
         coarse_.start(buffer_);
         coarse_.refresh();
         is_late_ = true;  // as good as that
         for (std::size_t i = fronts_; i < runs_.size(); ++i)
             draw_list(runs_[i], runs_[i].of(tile));
-        finish(nullptr, sink);
+        finish(sink);
         return;
     }
     const bool is_empty = std::all_of(
@@ -96,52 +94,31 @@ void MeshTileWorker::draw(int tile, TileSink& sink) {
         sink.finish(buffer_.view(true));
         return;
     }
-    if (job_.input.flat_gives_zero) count_own_pixels();
-    const bool is_whole = job_.input.flat_gives_zero && list_scalar(tile);
-    if (is_whole && is_flat()) {
-        sink.finish(buffer_.view(true));
-        return;
+    if (job_.input.flat_gives_zero) {
+        SkipCount& flat = count_of(skips_, Skip::flat_tiles);
+        ++flat.of;
+        if (job_.input.skips.has(Skip::flat_tiles) && list_scalar(tile) && is_flat()) {
+            ++flat.skipped;
+            sink.finish(buffer_.view(true));
+            return;
+        }
     }
-    const bool spares = is_whole && find_needed();
-    if (spares && needed_.hull().is_empty()) {
-        sink.finish(buffer_.view(true));
-        return;
-    }
-    rows_ =
-        spares ? DrawnRows::under(needed_, buffer_, job_.grid.halo_px) : DrawnRows::all(buffer_);
-    const PixelRect written = rows_.hull(buffer_);
-    if (spares && buffer_.is_inner()) {
-        buffer_.touch(written.y0, written.y1);
-    } else {
-        buffer_.touch();
-    }
+    buffer_.touch();
     coarse_.start(buffer_);
     is_late_ = false;
     for (const MeshRun& run : runs_)
         draw_list(run, run.of(tile));
-    finish(spares ? &needed_ : nullptr, sink);
+    finish(sink);
 }
 
-void MeshTileWorker::finish(const NeededRows* needed, TileSink& sink) {
+void MeshTileWorker::finish(TileSink& sink) {
     buffer_.finish();
     buffer_.extend_frame();
-    Tile finished = buffer_.view(false);
-    finished.needed = needed;
-    sink.finish(finished);
-}
-
-/// What flat tiles and stencils are a part of.
-void MeshTileWorker::count_own_pixels() {
-    const PixelRect& own = buffer_.own();
-    ++count_of(skips_, Skip::flat_tiles).of;
-    count_of(skips_, Skip::flat_stencils).of +=
-        static_cast<std::uint64_t>(own.x1 - own.x0) * static_cast<std::uint64_t>(own.y1 - own.y0);
+    sink.finish(buffer_.view(false));
 }
 
 /// Gives the proof a tile's triangles, if they are few and all of them of the scalar path.
 bool MeshTileWorker::list_scalar(int tile) {
-    const SkipSet& skips = job_.input.skips;
-    if (!skips.has(Skip::flat_tiles) && !skips.has(Skip::flat_stencils)) return false;
     std::size_t count = 0;
     for (const MeshRun& run : runs_)
         count += run.of(tile).size();
@@ -156,33 +133,9 @@ bool MeshTileWorker::list_scalar(int tile) {
     return true;
 }
 
-bool MeshTileWorker::is_one_triangle() const {
-    return buffer_.is_inner() && proof_.is_flat(buffer_.drawn());
-}
-
 /// Whether the whole tile lies inside one plane.
-bool MeshTileWorker::is_flat() {
-    if (!job_.input.skips.has(Skip::flat_tiles)) return false;
-    if (!is_one_triangle()) return false;
-    ++count_of(skips_, Skip::flat_tiles).skipped;
-    return true;
-}
-
-/// Whether enough of the tile's stencils lie inside one plane to leave them out. A tile that one
-/// triangle fills is for flat_tiles, and drawn where that is not allowed.
-bool MeshTileWorker::find_needed() {
-    if (!job_.input.skips.has(Skip::flat_stencils)) return false;
-    if (!proof_.find_needed(buffer_, job_.grid.halo_px, needed_)) return false;
-    if (needed_.hull().is_empty() && is_one_triangle()) return false;
-    const PixelRect& own = buffer_.own();
-    SkipCount& pixels = count_of(skips_, Skip::flat_stencils);
-    for (std::size_t i = 0; i < kStencilColumns; ++i) {
-        const int x0 = own.x0 + static_cast<int>(i) * kStencilColumn_px;
-        const int width = std::clamp(own.x1 - x0, 0, kStencilColumn_px);
-        pixels.skipped +=
-            static_cast<std::uint64_t>(width * (own.y1 - own.y0 - needed_.of[i].count()));
-    }
-    return true;
+bool MeshTileWorker::is_flat() const {
+    return buffer_.is_inner() && proof_.is_flat(buffer_.drawn());
 }
 
 /// Triangles in order: stretches of one cluster for lanes, and those of the scalar path by
@@ -280,7 +233,7 @@ void MeshTileWorker::draw_scalar(const std::vector<Batch>& batches, std::uint32_
     coarse_.announce(kWholeWeight);
     const BinEntry entry{0, index};
     const FillJob fill{job_.format, near_far_, batches};
-    if (fill_triangle(fill, entry, rows_, buffer_)) return;
+    if (fill_triangle(fill, entry, buffer_)) return;
     buffer_.touch();
     fill_(fill, {&entry, 1}, buffer_);
 }

@@ -9,7 +9,6 @@
 #include "raster/mesh/front_depth.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/mesh/mesh_stage.h"
-#include "raster/pass/drawn_rows.h"
 #include "raster/pass/flat_proof.h"
 #include "raster/pass/tile_buffer.h"
 #include "raster/pass/tile_fill.h"
@@ -37,12 +36,9 @@ class MeshTileWorker {
     [[nodiscard]] const SkipCounts& skips() const { return skips_; }
 
   private:
-    void finish(const NeededRows* needed, TileSink& sink);
-    void count_own_pixels();
+    void finish(TileSink& sink);
     [[nodiscard]] bool list_scalar(int tile);
-    [[nodiscard]] bool is_one_triangle() const;
-    [[nodiscard]] bool is_flat();
-    [[nodiscard]] bool find_needed();
+    [[nodiscard]] bool is_flat() const;
     void draw_list(const MeshRun& run, std::span<const std::uint32_t> list);
     void prefetch(const LaneSource& source, std::uint32_t entry) const;
     void look_again(const LaneSource& source, bool is_late);
@@ -67,8 +63,6 @@ class MeshTileWorker {
     std::array<std::uint32_t, LaneTriangles::kCount> lane_entries_{};
     std::size_t lane_count_ = 0;
     FlatProof proof_;
-    NeededRows needed_;  ///< stencils of the tile
-    DrawnRows rows_;
     bool tests_hidden_;
     CoarseDepth coarse_;
     SkipCounts skips_{};

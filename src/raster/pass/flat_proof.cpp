@@ -6,11 +6,6 @@
 namespace ink::raster {
 namespace {
 
-// More triangles than this are seldom flat together, and a proof that spares less than a quarter of
-// a tile costs about what it spares.
-constexpr std::size_t kMostForStencils = 3;
-constexpr int kFewStencils = kTileSize_px * kTileSize_px / 4;
-
 struct FloatRange {
     float least;
     float greatest;
@@ -87,65 +82,6 @@ bool FlatProof::is_flat(const PixelRect& rect) const {
                });
     });
     return owner != triangles_.end() && is_unlimited(*owner, rect);
-}
-
-bool FlatProof::find_needed(const TileBuffer& tile, int halo_px, NeededRows& needed) {
-    if (triangles_.size() > kMostForStencils) return false;
-    const PixelRect& own = tile.own();
-    const PixelRect& drawn = tile.drawn();
-    const int height = own.y1 - own.y0;
-    met_.clear();
-    for (const Listed& listed : triangles_)
-        met_.emplace_back(listed.triangle(), tile, halo_px);
-    int spared = 0;
-    for (std::size_t i = 0; i < kStencilColumns; ++i) {
-        RowRun& run = needed.of[i];
-        run = {0, height};
-        const int x0 = own.x0 + static_cast<int>(i) * kStencilColumn_px;
-        if (x0 >= own.x1) run.end = 0;
-        const PixelRect column{x0 - halo_px, drawn.y0, x0 + kStencilColumn_px + halo_px, drawn.y1};
-        if (x0 + kStencilColumn_px > own.x1 || !holds(drawn, column)) continue;
-        const RowRun proven = lone_rows(column, i);
-        const int to_own = drawn.y0 - own.y0;
-        if (drawn.y0 < own.y0) run.begin = std::max(proven.begin + to_own - halo_px, 0);
-        if (drawn.y1 > own.y1) run.end = std::min(proven.end + to_own + halo_px, height);
-        spared += kStencilColumn_px * (height - run.count());
-    }
-    return spared >= kFewStencils;
-}
-
-/// How far down from a column's first row, and how far up from its last, no more than one triangle
-/// is met, in rows from the first.
-RowRun FlatProof::lone_rows(const PixelRect& column, std::size_t at) const {
-    const int rows = column.y1 - column.y0;
-    RowRun sky{rows, 0};
-    for (const TriangleRows& met : met_) {
-        const RowRun touched = met.touched(at);
-        if (touched.is_empty()) continue;
-        sky.begin = std::min(sky.begin, touched.begin);
-        sky.end = std::max(sky.end, touched.end);
-    }
-    RowRun best = sky;
-    for (std::size_t owner = 0; owner < triangles_.size(); ++owner) {
-        const RowRun inside = met_[owner].inside(at);
-        RowRun lone{inside.begin <= 0 ? inside.end : 0, inside.end >= rows ? inside.begin : rows};
-        if (lone.begin <= best.begin && lone.end >= best.end) continue;
-        for (std::size_t other = 0; other < triangles_.size(); ++other) {
-            if (other == owner) continue;
-            const RowRun touched = met_[other].touched(at);
-            if (touched.is_empty() || is_behind(triangles_[other], triangles_[owner], column))
-                continue;
-            lone.begin = std::min(lone.begin, touched.begin);
-            lone.end = std::max(lone.end, touched.end);
-        }
-        const auto is_proven = [&](int begin, int end) {
-            return is_unlimited(triangles_[owner],
-                                {column.x0, column.y0 + begin, column.x1, column.y0 + end});
-        };
-        if (lone.begin > best.begin && is_proven(0, lone.begin)) best.begin = lone.begin;
-        if (lone.end < best.end && is_proven(lone.end, rows)) best.end = lone.end;
-    }
-    return best;
 }
 
 }  // namespace ink::raster

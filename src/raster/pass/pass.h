@@ -76,8 +76,6 @@ struct PassInput {
     std::array<std::uint32_t, kMaxPlanes> sky_code{};  ///< what an integer plane holds there
 };
 
-struct NeededRows;
-
 /// A finished tile as its sink sees it: its pixels and `halo_px` more on every side.
 ///
 /// Local (0,0) is the tile's own top left pixel, which is (x0_px, y0_px) of the image; local
@@ -92,10 +90,6 @@ struct Tile {
     /// Nothing was drawn, halo included: every plane holds sky. Where the input of a MeshPass
     /// allows it, also a tile inside one plane, whose planes then hold nothing of use.
     bool is_empty = false;
-    /// Stencils that need to be looked at, see raster/pass/needed_rows.h: all others are known to
-    /// give 0, and the pixels that only they read hold nothing of use. Null: all. Always null
-    /// unless the input of a MeshPass allows more.
-    const NeededRows* needed = nullptr;
     std::ptrdiff_t stride = 0;  ///< elements from one row to the next, the same in every plane
     /// Local (0,0) of each plane; the type is the format's store.
     std::array<const void*, kMaxPlanes> planes{};

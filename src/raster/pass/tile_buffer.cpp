@@ -30,18 +30,13 @@ std::uint32_t sky_bits(const PassFormat& format, const PassInput& input, std::si
     return 0;
 }
 
-/// Bytes [begin, end) of a plane, in whole words.
-void fill_words(AlignedArray<std::byte>& memory,
-                std::size_t begin,
-                std::size_t end,
-                std::uint32_t word) {
+/// The first `count` bytes of a plane, in whole words.
+void fill_words(AlignedArray<std::byte>& memory, std::size_t count, std::uint32_t word) {
     const auto byte = static_cast<int>(word & 0xffU);
     if (word == 0x01010101U * (word & 0xffU)) {  // nearly always: the library has wider stores
-        std::memset(memory.data() + begin, byte, end - begin);
+        std::memset(memory.data(), byte, count);
     } else {
-        std::fill(reinterpret_cast<std::uint32_t*>(memory.data() + begin),
-                  reinterpret_cast<std::uint32_t*>(memory.data() + end),
-                  word);
+        std::fill_n(reinterpret_cast<std::uint32_t*>(memory.data()), count / sizeof word, word);
     }
 }
 
@@ -77,23 +72,17 @@ std::size_t TileBuffer::element_bytes() const {
 void TileBuffer::start(int tile) {
     own_ = grid_.own(tile);
     drawn_ = grid_.drawn(tile);
-    if (is_clean()) return;
+    if (is_clean_) return;
     // 0 is infinity in every depth format, float included.
     const auto clear = [this](Memory& memory, std::size_t bytes, std::uint32_t word) {
-        fill_words(memory, dirty_begin() * bytes, dirty_end() * bytes, word);
+        fill_words(memory, kElements * bytes, word);
     };
     clear(depth_, sizeof(std::uint32_t), 0);
     for (int plane = 0; plane < format_.planes(); ++plane) {
         const std::uint32_t sky = sky_[static_cast<std::size_t>(plane)];
         clear(drawn_plane(plane), drawn_bytes(), sky);
     }
-    dirty_begin_ = kTileRows;
-    dirty_end_ = 0;
-}
-
-std::size_t TileBuffer::dirty_end() const {
-    const std::size_t end = static_cast<std::size_t>(dirty_end_) * kTileStride;
-    return dirty_end_ == kTileRows ? kElements : end;
+    is_clean_ = true;
 }
 
 void TileBuffer::exchange(TilePixels& other) {
@@ -114,17 +103,15 @@ void TileBuffer::resume(int tile, TilePixels& from) {
 }
 
 void TileBuffer::finish() {
-    if (!is_narrowed() || (is_clean() && shows_sky_)) return;
-    shows_sky_ = is_clean();
-    // All of a tile that holds sky alone: what was drawn before is still there.
-    const std::size_t begin = is_clean() ? 0 : dirty_begin();
-    const std::size_t count = (is_clean() ? kElements : dirty_end()) - begin;
+    if (!is_narrowed() || (is_clean_ && shows_sky_)) return;
+    shows_sky_ = is_clean_;
+    // A tile of sky alone, too: what was drawn before is still there.
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(format_.planes()); ++plane) {
-        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data()) + begin;
+        const auto* from = reinterpret_cast<const std::uint32_t*>(wide_[plane].data());
         if (format_.store == Store::u8) {
-            narrow(from, count, reinterpret_cast<std::uint8_t*>(planes_[plane].data()) + begin);
+            narrow(from, kElements, reinterpret_cast<std::uint8_t*>(planes_[plane].data()));
         } else {
-            narrow(from, count, reinterpret_cast<std::uint16_t*>(planes_[plane].data()) + begin);
+            narrow(from, kElements, reinterpret_cast<std::uint16_t*>(planes_[plane].data()));
         }
     }
 }

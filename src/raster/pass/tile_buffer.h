@@ -34,13 +34,9 @@ class TileBuffer {
     /// Makes it the buffer of `tile`, holding nothing but sky. What nobody wrote to since it was
     /// last cleared is not cleared again.
     void start(int tile);
-    /// Says that something is about to be written: anywhere, or (in an inner tile) in rows [y0, y1)
-    /// of the image only. Those rows alone are then cleared by start() and made narrow by
-    /// finish().
-    void touch() { touch_rows(0, kTileRows); }
-    void touch(int y0, int y1) {
-        touch_rows(y0 - own_.y0 + kMaxHalo_px, y1 - own_.y0 + kMaxHalo_px);
-    }
+    /// Says that something is about to be written: start() clears no other tile, finish() narrows
+    /// none.
+    void touch() { is_clean_ = false; }
     /// Puts the tile aside as it is, for resume().
     void put_aside(TilePixels& to) { exchange(to); }
     /// Goes on with a tile that was put aside; what it was in is scratch then.
@@ -104,17 +100,6 @@ class TileBuffer {
         const auto at = static_cast<std::size_t>(plane);
         return is_narrowed() ? wide_[at] : planes_[at];
     }
-    void touch_rows(int first, int end) {
-        assert(0 <= first && first <= end && end <= kTileRows);
-        dirty_begin_ = std::min(dirty_begin_, first);
-        dirty_end_ = std::max(dirty_end_, end);
-    }
-    [[nodiscard]] bool is_clean() const { return dirty_begin_ >= dirty_end_; }
-    /// The dirty rows as elements of a plane.
-    [[nodiscard]] std::size_t dirty_begin() const {
-        return static_cast<std::size_t>(dirty_begin_) * kTileStride;
-    }
-    [[nodiscard]] std::size_t dirty_end() const;
     void exchange(TilePixels& other);
     void extend_frame_of(Memory& memory, std::size_t bytes_per_element) const;
 
@@ -123,10 +108,8 @@ class TileBuffer {
     PixelRect own_;
     PixelRect drawn_;
     std::array<std::uint32_t, kMaxPlanes> sky_{};  ///< one element's bits, repeated over four bytes
-    /// Rows outside these hold nothing but sky.
-    int dirty_begin_ = 0;
-    int dirty_end_ = kTileRows;
-    bool shows_sky_ = false;  ///< the narrowed planes hold nothing but sky
+    bool is_clean_ = false;                        ///< the drawn planes hold nothing but sky
+    bool shows_sky_ = false;                       ///< the narrowed planes hold nothing but sky
     Memory depth_;
     std::array<Memory, kMaxPlanes> planes_;  ///< as the store has them
     std::array<Memory, kMaxPlanes> wide_;    ///< codes of u8 and u16 while they are drawn

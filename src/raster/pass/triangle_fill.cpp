@@ -21,7 +21,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// What of a triangle's box is drawn, and the edges that cross it, in 32 bits from (x0, y0).
 struct Area {
     PixelRect rect;
-    const DrawnRows* rows;
     std::int32_t at[3], dx[3], dy[3];  ///< all 0 of an edge that has every centre inside
 };
 
@@ -59,9 +58,9 @@ HWY_INLINE int FloorDiv(int a, int b) {
     return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
 }
 
-/// No more than the rows [begin, end).
-ColumnRows Within(const ColumnRows& r, int begin, int end) {
-    const auto limited = [&](int row) { return std::min(std::max(row, begin), end); };
+/// No more than the rows [0, end).
+ColumnRows Within(const ColumnRows& r, int end) {
+    const auto limited = [&](int row) { return std::min(std::max(row, 0), end); };
     return {limited(r.begin), limited(r.inside_begin), limited(r.inside_end), limited(r.end)};
 }
 
@@ -154,11 +153,9 @@ void FillArea(const FillJob& job, const OneTriangle& triangle, const Area& area,
     const int origin = to.own().x0 - kTileMargin_px;
     for (int x = r.x0 - (r.x0 - origin) % kLanes; x < r.x1; x += kLanes) {
         const int first = x - r.x0;
-        const RowRun& drawn = area.rows->of[static_cast<std::size_t>(x - origin) / 16];
         const ColumnRows rows =
             Within(RowsOf(area, std::max(first, 0), std::min(first + kLanes, r.x1 - r.x0) - 1),
-                   std::max(drawn.begin - r.y0, 0),
-                   std::min(drawn.end, r.y1) - r.y0);
+                   r.y1 - r.y0);
         if (rows.begin >= rows.end) continue;
         const auto ramp = hn::Load(d, kRamp);
         const auto across = hn::Add(ramp, hn::Set(d, first));
@@ -235,21 +232,17 @@ bool FillConstant(const FillJob& job, const BinEntry& entry, const Area& area, T
     }
 }
 
-bool FillTriangle(const FillJob& job,
-                  const BinEntry& entry,
-                  const DrawnRows& rows,
-                  TileBuffer& to) {
+bool FillTriangle(const FillJob& job, const BinEntry& entry, TileBuffer& to) {
     const PassFormat& format = job.format;
     const bool is_affine = format.interpolation == Interpolation::affine;
     const SetupTriangle& t = job.batches[entry.batch].triangles[entry.index];
-    const PixelRect rect = rows.hull(to);
+    const PixelRect& rect = to.drawn();
     const PixelRect part{std::max(rect.x0, t.bounds.x0),
                          std::max(rect.y0, t.bounds.y0),
                          std::min(rect.x1, t.bounds.x1),
                          std::min(rect.y1, t.bounds.y1)};
     Area area;
     if (part.is_empty() || !MakeArea(t, part, area)) return true;
-    area.rows = &rows;
     if (format.interpolants == 0 && format.constant) return FillConstant(job, entry, area, to);
     switch (format.store) {
         case Store::none:
@@ -272,10 +265,7 @@ namespace ink::raster {
 
 HWY_EXPORT(FillTriangle);
 
-bool fill_triangle(const FillJob& job,
-                   const BinEntry& entry,
-                   const DrawnRows& rows,
-                   TileBuffer& buffer) {
+bool fill_triangle(const FillJob& job, const BinEntry& entry, TileBuffer& buffer) {
     // A code that runs on the surface and has a constant is of no method.
     if (job.format.interpolation == Interpolation::perspective && job.format.constant) return false;
     // Steps over a tile, and the value of an edge that crosses it, then fit 31 bits.
@@ -283,7 +273,7 @@ bool fill_triangle(const FillJob& job,
     for (const EdgeFunction& e : job.batches[entry.batch].triangles[entry.index].edges) {
         if (std::abs(e.dx) > kLongest || std::abs(e.dy) > kLongest) return false;
     }
-    return HWY_DYNAMIC_DISPATCH(FillTriangle)(job, entry, rows, buffer);
+    return HWY_DYNAMIC_DISPATCH(FillTriangle)(job, entry, buffer);
 }
 
 }  // namespace ink::raster
