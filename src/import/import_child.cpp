@@ -3,23 +3,30 @@
 //
 // A program of its own because Assimp may crash, hang or eat memory on a damaged file; the parent
 // (import.cpp) sets the limits before it starts this one.
-
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "core/error.h"
 #include "import/animation_choice.h"
 #include "import/assimp/assimp_reader.h"
-#include "import/file_length.h"
 #include "import/gltf/gltf_reader.h"
-#include "import/meshes/mesh_files.h"
+#include "import/meshes/mesh_readers.h"
+#include "import/model_bytes.h"
 #include "import/other_formats.h"
 #include "import/quake_models.h"
 #include "import/refusal.h"
@@ -32,6 +39,87 @@ void provoke_fault(const std::string& path, int output_fd);  // tests/import/imp
 #endif
 
 namespace {
+
+bool is_ply(std::string_view file) {
+    return file.starts_with("ply\n") || file.starts_with("ply\r") || file.starts_with("ply ");
+}
+
+/// Files in the folder of `model`, whatever folders a name in the model speaks of.
+FilesBeside beside(const std::filesystem::path& model) {
+    return [folder = model.parent_path()](const std::string& name) {
+        const auto file = folder / std::filesystem::path(name).filename();
+        std::error_code error;
+        // A pipe would keep us waiting.
+        if (!std::filesystem::is_regular_file(file, error)) return std::string();
+        const std::vector<std::byte> bytes = bytes_of(file);
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+}
+
+using Reader = ImportReply (*)(std::string_view, const std::string&);
+
+constexpr Reader read_obj_alone = read_obj;
+
+/// Who reads a file that begins with `head`; nobody here if none does.
+Reader reader_of(std::string_view head, const std::string& extension) {
+    const std::string_view text = without_mark(head);
+    if (is_ply(text) || extension == ".ply") return read_ply;
+    if (is_off(text) || extension == ".off") return read_off;
+    if (extension == ".stl" || is_stl_text(text)) return read_stl;
+    return extension == ".obj" ? read_obj_alone : nullptr;
+}
+
+/// The model in a PLY, STL, OFF or OBJ file; nothing for other files. PLY, OFF and STL text are
+/// told by content, whatever the file is called; binary STL and OBJ by their endings, as they have
+/// no mark. A UTF-8 mark is read over, UTF-16 refused. Throws core::Error for a damaged file.
+std::optional<ImportReply> read_mesh_file(const std::filesystem::path& path) {
+    const std::string head = head_of(path);
+    const Reader reader = reader_of(head, lower_case(path.extension().string()));
+    if (reader == nullptr) return std::nullopt;
+    const std::vector<std::byte> bytes = bytes_of(path);
+    const std::string_view file(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string name = path.stem().string();
+    if (reader == read_stl && is_binary_stl(file)) return reader(file, name);
+    if (is_utf16(file)) throw Refusal("", "is UTF-16 text, which is not read", "UTF-8");
+    if (reader == read_obj_alone && head.find('\0') != head.npos) {
+        ImportReply reply;
+        reply.status = ImportStatus::wrong_content;
+        return reply;
+    }
+    if (reader == read_obj_alone) return read_obj(without_mark(file), name, beside(path));
+    return reader(without_mark(file), name);
+}
+
+/// A format that writes its whole length at a fixed place behind a magic word, little endian.
+struct LengthField {
+    std::string_view magic;
+    std::size_t offset;
+};
+constexpr std::array kLengthFields{
+    LengthField{"MM", 2},      // 3DS: length of the main chunk
+    LengthField{"glTF", 8},    // glTF 2.0 binary, 5.1 "Header"
+    LengthField{"IDP2", 64},   // MD2: ofs_end
+    LengthField{"IDP3", 104},  // MD3: ofs_eof
+};
+
+/// Throws core::Error if a file is shorter than its own header says. Knows 3DS, binary glTF, MD2
+/// and MD3, whose readers may stop early and say nothing.
+void check_length(const std::filesystem::path& path) {
+    const std::string head = head_of(path);
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    for (const LengthField& field : kLengthFields) {
+        std::uint32_t promised = 0;
+        if (!head.starts_with(field.magic) || head.size() < field.offset + sizeof promised)
+            continue;
+        std::memcpy(&promised, head.data() + field.offset, sizeof promised);
+        if (error || promised <= size) return;
+        throw core::Error("",
+                          "the file is cut short: its header promises " + std::to_string(promised) +
+                              " bytes, it has " + std::to_string(size),
+                          "a whole, valid model file");
+    }
+}
 
 enum ExitCode { kSuccess = 0, kWriteFailed = 1, kUsage = 2 };
 

@@ -1,14 +1,51 @@
 #include "raster/lines/line_stage.h"
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/parallel.h"
-#include "raster/lines/line_clip.h"
 #include "raster/lines/line_vertices.h"
+#include "raster/pass/clip.h"
+#include "raster/pass/screen_vertex.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::raster {
+namespace {
+
+/// What of the segment from a to b, (x, y, w) in clip space, lies inside the near plane (w >= near)
+/// and the guard band, in place. False: nothing does. Both must be finite (outcode without
+/// kNotANumber). A cut is the same, bit for bit, from whichever end the segment is given. Liang and
+/// Barsky 1984, "A new concept and method for line clipping".
+bool clip_line(glm::dvec3& a, glm::dvec3& b, double near) {
+    if (std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z)) return clip_line(b, a, near);
+    double first = 0;
+    double last = 1;
+    bool is_cut_near[2] = {};
+    for (int plane = 0; plane < kClipPlanes; ++plane) {
+        const double from = inside_by(plane, a, near, kGuardBand_px);
+        const double to = inside_by(plane, b, near, kGuardBand_px);
+        if (from < 0 && to < 0) return false;
+        if (from >= 0 && to >= 0) continue;
+        const double t = from / (from - to);
+        if (from < 0) first = std::max(first, t);
+        if (to < 0) last = std::min(last, t);
+        if (plane == 0) is_cut_near[from < 0 ? 0 : 1] = true;
+    }
+    if (!(first <= last)) return false;
+    const glm::dvec3 way = b - a;
+    const glm::dvec3 from = a;
+    if (first > 0) a = from + first * way;
+    if (last < 1) b = from + last * way;
+    // Rounding must not leave a cut before the plane.
+    if (is_cut_near[0]) a.z = std::max(a.z, near);
+    if (is_cut_near[1]) b.z = std::max(b.z, near);
+    return true;
+}
+
+}  // namespace
 
 void LineVertices::project(const LineInput& input) {
     constexpr std::size_t kRun = 8192;
