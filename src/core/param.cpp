@@ -39,6 +39,9 @@ std::optional<double> parse(const Param& param, std::string_view text) {
             return parse_flag(text);
         case ParamKind::choice:
             return parse_choice(param, text);
+        case ParamKind::text:
+        case ParamKind::list:
+            return std::nullopt;
         case ParamKind::integer:
         case ParamKind::real:
             break;
@@ -77,14 +80,18 @@ std::string known_names(const std::vector<std::string>& names, std::string_view 
     return text;
 }
 
-double parse_param(const Param& param, std::string_view text, std::string_view where) {
-    const auto value = parse(param, text);
+double parse_param(const Param& param, const GivenText& given, std::string_view called) {
+    const auto value = parse(param, given.text);
     if (!value) {
-        throw Error(std::string(where),
-                    fmt::format("parameter {} cannot be '{}'", param.name, text),
+        throw Error(given.where,
+                    fmt::format("{} cannot be '{}'", called, given.text),
                     accepted_values(param));
     }
     return *value;
+}
+
+double parse_param(const Param& param, std::string_view text, std::string_view where) {
+    return parse_param(param, {std::string(text), std::string(where)}, "parameter " + param.name);
 }
 
 std::string format_param(const Param& param, double value) {
@@ -95,6 +102,8 @@ std::string format_param(const Param& param, double value) {
             return param.choices.at(static_cast<std::size_t>(value));
         case ParamKind::integer:
             return fmt::format("{}", static_cast<long long>(value));
+        case ParamKind::text:
+        case ParamKind::list:
         case ParamKind::real:
             break;
     }
@@ -109,6 +118,9 @@ std::string accepted_values(const Param& param) {
             return fmt::format("{}", fmt::join(param.choices, " | "));
         case ParamKind::integer:
             return fmt::format("a whole number {}..{}", param.min, param.max);
+        case ParamKind::text:
+        case ParamKind::list:
+            return param.unit;
         case ParamKind::real:
             break;
     }

@@ -11,31 +11,44 @@
 
 namespace ink::core {
 
-/// What kind of value a parameter takes.
-enum class ParamKind { real, integer, flag, choice };
+/// What kind of value a parameter takes. Texts, one or a list, are for options alone: methods have
+/// values that a search can turn.
+enum class ParamKind { real, integer, flag, choice, text, list };
 
 /// One row of a `Param` table as everyone but the method sees it: command line, TOML, tuner, rows,
 /// docs.
 ///
-/// Every value travels as a double: a flag is 0 or 1, a choice is its index in `choices`.
+/// Every value but a text travels as a double: a flag is 0 or 1, a choice is its index in
+/// `choices`.
 struct Param {
-    std::string name;
+    std::string name = {};
     ParamKind kind = ParamKind::real;
-    double min = 0;                    ///< inclusive; 0 for flags and choices
-    double max = 0;                    ///< inclusive; 1 for flags, last index for choices
-    double default_value = 0;          ///< read from the default-constructed parameter struct
-    std::vector<std::string> choices;  ///< spellings, for `choice` only
-    std::string unit;                  ///< "px", "deg", ... or "" where there is none
-    std::string doc;                   ///< one sentence
+    double min = 0;                         ///< inclusive; 0 for flags and choices
+    double max = 0;                         ///< inclusive; 1 for flags, last index for choices
+    double default_value = 0;               ///< read from the default-constructed parameter struct
+    std::vector<std::string> choices = {};  ///< spellings, for `choice`; names, for some lists
+    std::string unit = {};                  ///< "px", "deg", ... or "" where there is none
+    std::string doc = {};                   ///< one sentence
 };
 
 /// Settings as the user spells them: name to text. Ordered, so that it prints the same everywhere.
 using ParamValues = std::map<std::string, std::string>;
 
+/// A value as somebody gave it, and where: an option, or a line of a file.
+struct GivenText {
+    std::string text;
+    std::string where;
+};
+
 /// The double that `text` means for `param`.
 ///
 /// Throws Error (where = `where`) that names the range or the choices if it means nothing.
 [[nodiscard]] double parse_param(const Param& param, std::string_view text, std::string_view where);
+
+/// The same; messages call the parameter `called`: "measure.crease_deg", "it".
+[[nodiscard]] double parse_param(const Param& param,
+                                 const GivenText& given,
+                                 std::string_view called);
 
 /// The text that `parse_param` reads back to `value`; shortest form that round-trips.
 [[nodiscard]] std::string format_param(const Param& param, double value);
@@ -59,18 +72,20 @@ void check_known_params(const std::vector<Param>& params,
 /// The parameters of one parameter struct `P`, in the order they are shown.
 ///
 /// Each row binds a name to a field of `P`, so a parameter has one default (the field's
-/// initialiser), one range and one sentence. Fields may be double, float, int, bool or an enum
-/// whose values are 0..n-1.
+/// initialiser), one range and one sentence. A field is a pointer to a member, or a function that
+/// returns a reference into a `P`. Fields may be double, float, integer, bool or an enum whose
+/// values are 0..n-1.
 template <class P>
 class ParamTable {
   public:
-    /// A number: double, float or int field, `min..max` inclusive.
-    template <class F, class Base>
-    ParamTable& number(F Base::*field,
+    /// A number, `min..max` inclusive.
+    template <class Field>
+    ParamTable& number(Field field,
                        std::string name,
                        std::pair<double, double> range,
                        std::string unit,
                        std::string doc) {
+        using F = FieldOf<Field>;
         static_assert(std::is_arithmetic_v<F> && !std::is_same_v<F, bool>);
         const auto kind = std::is_integral_v<F> ? ParamKind::integer : ParamKind::real;
         return add({std::move(name),
@@ -85,18 +100,21 @@ class ParamTable {
     }
 
     /// A yes or no.
-    template <class Base>
-    ParamTable& flag(bool Base::*field, std::string name, std::string doc) {
+    template <class Field>
+    ParamTable& flag(Field field, std::string name, std::string doc) {
+        static_assert(std::is_same_v<FieldOf<Field>, bool>);
         return add({std::move(name), ParamKind::flag, 0, 1, 0, {}, "", std::move(doc)}, field);
     }
 
-    /// One of several spellings; the enum's values are the indices of `choices`.
-    template <class F, class Base>
-    ParamTable& choice(F Base::*field,
+    /// One of several spellings; the values of the field, an enum or a bool, are the indices of
+    /// `choices`.
+    template <class Field>
+    ParamTable& choice(Field field,
                        std::string name,
                        std::vector<std::string> choices,
                        std::string doc) {
-        static_assert(std::is_enum_v<F>);
+        using F = FieldOf<Field>;
+        static_assert(std::is_enum_v<F> || std::is_same_v<F, bool>);
         const auto last = static_cast<double>(choices.size() - 1);
         return add({std::move(name),
                     ParamKind::choice,
@@ -109,7 +127,33 @@ class ParamTable {
                    field);
     }
 
+    /// One text (kind text) or several (list), which `store(P&, const std::vector<GivenText>&)`
+    /// reads and checks, and `load(const P&)` gives back. A list with choices holds these alone;
+    /// `unit` is how help calls a text.
+    template <class Store, class Load>
+    ParamTable& texts(Param param, Store store, Load load) {
+        params_.push_back(std::move(param));
+        rows_.push_back({[store](P& p, const std::vector<GivenText>& given, std::string_view) {
+                             store(p, given);
+                         },
+                         load});
+        return *this;
+    }
+
     [[nodiscard]] const std::vector<Param>& params() const { return params_; }
+
+    /// Puts what was given into the field of row `i`. Throws Error (where = the text's) if it means
+    /// nothing; the message calls the parameter `called`.
+    void set(P& p,
+             std::size_t i,
+             const std::vector<GivenText>& given,
+             std::string_view called) const {
+        rows_[i].store(p, given, called);
+    }
+    /// The value of row `i` as text; a list's values one by one.
+    [[nodiscard]] std::vector<std::string> get(const P& p, std::size_t i) const {
+        return rows_[i].load(p);
+    }
 
     /// A `P` with its defaults, overwritten by `values`.
     ///
@@ -119,9 +163,8 @@ class ParamTable {
         P result{};
         for (std::size_t i = 0; i < params_.size(); ++i) {
             const auto found = values.find(params_[i].name);
-            if (found != values.end()) {
-                store_[i](result, parse_param(params_[i], found->second, where));
-            }
+            if (found == values.end()) continue;
+            set(result, i, {{found->second, std::string(where)}}, "parameter " + params_[i].name);
         }
         return result;
     }
@@ -129,32 +172,43 @@ class ParamTable {
     /// Every parameter of `p` as text, so that a row can be reproduced from its own columns.
     [[nodiscard]] ParamValues write(const P& p) const {
         ParamValues values;
-        for (std::size_t i = 0; i < params_.size(); ++i) {
-            values[params_[i].name] = format_param(params_[i], load_[i](p));
-        }
+        for (std::size_t i = 0; i < params_.size(); ++i)
+            values[params_[i].name] = get(p, i).front();
         return values;
     }
 
   private:
-    template <class F, class Base>
-    ParamTable& add(Param param, F Base::*field) {
-        static_assert(std::is_base_of_v<Base, P>);
-        store_.push_back([field](P& p, double v) {
-            if constexpr (std::is_enum_v<F>) {
-                p.*field = static_cast<F>(static_cast<int>(v));
-            } else {
-                p.*field = static_cast<F>(v);
-            }
-        });
-        load_.push_back([field](const P& p) { return static_cast<double>(p.*field); });
-        param.default_value = load_.back()(P{});
-        params_.push_back(std::move(param));
+    template <class Field>
+    using FieldOf = std::remove_reference_t<std::invoke_result_t<Field, P&>>;
+
+    struct Row {
+        std::function<void(P&, const std::vector<GivenText>&, std::string_view called)> store;
+        std::function<std::vector<std::string>(const P&)> load;
+    };
+
+    template <class Field>
+    ParamTable& add(Param param, Field field) {
+        using F = FieldOf<Field>;
+        const P defaults{};
+        param.default_value = static_cast<double>(std::invoke(field, defaults));
+        params_.push_back(param);
+        rows_.push_back(
+            {[field, param](P& p, const std::vector<GivenText>& given, std::string_view called) {
+                 const double value = parse_param(param, given.back(), called);
+                 if constexpr (std::is_enum_v<F>) {
+                     std::invoke(field, p) = static_cast<F>(static_cast<int>(value));
+                 } else {
+                     std::invoke(field, p) = static_cast<F>(value);
+                 }
+             },
+             [field, param](const P& p) -> std::vector<std::string> {
+                 return {format_param(param, static_cast<double>(std::invoke(field, p)))};
+             }});
         return *this;
     }
 
     std::vector<Param> params_;
-    std::vector<std::function<void(P&, double)>> store_;
-    std::vector<std::function<double(const P&)>> load_;
+    std::vector<Row> rows_;
 };
 
 }  // namespace ink::core

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <sstream>
 
+#include "experiment/option_table.h"
+
 namespace ink::experiment {
 namespace {
 
@@ -34,14 +36,9 @@ toml::array cameras_of(const harness::ViewRequest& request) {
     return cameras;
 }
 
-toml::table views_of(const Experiment& experiment) {
-    const harness::ViewRequest& request = experiment.view_request;
+/// What no file can ask for: cameras, and what they are fitted to.
+toml::table views_of(const harness::ViewRequest& request) {
     toml::table views;
-    toml::array sizes;
-    for (const ImageSize& size : experiment.sizes)
-        sizes.push_back(fmt::format("{}x{}", size.width_px, size.height_px));
-    views.insert("sizes", std::move(sizes));
-    if (experiment.views > 0) views.insert("first", experiment.views);
     if (request.orbit_count) views.insert("orbit", *request.orbit_count);
     if (request.fit) views.insert("fit", *request.fit == harness::Fit::box ? "box" : "sphere");
     if (request.margin) views.insert("margin", *request.margin);
@@ -51,7 +48,6 @@ toml::table views_of(const Experiment& experiment) {
     if (request.time_s) views.insert("time_s", *request.time_s);
     if (request.frame) views.insert("frame", *request.frame);
     if (!request.model.animation.empty()) views.insert("animation", request.model.animation);
-    views.insert("seams", request.model.material_seams ? "materials" : "objects");
     return views;
 }
 
@@ -77,56 +73,44 @@ toml::array grids_of(const Experiment& experiment) {
     return grids;
 }
 
-toml::table measure_of(const Experiment& experiment) {
-    toml::array threads;
-    for (const int count : experiment.threads)
-        threads.push_back(count);
-    static constexpr const char* kImages[] = {"none", "first", "all"};
-    return toml::table{{"threads", std::move(threads)},
-                       {"repetitions", experiment.repetitions},
-                       {"budget_ms", experiment.budget_s * 1e3},
-                       {"full_scores", experiment.full_scores},
-                       {"crosscheck", experiment.crosscheck},
-                       {"times", experiment.times},
-                       {"crease_deg", experiment.crease_deg},
-                       {"weld_epsilon", experiment.weld_epsilon},
-                       {"intersections", score::name(experiment.intersections)},
-                       {"skips_off", array_of(experiment.skips_off)},
-                       {"images", kImages[static_cast<int>(experiment.images)]}};
+/// Adds the value of an option; one that is out of its range, such as no limit, is not asked for.
+void add_option(const Experiment& experiment, std::size_t row, toml::table& asked) {
+    const core::Param& param = option_table().param(row);
+    const std::vector<std::string> texts = option_table().rows.get(experiment, row);
+    const auto dot = param.name.find('.');
+    const std::string key = param.name.substr(dot + 1);  // all of it where there is no dot
+    toml::table* table = &asked;
+    if (dot != std::string::npos)
+        table = asked.emplace<toml::table>(param.name.substr(0, dot)).first->second.as_table();
+    const bool is_number =
+        param.kind == core::ParamKind::integer || param.kind == core::ParamKind::real;
+    if (param.kind == core::ParamKind::list) {
+        table->insert(key, array_of(texts));
+    } else if (is_number) {
+        const double value = std::stod(texts.front());
+        if (value < param.min || value > param.max) return;
+        if (param.kind == core::ParamKind::integer) {
+            table->insert(key, static_cast<std::int64_t>(value));
+        } else {
+            table->insert(key, value);
+        }
+    } else if (param.kind == core::ParamKind::flag) {
+        table->insert(key, texts.front() == "true");
+    } else {
+        table->insert(key, texts.front());
+    }
 }
 
 }  // namespace
 
 std::string asked_text(const Experiment& experiment) {
-    toml::table asked{{"seed", static_cast<std::int64_t>(experiment.seed)},
-                      {"views", views_of(experiment)},
-                      {"methods", methods_of(experiment)},
-                      {"measure", measure_of(experiment)}};
-    if (experiment.kind != ExperimentKind::stress)
-        asked.insert("scenes", array_of(experiment.scenes));
-    if (experiment.kind == ExperimentKind::stress) {
-        asked.insert("axes", array_of(experiment.axes));
-        asked.insert("points", experiment.points);
-    }
-    if (experiment.kind == ExperimentKind::animation || experiment.study_motion) {
-        asked.insert("motion",
-                     toml::table{{"frames", experiment.frames}, {"roll", experiment.roll}});
-    }
-    if (experiment.kind == ExperimentKind::compare) {
-        asked.insert("sweep",
-                     toml::table{{"own_views", experiment.own_sweep_views},
-                                 {"grids", grids_of(experiment)}});
-        asked.insert("scaling", experiment.study_scaling);
-        asked.insert("skips", experiment.study_skips);
-    }
-    if (experiment.kind == ExperimentKind::bound) {
-        const BoundRequest& bound = experiment.bound;
-        asked.insert("bound",
-                     toml::table{{"signed", bound.is_signed},
-                                 {"least_threshold", bound.least_threshold},
-                                 {"gap", bound.gap},
-                                 {"boxes", bound.boxes}});
-    }
+    toml::table asked;
+    for (std::size_t row = 0; row < option_table().options.size(); ++row)
+        if (option_table().has_kind(row, experiment.kind)) add_option(experiment, row, asked);
+    asked.insert("views", views_of(experiment.view_request));
+    asked.insert("methods", methods_of(experiment));
+    if (experiment.kind == ExperimentKind::compare)
+        asked["sweep"].as_table()->insert("grids", grids_of(experiment));
     std::ostringstream text;
     text << asked;
     return text.str();

@@ -37,12 +37,6 @@ void apply(const std::string& setting, std::vector<harness::MethodConfig>& confi
     }
 }
 
-void refuse_scenes(const Experiment& experiment) {
-    throw core::Error("--scenes",
-                      fmt::format("{} makes its own scenes", experiment.where),
-                      "an experiment of kind compare or animation");
-}
-
 }  // namespace
 
 std::string_view name(ExperimentKind kind) {
@@ -86,32 +80,6 @@ std::vector<std::string> scenes_called(const std::string& name) {
         if (is_all || scene::split_name(entry.split) == name) names.push_back(entry.name);
     }
     return names;
-}
-
-Experiment with_overrides(Experiment experiment, const ExperimentOverrides& overrides) {
-    if (!overrides.size.empty()) {
-        experiment.sizes = {parse_image_size(overrides.size, "--size")};
-    }
-    if (!overrides.scenes.empty()) {
-        if (experiment.kind == ExperimentKind::stress) refuse_scenes(experiment);
-        experiment.scenes.clear();
-        for (const std::string& name : harness::split_list(overrides.scenes)) {
-            for (std::string& scene : scenes_called(name))
-                experiment.scenes.push_back(std::move(scene));
-        }
-    }
-    if (!overrides.methods.empty()) {
-        experiment.methods.clear();
-        for (const harness::MethodConfig& config : harness::make_configs(overrides.methods, {}))
-            experiment.methods.push_back(config.info->name);
-        std::erase_if(experiment.grids, [&](const SettingGrid& grid) {
-            const auto& names = experiment.methods;
-            return std::find(names.begin(), names.end(), grid.method) == names.end();
-        });
-    }
-    if (overrides.views) experiment.views = *overrides.views;
-    if (overrides.no_times) experiment.times = false;
-    return experiment;
 }
 
 std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {

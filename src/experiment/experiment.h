@@ -77,19 +77,10 @@ struct Experiment {
     bool study_skips = false;    ///< compare: skips.csv too
     BoundRequest bound;
     int repetitions = 15;     ///< timed drawings, at most
-    double budget_s = 0.06;   ///< of drawing, after which repetitions end
+    double budget_ms = 60;    ///< of drawing, after which repetitions end
     bool full_scores = true;  ///< curves, tolerance sweep, bins, causes; else F at 2 px alone
     bool crosscheck = true;   ///< hold truths against the cross-check
     bool times = true;        ///< false: columns of times stay empty
-};
-
-/// What the command line puts in place of what the file says.
-struct ExperimentOverrides {
-    std::string size;     ///< WIDTHxHEIGHT
-    std::string scenes;   ///< a,b
-    std::string methods;  ///< a,b
-    std::optional<int> views;
-    bool no_times = false;
 };
 
 /// Reads an experiment. Throws core::Error (where = file and line) that names key, value and what
@@ -100,11 +91,6 @@ struct ExperimentOverrides {
 /// The same from text; `file` is for messages and for models beside it.
 [[nodiscard]] Experiment parse_experiment(const std::string& text,
                                           const std::filesystem::path& file);
-
-/// The experiment with other sizes, scenes, methods or views. Settings and grids of methods that do
-/// not take part are left out. Throws core::Error (where = the option).
-[[nodiscard]] Experiment with_overrides(Experiment experiment,
-                                        const ExperimentOverrides& overrides);
 
 /// The methods that take part, presets and entrants last, with the settings that each knows, and
 /// the truth's crease angle where they follow it (harness::follow_crease). Throws core::Error for a

@@ -55,7 +55,7 @@ double work_s(const ViewBench& bench, const BlockPlace& at, const BlockWork& wor
     const auto triangles = static_cast<double>(scene::triangle_count(bench.scenes()[at.scene]));
     const double draws = !experiment.times ? 2 : work.is_full ? experiment.repetitions : 3;
     const double draw_s = std::min(draws * (0.0025 * mpx + 2e-8 * triangles),
-                                   work.is_full ? experiment.budget_s : 0.03);
+                                   work.is_full ? experiment.budget_ms * 1e-3 : 0.03);
     const double score_s = (work.is_full && experiment.full_scores ? 0.018 : 0.002) * mpx;
     const double truth_s =
         work.is_full ? 0.1 + 0.2 * mpx + kTruth_s_per_triangle * triangles : 0.003;

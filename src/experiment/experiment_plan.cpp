@@ -44,7 +44,8 @@ std::string identity_of(const Experiment& experiment, const Plan& plan) {
     return hasher.hex();
 }
 
-/// How truths are traced: on all processors, as nothing of a truth is timed.
+}  // namespace
+
 harness::TraceOptions trace_of(const Experiment& experiment, const std::filesystem::path& cache) {
     harness::TraceOptions trace;
     trace.cache = cache;
@@ -54,8 +55,6 @@ harness::TraceOptions trace_of(const Experiment& experiment, const std::filesyst
     trace.intersections = experiment.intersections;
     return trace;
 }
-
-}  // namespace
 
 int Plan::cells() const {
     return std::accumulate(blocks.begin(), blocks.end(), 0, [](int sum, const Block& block) {

@@ -81,6 +81,11 @@ struct Plan {
     [[nodiscard]] std::int64_t take_cells(std::int64_t count);
 };
 
+/// How truths are traced: on all processors, as nothing of a truth is timed; `cache` is the folder
+/// of traced truths, empty for none.
+[[nodiscard]] harness::TraceOptions trace_of(const Experiment& experiment,
+                                             const std::filesystem::path& cache);
+
 /// Loads the scenes and lists the blocks; `cache` is the folder of traced truths, empty for none.
 /// Throws core::Error for scenes that cannot be loaded, and where = what asks if nothing is left to
 /// do.

@@ -65,33 +65,26 @@ std::optional<std::string> TomlReader::text(const std::string& key) {
     return node->as_string()->get();
 }
 
-std::optional<bool> TomlReader::flag(const std::string& key) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return std::nullopt;
-    if (!node->is_boolean()) refuse(key, "true | false");
-    return node->as_boolean()->get();
-}
-
-std::optional<std::int64_t> TomlReader::whole(const std::string& key,
-                                              std::int64_t least,
-                                              std::int64_t most) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return std::nullopt;
-    const bool is_good = node->is_integer() && node->as_integer()->get() >= least &&
-                         node->as_integer()->get() <= most;
-    if (!is_good) refuse(key, fmt::format("a whole number {}..{}", least, most));
-    return node->as_integer()->get();
-}
-
-std::optional<double> TomlReader::number(const std::string& key, double least, double most) {
-    const toml::node* node = find(key);
-    if (node == nullptr) return std::nullopt;
-    const std::optional<double> value =
-        node->is_number() ? node->value<double>() : std::optional<double>{};
-    if (!value || !(*value >= least && *value <= most)) {
-        refuse(key, fmt::format("a number {}..{}", least, most));
-    }
-    return value;
+std::string TomlReader::scalar(const std::string& key, const core::Param& param) {
+    const toml::node& node = *find(key);
+    const auto is_right = [&] {
+        switch (param.kind) {
+            case core::ParamKind::flag:
+                return node.is_boolean();
+            case core::ParamKind::integer:
+                return node.is_integer();
+            case core::ParamKind::real:
+                return node.is_number();
+            case core::ParamKind::choice:
+                return node.is_string();
+            case core::ParamKind::text:
+            case core::ParamKind::list:
+                break;
+        }
+        return is_scalar(node);
+    };
+    if (!is_right()) refuse(key, core::accepted_values(param));
+    return spelled(node);
 }
 
 std::optional<std::vector<TomlText>> TomlReader::texts(const std::string& key) {

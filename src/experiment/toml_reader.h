@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/param.h"
+
 namespace ink::experiment {
 
 /// A value of a TOML file as text, with its line.
@@ -22,13 +24,9 @@ class TomlReader {
     TomlReader(const toml::table& table, std::filesystem::path file, std::string name);
 
     [[nodiscard]] std::optional<std::string> text(const std::string& key);
-    [[nodiscard]] std::optional<bool> flag(const std::string& key);
-    /// A whole number in `least..most`.
-    [[nodiscard]] std::optional<std::int64_t> whole(const std::string& key,
-                                                    std::int64_t least,
-                                                    std::int64_t most);
-    /// A number in `least..most`.
-    [[nodiscard]] std::optional<double> number(const std::string& key, double least, double most);
+    /// The value of a key that is there, as the command line would spell it; one of another type
+    /// than `param` has is refused.
+    [[nodiscard]] std::string scalar(const std::string& key, const core::Param& param);
     /// One value, or an array of them, each as the command line would spell it: "true", "63",
     /// "0.5", "inside". Nothing if the key is not there; an empty array is an error.
     [[nodiscard]] std::optional<std::vector<TomlText>> texts(const std::string& key);
@@ -36,6 +34,7 @@ class TomlReader {
     [[nodiscard]] std::optional<TomlReader> table(const std::string& key);
 
     [[nodiscard]] std::vector<std::string> keys() const;  ///< in the order of the file
+    [[nodiscard]] bool has(const std::string& key) const { return find(key) != nullptr; }
     [[nodiscard]] bool is_table(const std::string& key) const;
     /// file:line of a key, or of the table.
     [[nodiscard]] std::string where(const std::string& key = "") const;

@@ -65,7 +65,7 @@ harness::CellOptions ViewBench::cell_options(int threads) const {
     const int repetitions = experiment_.times ? experiment_.repetitions : 1;
     options.measure.max_repetitions = repetitions;
     options.measure.min_repetitions = std::min(options.measure.min_repetitions, repetitions);
-    options.measure.budget_s = experiment_.budget_s;
+    options.measure.budget_s = experiment_.budget_ms * 1e-3;
     options.measure.precision = kPrecision;
     options.measure.is_alone = experiment_.times;
     options.measure.skips = skips_;

@@ -1,11 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "core/error.h"
+#include "experiment/asked.h"
 #include "experiment/experiment.h"
 #include "experiment/experiment_plan.h"
+#include "experiment/option_table.h"
 
 namespace ink::experiment {
 namespace {
@@ -68,7 +71,7 @@ fatten = [true, false]
     EXPECT_EQ(e.sizes[1].height_px, 72);
     EXPECT_THAT(e.threads, ElementsAre(1, 2));
     EXPECT_EQ(e.repetitions, 4);
-    EXPECT_DOUBLE_EQ(e.budget_s, 0.01);
+    EXPECT_DOUBLE_EQ(e.budget_ms, 10);
     EXPECT_EQ(e.entrant_s, 90);
     EXPECT_FALSE(e.full_scores || e.crosscheck || e.times);
     EXPECT_THAT(e.settings, ElementsAre("crease_deg=30", "mote4.packing=pixel"));
@@ -135,23 +138,56 @@ TEST(ExperimentFile, CommandLineReplacesSizeScenesMethodsAndViews) {
     Experiment e = parse(std::string(kHead) +
                          "[settings.mote4]\nthreshold = 9\n[sweep.mote4]\nthreshold = [3, 6]\n"
                          "[sweep.ids]\ncrease_deg = [20, 40]\n");
-    ExperimentOverrides overrides;
-    overrides.size = "80x45";
-    overrides.scenes = "cube";
-    overrides.methods = "ids";
-    overrides.views = 1;
-    overrides.no_times = true;
-    e = with_overrides(e, overrides);
+    set_option(e, "grid.sizes", {{"80x45", "--size"}});
+    set_option(e, "grid.scenes", {{"cube", "--scenes"}});
+    set_option(e, "grid.methods", {{"ids", "--methods"}});
+    set_option(e, "grid.views", {{"1", "--views"}});
     EXPECT_EQ(e.sizes.front().width_px, 80);
     EXPECT_THAT(e.scenes, ElementsAre("cube"));
     EXPECT_THAT(e.methods, ElementsAre("ids"));
     ASSERT_EQ(e.grids.size(), 1U);
     EXPECT_EQ(e.grids.front().method, "ids");
     EXPECT_EQ(e.views, 1);
-    EXPECT_FALSE(e.times);
     EXPECT_EQ(configs_of(e).size(), 1U);
-    overrides.size = "80";
-    EXPECT_THROW((void)with_overrides(e, overrides), core::Error);
+    EXPECT_THROW(set_option(e, "grid.sizes", {{"80", "--size"}}), core::Error);
+    EXPECT_THROW(set_option(e, "grid.axes", {{"origin", "--axes"}}), core::Error)
+        << "a comparison has no axes";
+}
+
+/// A value of every option as text: its least for a number, its last word for a choice.
+std::string some_value(const core::Param& param) {
+    if (param.name == "seed" || param.name == "grid.threads") return "7";
+    if (param.name == "grid.sizes") return "64x36";
+    if (param.name == "grid.scenes") return "cube";
+    if (param.name == "grid.methods") return "ids";
+    if (param.name == "grid.entrants") return "mine=/tmp";
+    if (param.kind == core::ParamKind::list)
+        return param.choices.empty() ? "a" : param.choices.front();
+    if (param.kind == core::ParamKind::flag) return "true";
+    return core::format_param(
+        param, param.kind == core::ParamKind::choice ? param.max : std::ceil(param.min));
+}
+
+TEST(OptionTable, HoldsAndRecordsWhatEveryOptionIsGiven) {
+    const OptionTable& table = option_table();
+    for (std::size_t row = 0; row < table.options.size(); ++row) {
+        const core::Param& param = table.param(row);
+        for (const ExperimentKind kind : {ExperimentKind::compare,
+                                          ExperimentKind::stress,
+                                          ExperimentKind::animation,
+                                          ExperimentKind::bound}) {
+            Experiment e;
+            e.kind = kind;
+            e.sizes = {{640, 360}};
+            if (!table.has_kind(row, kind)) continue;
+            set_option(e, param.name, {{some_value(param), "here"}});
+            EXPECT_THAT(table.rows.get(e, row), ElementsAre(some_value(param))) << param.name;
+            if (param.name == "grid.presets" || param.name == "grid.entrants") continue;
+            const std::string key = param.name.substr(param.name.find('.') + 1);
+            EXPECT_THAT(asked_text(e), HasSubstr(key + " = ")) << param.name;
+        }
+        EXPECT_FALSE(param.doc.empty()) << param.name;
+    }
 }
 
 TEST(ExperimentFiles, ThatAreShippedAllHaveCells) {

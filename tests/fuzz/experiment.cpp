@@ -46,7 +46,7 @@ void check_experiment(const experiment::Experiment& e) {
     expect(is_in(e.views, 0, 360) && is_in(e.points, 0, 1000) && is_in(e.frames, 2, 10000) &&
                is_in(e.repetitions, 1, 10000) && is_in(e.own_sweep_views, 0, 360),
            "counts are in range");
-    expect(e.crease_deg >= 0 && e.crease_deg <= 180 && e.budget_s >= 0, "numbers are in range");
+    expect(e.crease_deg >= 0 && e.crease_deg <= 180 && e.budget_ms >= 0, "numbers are in range");
     if (!e.entrants.empty()) return;  // a configuration of an entrant reads all its files
     const auto configs = experiment::configs_of(e);
     expect(configs.size() == e.methods.size(), "a method is a configuration");

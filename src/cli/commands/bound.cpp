@@ -3,60 +3,40 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
-#include "core/error.h"
 
 namespace ink::cli {
 namespace {
 
 constexpr const char* kMethod = "mote4";  // unless one is named
 
+experiment::Experiment usual_bound() {
+    experiment::Experiment usual;
+    usual.where = "inkbench bound";
+    usual.name = "bound";
+    usual.kind = experiment::ExperimentKind::bound;
+    return usual;
+}
+
 struct BoundArgs {
+    ExperimentOptions options{usual_bound()};
     SceneOptions scenes;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
     ViewOptions views;
-    TruthSettings truth;
     CacheOptions cache;
-    experiment::BoundRequest bound;
-    int threads = 1;
     RunFolderOptions folder{.out = "inkbench-out/bound"};
 };
 
-void check(const experiment::BoundRequest& bound) {
-    if (bound.least_threshold < 0 || bound.least_threshold > 4 * 65535) {
-        throw core::Error("--least-threshold",
-                          fmt::format("{} codes are not possible", bound.least_threshold),
-                          "0..262140");
-    }
-    if (!(bound.gap >= 0 && bound.gap <= 1)) {
-        throw core::Error("--gap", fmt::format("{:g} is not possible", bound.gap), "0..1");
-    }
-    if (bound.boxes < 1) {
-        throw core::Error("--boxes", fmt::format("{} is not possible", bound.boxes), "1 or more");
-    }
-}
-
 experiment::Experiment experiment_of(const BoundArgs& args) {
-    experiment::Experiment experiment;
-    experiment.where = "inkbench bound";
-    experiment.name = "bound";
-    experiment.kind = experiment::ExperimentKind::bound;
-    const std::string method = one_method(args.methods, kMethod);
-    (void)harness::make_configs(method, args.settings);  // refuses settings that it does not know
-    experiment.methods = {method};
-    experiment.settings = args.settings;
-    check(args.bound);
-    experiment.bound = args.bound;
-    experiment.scenes = scene_names(args.scenes);
+    experiment::Experiment experiment = args.options.read();
+    take_methods({one_method(args.methods, kMethod)}, args.settings, experiment);
+    take_views(args.views, args.scenes, experiment);
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
-    experiment.view_request = view_request(args.views);
-    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
-    experiment.threads = {checked_threads(args.threads)};
-    apply(args.truth, experiment);
     return experiment;
 }
 
@@ -71,20 +51,12 @@ void add_bound_command(CLI::App& app) {
     add_method_options(
         *command, args->methods, fmt::format("{}; one whose code is a linear sum", kMethod));
     add_set_option(*command, args->settings);
-    command->add_flag("--signed", args->bound.is_signed, "Allow negative weights");
-    command
-        ->add_option("--least-threshold",
-                     args->bound.least_threshold,
-                     "Least threshold in codes (0: the least that the filter draws)")
-        ->capture_default_str();
-    command->add_option("--gap", args->bound.gap, "Stop when upper and found are this close")
-        ->capture_default_str();
-    command->add_option("--boxes", args->bound.boxes, "Stop after this many boxes of weights")
-        ->capture_default_str();
+    ExperimentOptions& options = args->options;
+    options.add_to(*command, {"bound.signed", "bound.least_threshold", "bound.gap", "bound.boxes"});
     add_view_options(*command, args->views);
-    add_truth_settings(*command, args->truth);
+    options.add_to(*command, truth_rows());
     add_cache_options(*command, args->cache);
-    add_threads_option(*command, args->threads, "Threads that search and trace");
+    options.add_to(*command, {"grid.threads"}, "Threads that search and trace");
     add_run_folder_options(*command, args->folder);
     command->footer(
         "F upper: no weights can exceed it. F found: reached by some weights. F: the method's own "

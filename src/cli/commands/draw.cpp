@@ -4,6 +4,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/options/draw_options.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -18,31 +19,29 @@ namespace ink::cli {
 namespace {
 
 struct DrawArgs {
+    ExperimentOptions options;
     SceneOptions scene;
     std::string view;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    std::vector<std::string> presets;
     ViewOptions views;
     LookOptions looks;
     std::string file;
     bool edge_response = false;
     bool no_lines = false;
     std::string layer;
-    int threads = 1;
-    std::vector<std::string> no_skip;
 };
 
 constexpr const char* kDrawnMethod = "mote4";  // unless one is named
 
-harness::MethodConfig config_of(const DrawArgs& args) {
-    if (args.presets.empty()) {
+harness::MethodConfig config_of(const DrawArgs& args, const std::vector<std::string>& presets) {
+    if (presets.empty()) {
         return harness::make_configs(one_method(args.methods, kDrawnMethod), args.settings).front();
     }
-    if (args.presets.size() > 1 || !args.methods.empty()) {
+    if (presets.size() > 1 || !args.methods.empty()) {
         throw core::Error("--preset", "an image is of one method", "one file, no --method");
     }
-    std::vector<harness::MethodConfig> configs = {harness::preset_config(args.presets.front())};
+    std::vector<harness::MethodConfig> configs = {harness::preset_config(presets.front())};
     harness::apply_settings(args.settings, configs);
     return configs.front();
 }
@@ -73,10 +72,11 @@ void write_layer(const DrawArgs& args,
 }
 
 void run_draw(const DrawArgs& args) {
+    const experiment::Experiment asked = args.options.read();
     draw::DrawOptions options = drawing_looks(args.looks);
-    const harness::MethodConfig config = config_of(args);
-    options.skips = harness::without_skips({}, skip_list(args.no_skip));
-    options.threads = checked_threads(args.threads);
+    const harness::MethodConfig config = config_of(args, asked.presets);
+    options.skips = harness::without_skips({}, fmt::format("{}", fmt::join(asked.skips_off, ",")));
+    options.threads = asked.threads.front();
     check_output_path(args.file, {".png", ".exr"});
     const std::filesystem::path path = args.file;
     if (args.no_lines) refuse_no_lines(args);
@@ -115,7 +115,10 @@ void add_draw_command(CLI::App& app) {
         ->required();
     add_one_method_option(*command, args->methods, kDrawnMethod);
     add_set_option(*command, args->settings, "A parameter of the method: key=value");
-    add_preset_option(*command, args->presets, "instead of --method");
+    args->options.add_to(*command,
+                         {"grid.presets"},
+                         "A method with settings of its own, as inkbench tune writes it: a TOML "
+                         "file, instead of --method");
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
     add_view_options(*command, args->views);
@@ -131,8 +134,8 @@ void add_draw_command(CLI::App& app) {
                      args->layer,
                      "Write one of the method's internal buffers instead; an EXR has all of them")
         ->type_name("packed|filtered|depth|normal|ids|edges");
-    add_threads_option(*command, args->threads, "Threads of the method");
-    add_no_skip_option(*command, args->no_skip);
+    args->options.add_to(*command, {"grid.threads"}, "Threads of the method");
+    args->options.add_to(*command, {"measure.skips_off"});
     command->footer(
         "Example: inkbench draw torus --method decaudin --shading toon --antialias 4 -o torus.png\n"
         "Exit codes: 0 done, 2 bad input.");

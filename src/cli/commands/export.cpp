@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cli/commands/commands.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
@@ -11,6 +12,7 @@
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
 #include "experiment/entrants/view_files.h"
+#include "experiment/experiment_plan.h"
 #include "harness/out_folder.h"
 #include "harness/tables/csv.h"
 #include "harness/tracing.h"
@@ -21,14 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-
 struct ExportArgs {
     SceneOptions scenes;
     ViewOptions views;
     std::string out;
     std::string truth = "train";
-    TruthSettings settings;
+    ExperimentOptions options;  ///< of the truth
     CacheOptions cache;
 };
 
@@ -66,7 +66,7 @@ std::string export_scene(const ExportArgs& args,
     std::string lines;
     for (const scene::View& view : scene_views.views) {
         const fs::path of_view = folder / harness::file_name(view.camera.name);
-        experiment::write_view(scene, view, meshes, args.settings.crease_deg * kRadPerDeg, of_view);
+        experiment::write_view(scene, view, meshes, trace.truth.crease_rad, of_view);
         if (wants_truth(args, scene))
             export_truth({scene, {view}}, model, trace, of_view / "truth.exr");
         lines += fmt::format("{},{},{},{},{}\n",
@@ -86,9 +86,8 @@ void run_export(const ExportArgs& args) {
     std::vector<std::string> names = scene_names(args.scenes);
     if (names.empty())
         throw core::Error("inkbench export", "no scene is named", "scenes or model files");
-    harness::TraceOptions trace;
-    apply(args.settings, trace);
-    trace.cache = cache_folder(args.cache);
+    const harness::TraceOptions trace =
+        experiment::trace_of(args.options.read(), cache_folder(args.cache));
     const auto scenes = harness::load_scenes(names, view_request(args.views));
     harness::make_out_folder(args.out);
     std::string table = "scene,view,width,height,folder\n";
@@ -114,7 +113,7 @@ void add_export_command(CLI::App& app) {
                      args->truth,
                      "Whose truth.exr is written: that of training scenes (train), all, or none")
         ->capture_default_str();
-    add_truth_settings(*command, args->settings);
+    args->options.add_to(*command, truth_rows());
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

@@ -8,12 +8,12 @@
 
 #include "cli/commands/commands.h"
 #include "cli/figures_script.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
 #include "core/error.h"
-#include "experiment/entrants/entrant.h"
 #include "harness/cell.h"
 
 namespace ink::cli {
@@ -24,21 +24,27 @@ namespace fs = std::filesystem;
 // Between them every class of line, and depth and normals that cancel.
 constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
 
+experiment::Experiment usual_figures() {
+    experiment::Experiment usual;
+    usual.where = "inkbench figures";
+    usual.name = "figures";
+    usual.repetitions = 5;
+    usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
+    usual.crosscheck = false;
+    usual.images = experiment::KeptImages::all;
+    return usual;
+}
+
 struct FiguresArgs {
+    ExperimentOptions options{usual_figures()};  ///< of the run, if one is made
     SceneOptions scenes;  ///< run folders too, where they stand by themselves
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    std::vector<std::string> entrants;
-    double entrant_s = 60;
     ViewOptions views;
     std::string out = "inkbench-figures";
     bool is_forced = false;
     bool has_sweep = false;
     CacheOptions cache;
-    TruthSettings truth;
-    int threads = 1;
-    int repetitions = 5;
-    std::string seed = "0";
 
     // Of the script, which reads and checks them.
     std::string formats;
@@ -84,24 +90,26 @@ void run_script(const std::vector<std::string>& words) {
 
 /// Options that say how a run is made mean nothing for one that is there.
 void refuse_run_options(const CLI::App& command) {
-    for (const char* option : {"--set",
-                               "--size",
-                               "--eye",
-                               "--target",
-                               "--up",
-                               "--fov",
-                               "--time",
-                               "--frame",
-                               "--crease",
-                               "--weld-epsilon",
-                               "--intersections",
-                               "--threads",
-                               "--repetitions",
-                               "--seed",
-                               "--sweep",
-                               "--force"}) {
-        if (command.count(option) > 0)
-            throw core::Error(option, "the run is made already", "no RUN beside it");
+    const std::vector<std::string> of_figures = {"--out",
+                                                 "--methods",
+                                                 "--scenes",
+                                                 "--views",
+                                                 "--format",
+                                                 "--width",
+                                                 "--font-size",
+                                                 "--window",
+                                                 "--only",
+                                                 "--causes",
+                                                 "--cache",
+                                                 "--no-cache",
+                                                 "--quiet"};
+    for (const CLI::Option* option : command.get_options()) {
+        const bool is_of_run =
+            std::none_of(of_figures.begin(), of_figures.end(), [&](const std::string& name) {
+                return option->check_name(name);
+            });
+        if (option->count() > 0 && is_of_run && !option->get_positional())
+            throw core::Error(option->get_name(), "the run is made already", "no RUN beside it");
     }
 }
 
@@ -126,33 +134,12 @@ void show_runs(const FiguresArgs& args,
 }
 
 experiment::Experiment experiment_of(const FiguresArgs& args) {
-    experiment::Experiment experiment;
-    experiment.where = "inkbench figures";
-    experiment.name = "figures";
-    experiment.kind = experiment::ExperimentKind::compare;
-    experiment.seed = parse_seed(args.seed);
-    const std::string methods = method_list(args.methods);
-    for (const harness::MethodConfig& config : harness::make_configs(methods, args.settings))
-        if (!methods.empty()) experiment.methods.push_back(config.info->name);
-    experiment.settings = args.settings;
-    experiment.entrants = args.entrants;
-    experiment.entrant_s = args.entrant_s;
-    for (const std::string& entrant : args.entrants)
-        (void)experiment::parse_entrant(entrant);
-    experiment.view_request = view_request(args.views);
-    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
-    experiment.threads = {checked_threads(args.threads)};
-    experiment.scenes = scene_names(args.scenes);
+    experiment::Experiment experiment = args.options.read();
+    take_methods(args.methods, args.settings, experiment);
+    take_views(args.views, args.scenes, experiment);
     if (experiment.scenes.empty()) experiment.scenes = harness::split_list(kUsualScenes);
     if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
-    if (args.repetitions < 1)
-        throw core::Error("--repetitions", fmt::format("{}", args.repetitions), "1 or more");
-    experiment.repetitions = args.repetitions;
-    experiment.budget_s = harness::MeasureOptions{}.budget_s;
     experiment.own_sweep_views = args.has_sweep ? 1 : 0;
-    apply(args.truth, experiment);
-    experiment.crosscheck = false;
-    experiment.images = experiment::KeptImages::all;
     return experiment;
 }
 
@@ -234,18 +221,17 @@ void add_figures_command(CLI::App& app) {
     add_method_options(*command, args->methods);
     add_script_options(*command, *args);
     add_set_option(*command, args->settings);
-    add_entrant_options(*command, args->entrants, args->entrant_s);
+    ExperimentOptions& options = args->options;
+    options.add_to(*command, {"grid.entrants", "measure.entrant_seconds"});
     add_view_options(*command, args->views);
     add_out_folder_option(*command,
                           args->out,
                           "Folder for the figures, figures.md, which lists them, and run/, if one "
                           "is made");
-    add_truth_settings(*command, args->truth);
-    add_threads_option(*command, args->threads, "Threads a method may use while it is timed");
-    command->add_option("--repetitions", args->repetitions, "Timed drawings of a view, at most")
-        ->capture_default_str();
+    options.add_to(*command, truth_rows());
+    options.add_to(*command, {"grid.threads", "measure.repetitions"});
     command->add_flag("--sweep", args->has_sweep, "Sweep the methods' settings in the run too");
-    add_seed_option(*command, args->seed, "Of intervals and random images");
+    options.add_to(*command, {"seed"}, "Of intervals and random images");
     command->add_flag(
         "--force", args->is_forced, "Throw away the run that is in the folder's run/");
     add_cache_options(*command, args->cache);

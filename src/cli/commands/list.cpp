@@ -1,16 +1,191 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "catalogue/catalogue.h"
 #include "cli/commands/commands.h"
-#include "cli/list_json.h"
+#include "cli/help_format.h"
 #include "cli/listing.h"
 #include "core/error.h"
+#include "core/param.h"
 #include "experiment/dictionary.h"
 #include "harness/tables/methods_table.h"
+#include "harness/tables/row_table.h"
+#include "methods/registry.h"
+#include "raster/skips.h"
+#include "shade/shading.h"
+#include "studies/stress/stress_axes.h"
 
 namespace ink::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kListWidth = 80;
+constexpr std::size_t kMostNames = 100;  ///< of one topic in the overview
+
+Json params_json(const std::vector<core::Param>& params) {
+    Json list = Json::array();
+    for (const core::Param& param : params) {
+        list.push_back({{"name", param.name},
+                        {"default", core::format_param(param, param.default_value)},
+                        {"accepted", core::accepted_values(param)},
+                        {"min", param.min},
+                        {"max", param.max},
+                        {"unit", param.unit},
+                        {"doc", param.doc}});
+    }
+    return list;
+}
+
+Json methods_json() {
+    Json list = Json::array();
+    for (const method::MethodInfo& info : methods::registry()) {
+        list.push_back({{"name", info.name},
+                        {"summary", info.summary},
+                        {"source", info.source},
+                        {"cost", method::cost_sentence(info.make({})->cost())}});
+    }
+    return list;
+}
+
+Json scenes_json() {
+    Json list = Json::array();
+    for (const catalogue::CatalogueEntry& entry : catalogue::catalogue()) {
+        const scene::Scene made = entry.make();
+        list.push_back({{"name", entry.name},
+                        {"split", scene::split_name(entry.split)},
+                        {"triangles", scene::triangle_count(made)},
+                        {"views", made.cameras.size()},
+                        {"summary", entry.summary}});
+    }
+    return list;
+}
+
+Json method_params_json() {
+    Json list = Json::array();
+    for (const method::MethodInfo& info : methods::registry())
+        list.push_back({{"method", info.name}, {"params", params_json(info.params)}});
+    return list;
+}
+
+Json columns_of(const harness::TableInfo& table) {
+    Json list = Json::array();
+    for (const harness::Column& c : table.columns)
+        list.push_back(
+            {{"name", c.name}, {"unit", c.unit}, {"doc", c.doc}, {"is_time", c.is_time}});
+    return list;
+}
+
+Json tables_json() {
+    Json list = Json::array();
+    for (const harness::TableInfo& table : experiment::dictionary())
+        list.push_back({{"name", table.file}, {"doc", table.doc}, {"columns", columns_of(table)}});
+    return list;
+}
+
+Json skips_json() {
+    Json list = Json::array();
+    for (const raster::SkipInfo& info : raster::skip_infos())
+        list.push_back({{"name", info.name}, {"unit", info.unit}, {"summary", info.summary}});
+    return list;
+}
+
+Json shadings_json() {
+    Json list = Json::array();
+    for (const shade::ShadingInfo& info : shade::shadings()) {
+        list.push_back({{"name", info.name},
+                        {"summary", info.summary},
+                        {"source", info.source},
+                        {"params", params_json(info.params)}});
+    }
+    return list;
+}
+
+Json axes_json() {
+    Json list = Json::array();
+    for (const studies::StressAxis& axis : studies::stress_axes()) {
+        list.push_back({{"name", axis.name},
+                        {"title", axis.title},
+                        {"unit", axis.unit},
+                        {"values", axis.values},
+                        {"sentence", axis.sentence}});
+    }
+    return list;
+}
+
+struct Topic {
+    const char* name;
+    const char* title;
+    Json (*list)();
+};
+constexpr Topic kTopics[] = {
+    {"methods", "Methods", methods_json},
+    {"scenes", "Scenes", scenes_json},
+    {"params", "Parameters of methods", method_params_json},
+    {"metrics", "Columns of rows.csv", [] { return columns_of(harness::rows_table()); }},
+    {"columns", "Tables of a run folder", tables_json},
+    {"skips", "Skips", skips_json},
+    {"shadings", "Shadings", shadings_json},
+    {"axes", "Axes of difficulty", axes_json},
+};
+
+/// Every name of a topic once, in order.
+std::vector<std::string> names_of(const Json& list) {
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    const auto add = [&](const Json& entry) {
+        if (auto name = entry.at("name").get<std::string>(); known.insert(name).second)
+            names.push_back(std::move(name));
+    };
+    for (const Json& entry : list) {
+        if (!entry.contains("method")) {
+            add(entry);
+            continue;
+        }
+        for (const Json& param : entry.at("params"))
+            add(param);
+    }
+    return names;
+}
+
+/// What cli::listing says as text, for programs: an object with one array per topic, each of
+/// objects with `name` first; params are objects of `method` and its `params`. Throws core::Error
+/// that lists the topics for another word than one of them or "all".
+Json listing_json(const std::string& what) {
+    Json json = Json::object();
+    std::vector<std::string> known = {"all"};
+    for (const Topic& topic : kTopics) {
+        if (what == "all" || what == topic.name) json[topic.name] = topic.list();
+        known.emplace_back(topic.name);
+    }
+    if (!json.empty()) return json;
+    throw core::Error(
+        "list", fmt::format("there is no list of '{}'", what), core::known_names(known, what));
+}
+
+/// The names of everything, a few lines per topic, and where more is said.
+std::string list_overview() {
+    std::string text;
+    for (const Topic& topic : kTopics) {
+        auto names = names_of(topic.list());
+        const std::size_t count = names.size();
+        names.resize(std::min(count, kMostNames));
+        if (count > kMostNames) names.push_back(fmt::format("and {} more", count - kMostNames));
+        text += fmt::format("{}, {} (inkbench list {})\n  {}\n\n",
+                            topic.title,
+                            count,
+                            topic.name,
+                            wrapped(fmt::format("{}", fmt::join(names, ", ")), kListWidth, 2));
+    }
+    return text + "inkbench list all: everything with units, ranges and defaults\n";
+}
 
 struct ListArgs {
     std::string what;

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <memory>
 
 #include "cli/commands/commands.h"
@@ -8,13 +5,11 @@
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/scene_options.h"
-#include "core/error.h"
-#include "experiment/experiment.h"
+#include "experiment/option_table.h"
+#include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {
-
-constexpr int kMostViews = 360;
 
 struct RunArgs {
     std::string file;
@@ -26,19 +21,21 @@ struct RunArgs {
     CacheOptions cache;
 };
 
+/// The file's experiment with what the command line puts in place of its own.
 experiment::Experiment experiment_of(const RunArgs& args) {
-    experiment::ExperimentOverrides overrides;
-    overrides.size = args.size;
-    overrides.scenes = fmt::format("{}", fmt::join(scene_names(args.scenes), ","));
-    overrides.methods = method_list(args.methods);
-    if (!args.views.empty()) {
-        ViewOptions views;
-        views.views = args.views;
-        const auto count = view_request(views).orbit_count;
-        if (!count) throw core::Error("--views", "no number", fmt::format("1..{}", kMostViews));
-        overrides.views = count;
-    }
-    return with_overrides(experiment::read_experiment(args.file), overrides);
+    experiment::Experiment experiment = experiment::read_experiment(args.file);
+    const auto set =
+        [&](const char* option, const char* flag, const std::vector<std::string>& texts) {
+            std::vector<core::GivenText> given;
+            for (const std::string& text : texts)
+                given.push_back({text, flag});
+            if (!given.empty()) experiment::set_option(experiment, option, given);
+        };
+    if (!args.size.empty()) set("grid.sizes", "--size", {args.size});
+    set("grid.scenes", "--scenes", scene_names(args.scenes));
+    set("grid.methods", "--methods", harness::split_list(method_list(args.methods)));
+    if (!args.views.empty()) set("grid.views", "--views", {args.views});
+    return experiment;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/commands/commands.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/score_text.h"
 #include "core/error.h"
@@ -28,7 +29,7 @@ struct ScoreArguments {
     fs::path truth;
     draw::ScoreRequest request;
     std::string polarity = "auto";
-    std::string intersections = "above_crease";
+    ExperimentOptions options;
     std::string picture;
     std::string csv;
     std::optional<double> fail_under;
@@ -106,7 +107,7 @@ void score_all(const ScoreArguments& a) {
 void run_score(ScoreArguments a) {
     a.request.options.thin = !a.no_thin;
     a.request.polarity = asked_polarity(a);
-    a.request.intersections = score::parse_intersections(a.intersections, "--intersections");
+    a.request.intersections = a.options.read().intersections;
     if (a.fail_under && !(*a.fail_under >= 0 && *a.fail_under <= 1)) {
         throw core::Error(
             "--fail-under", fmt::format("{} is no value of F", *a.fail_under), "0..1");
@@ -152,7 +153,7 @@ void add_scoring_options(CLI::App& command, ScoreArguments& a) {
                        a.request.options.ignore_label,
                        "Truth value, 1..255, that is neither required nor penalised (default: what "
                        "an EXR says, else none)");
-    add_intersections_option(command, a.intersections);
+    a.options.add_to(command, {"measure.intersections"});
 }
 
 }  // namespace

@@ -1,66 +1,37 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/name_list.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/run_options.h"
-#include "core/error.h"
-#include "studies/stress/stress_axes.h"
 
 namespace ink::cli {
 namespace {
 
+experiment::Experiment usual_stress() {
+    experiment::Experiment usual;
+    usual.where = "inkbench stress";
+    usual.name = "stress";
+    usual.kind = experiment::ExperimentKind::stress;
+    return usual;
+}
+
 struct StressArgs {
-    std::vector<std::string> axes;
+    ExperimentOptions options{usual_stress()};
     std::vector<std::string> methods;
     std::vector<std::string> settings;
-    int points = 0;
     ViewOptions views;
-    int threads = 1;
-    std::string seed = "0";
-    TruthSettings truth;  ///< its intersections alone
     CacheOptions cache;
     RunFolderOptions folder{.out = "inkbench-out/stress"};
 };
 
-std::vector<std::string> chosen_axes(const std::vector<std::string>& texts) {
-    Names names{"--axes", "axis", {}};
-    for (const studies::StressAxis& axis : studies::stress_axes())
-        names.known.push_back(axis.name);
-    std::vector<std::string> axes;
-    for (const std::string& name : listed_names(texts, names)) {
-        if (std::find(axes.begin(), axes.end(), name) != axes.end())
-            throw core::Error("--axes", fmt::format("'{}' is named twice", name), "each once");
-        axes.push_back(name);
-    }
-    return axes;
-}
-
 experiment::Experiment experiment_of(const StressArgs& args) {
-    experiment::Experiment experiment;
-    experiment.where = "inkbench stress";
-    experiment.name = "stress";
-    experiment.kind = experiment::ExperimentKind::stress;
-    experiment.axes = chosen_axes(args.axes);
-    const std::string methods = method_list(args.methods);
-    for (const harness::MethodConfig& config : harness::make_configs(methods, args.settings))
-        if (!methods.empty()) experiment.methods.push_back(config.info->name);
-    experiment.settings = args.settings;
-    experiment.threads = {checked_threads(args.threads)};
-    apply(args.truth, experiment);
-    experiment.seed = parse_seed(args.seed);
-    if (args.points != 0 && (args.points < 2 || args.points > 1000)) {
-        throw core::Error("--points", fmt::format("{} is not possible", args.points), "2..1000");
-    }
-    experiment.points = args.points;
-    const harness::ViewRequest request = view_request(args.views);
-    experiment.sizes = {{request.width_px, request.height_px}};
+    experiment::Experiment experiment = args.options.read();
+    take_methods(args.methods, args.settings, experiment);
+    take_views(args.views, {}, experiment);
     return experiment;
 }
 
@@ -71,18 +42,15 @@ void add_stress_command(CLI::App& app) {
     args->views.size = "480x270";
     auto* command =
         app.add_subcommand("stress", "Sweep one difficulty at a time: error curves per method");
-    add_repeatable_option(*command,
-                          "--axes,--axis",
-                          args->axes,
-                          "Axes a,b or globs (default: all; see inkbench list axes)",
-                          "AXES");
+    ExperimentOptions& options = args->options;
+    options.add_to(*command, {"grid.axes"});
     add_method_options(*command, args->methods);
     add_set_option(*command, args->settings);
-    command->add_option("--points", args->points, "Points of an axis at most (default: all)");
+    options.add_to(*command, {"grid.points"});
     command->add_option("--size", args->views.size, "Size of an image")->capture_default_str();
-    add_threads_option(*command, args->threads, "Threads of a method");
-    add_seed_option(*command, args->seed, "Of the intervals");
-    add_intersections_option(*command, args->truth.intersections);
+    options.add_to(*command, {"grid.threads"}, "Threads of a method");
+    options.add_to(*command, {"seed"}, "Of the intervals");
+    options.add_to(*command, {"measure.intersections"});
     add_cache_options(*command, args->cache);
     add_run_folder_options(*command, args->folder);
     command->footer(

@@ -6,6 +6,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/options/draw_options.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -20,16 +21,14 @@ namespace ink::cli {
 namespace {
 
 struct TimedemoArgs {
+    ExperimentOptions asked;
     SceneOptions scene;
     std::string view;
     std::vector<std::string> methods;
     std::vector<std::string> settings;
     ViewOptions views;
     int frames = 60;
-    int threads = 1;
-    std::string seed = "0";
     std::string lights;
-    std::vector<std::string> no_skip;
     std::string out;
     bool json = false;
 };
@@ -59,11 +58,12 @@ nlohmann::ordered_json rates_json(const harness::SceneViews& scene_views,
 }
 
 void run_timedemo(const TimedemoArgs& args) {
+    const experiment::Experiment asked = args.asked.read();
     studies::TimedemoOptions options;
     options.configs = harness::make_configs(method_list(args.methods), args.settings);
-    options.threads = checked_threads(args.threads);
-    options.skips = harness::without_skips({}, skip_list(args.no_skip));
-    options.seed = parse_seed(args.seed);
+    options.threads = asked.threads.front();
+    options.skips = harness::without_skips({}, fmt::format("{}", fmt::join(asked.skips_off, ",")));
+    options.seed = asked.seed;
     options.frames = args.frames;
     options.lamps = shade::lamp_source(args.lights);
     if (args.frames < 2 || args.frames > 10000) {
@@ -113,10 +113,10 @@ void add_timedemo_command(CLI::App& app) {
     command->add_option("--view", args->view, "View where the camera starts (default: the first)")
         ->type_name("NAME");
     add_view_options(*command, args->views);
-    add_threads_option(*command, args->threads, "Threads of a method");
-    add_seed_option(*command, args->seed, "Of the shaking camera and the sketching hand");
+    args->asked.add_to(*command, {"grid.threads"}, "Threads of a method");
+    args->asked.add_to(*command, {"seed"}, "Of the shaking camera and the sketching hand");
     add_lights_option(*command, args->lights);
-    add_no_skip_option(*command, args->no_skip);
+    args->asked.add_to(*command, {"measure.skips_off"});
     add_out_folder_option(
         *command, args->out, "Folder for timedemo.csv (default: it is not written)");
     command->add_flag("--json", args->json, "Print JSON instead of the table");

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/commands/commands.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "cli/place.h"
@@ -14,11 +15,19 @@
 #include "draw/exr_layers.h"
 #include "draw/image_output.h"
 #include "draw/outline_svg.h"
+#include "experiment/experiment_plan.h"
 #include "harness/tracing.h"
 #include "harness/view_images.h"
 
 namespace ink::cli {
 namespace {
+
+experiment::Experiment usual_truth() {
+    experiment::Experiment usual;
+    usual.intersections = score::Intersections::all;
+    usual.threads = {core::hardware_threads()};
+    return usual;
+}
 
 struct TruthArgs {
     SceneOptions scene;
@@ -31,8 +40,7 @@ struct TruthArgs {
     std::optional<std::string> disagreement;
     bool crosscheck = false;
     CacheOptions cache;
-    TruthSettings truth{.intersections = "all"};
-    int threads = core::hardware_threads();
+    ExperimentOptions options{usual_truth()};
 };
 
 /// In the format that the name asks for.
@@ -107,10 +115,9 @@ void run_truth(TruthArgs args) {
     if (args.disagreement && !args.crosscheck) {
         throw core::Error("--disagreement", "there is no cross-check to disagree", "--crosscheck");
     }
-    harness::TraceOptions options;
-    apply(args.truth, options);
-    options.truth.threads = checked_threads(args.threads);
-    options.cache = cache_folder(args.cache);
+    const experiment::Experiment asked = args.options.read();
+    harness::TraceOptions options = experiment::trace_of(asked, cache_folder(args.cache));
+    options.truth.threads = asked.threads.front();
     if (args.file) check_output_path(*args.file, {".png", ".exr", ".svg"});
     if (args.svg) check_output_path(*args.svg, {".svg"});
     for (const auto& file : {args.image, args.sampled, args.disagreement}) {
@@ -173,8 +180,8 @@ void add_truth_command(CLI::App& app) {
     command->add_option("--view", args->view, "Name of the view (default: the first)")
         ->type_name("NAME");
     add_view_options(*command, args->views);
-    add_truth_settings(*command, args->truth);
-    add_threads_option(*command, args->threads, "Threads that trace");
+    args->options.add_to(*command, truth_rows());
+    args->options.add_to(*command, {"grid.threads"}, "Threads that trace");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

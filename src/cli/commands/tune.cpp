@@ -7,6 +7,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/name_list.h"
+#include "cli/options/experiment_options.h"
 #include "cli/options/method_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
@@ -15,6 +16,7 @@
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/param.h"
+#include "experiment/experiment_plan.h"
 #include "experiment/run_data.h"
 #include "report/run_page.h"
 #include "tune/tune.h"
@@ -24,7 +26,14 @@
 namespace ink::cli {
 namespace {
 
+experiment::Experiment usual_search() {
+    experiment::Experiment usual;
+    usual.threads = {core::hardware_threads()};
+    return usual;
+}
+
 struct TuneArgs {
+    ExperimentOptions options{usual_search()};
     std::string method;                ///< by itself, unless --method is there: a scene then
     std::vector<std::string> methods;  ///< by --method
     std::string parameters;
@@ -32,7 +41,6 @@ struct TuneArgs {
     std::string objective = "error";
     std::optional<double> budget_ms;
     int evaluations = 300;
-    std::string seed = "0";
     std::string global = "crs";
     std::string local = "sbplx";
     bool no_random = false;
@@ -45,8 +53,6 @@ struct TuneArgs {
     std::string out = "inkbench-out/tune";
     bool is_forced = false;
     CacheOptions cache;
-    TruthSettings truth;
-    int threads = core::hardware_threads();
 };
 
 /// Options that change no result, and so are no part of the command that a preset records.
@@ -88,6 +94,7 @@ harness::MethodConfig with_crease(const harness::MethodConfig& config, double cr
 }
 
 tune::TuneOptions tune_options(const TuneArgs& args) {
+    const experiment::Experiment asked = args.options.read();
     tune::TuneOptions options;
     const std::string method = method_of(args);
     options.config = harness::make_configs(method, args.settings).front();
@@ -107,16 +114,14 @@ tune::TuneOptions tune_options(const TuneArgs& args) {
     check_choice("--global", args.global, tune::global_searches());
     check_choice("--local", args.local, tune::local_searches());
     options.plan = {.evaluations = args.evaluations,
-                    .seed = parse_seed(args.seed),
+                    .seed = asked.seed,
                     .global = args.global,
                     .local = args.local};
     options.random = !args.no_random;
-    apply(args.truth, options.trace);
+    options.trace = experiment::trace_of(asked, cache_folder(args.cache));
     if (!tune::TuneSpace(*options.config.info, args.parameters).has("crease_deg"))
-        options.config = with_crease(options.config, args.truth.crease_deg);
-    options.trace.truth.threads = core::hardware_threads();
-    options.trace.cache = cache_folder(args.cache);
-    options.threads = checked_threads(args.threads);
+        options.config = with_crease(options.config, asked.crease_deg);
+    options.threads = asked.threads.front();
     options.out = args.out;
     options.is_forced = args.is_forced;
     options.name = args.name.empty() ? method + "_tuned" : args.name;
@@ -221,7 +226,7 @@ void add_tune_command(CLI::App& app) {
         ->type_name("MS");
     command->add_option("--evaluations", args->evaluations, "Settings to try")
         ->capture_default_str();
-    add_seed_option(*command, args->seed, "Of the search");
+    args->options.add_to(*command, {"seed"}, "Of the search");
     command->add_option("--global", args->global, "Search for the first 60 % of the evaluations")
         ->type_name(fmt::format("{}", fmt::join(tune::global_searches(), "|")))
         ->capture_default_str();
@@ -244,13 +249,13 @@ void add_tune_command(CLI::App& app) {
                      args->more_views,
                      "Random views round each training scene, in addition to its own")
         ->capture_default_str();
-    add_truth_settings(*command, args->truth);
+    args->options.add_to(*command, truth_rows());
     command->add_option("--name", args->name, "Name of the preset (default: METHOD_tuned)")
         ->type_name("NAME");
     add_out_folder_option(*command, args->out, "Folder of the run, with NAME.toml");
     command->add_flag(
         "--force", args->is_forced, "Throw away the run that is in the folder, whatever it is");
-    add_threads_option(*command, args->threads, "Threads; only times depend on it");
+    args->options.add_to(*command, {"grid.threads"}, "Threads; only times depend on it");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

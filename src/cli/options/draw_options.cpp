@@ -9,6 +9,7 @@
 #include "cli/name_list.h"
 #include "cli/options/options.h"
 #include "core/error.h"
+#include "experiment/option_table.h"
 #include "harness/method_configs.h"
 
 namespace ink::cli {
@@ -165,7 +166,7 @@ draw::DrawOptions drawing_looks(const LookOptions& options) {
     looks.paper = parse_color(options.paper, "--paper");
     looks.surface = parse_color(options.surface, "--surface");
     looks.hand = parse_hand(options);
-    if (!options.seed.empty()) looks.seed = parse_seed(options.seed);
+    if (!options.seed.empty()) looks.seed = experiment::parse_seed({options.seed, "--seed"});
     looks.dither = parse_dither(options.dither);
     if (!(options.line_width_px >= 0 && options.line_width_px <= draw::kMostLineWidth_px)) {
         throw core::Error("--line-width",

@@ -66,48 +66,4 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings, const
                           "KEY=VALUE");
 }
 
-void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role) {
-    add_repeatable_option(command,
-                          "--preset",
-                          presets,
-                          fmt::format("A method with settings of its own, as inkbench tune writes "
-                                      "it: a TOML file, {}; may be given again",
-                                      role),
-                          "FILE");
-}
-
-void add_entrant_options(CLI::App& command, std::vector<std::string>& entrants, double& seconds) {
-    add_repeatable_option(
-        command,
-        "--entrant",
-        entrants,
-        "A method from outside: a folder with SCENE/VIEW.png (and times.csv), or a "
-        "program that is called as PROGRAM view.json out.png; may be given again "
-        "(see methods/README.md)",
-        "NAME=PATH");
-    command.add_option("--entrant-seconds", seconds, "Longest time of such a program for one view")
-        ->check(CLI::Range(0.01, 86400.0))
-        ->capture_default_str();
-}
-
-void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts) {
-    add_repeatable_option(command,
-                          "--no-skip",
-                          texts,
-                          "Disable these optimisations, a,b or all (see inkbench list skips): "
-                          "other times, the same images",
-                          "SKIPS");
-}
-
-std::vector<std::string> skip_words() {
-    std::vector<std::string> names;
-    for (const raster::SkipInfo& info : raster::skip_infos())
-        names.emplace_back(info.name);
-    return names;
-}
-
-std::string skip_list(const std::vector<std::string>& texts) {
-    return joined(listed_names(texts, {"--no-skip", "skip", skip_words()}));
-}
-
 }  // namespace ink::cli

@@ -39,20 +39,4 @@ void add_set_option(CLI::App& command,
                     std::vector<std::string>& settings,
                     const std::string& doc = "A parameter: key=value or method.key=value");
 
-/// Adds --preset FILE, which may be given again; `role` says what the file's method is here.
-void add_preset_option(CLI::App& command, std::vector<std::string>& presets, const char* role);
-
-/// Adds --entrant NAME=PATH, which may be given again, and --entrant-seconds.
-void add_entrant_options(CLI::App& command, std::vector<std::string>& entrants, double& seconds);
-
-/// Adds --no-skip, which may be given again; `skip_list` reads the texts.
-void add_no_skip_option(CLI::App& command, std::vector<std::string>& texts);
-
-/// The skips that comma lists and globs mean, as one list a,b; "" for no texts. Throws core::Error
-/// (where = "--no-skip") as `method_list` does.
-[[nodiscard]] std::string skip_list(const std::vector<std::string>& texts);
-
-/// The names of all skips.
-[[nodiscard]] std::vector<std::string> skip_words();
-
 }  // namespace ink::cli

@@ -22,25 +22,11 @@ namespace {
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr double kFov_deg = 40;  // of a camera that is set by hand
 constexpr double kMostMargin = 0.45;
-constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
 
 template <class T>
 bool parse_whole(std::string_view text, T& value) {
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     return status == std::errc{} && end == text.data() + text.size();
-}
-
-void parse_size(const std::string& text, harness::ViewRequest& request) {
-    const auto x = text.find('x');
-    const bool is_pair = x != std::string::npos &&
-                         parse_whole(std::string_view(text).substr(0, x), request.width_px) &&
-                         parse_whole(std::string_view(text).substr(x + 1), request.height_px);
-    if (!is_pair) {
-        throw core::Error("--size",
-                          fmt::format("'{}' is no size", text),
-                          "WIDTHxHEIGHT in pixels, such as 1280x720");
-    }
-    harness::check_size(request.width_px, request.height_px);
 }
 
 glm::dvec3 parse_point(const std::string& text, const std::string& option) {
@@ -144,14 +130,6 @@ CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const st
     });
 }
 
-void add_threads_option(CLI::App& command, int& threads, const std::string& doc) {
-    command.add_option("--threads", threads, doc)->type_name("N")->capture_default_str();
-}
-
-void add_seed_option(CLI::App& command, std::string& seed, const std::string& doc) {
-    command.add_option("--seed", seed, doc)->type_name("N")->capture_default_str();
-}
-
 void add_quiet_option(CLI::App& command) {
     command.add_flag_callback(
         "-q,--quiet",
@@ -246,7 +224,9 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
 
 harness::ViewRequest view_request(const ViewOptions& options) {
     harness::ViewRequest request;
-    parse_size(options.size, request);
+    const experiment::ImageSize size = experiment::parse_image_size(options.size, "--size");
+    request.width_px = size.width_px;
+    request.height_px = size.height_px;
     parse_cameras(options, request);
     parse_framing(options, request);
     if (options.views == "file") {
@@ -268,77 +248,6 @@ harness::ViewRequest view_request(const ViewOptions& options) {
     request.model.animation = options.animation;
     request.model.material_seams = harness::parse_seams(options.seams, "--seams");
     return request;
-}
-
-int checked_threads(int threads) {
-    if (threads < 1 || threads > 256) {
-        throw core::Error(
-            "--threads", fmt::format("{} threads are not possible", threads), "1..256");
-    }
-    return threads;
-}
-
-std::uint64_t parse_seed(const std::string& text) {
-    std::uint64_t seed = 0;
-    if (!parse_whole(text, seed)) {
-        throw core::Error("--seed",
-                          fmt::format("'{}' is no seed", text),
-                          "a whole number 0..18446744073709551615");
-    }
-    return seed;
-}
-
-void add_truth_settings(CLI::App& command, TruthSettings& settings) {
-    command
-        .add_option("--crease",
-                    settings.crease_deg,
-                    "Crease angle of the truth: edges with a larger dihedral deviation are "
-                    "creases; methods that use the same angle follow, unless --set says otherwise")
-        ->type_name("DEGREES")
-        ->capture_default_str();
-    command
-        .add_option("--weld-epsilon",
-                    settings.weld_epsilon,
-                    "Weld vertices this near to each other, as a share of their part's diagonal "
-                    "(0: at the same place only)")
-        ->type_name("SHARE")
-        ->capture_default_str();
-    add_intersections_option(command, settings.intersections);
-}
-
-void add_intersections_option(CLI::App& command, std::string& intersections) {
-    command
-        .add_option("--intersections",
-                    intersections,
-                    "Intersections that count: those that bend at least by the crease angle "
-                    "(flatter ones are neither required nor penalised), or all")
-        ->type_name(fmt::format("{}", fmt::join(score::kIntersectionNames, "|")))
-        ->capture_default_str();
-}
-
-void apply(const TruthSettings& settings, harness::TraceOptions& trace) {
-    if (!(settings.crease_deg >= 0 && settings.crease_deg <= 180)) {
-        throw core::Error(
-            "--crease",
-            fmt::format("the crease angle cannot be {:g} degrees", settings.crease_deg),
-            "0..180");
-    }
-    if (!(settings.weld_epsilon >= 0 && settings.weld_epsilon <= kMaxWeldEpsilon)) {
-        throw core::Error("--weld-epsilon",
-                          fmt::format("it cannot be {:g}", settings.weld_epsilon),
-                          fmt::format("0..{:g}", kMaxWeldEpsilon));
-    }
-    trace.truth.crease_rad = settings.crease_deg * kRadPerDeg;
-    trace.truth.weld_epsilon = settings.weld_epsilon;
-    trace.intersections = score::parse_intersections(settings.intersections, "--intersections");
-}
-
-void apply(const TruthSettings& settings, experiment::Experiment& experiment) {
-    harness::TraceOptions checked;
-    apply(settings, checked);
-    experiment.crease_deg = settings.crease_deg;
-    experiment.weld_epsilon = settings.weld_epsilon;
-    experiment.intersections = checked.intersections;
 }
 
 void add_cache_options(CLI::App& command, CacheOptions& options) {

@@ -45,12 +45,6 @@ void add_view_options(CLI::App& command, ViewOptions& options);
 /// Adds --out DIR, or -o DIR: the folder that a command writes; `doc` says what into it.
 CLI::Option* add_out_folder_option(CLI::App& command, std::string& out, const std::string& doc);
 
-/// Adds --threads; `doc` says whose.
-void add_threads_option(CLI::App& command, int& threads, const std::string& doc);
-
-/// Adds --seed; `doc` says of what. `parse_seed` reads it.
-void add_seed_option(CLI::App& command, std::string& seed, const std::string& doc);
-
 /// Adds --quiet, which silences every core::Progress of the process.
 void add_quiet_option(CLI::App& command);
 
@@ -61,31 +55,6 @@ void add_quiet_option(CLI::App& command);
 /// --quiet) is of. To be asked in the command's callback.
 [[nodiscard]] std::string recorded_command(const CLI::App& command,
                                            const std::vector<std::string>& left_out = {});
-
-/// --threads as given, or an Error unless 1..256.
-[[nodiscard]] int checked_threads(int threads);
-
-/// --seed as given, or an Error unless it is a whole number of 64 bits. As text, because the option
-/// parser would turn -1 into the largest one without a word.
-[[nodiscard]] std::uint64_t parse_seed(const std::string& text);
-
-/// What a command lets its user say of the truth.
-struct TruthSettings {
-    double crease_deg = 40;
-    double weld_epsilon = 0;
-    std::string intersections = "above_crease";
-};
-
-/// Adds --crease, --weld-epsilon and --intersections to a command.
-void add_truth_settings(CLI::App& command, TruthSettings& settings);
-
-/// Adds --intersections alone.
-void add_intersections_option(CLI::App& command, std::string& intersections);
-
-/// Writes the settings into `trace`, or what an experiment asks of its truths. Throws core::Error
-/// (where = the option) for numbers out of range, or a word that is no choice.
-void apply(const TruthSettings& settings, harness::TraceOptions& trace);
-void apply(const TruthSettings& settings, experiment::Experiment& experiment);
 
 /// Where traced truths are kept.
 struct CacheOptions {

@@ -2,21 +2,96 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <string_view>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
 
+#include "cli/options/method_options.h"
 #include "cli/run_result.h"
-#include "cli/run_status.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
+#include "experiment/block_store.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/experiment_run.h"
+#include "experiment/run_record.h"
+#include "harness/method_configs.h"
 
 namespace ink::cli {
 namespace {
+
+namespace fs = std::filesystem;
+
+/// "3-of-16" as 3 and 16.
+std::optional<std::pair<int, int>> share_of(const std::string& name) {
+    int i = 0;
+    int n = 0;
+    int used = 0;
+    if (std::sscanf(name.c_str(), "%d-of-%d%n", &i, &n, &used) != 2) return std::nullopt;
+    if (used != static_cast<int>(name.size()) || i < 1 || i > n) return std::nullopt;
+    return std::pair(i, n);
+}
+
+/// The shares beside a run, in the order of their numbers.
+std::map<std::pair<int, int>, fs::path> shares_beside(const fs::path& out) {
+    std::map<std::pair<int, int>, fs::path> shares;
+    std::error_code failure;
+    for (const auto& entry : fs::directory_iterator(out.string() + ".parts", failure)) {
+        const auto share = share_of(entry.path().filename().string());
+        if (share) shares.emplace(*share, entry.path());
+    }
+    return shares;
+}
+
+/// What a folder has done of a plan.
+struct Progress {
+    std::set<std::size_t> done;
+    bool is_finished = false;
+    std::string problem = {};  ///< why its blocks do not count, or ""
+};
+
+Progress progress_of(const experiment::Plan& plan, const fs::path& folder) {
+    Progress progress;
+    const auto record = experiment::read_record(folder);
+    if (!record) return progress;
+    if (record->identity != plan.identity) {
+        progress.problem =
+            fmt::format("holds another run ('{}' by build {})", record->name, record->build);
+        return progress;
+    }
+    progress.is_finished = record->state != experiment::RunState::unfinished;
+    for (const std::size_t block : experiment::BlockStore(folder).indices())
+        progress.done.insert(block);
+    return progress;
+}
+
+/// How far a run has come, for a terminal: blocks done of all, in its folder `out` and in the
+/// shares beside it, `out`.parts/I-of-N, each with the blocks that it is to do. A folder that is
+/// not there has none; one of another experiment or build is named and does not count.
+std::string run_status(const experiment::Plan& plan, const fs::path& out) {
+    const std::size_t all = plan.blocks.size();
+    const Progress whole = progress_of(plan, out);
+    if (whole.is_finished)
+        return fmt::format("{}: finished, {} blocks in {}\n", plan.name, all, out.string());
+    std::set<std::size_t> done = whole.done;
+    std::string lines;
+    if (!whole.problem.empty()) lines += fmt::format("  {} {}\n", out.string(), whole.problem);
+    for (const auto& [share, folder] : shares_beside(out)) {
+        const Progress part = progress_of(plan, folder);
+        const std::size_t asked = experiment::shard_blocks(plan, share.first, share.second).size();
+        done.insert(part.done.begin(), part.done.end());
+        lines += fmt::format("  {}: {}\n",
+                             folder.string(),
+                             part.problem.empty()
+                                 ? fmt::format("{} of {} blocks", part.done.size(), asked)
+                                 : part.problem);
+    }
+    return fmt::format("{}: {} of {} blocks are done\n", plan.name, done.size(), all) + lines;
+}
 
 constexpr const char* kGoesOn = "the same command goes on";
 
@@ -69,13 +144,22 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     command.add_flag("--json", options.is_json, "Print the result as JSON");
 }
 
-experiment::KeptImages kept_images(const std::string& word) {
-    constexpr std::array<std::string_view, 3> kWords = {"none", "first", "all"};
-    const auto found = std::find(kWords.begin(), kWords.end(), word);
-    if (found == kWords.end()) {
-        throw core::Error("--images", fmt::format("'{}' is no choice", word), "none | first | all");
-    }
-    return static_cast<experiment::KeptImages>(found - kWords.begin());
+void take_methods(const std::vector<std::string>& methods,
+                  const std::vector<std::string>& settings,
+                  experiment::Experiment& experiment) {
+    const std::string names = method_list(methods);
+    for (const harness::MethodConfig& config :
+         harness::make_configs(names, settings, experiment.presets))
+        if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
+    experiment.settings = settings;
+}
+
+void take_views(const ViewOptions& views,
+                const SceneOptions& scenes,
+                experiment::Experiment& experiment) {
+    experiment.view_request = view_request(views);
+    experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
+    experiment.scenes = scene_names(scenes);
 }
 
 std::string run_command_text(const CLI::App& command) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/options/options.h"
+#include "cli/options/scene_options.h"
 #include "experiment/experiment.h"
 
 namespace ink::cli {
@@ -24,8 +25,16 @@ struct RunFolderOptions {
 /// command.
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 
-/// "none", "first" or "all"; throws core::Error (where = "--images") for another word.
-[[nodiscard]] experiment::KeptImages kept_images(const std::string& word);
+/// Puts the methods that a command names, all if none, and their settings into an experiment.
+/// Throws core::Error for one that does not fit the other.
+void take_methods(const std::vector<std::string>& methods,
+                  const std::vector<std::string>& settings,
+                  experiment::Experiment& experiment);
+
+/// Puts the scenes that a command names and from where they are seen into an experiment.
+void take_views(const ViewOptions& views,
+                const SceneOptions& scenes,
+                experiment::Experiment& experiment);
 
 /// What the user typed after `command`'s name, less what says where results go and how they are
 /// shown: the same for a run, its shards and its continuation.

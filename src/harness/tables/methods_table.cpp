@@ -60,6 +60,8 @@ std::string range_of(const core::Param& param, const method::Tunable& tunable) {
             return fmt::format("{}", fmt::join(param.choices, "|"));
         case core::ParamKind::real:
         case core::ParamKind::integer:
+        case core::ParamKind::text:
+        case core::ParamKind::list:
             break;
     }
     const auto [low, high] = tunable.range.value_or(std::pair(param.min, param.max));

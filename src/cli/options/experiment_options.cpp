@@ -1,0 +1,87 @@
+#include "cli/options/experiment_options.h"
+
+#include "cli/name_list.h"
+#include "experiment/option_table.h"
+
+namespace ink::cli {
+namespace {
+
+/// "--axes" of "--axes,--axis": how messages call an option.
+std::string first_spelling(const std::string& flag) {
+    return flag.substr(0, flag.find(','));
+}
+
+/// As help has it: a number or word as it is, nothing for a list or a value out of range.
+std::string usual_text(const experiment::Experiment& usual, std::size_t row) {
+    const core::Param& param = experiment::option_table().param(row);
+    const std::vector<std::string> texts = experiment::option_table().rows.get(usual, row);
+    const bool is_list = param.kind == core::ParamKind::list;
+    if (texts.size() != 1 || (is_list && !param.choices.empty())) return "";
+    const bool is_number =
+        param.kind == core::ParamKind::integer || param.kind == core::ParamKind::real;
+    if (is_number && std::stod(texts.front()) < param.min) return "";
+    return texts.front();
+}
+
+std::string type_of(const core::Param& param) {
+    if (param.kind != core::ParamKind::choice) return param.unit;
+    std::string type;
+    for (const std::string& choice : param.choices)
+        type += (type.empty() ? "" : "|") + choice;
+    return type;
+}
+
+}  // namespace
+
+void ExperimentOptions::add_to(CLI::App& command,
+                               const std::vector<std::string>& rows,
+                               const std::string& doc) {
+    const experiment::OptionTable& table = experiment::option_table();
+    for (const std::string& name : rows) {
+        const std::size_t row = table.row(name);
+        const core::Param& param = table.param(row);
+        const std::string& flag = table.options[row].flag;
+        const std::string help = doc.empty() ? param.doc : doc;
+        std::vector<std::string>& given = given_[name];
+        if (param.kind == core::ParamKind::flag) {
+            const std::string value = flag.starts_with("--no-") ? "false" : "true";
+            command.add_flag_callback(
+                flag, [&given, value] { given = {value}; }, help);
+        } else if (param.kind == core::ParamKind::list && name != "grid.threads") {
+            add_repeatable_option(command, flag, given, help, type_of(param));
+        } else {
+            command.add_option(flag, given, help)
+                ->type_name(type_of(param))
+                ->expected(1)
+                ->default_str(usual_text(usual_, row));
+        }
+    }
+}
+
+experiment::Experiment ExperimentOptions::read() const {
+    const experiment::OptionTable& table = experiment::option_table();
+    experiment::Experiment experiment = usual_;
+    for (const auto& [name, texts] : given_) {
+        if (texts.empty()) continue;
+        const std::size_t row = table.row(name);
+        const core::Param& param = table.param(row);
+        const std::string where = first_spelling(table.options[row].flag);
+        const std::vector<std::string> named =
+            param.choices.empty() || param.kind != core::ParamKind::list
+                ? texts
+                : listed_names(texts, {where, table.options[row].noun, param.choices});
+        std::vector<core::GivenText> given;
+        for (const std::string& text : named)
+            given.push_back({text, where});
+        table.rows.set(experiment, row, given, "it");
+    }
+    return experiment;
+}
+
+const std::vector<std::string>& truth_rows() {
+    static const std::vector<std::string> rows = {
+        "measure.crease_deg", "measure.weld_epsilon", "measure.intersections"};
+    return rows;
+}
+
+}  // namespace ink::cli

@@ -1,0 +1,313 @@
+#include "experiment/option_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <stdexcept>
+
+#include "catalogue/catalogue.h"
+#include "core/error.h"
+#include "experiment/entrants/entrant.h"
+#include "methods/registry.h"
+#include "raster/skips.h"
+#include "studies/stress/stress_axes.h"
+
+namespace ink::experiment {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Given = std::vector<core::GivenText>;
+using Kind = core::ParamKind;
+
+constexpr unsigned bit(ExperimentKind kind) {
+    return 1U << static_cast<unsigned>(kind);
+}
+constexpr unsigned kCompare = bit(ExperimentKind::compare);
+constexpr unsigned kStress = bit(ExperimentKind::stress);
+constexpr unsigned kAnimation = bit(ExperimentKind::animation);
+constexpr unsigned kBound = bit(ExperimentKind::bound);
+constexpr unsigned kTimed = kCompare | kStress | kBound;
+constexpr unsigned kAll = kCompare | kStress | kAnimation | kBound;
+
+constexpr double kMaxWeldEpsilon = 0.01;  // more would flatten the things themselves
+
+Texts names_of(const auto& infos) {
+    Texts names;
+    for (const auto& info : infos)
+        names.emplace_back(info.name);
+    return names;
+}
+
+/// Adds names that are not there yet.
+void add_new(const Texts& names, Texts& all) {
+    for (const std::string& name : names) {
+        if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+    }
+}
+
+void check_scene(const core::GivenText& scene) {
+    Texts known = {"catalogue", "train", "heldout"};
+    add_new(names_of(catalogue::catalogue()), known);
+    if (std::find(known.begin(), known.end(), scene.text) != known.end()) return;
+    std::error_code error;  // a name that is too long is no file either
+    if (std::filesystem::is_regular_file(scene.text, error)) return;
+    throw core::Error(scene.where,
+                      fmt::format("there is no scene, and no file, called '{}'", scene.text),
+                      core::known_names(known, scene.text));
+}
+
+void read_scenes(Experiment& experiment, const Given& scenes) {
+    experiment.scenes.clear();
+    for (const core::GivenText& scene : scenes) {
+        check_scene(scene);
+        add_new(scenes_called(scene.text), experiment.scenes);
+    }
+}
+
+/// Grids of methods that no longer take part go, too.
+void read_methods(Experiment& experiment, const Given& methods) {
+    experiment.methods.clear();
+    for (const core::GivenText& method : methods) {
+        at_place(method.where, [&] {
+            add_new(method.text == "all" ? names_of(methods::registry())
+                                         : Texts{methods::find_method(method.text).name},
+                    experiment.methods);
+        });
+    }
+    std::erase_if(experiment.grids, [&](const SettingGrid& grid) {
+        const Texts& names = experiment.methods;
+        return std::find(names.begin(), names.end(), grid.method) == names.end();
+    });
+}
+
+void read_entrants(Experiment& experiment, const Given& entrants) {
+    for (const core::GivenText& entrant : entrants) {
+        at_place(entrant.where, [&] { (void)parse_entrant(entrant.text); });
+        experiment.entrants.push_back(entrant.text);
+    }
+}
+
+void read_sizes(Experiment& experiment, const Given& sizes) {
+    experiment.sizes.clear();
+    for (const core::GivenText& size : sizes)
+        experiment.sizes.push_back(parse_image_size(size.text, size.where));
+    if (experiment.kind == ExperimentKind::stress && sizes.size() > 1)
+        throw core::Error(sizes.front().where, "stress has several sizes", "one size");
+}
+
+void read_threads(Experiment& experiment, const Given& counts) {
+    const core::Param param{"", Kind::integer, 1, 256, 1, {}, "", ""};
+    experiment.threads.clear();
+    for (const core::GivenText& count : counts)
+        experiment.threads.push_back(static_cast<int>(parse_param(param, count, "threads")));
+    if (experiment.kind == ExperimentKind::stress && counts.size() > 1)
+        throw core::Error(counts.front().where, "stress has several", "one: they are an axis");
+}
+
+Texts sizes_text(const Experiment& experiment) {
+    Texts texts;
+    for (const ImageSize& size : experiment.sizes)
+        texts.push_back(fmt::format("{}x{}", size.width_px, size.height_px));
+    return texts;
+}
+
+Texts threads_text(const Experiment& experiment) {
+    Texts texts;
+    for (const int count : experiment.threads)
+        texts.push_back(fmt::format("{}", count));
+    return texts;
+}
+
+/// A list of texts that are taken as they are.
+template <auto kField>
+void read_names(Experiment& experiment, const Given& names) {
+    (experiment.*kField).clear();
+    for (const core::GivenText& name : names) {
+        Texts& all = experiment.*kField;
+        if (std::find(all.begin(), all.end(), name.text) != all.end())
+            throw core::Error(
+                name.where, fmt::format("'{}' is named twice", name.text), "each once");
+        all.push_back(name.text);
+    }
+}
+template <auto kField>
+Texts names_text(const Experiment& experiment) {
+    return experiment.*kField;
+}
+
+OptionTable make_table() {
+    using E = Experiment;
+    OptionTable table;
+    // Says where the row that follows is given.
+    const auto in = [&table](unsigned kinds,
+                             std::string flag = "",
+                             std::string noun = "") -> core::ParamTable<Experiment>& {
+        table.options.push_back({std::move(flag), std::move(noun), kinds});
+        return table.rows;
+    };
+    // clang-format off
+    in(kAll, "--seed").texts(
+        {.name = "seed", .kind = Kind::text, .unit = "N",
+         .doc = "Of random images and of intervals; recorded in the rows"},
+        [](E& e, const Given& given) { e.seed = parse_seed(given.front()); },
+        [](const E& e) { return Texts{fmt::format("{}", e.seed)}; });
+
+    in(kCompare | kAnimation | kBound).texts(
+        {.name = "grid.scenes", .kind = Kind::list, .unit = "SCENE",
+         .doc = "Built-in scenes or model files; train, heldout or catalogue"},
+        read_scenes, names_text<&E::scenes>);
+    in(kCompare | kBound).number(
+        &E::views, "grid.views", {1, 360}, "N", "Views of each scene, the first N");
+    in(kAll).texts(
+        {.name = "grid.methods", .kind = Kind::list, .unit = "METHOD",
+         .doc = "Methods that take part, or all"},
+        read_methods, names_text<&E::methods>);
+    in(kCompare, "--preset").texts(
+        {.name = "grid.presets", .kind = Kind::list, .unit = "FILE",
+         .doc = "A method with settings of its own, as inkbench tune writes it: a TOML file, "
+                "beside the methods; may be given again"},
+        read_names<&E::presets>, names_text<&E::presets>);
+    in(kCompare, "--entrant").texts(
+        {.name = "grid.entrants", .kind = Kind::list, .unit = "NAME=PATH",
+         .doc = "A method from outside: a folder with SCENE/VIEW.png (and times.csv), or a program "
+                "that is called as PROGRAM view.json out.png; may be given again (see "
+                "methods/README.md)"},
+        read_entrants, names_text<&E::entrants>);
+    in(kAll).texts(
+        {.name = "grid.sizes", .kind = Kind::list, .unit = "WIDTHxHEIGHT",
+         .doc = "Sizes of images in pixels"},
+        read_sizes, sizes_text);
+    in(kAll, "--threads").texts(
+        {.name = "grid.threads", .kind = Kind::list, .unit = "N",
+         .doc = "Threads a method may use while it is timed"},
+        read_threads, threads_text);
+    in(kCompare | kAnimation | kBound).choice(
+        [](auto& e) -> auto& { return e.view_request.model.material_seams; },
+        "grid.seams", {"objects", "materials"},
+        "Where a smooth surface has seams: between objects of a model file, or between their "
+        "materials, too");
+    in(kStress, "--axes,--axis", "axis").texts(
+        {.name = "grid.axes", .kind = Kind::list, .choices = names_of(studies::stress_axes()),
+         .unit = "AXES", .doc = "Axes a,b or globs (default: all; see inkbench list axes)"},
+        read_names<&E::axes>, names_text<&E::axes>);
+    in(kStress, "--points").number(
+        &E::points, "grid.points", {2, 1000}, "N", "Points of an axis at most (default: all)");
+    in(kAnimation).number(&E::frames, "grid.frames", {2, 10000}, "N", "Frames of a sequence");
+    in(kAnimation).flag(&E::roll, "grid.roll", "The cube roll too");
+
+    in(kTimed, "--repetitions").number(
+        &E::repetitions, "measure.repetitions", {1, 10000}, "N",
+        "Timed drawings of a view, at most");
+    in(kTimed).number(
+        &E::budget_ms, "measure.budget_ms", {0, 1e6}, "MS",
+        "Drawing of a method on a view after which repetitions end");
+    in(kAll).flag(&E::times, "measure.times", "Times are measured; else their columns are empty");
+    in(kCompare).flag(
+        &E::full_scores, "measure.full_scores",
+        "Curves, tolerance sweep, bins and causes; else F at 2 px alone");
+    in(kCompare, "--no-crosscheck,--no-witness").flag(
+        &E::crosscheck, "measure.crosscheck", "Skip the independent check of the ground truth");
+    in(kCompare, "--entrant-seconds").number(
+        &E::entrant_s, "measure.entrant_seconds", {0.01, 86400}, "SECONDS",
+        "Longest time of an entrant's program for one view");
+    in(kAll, "--crease").number(
+        &E::crease_deg, "measure.crease_deg", {0, 180}, "DEGREES",
+        "Crease angle of the truth: edges with a larger dihedral deviation are creases; methods "
+        "that use the same angle follow, unless --set says otherwise");
+    in(kAll, "--weld-epsilon").number(
+        &E::weld_epsilon, "measure.weld_epsilon", {0, kMaxWeldEpsilon}, "SHARE",
+        "Weld vertices this near to each other, as a share of their part's diagonal (0: at the "
+        "same place only)");
+    in(kAll, "--intersections").choice(
+        &E::intersections, "measure.intersections",
+        {score::kIntersectionNames.begin(), score::kIntersectionNames.end()},
+        "Intersections that count: those that bend at least by the crease angle (flatter ones are "
+        "neither required nor penalised), or all");
+    in(kCompare, "--no-skip", "skip").texts(
+        {.name = "measure.skips_off", .kind = Kind::list,
+         .choices = names_of(raster::skip_infos()), .unit = "SKIPS",
+         .doc = "Disable these optimisations, a,b or all (see inkbench list skips): other times, "
+                "the same images"},
+        read_names<&E::skips_off>, names_text<&E::skips_off>);
+    in(kCompare, "--images").choice(
+        &E::images, "measure.images", {"none", "first", "all"},
+        "Views whose images are kept: none, the first of each scene, or all");
+
+    in(kCompare, "--sweep-views").number(
+        &E::own_sweep_views, "sweep.own_views", {0, 10000}, "N",
+        "Views of each scene on which sweeps are drawn");
+
+    in(kCompare, "--scaling").flag(
+        &E::study_scaling, "study.scaling",
+        "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: scaling.csv and "
+        "plots, about a minute");
+    in(kCompare, "--motion").flag(
+        &E::study_motion, "study.motion",
+        "Also draw sequences in which the camera moves slowly, and a cube before a camera that "
+        "rolls: flicker, pops, lives of false lines; motion.csv, roll.csv, vanishing.csv and "
+        "plots, about a minute");
+    in(kCompare, "--skip-study").flag(
+        &E::study_skips, "study.skips",
+        "Also measure how much time each skip saves, on scenes made for it: skips.csv and a part "
+        "of the report");
+
+    in(kBound, "--signed").flag(
+        [](auto& e) -> auto& { return e.bound.is_signed; }, "bound.signed",
+        "Allow negative weights");
+    in(kBound, "--least-threshold").number(
+        [](auto& e) -> auto& { return e.bound.least_threshold; }, "bound.least_threshold",
+        {0, 4 * 65535}, "CODES", "Least threshold in codes (0: the least that the filter draws)");
+    in(kBound, "--gap").number(
+        [](auto& e) -> auto& { return e.bound.gap; }, "bound.gap", {0, 1}, "F",
+        "Stop when upper and found are this close");
+    in(kBound, "--boxes").number(
+        [](auto& e) -> auto& { return e.bound.boxes; }, "bound.boxes", {1, 1e9}, "N",
+        "Stop after this many boxes of weights");
+    // clang-format on
+    return table;
+}
+
+}  // namespace
+
+std::size_t OptionTable::row(std::string_view name) const {
+    const auto& params = rows.params();
+    const auto found = std::find_if(
+        params.begin(), params.end(), [&](const core::Param& p) { return p.name == name; });
+    if (found == params.end()) throw std::out_of_range(std::string(name));
+    return static_cast<std::size_t>(found - params.begin());
+}
+
+const OptionTable& option_table() {
+    static const OptionTable table = make_table();
+    return table;
+}
+
+void set_option(Experiment& experiment,
+                std::string_view option,
+                const std::vector<core::GivenText>& given) {
+    const std::size_t row = option_table().row(option);
+    if (!option_table().has_kind(row, experiment.kind)) {
+        throw core::Error(
+            given.front().where,
+            fmt::format(
+                "{} is of kind {}, which has none", experiment.where, name(experiment.kind)),
+            "another kind of experiment, or this one without it");
+    }
+    option_table().rows.set(experiment, row, given, "it");
+}
+
+std::uint64_t parse_seed(const core::GivenText& given) {
+    std::uint64_t seed = 0;
+    const char* last = given.text.data() + given.text.size();
+    const auto [end, status] = std::from_chars(given.text.data(), last, seed);
+    if (status != std::errc{} || end != last) {
+        throw core::Error(given.where,
+                          fmt::format("'{}' is no seed", given.text),
+                          "a whole number 0..18446744073709551615");
+    }
+    return seed;
+}
+
+}  // namespace ink::experiment
