@@ -1,0 +1,357 @@
+"""The rules of the house. They read text, not a compiler's mind: an include inside `#if 0` counts.
+
+    house_test.py [ROOT]     prints "path:line: what" for each breach of a checkout, then plants a
+                             breach of every rule in made-up files and expects it to be found
+"""
+
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+MADE = {".git", "build", "inkbench-out", "bootstrap.log"}  # no part of the sources, as in .gitignore
+MOST_FILES, MOST_LINES, MOST_FLOORS, MOST_README_WORDS = 60, 4300, 12, 600
+DRAWERS = {"util", "utils", "common", "helper", "helpers", "misc"}
+
+# A library: what its includes begin with, the folders in which any file may, and how many others may.
+LIBRARIES = {
+    "Embree": ("embree", ("bench/",), 1),
+    "OpenImageIO": ("OpenImageIO/", (), 1),
+    "Assimp": ("assimp/", ("src/import/assimp/",), 0),
+    "Draco": ("draco/", ("tests/import/",), 1),
+    "meshoptimizer": ("meshoptimizer", ("tests/import/",), 1),
+    "OpenCV": ("opencv2/", ("src/score/", "src/draw/", "methods/", "tests/", "bench/"), 0),
+    "CLI11": ("CLI/", ("src/cli/",), 0),
+    "pybind11": ("pybind11/", ("src/python/",), 0),
+    "NLopt": ("nlopt", ("src/tune/",), 0),
+    "toml++": ("toml++/", ("src/experiment/", "src/tune/", "methods/", "tests/"), 0),
+}
+
+# Flags that would change images, and words that a newcomer reads twice, with what to write instead.
+FLAGS = r"-m(arch|tune|cpu)=native|-f(fast-math|associative-math)|-Ofast"
+HABITS = {
+    "knobs?": "parameter",
+    "witness(es)?": "cross-check",
+    "foretold|foretells?": "predicted",
+    "ledgers?": "scene statistics",
+    "(hang|hangs|hung) on": "depends on",
+    "(is|are|was|be) (said|told)": "the subject that says it",
+    "held against": "compared with",
+    "from which on": "at least",
+    "unless said": "the default",
+    "reckon(s|ed|ing)?": "estimate, or rule",
+    "worth": "what is gained",
+    "nobody|whoever": "no method, or a noun",
+    "who": "that, or a noun: methods are things",
+}
+
+
+def read_tree(root):
+    """{path: text} of every text file below a folder; one with a zero byte is none."""
+    tree = {}
+    for path in sorted(root.rglob("*")):
+        name = path.relative_to(root).as_posix()
+        if name.split("/")[0] in MADE or not path.is_file():
+            continue
+        data = path.read_bytes()
+        if b"\0" not in data:
+            tree[name] = data.decode("utf-8", "replace")
+    return tree
+
+
+def is_code(path):
+    return path.endswith((".h", ".cpp", ".h.in"))
+
+
+def folders_of(tree):
+    return {"/".join(path.split("/")[:i]) for path in tree for i in range(1, path.count("/") + 1)}
+
+
+def matches(tree, pattern, is_meant):
+    """(path, line, text) wherever a file that is meant matches."""
+    for path, text in tree.items():
+        if is_meant(path):
+            for match in re.finditer(pattern, text, re.M):
+                yield path, text.count("\n", 0, match.start(1)) + 1, match.group(1)
+
+
+def includes(tree, is_meant=is_code):
+    return matches(tree, r'^[ \t]*#[ \t]*include[ \t]*([<"][^>"\n]+)[>"]', is_meant)
+
+
+# ---- Rooms ----------------------------------------------------------------------------------
+
+
+def rooms_of(tree):
+    """{room: what it may include}, from the table of src/README.md; rooms, and headers by path.
+
+    "all of the above" and "all" are the rooms of the rows before; "all that measure" those up to
+    statistics, where the sentence below the table has them end.
+    """
+    rows = re.findall(r"^\| `(?:\.\./)?(\w+)` \| (.*?) \|", tree.get("src/README.md", ""), re.M)
+    names = [name for name, _ in rows]
+    measuring = names[:names.index("statistics") + 1] if "statistics" in names else []
+    table = {}
+    for i, (name, may) in enumerate(rows):
+        allowed = set(re.findall(r"[a-z_]+/[\w/]+\.h|\b[a-z_]+\b", may))
+        if "all that measure" in may:
+            allowed |= set(measuring)
+        elif re.match(r"all\b", may):
+            allowed |= set(names[:i])
+        table[name] = allowed
+    return table
+
+
+def room_of(path):
+    top, *rest = path.split("/")
+    return "methods" if top == "methods" else rest[0] if top == "src" and len(rest) > 1 else ""
+
+
+def check_arrows(tree):
+    """Rooms include what the table allows, by path from src/ or the root; no method another."""
+    table = rooms_of(tree)
+    if not table:
+        yield "src/README.md: no table of rooms"
+    for path, line, found in includes(tree, lambda p: is_code(p) and room_of(p) in table):
+        target, room, why = found[1:], room_of(path), ""
+        to = target.split("/")[0]
+        if ".." in target or (found[0] == '"' and "/" not in target):
+            why = "is not by path from src/ or the root"
+        elif to in ("src", "tests", "bench"):
+            why = "is none of the rooms' includes"
+        elif room == to == "methods":
+            own = (target.count("/") < 2 or target.split("/")[1] == path.split("/")[1]
+                   or path == "methods/registry.cpp" or path.startswith("methods/_template/"))
+            why = "" if own else "is another method"
+        elif to != room and to in table and not {to, target} & table[room]:
+            why = f"is not allowed in {room}"
+        if why:
+            yield f"{path}:{line}: {target} {why}"
+
+
+def check_floors(tree):
+    """No room is its own foundation, and the tower of rooms is not too high."""
+    floors = {}
+
+    def floor_of(table, room, above):
+        if room in above:
+            raise RecursionError(f"{room} is below itself, by {', '.join(above)}")
+        if room not in floors:
+            below = {may.split("/")[0] for may in table[room]} & table.keys() - {room}
+            floors[room] = 1 + max((floor_of(table, b, [*above, room]) for b in below), default=0)
+        return floors[room]
+
+    table = rooms_of(tree)
+    try:
+        top = max(table, key=lambda room: floor_of(table, room, []), default="")
+    except RecursionError as error:
+        yield f"src/README.md: {error}"
+        return
+    if floors.get(top, 0) > MOST_FLOORS:
+        yield f"src/README.md: {top} is on floor {floors[top]}, of {MOST_FLOORS} at most"
+
+
+def check_libraries(tree):
+    """Each library is included where it serves."""
+    for name, (prefix, folders, most) in LIBRARIES.items():
+        files = {path for path, _, found in includes(tree)
+                 if found[1:].startswith(prefix) and not path.startswith(folders)}
+        if len(files) > most:
+            yield f"{', '.join(sorted(files))}: {name}, which at most {most} file(s) here may include"
+
+
+def check_folders(tree):
+    """Folders of src/ are the rooms of the table, each with its CMakeLists.txt; no drawers."""
+    table = rooms_of(tree)
+    folders = folders_of(tree)
+    for folder in sorted(folders):
+        if folder.split("/")[-1] in DRAWERS:
+            yield f"{folder}: a drawer, not a room"
+    here = {f for f in folders if re.fullmatch(r"src/\w+", f)}
+    there = {room if room == "methods" else f"src/{room}" for room in table}
+    for folder in sorted(here - there):
+        yield f"{folder}: no room of this name"
+    for folder in sorted(there - folders):
+        yield f"{folder}: this room is missing"
+    for folder in sorted((here | {"methods", "tests", "bench"}) & folders):
+        if f"{folder}/CMakeLists.txt" not in tree:
+            yield f"{folder}: no CMakeLists.txt"
+
+
+def check_sizes(tree):
+    """No folder of a room is too large: that is two rooms, or one with folders in it."""
+    files, lines = defaultdict(int), defaultdict(int)
+    for path, text in tree.items():
+        if room_of(path) and (is_code(path) or path.endswith(".inl")):
+            folder = path.rpartition("/")[0]
+            files[folder] += 1
+            lines[folder] += text.count("\n")
+    for folder in sorted(files):
+        if files[folder] > MOST_FILES:
+            yield f"{folder}: {files[folder]} files"
+        if lines[folder] > MOST_LINES:
+            yield f"{folder}: {lines[folder]} lines"
+
+
+def check_methods(tree):
+    """A method has .cpp, page, an entry in the registry and a line of CMake; a preset, which runs
+    another's code, has .toml and page, and no code."""
+    registry, cmake = tree.get("methods/registry.cpp"), tree.get("methods/CMakeLists.txt")
+    if registry is None or cmake is None:
+        yield "methods: registry.cpp or CMakeLists.txt is missing"
+        return
+    for folder in sorted(folders_of(tree)):
+        # One that begins with _ is a template; `outside` has programs that drive others' methods.
+        match = re.fullmatch(r"methods/(?!_|outside)(\w+)", folder)
+        if match is None:
+            continue
+        name = match.group(1)
+        stem = f"{folder}/{name}"
+        is_preset = f"{stem}.toml" in tree and f"{stem}.cpp" not in tree
+        for ending in (".md", ".toml") if is_preset else (".md", ".cpp"):
+            if stem + ending not in tree:
+                yield f"{stem}{ending}: missing"
+        if is_preset and f"{stem}.h" in tree:
+            yield f"{stem}.h: a preset has no code"
+        if not is_preset and not re.search(rf"\b{name}(_method)?\b(\(\),|\)|,)", registry):
+            yield f"methods/registry.cpp: no line for {name}"
+        if f"{name}/{name}.{'toml' if is_preset else 'cpp'}" not in cmake:
+            yield f"methods/CMakeLists.txt: no line for {name}"
+
+
+# ---- Text -----------------------------------------------------------------------------------
+
+
+def check_headers(tree):
+    """Headers begin with `#pragma once`, before any code."""
+    for path, text in tree.items():
+        if path.endswith((".h", ".h.in")):
+            code = [line for line in text.splitlines() if line and not line.startswith("//")]
+            if code[:1] != ["#pragma once"]:
+                yield f"{path}: code before #pragma once, or none"
+
+
+def check_flags(tree):
+    """No build file asks for the machine's own instructions or for loose arithmetic."""
+    def is_meant(path):
+        return (path.endswith(("CMakeLists.txt", ".cmake")) or path.startswith(".ci/")
+                or path in ("CMakePresets.json", "bootstrap"))
+    for path, line, found in matches(tree, f"({FLAGS})", is_meant):
+        yield f"{path}:{line}: {found}"
+
+
+def check_readme(tree):
+    """README.md is short: its tables and commands count, comments and the targets of links do not."""
+    text = re.sub(r"\]\([^)]*\)", "]", re.sub(r"<!--[^>]*-->", "", tree.get("README.md", "")))
+    count = sum(any(c.isalnum() for c in word) for word in text.split())
+    if not 0 < count <= MOST_README_WORDS:
+        yield f"README.md: {count} words, of {MOST_README_WORDS} at most"
+
+
+def without_code(text):
+    """A page in small letters with its code blanked out; every line keeps its number."""
+    lines, is_in_block = [], False
+    for line in text.lower().split("\n"):
+        is_fence = line.startswith("```")
+        is_in_block ^= is_fence
+        is_blank = is_fence or is_in_block or line.startswith("    ")
+        lines.append("" if is_blank else re.sub(r"`[^`]*`", "`", line))
+    return "\n".join(lines)
+
+
+def check_prose(tree):
+    """Pages have no word of the list, and no fraction without its leading zero."""
+    pages = {path: without_code(text) for path, text in tree.items() if path.endswith(".md")}
+    rules = {rf"\b({words})\b".replace(" ", r"\s+"): instead for words, instead in HABITS.items()}
+    rules[r"(?:^|[\s(\[|+-])(\.[0-9]+)(?![0-9a-z])"] = "its leading zero"
+    for pattern, instead in rules.items():
+        for path, line, found in matches(pages, pattern, lambda path: True):
+            yield f"{path}:{line}: '{found}': write {instead}"
+
+
+RULES = [check_arrows, check_floors, check_libraries, check_folders, check_sizes, check_methods,
+         check_headers, check_flags, check_readme, check_prose]
+
+# ---- Planted faults -------------------------------------------------------------------------
+
+TABLE = ("| `core` | nothing of ours | |\n| `scene` | core | |\n| `../methods` | core, scene | |\n"
+         "| `truth` | core | |\n| `statistics` | core, `truth/line.h` | |\n"
+         "| `harness` | all of the above | |\n| `tune` | all that measure, harness | |\n")
+SOUND = {"src/README.md": TABLE, "README.md": "word " * 600, "bench/CMakeLists.txt": "",
+         "tests/CMakeLists.txt": "-O3 -ffp-contract=off", "methods/CMakeLists.txt": "dots/dots.cpp",
+         "methods/registry.cpp": '#include "methods/dots/dots.h"\n    dots(),\n',
+         "methods/dots/dots.cpp": '#include "scene/mesh.h"\n#include "methods/dots/dots.h"\n',
+         "methods/dots/dots.md": "0.5, 1..255 and `.5`, `knob`\n```sh\nknob\n```\n",
+         "src/tune/a.cpp": '#include "truth/truth.h"\n#include "harness/row.h"\n',
+         "src/statistics/a.h": '// Why.\n\n#pragma once\n#include "truth/line.h"\n',
+         **{f"src/{room}/CMakeLists.txt": "" for room in
+            ("core", "scene", "truth", "statistics", "harness", "tune")}}
+# A rule, the file that breaks it (None: it is gone), and what is found.
+PLANTED = [
+    (check_arrows, "src/core/a.h", '\n  #  include <scene/mesh.h>\n', "src/core/a.h:2: scene/mesh.h is not"),
+    (check_arrows, "src/scene/a.cpp", '#include "truth/line.h"', "is not allowed in scene"),
+    (check_arrows, "src/statistics/b.h", '#include "truth/truth.h"', "is not allowed in statistics"),
+    (check_arrows, "src/harness/a.h", '#include "tune/tune.h"', "is not allowed in harness"),
+    (check_arrows, "src/tune/b.h", '#include "../core/a.h"', "is not by path"),
+    (check_arrows, "src/tune/b.h", '#include "tune.h"', "is not by path"),
+    (check_arrows, "src/tune/b.h", '#include "tests/x.h"', "is none of the rooms' includes"),
+    (check_arrows, "methods/lines/lines.cpp", '#include "methods/dots/dots.h"', "is another method"),
+    (check_arrows, "src/README.md", "", "no table of rooms"),
+    (check_floors, "src/README.md", TABLE.replace("nothing of ours", "tune"), "is below itself"),
+    (check_floors, "src/README.md", "".join(f"| `{c}` | all of the above | |\n" for c in
+                                            "abcdefghijklm"), "m is on floor 13, of 12"),
+    (check_libraries, "src/scene/a.cpp", "#include <opencv2/core.hpp>", "src/scene/a.cpp: OpenCV"),
+    (check_libraries, "src/scene/a.cpp", "#include <CLI/CLI.hpp>", "CLI11, which at most 0"),
+    (check_folders, "src/video/CMakeLists.txt", "", "src/video: no room"),
+    (check_folders, "src/tune/CMakeLists.txt", None, "src/tune: no CMakeLists.txt"),
+    (check_folders, "src/core/utils/a.h", "#pragma once", "src/core/utils: a drawer"),
+    (check_folders, "src/README.md", TABLE + "| `cli` | all | |\n", "src/cli: this room is missing"),
+    (check_sizes, "src/core/a.inl", "\n" * 4301, "src/core: 4301 lines"),
+    (check_methods, "methods/dots/dots.md", None, "methods/dots/dots.md: missing"),
+    (check_methods, "methods/registry.cpp", "", "registry.cpp: no line for dots"),
+    (check_methods, "methods/CMakeLists.txt", "", "CMakeLists.txt: no line for dots"),
+    (check_methods, "methods/fine/fine.toml", "", "methods/fine/fine.md: missing"),
+    (check_headers, "src/core/a.h", "#include <vector>\n#pragma once\n", "code before"),
+    (check_headers, "src/core/a.h", "", "src/core/a.h: code before #pragma once, or none"),
+    (check_flags, "CMakePresets.json", "\nx -march=native", "CMakePresets.json:2: -march=native"),
+    (check_flags, "cmake/a.cmake", "-Ofast", "-Ofast"),
+    (check_readme, "README.md", "word " * 601, "601 words"),
+    (check_prose, "a.md", "Time\nhangs\non it.", "a.md:2: 'hangs\non': write depends on"),
+    (check_prose, "a.md", "F .918", "a.md:1: '.918': write its leading zero"),
+]
+
+
+def missed_faults():
+    """Every rule, and each planted fault, that does not find what it must."""
+    for rule in RULES:
+        for found in rule(SOUND):
+            yield f"{rule.__name__} finds in sound files: {found}"
+        if rule not in [planted for planted, *_ in PLANTED]:
+            yield f"{rule.__name__}: no fault is planted"
+    crowded = {**SOUND, **{f"src/core/{i}.cpp": "" for i in range(61)}}
+    if list(check_sizes(crowded)) != ["src/core: 61 files"]:
+        yield "check_sizes overlooks 61 files"
+    three = [check_libraries({f"src/{room}/a.h": "#include <embree4/rtcore.h>" for room in rooms})
+             for rooms in (("truth",), ("truth", "scene"))]
+    if [len(list(found)) for found in three] != [0, 1]:
+        yield "check_libraries does not count doors"
+    for rule, path, text, expected in PLANTED:
+        tree = {**SOUND, path: text}
+        if text is None:
+            del tree[path]
+            tree[path.rpartition("/")[0] + "/left.txt"] = ""
+        if not any(expected in found for found in rule(tree)):
+            yield f"{rule.__name__} overlooks {path}: {expected}"
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2])
+    tree = read_tree(root)
+    findings = [found for rule in RULES for found in rule(tree)]
+    findings += list(missed_faults())
+    print("\n".join(findings) or f"house: {len(tree)} files keep {len(RULES)} rules")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
