@@ -13,17 +13,34 @@ function(ink_room name)
     endif()
 endfunction()
 
-# ink_test(ROOM SOURCES ... LINKS ...): the tests of one room, one program; each TEST is a ctest case.
+# ink_test(ROOM SOURCES ... LINKS ... [SLOW FILTER...] [NIGHTLY FILTER...]): the tests of one room, one program.
+# All but those that the filters name run in one process, the case ROOM/quick; a failure names its TEST. Each
+# filter of gtest is a case of its own beside it, with the label `slow`, or `nightly` for those that not every
+# change must pass.
 function(ink_test room)
-    cmake_parse_arguments(TEST "" "" "SOURCES;LINKS" ${ARGN})
+    cmake_parse_arguments(TEST "" "" "SOURCES;LINKS;SLOW;NIGHTLY" ${ARGN})
     add_executable(test_${room} ${TEST_SOURCES})
     target_include_directories(test_${room} PRIVATE ${PROJECT_SOURCE_DIR})
     target_compile_definitions(test_${room} PRIVATE
-        INK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" INK_BINARY_DIR="${CMAKE_BINARY_DIR}"
-        INK_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared")
+        INK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" INK_BINARY_DIR="${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${room} PRIVATE ${TEST_LINKS} GTest::gmock GTest::gtest_main)
     ink_use_precompiled(test_${room} test)
-    # On a busy machine a program may take longer to load than the 5 s that CMake gives it to name its tests.
-    gtest_discover_tests(test_${room} TEST_PREFIX ${room}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120
-        PROPERTIES TIMEOUT 300)
+
+    set(apart ${TEST_SLOW} ${TEST_NIGHTLY})
+    list(TRANSFORM apart REPLACE "-.*" "")
+    list(JOIN apart ":" apart)
+    ink_test_case(${room}/quick test_${room} "-${apart}")
+    foreach(label slow nightly)
+        string(TOUPPER ${label} list)
+        foreach(filter IN LISTS TEST_${list})
+            string(REGEX REPLACE "-.*|[^A-Za-z0-9.]" "" name ${filter})
+            ink_test_case(${room}/${name} test_${room} "${filter}")
+            set_tests_properties(${room}/${name} PROPERTIES LABELS ${label})
+        endforeach()
+    endforeach()
+endfunction()
+
+function(ink_test_case name program filter)
+    add_test(NAME ${name} COMMAND ${program} --gtest_brief=1 "--gtest_filter=${filter}")
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1200)
 endfunction()

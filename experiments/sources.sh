@@ -3,12 +3,12 @@
 #
 #   experiments/sources.sh [MODELS]
 #
-# MODELS holds knight.mdl, faerie.md2 and kyonshi/lower.md3 (default: ../shared/models); without
+# MODELS holds knight.mdl, faerie.md2 and kyonshi/lower.md3 (default: inkbench-out/models); without
 # them TechnicalQuake's pictures are left out, with a word. Needs build/release/inkbench (or INKBENCH)
 # and OpenImageIO's oiiotool. The errors of polygon_offset are a run: experiments/offset_errors.toml.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-models=${1:-$here/../../shared/models}
+models=${1:-$here/../inkbench-out/models}
 inkbench=${INKBENCH:-$here/../build/release/inkbench}
 out=$here/sources
 work=$(mktemp -d)

@@ -5,42 +5,40 @@
 #include <regex>
 #include <set>
 
-#include "tests/bench/run_command.h"
+#include "tests/program/run_program.h"
 
 // ink_bench as a script runs it: flags, the closing table, JSON. No time is judged.
 
-namespace ink::bench_test {
+namespace ink::bench {
 namespace {
 
-using testing::AllOf;
+using program::Desk;
+using program::Outcome;
 using testing::HasSubstr;
-using testing::Not;
+using Words = std::vector<std::string>;
 
-const std::string kBench = "'" INK_BENCH "' --benchmark_min_time=1e-9 ";
-const std::string kCopy = "--benchmark_filter='^memcpy/u8/1080p$' ";
+const std::string kCopy = "--benchmark_filter=^memcpy/u8/1080p$";
+const std::string kFrame = "--benchmark_filter=^frame/mote4/sphere/1080p/threads:1";
 
-TEST(InkBench, ClosesWithLeastMedianYardstickAndHash) {
-    const Outcome outcome = run(kBench + kCopy);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
-    EXPECT_TRUE(
-        std::regex_search(outcome.text,
-                          std::regex("benchmark +least us +median us +least M +hash of the result\n"
-                                     "memcpy/u8/1080p +[0-9.]+ +[0-9.]+ +1\\.00 +[0-9a-f]{16}\n")))
-        << outcome.text;
+Outcome bench(const Desk& desk, Words words) {
+    words.insert(words.begin(), "--benchmark_min_time=1e-9");
+    return desk.run(words);
 }
 
-TEST(InkBench, WritesRepetitionsMinimumMedianYardstickAndHashToItsFile) {
+TEST(InkBench, ClosesWithLeastMedianYardstickAndHashAndWritesThem) {
     const Desk desk;
     const Outcome outcome =
-        run(kBench + kCopy + "--benchmark_repetitions=3 --benchmark_out=" + desk.path("o.json"));
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.text;
-    const auto report = nlohmann::json::parse(desk.read("o.json"));
+        bench(desk, {kCopy, "--benchmark_repetitions=3", "--benchmark_out=o.json"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(
+        std::regex_search(outcome.out,
+                          std::regex("benchmark +least us +median us +least M +hash of the result\n"
+                                     "memcpy/u8/1080p +[0-9.]+ +[0-9.]+ +1\\.00 +[0-9a-f]{16}\n")))
+        << outcome.out;
     int repetitions = 0;
-    std::set<std::string> hashes;
-    std::set<std::string> in_m;
-    double least = 1e30;
-    double minimum = 0;
-    for (const auto& entry : report.at("benchmarks")) {
+    std::set<std::string> hashes, in_m;
+    double least = 1e30, minimum = 0;
+    for (const auto& entry : nlohmann::json::parse(desk.read("o.json")).at("benchmarks")) {
         hashes.insert(entry.at("label").get<std::string>());
         if (entry.at("run_type") == "iteration") {
             ++repetitions;
@@ -57,57 +55,54 @@ TEST(InkBench, WritesRepetitionsMinimumMedianYardstickAndHashToItsFile) {
 }
 
 TEST(InkBench, RepeatsNineTimesUnlessTold) {
-    const auto repetitions_of = [](const std::string& flags) {
-        const Outcome outcome = run(kBench + kCopy + "--benchmark_format=json " + flags);
-        const std::string found = "\"run_type\": \"iteration\"";
-        int count = 0;
-        for (auto at = outcome.text.find(found); at != std::string::npos;
-             at = outcome.text.find(found, at + 1))
-            ++count;
-        return count;
-    };
-    EXPECT_EQ(repetitions_of(""), 9);
-    EXPECT_EQ(repetitions_of("--benchmark_repetitions=2"), 2);
+    const Desk desk;
+    ASSERT_EQ(bench(desk, {kCopy, "--benchmark_out=o.json"}).exit_code, 0);
+    const std::string text = desk.read("o.json");
+    const std::regex repetition("\"run_type\": \"iteration\"");
+    EXPECT_EQ(std::distance(std::sregex_iterator(text.begin(), text.end(), repetition), {}), 9);
 }
 
-TEST(InkBench, DrawsExactlySoManyFrames) {
-    const std::string one_frame =
-        "--benchmark_filter='^frame/mote4/sphere/1080p/threads:1' --benchmark_repetitions=1 ";
-    const Outcome outcome = run(kBench + one_frame + "--draws=3 --benchmark_format=json");
-    EXPECT_THAT(outcome.text, HasSubstr("\"iterations\": 3,")) << outcome.text;
-}
-
-TEST(InkBench, RunsOnTheInstructionSetAskedForAndDrawsTheSame) {
-    const std::string one_frame =
-        "--benchmark_filter='^frame/mote4/sphere/1080p/threads:1' --benchmark_repetitions=1 ";
-    const auto hash_of = [&](const std::string& flags) {
-        const Outcome outcome = run(kBench + one_frame + flags);
+TEST(InkBench, DrawsExactlySoManyFramesAndTheSameOnTheInstructionSetAskedFor) {
+    const auto hash_of = [](const std::string& simd) {
+        const Desk desk;
+        const Outcome outcome = bench(
+            desk,
+            {kFrame, "--benchmark_repetitions=1", "--draws=3", "--benchmark_out=o.json", simd});
+        EXPECT_THAT(desk.read("o.json"), HasSubstr("\"iterations\": 3,"));
+        if (simd.ends_with("SCALAR")) {
+            EXPECT_THAT(outcome.out, HasSubstr("simd: SCALAR"));
+        }
         std::smatch match;
-        EXPECT_TRUE(std::regex_search(outcome.text, match, std::regex("\\b[0-9a-f]{16}\\b")))
-            << outcome.text;
+        EXPECT_TRUE(std::regex_search(outcome.out, match, std::regex("\\b[0-9a-f]{16}\\b")));
         return match.str();
     };
-    EXPECT_THAT(run(kBench + kCopy + "--simd=SCALAR").text, HasSubstr("simd: SCALAR"));
-    EXPECT_EQ(hash_of("--simd=SCALAR"), hash_of(""));
+    EXPECT_EQ(hash_of("--simd=SCALAR"), hash_of("--draws=3"));
 }
 
 TEST(InkBench, RefusesWhatItDoesNotKnow) {
-    const Outcome simd = run(kBench + "--simd=ABACUS");
-    EXPECT_EQ(simd.exit_code, 2);
-    EXPECT_THAT(simd.text, AllOf(HasSubstr("--simd: 'ABACUS'"), HasSubstr("SCALAR")));
-    for (const char* draws : {"0", "-1", "many", "2x", ""}) {
-        const Outcome outcome = run(kBench + "--draws=" + draws);
-        EXPECT_EQ(outcome.exit_code, 2) << draws;
-        EXPECT_THAT(outcome.text, HasSubstr("a whole number from 1 on"));
+    const Desk desk;
+    for (const auto& [flag, said] : {std::pair{"--simd=ABACUS", "--simd: 'ABACUS'"},
+                                     {"--simd=ABACUS", "SCALAR"},
+                                     {"--draws=0", "a whole number from 1 on"},
+                                     {"--draws=-1", "a whole number from 1 on"},
+                                     {"--draws=many", "a whole number from 1 on"},
+                                     {"--draws=2x", "a whole number from 1 on"},
+                                     {"--draws=", "a whole number from 1 on"},
+                                     {"--nonsense", ""},
+                                     {"--benchmark_filter=nonsense", ""}}) {
+        const Outcome outcome = bench(desk, {flag});
+        EXPECT_EQ(outcome.exit_code, 2) << flag;
+        EXPECT_THAT(outcome.out + outcome.err, HasSubstr(said)) << flag;
     }
-    EXPECT_EQ(run(kBench + "--nonsense").exit_code, 2);
-    EXPECT_EQ(run(kBench + "--benchmark_filter=nonsense").exit_code, 2);
 }
 
 TEST(InkBench, TellsOfASingleCore) {
-    if (run("taskset -c 0 true").exit_code != 0) GTEST_SKIP() << "core 0 is not ours";
-    EXPECT_THAT(run("taskset -c 0 " + kBench + kCopy).text, HasSubstr("one core only"));
+    const Desk desk;
+    const Words alone = {"-c", "0", INK_PROGRAM, "--benchmark_min_time=1e-9", kCopy};
+    const Outcome outcome = desk.run_other("/usr/bin/taskset", alone);
+    if (outcome.exit_code != 0) GTEST_SKIP() << "skipped: core 0 is not ours";
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("one core only"));
 }
 
 }  // namespace
-}  // namespace ink::bench_test
+}  // namespace ink::bench

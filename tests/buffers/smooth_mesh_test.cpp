@@ -10,21 +10,14 @@
 #include <vector>
 
 #include "buffers/codes/surface_codes.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::buffers {
 namespace {
 
-constexpr PatchOptions kOptions{.crease_rad = 0.7, .weld_epsilon = 1e-4};
+using scene::scene_of;
 
-scene::Scene scene_of(std::initializer_list<scene::Mesh> meshes) {
-    scene::Scene scene;
-    scene.name = "test";
-    for (const scene::Mesh& mesh : meshes) {
-        scene.instances.emplace_back().mesh = static_cast<std::uint32_t>(scene.meshes.size());
-        scene.meshes.push_back(mesh);
-    }
-    return scene;
-}
+constexpr PatchOptions kOptions{.crease_rad = 0.7, .weld_epsilon = 1e-4};
 
 /// A parallelogram as two triangles.
 void add_quad(scene::Mesh& mesh, const glm::vec3& p, const glm::vec3& u, const glm::vec3& v) {

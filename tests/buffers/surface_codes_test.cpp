@@ -15,22 +15,16 @@
 
 #include "buffers/codes/surface_distance.h"
 #include "buffers/codes/surface_graph.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::buffers {
 namespace {
 
+using scene::scene_of;
 using Random = std::mt19937;
 
 double share(Random& random) {
     return static_cast<double>(random() % 1000) / 1000;
-}
-
-scene::Scene scene_of(const scene::Mesh& mesh) {
-    scene::Scene scene;
-    scene.name = "test";
-    scene.meshes = {mesh};
-    scene.instances.resize(1);
-    return scene;
 }
 
 /// A sheet of n x n squares with a height of its own at every vertex.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/core/error_text.h"
 
 namespace ink::core {
 namespace {
@@ -27,12 +28,7 @@ ParamTable<Parameters> table() {
 }
 
 std::string message_of(const ParamValues& values) {
-    try {
-        (void)table().read(values, "basket");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return error_text([&] { return table().read(values, "basket"); });
 }
 
 TEST(ParamTable, DefaultsComeFromTheFields) {

@@ -7,7 +7,7 @@
 #include "harness/crosscheck/crosscheck_cache.h"
 #include "import/import.h"
 #include "tests/catalogue_names.h"
-#include "tests/shared_files.h"
+#include "tests/models/fetched_model.h"
 #include "tests/truth/shapes.h"
 #include "truth/model.h"
 
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(SampledLines,
                          testing::ValuesIn(light_scene_names_and_scan()),
                          [](const auto& test) { return test.param; });
 
-/// Calls `check` with three views of a model from the shared files, each traced and looked at.
+/// Calls `check` with three views of a model, each traced and looked at.
 template <class Check>
 void for_views_of(const std::filesystem::path& path, const Check& check) {
     const scene::Scene scene = import::import_scene(path);
@@ -97,21 +97,19 @@ std::string stem_of(const testing::TestParamInfo<const char*>& test) {
 class ModelAgreement : public testing::TestWithParam<const char*> {};
 
 TEST_P(ModelAgreement, TruthAndCrosscheckBothWays) {
-    const auto path = shared_file(std::string("models/") + GetParam());
+    const auto path = fetched_model(GetParam());
     INK_SKIP_WITHOUT(path);
     for_views_of(path, expect_agreement);
 }
 
 INSTANTIATE_TEST_SUITE_P(SampledLines,
                          ModelAgreement,
-                         testing::Values("bunny.obj",
-                                         "spot.obj",
-                                         "teapot.obj",
-                                         "dice.stl",
-                                         "featuretype.stl",
-                                         "milk_truck.glb",
-                                         "conrod.off",
-                                         "knight.mdl"),
+                         testing::Values("bunny_coarse.obj",
+                                         "dragon_coarse.ply",
+                                         "duck.dae",
+                                         "jeep.ms3d",
+                                         "spider.stl",
+                                         "wuson.obj"),
                          stem_of);
 
 /// Models with surfaces that coincide but for rounding, folded slivers, faces nearly edge-on: the
@@ -142,7 +140,7 @@ void expect_agreement_but_for_strips(const Both& both, const scene::View& view) 
 }
 
 TEST_P(ModelWithStrips, TruthAndCrosscheckDifferByStripsAlone) {
-    const auto path = shared_file(std::string("models/") + GetParam());
+    const auto path = fetched_model(GetParam());
     INK_SKIP_WITHOUT(path);
     for_views_of(path, expect_agreement_but_for_strips);
 }
@@ -150,7 +148,7 @@ TEST_P(ModelWithStrips, TruthAndCrosscheckDifferByStripsAlone) {
 INSTANTIATE_TEST_SUITE_P(
     SampledLines,
     ModelWithStrips,
-    testing::Values("cycloidal.ply", "apollo.3ds", "temple.glb", "pine.glb", "hydronex.obj"),
+    testing::Values("engine.glb", "oak.obj", "penguin.obj", "gargoyle.obj", "aggressor.obj"),
     stem_of);
 
 /// A scene with contours, creases and a seam, traced and looked at; each fault is planted in the

@@ -11,6 +11,7 @@
 #include "draw/outline_svg.h"
 #include "image_io/exr_file.h"
 #include "tests/report/markup.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::draw {
 namespace {
@@ -30,11 +31,7 @@ harness::SceneViews cube() {
     camera.target_world = glm::dvec3(0);
     camera.fov_y_rad = 2 * std::atan(24.0 / 60);  // a focal length of 60 px
     request.cameras = {camera};
-    scene::Scene scene;
-    scene.name = "cube";
-    scene.meshes = {catalogue::make_box({-1, -1, -1}, {1, 1, 1})};
-    scene.instances = {{0, glm::dmat4(1), "only"}};
-    return harness::make_scene_views(std::move(scene), request);
+    return harness::make_scene_views(scene::scene_of(scene::unit_cube()), request);
 }
 
 truth::Truth traced(const harness::SceneViews& scene_views) {

@@ -9,6 +9,7 @@
 #include "experiment/experiment.h"
 #include "experiment/experiment_plan.h"
 #include "experiment/option_table.h"
+#include "tests/core/error_text.h"
 
 namespace ink::experiment {
 namespace {
@@ -22,12 +23,7 @@ Experiment parse(const std::string& text) {
 
 /// What the error says; "" if there is none.
 std::string error_of(const std::string& text) {
-    try {
-        (void)parse(text);
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
+    return core::error_text([&] { return parse(text); });
 }
 
 constexpr const char* kHead = "name = \"e\"\nkind = \"compare\"\n";  // two lines

@@ -16,6 +16,7 @@
 #include "experiment/block_store.h"
 #include "experiment/folder_lock.h"
 #include "harness/tables/csv_table.h"
+#include "tests/core/error_text.h"
 
 namespace ink::experiment {
 namespace {
@@ -57,17 +58,6 @@ std::string text_of_asked(const fs::path& folder) {
     for (std::string line; std::getline(lines, line);)
         if (line.find("work_s") == std::string::npos) text += line + "\n";
     return text;
-}
-
-/// What the error of `work` says; "" if there is none.
-template <class Work>
-std::string error_of(Work work) {
-    try {
-        work();
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 class ExperimentRun : public testing::Test {
@@ -115,7 +105,8 @@ TEST_F(ExperimentRun, GoesOnAfterABlockThatThrew) {
     Plan plan = counting_plan(3, runs_);
     const auto good = plan.blocks[1].run;
     plan.blocks[1].run = []() -> BlockResult { throw core::Error("block", "it broke"); };
-    EXPECT_THAT(error_of([&] { (void)run_experiment(plan, into("a")); }), HasSubstr("it broke"));
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(plan, into("a")); }),
+                HasSubstr("it broke"));
     plan.blocks[1].run = good;
     (void)run_experiment(plan, into("a"));
     EXPECT_EQ(runs_, (std::vector<int>{1, 1, 1})) << "the first block must not run twice";
@@ -168,7 +159,7 @@ TEST_F(ExperimentRun, ForcedRunLeavesNothingOfTheOneBefore) {
 TEST_F(ExperimentRun, RefusesResultsThatItCannotTellApart) {
     fs::create_directories(folder_ / "a");
     std::ofstream(folder_ / "a" / "rows.csv") << "method\n";
-    EXPECT_THAT(error_of([&] { (void)run_experiment(counting_plan(1, runs_), into("a")); }),
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(counting_plan(1, runs_), into("a")); }),
                 testing::AllOf(HasSubstr("without a run.toml"), HasSubstr("--force")));
     EXPECT_EQ(text_of(folder_ / "a" / "rows.csv"), "method\n");
 }
@@ -212,7 +203,8 @@ TEST_F(ExperimentRun, EndsAllLanesWhenABlockThrows) {
     for (std::size_t i = 0; i < plan.blocks.size(); ++i)
         plan.blocks[i].group = i;
     plan.blocks[5].run = []() -> BlockResult { throw core::Error("block 5", "broken", "whole"); };
-    EXPECT_THAT(error_of([&] { (void)run_experiment(plan, into("a")); }), HasSubstr("broken"));
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(plan, into("a")); }),
+                HasSubstr("broken"));
 }
 
 TEST_F(ExperimentRun, RecordsWhatIsMissingWhenItIsCutShort) {
@@ -254,12 +246,12 @@ TEST_F(ExperimentRun, RecordsWhatThereIsToSayOfModels) {
 TEST_F(ExperimentRun, RefusesAFolderOfAnotherPlanOrAnotherRun) {
     (void)run_experiment(counting_plan(2, runs_), into("a"));
     const Plan other = counting_plan(3, runs_);
-    EXPECT_THAT(error_of([&] { (void)run_experiment(other, into("a")); }),
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(other, into("a")); }),
                 testing::AllOf(HasSubstr("blocks = 2, here blocks = 3"), HasSubstr("--force")));
     EXPECT_EQ(runs_, (std::vector<int>{0, 0, 0}));
     EXPECT_EQ(text_of(folder_ / "a" / "t.csv"), "block,draw_ns\n0,5\n0,6\n1,5\n1,6\n");
     const FolderLock lock(folder_ / "a", false);
-    EXPECT_THAT(error_of([&] { (void)run_experiment(other, into("a")); }),
+    EXPECT_THAT(core::error_text([&] { (void)run_experiment(other, into("a")); }),
                 HasSubstr("another run"));
 }
 
@@ -274,7 +266,7 @@ TEST_F(ExperimentRun, KeepsWhatIsFinishedWhenTheDiskIsFull) {
     const rlimit small{1 << 16, before.rlim_max};
     const auto old = std::signal(SIGXFSZ, SIG_IGN);
     setrlimit(RLIMIT_FSIZE, &small);
-    const std::string error = error_of([&] { (void)run_experiment(plan, into("a")); });
+    const std::string error = core::error_text([&] { (void)run_experiment(plan, into("a")); });
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, old);
     EXPECT_THAT(error, HasSubstr("cannot be written"));
@@ -320,7 +312,7 @@ TEST_F(ExperimentRun, MergeRefusesWhatDoesNotFit) {
         std::vector<fs::path> folders;
         for (const std::string& name : names)
             folders.push_back(folder_ / name);
-        return error_of([&] { (void)merge_shards(folders, folder_ / "m"); });
+        return core::error_text([&] { (void)merge_shards(folders, folder_ / "m"); });
     };
     EXPECT_THAT(merge({"a"}),
                 testing::AllOf(HasSubstr("2 of 4 blocks are missing"), HasSubstr("'block ")));

@@ -9,6 +9,7 @@
 #include "linear_code/cancellation_table.h"
 #include "studies/skips_table.h"
 #include "studies/stress_table.h"
+#include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::experiment {
@@ -88,11 +89,11 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
                    "line 2: column cell holds '9' (accepted: the number of a cell of "
                    "rows.csv)") != std::string::npos;
     };
-    EXPECT_TRUE(is_refused(harness::message_of([&] {
+    EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)studies::read_stress(
             harness::file_of(studies::stress_table(), studies::stress_line(9, {})), index);
     })));
-    EXPECT_TRUE(is_refused(harness::message_of([&] {
+    EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)linear_code::read_bounds(
             harness::file_of(linear_code::bound_table(), linear_code::bound_line(9, {})), index);
     })));

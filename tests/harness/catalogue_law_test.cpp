@@ -10,7 +10,7 @@
 #include "harness/view_lists.h"
 #include "methods/registry.h"
 #include "tests/catalogue_names.h"
-#include "tests/shared_files.h"
+#include "tests/models/fetched_model.h"
 
 namespace ink::harness {
 namespace {
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue,
 class EveryModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryModel, ScoresOneAgainstItself) {
-    const auto path = shared_file("models/" + GetParam());
+    const auto path = fetched_model(GetParam());
     INK_SKIP_WITHOUT(path);
     const SceneViews scene_views = make_scene_views(load_scene(path.string()), small_views());
     truth::SceneModel model(scene_views.scene, without_layers());
@@ -157,16 +157,16 @@ TEST_P(EveryModel, ScoresOneAgainstItself) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared,
+INSTANTIATE_TEST_SUITE_P(Fetched,
                          EveryModel,
-                         testing::Values("bunny.obj",
-                                         "spot.obj",
-                                         "temple.glb",
-                                         "knight.mdl",
-                                         "milk_truck.glb",
-                                         "pine.glb",
-                                         "dice.stl",
-                                         "nonmanifold.obj"),
+                         testing::Values("bunny_coarse.obj",
+                                         "engine.glb",
+                                         "duck.dae",
+                                         "jeep.ms3d",
+                                         "spider.stl",
+                                         "penguin.obj",
+                                         "spruce.obj",
+                                         "aggressor.obj"),
                          [](const auto& value) {
                              return value.param.substr(0, value.param.find('.'));
                          });

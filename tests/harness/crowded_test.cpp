@@ -3,29 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/view_cells.h"
+#include "tests/harness/baselines.h"
 
 namespace ink::harness {
 namespace {
 
-/// The baselines of a scene's first view at this size, scored.
-std::vector<Evaluation> baselines_of(const char* scene, int width_px, int height_px) {
-    ViewRequest request;
-    request.width_px = width_px;
-    request.height_px = height_px;
-    const SceneViews scene_views = make_scene_views(load_scene(scene), request);
-    CellOptions options;
-    options.trace.crosscheck = false;
-    truth::SceneModel model(scene_views.scene, options.trace.truth);
-    const scene::View& view = scene_views.views.front();
-    const TracedView traced = trace_with_facts(model, scene_views.scene, view, options.trace);
-    std::vector<Evaluation> evaluations;
-    finish_evaluations(scene_views.scene, view, traced, options, evaluations);
-    return evaluations;
-}
-
 TEST(Crowded, AViewBeyondTheLimitSaysSoAndCountsAllBeside) {
-    for (const Evaluation& evaluation : baselines_of("bush", 240, 135)) {
+    for (const Evaluation& evaluation : baselines_of("bush", {240, 135})) {
         const Row& row = evaluation.row;
         EXPECT_GT(row.crowded_share, kMostCrowded);
         EXPECT_THAT(row.status, testing::StartsWith("crowded: ")) << row.method;
@@ -46,7 +30,7 @@ TEST(Crowded, AViewBeyondTheLimitSaysSoAndCountsAllBeside) {
 }
 
 TEST(Crowded, WhereNothingIsBothCountsAreOne) {
-    for (const Evaluation& evaluation : baselines_of("cube", 320, 180)) {
+    for (const Evaluation& evaluation : baselines_of("cube", {320, 180})) {
         const Row& row = evaluation.row;
         EXPECT_EQ(row.crowded_share, 0);
         EXPECT_EQ(row.status, "ok");

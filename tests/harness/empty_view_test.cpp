@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/view_cells.h"
+#include "tests/harness/baselines.h"
 #include "tests/scene/small_meshes.h"
 
 namespace ink::harness {
@@ -13,19 +13,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-scene::Scene cube() {
-    scene::Scene scene;
-    scene.name = "cube";
-    scene.meshes = {scene::unit_cube()};
-    scene.instances.resize(1);
-    return scene;
-}
-
 /// The baselines of a scene from an eye that looks along `direction`, scored in full or briefly.
-std::vector<Row> baselines_of(const scene::Scene& scene,
-                              const glm::dvec3& eye_world,
-                              std::pair<int, int> size_px,
-                              bool is_full = true) {
+std::vector<Row> rows_of(const scene::Scene& scene,
+                         const glm::dvec3& eye_world,
+                         std::pair<int, int> size_px,
+                         bool is_full = true) {
     ViewRequest request;
     request.width_px = size_px.first;
     request.height_px = size_px.second;
@@ -34,14 +26,8 @@ std::vector<Row> baselines_of(const scene::Scene& scene,
     camera.target_world = glm::dvec3(0);
     if (glm::length(eye_world) > 10) camera.target_world = 2.0 * eye_world;  // away from it
     request.cameras = {camera};
-    const SceneViews scene_views = make_scene_views(scene, request);
-    CellOptions options;
-    truth::SceneModel model(scene_views.scene, options.trace.truth);
-    const scene::View& view = scene_views.views.front();
-    const TracedView traced = trace_with_facts(model, scene_views.scene, view, options.trace);
-    std::vector<Evaluation> evaluations;
-    (is_full ? finish_evaluations : finish_briefly)(
-        scene_views.scene, view, traced, options, evaluations);
+    const std::vector<Evaluation> evaluations =
+        baselines_of(make_scene_views(scene, request), {}, is_full);
     std::vector<std::string> faults;
     check_baselines(evaluations, faults);
     EXPECT_THAT(faults, testing::IsEmpty()) << "a view without truth makes no run void";
@@ -65,26 +51,26 @@ void expect_empty(const std::vector<Row>& rows, const std::string& why) {
 }
 
 TEST(EmptyView, NothingBeforeTheCamera) {
-    const scene::Scene scene = cube();
-    expect_empty(baselines_of(scene, {0, 0, 20}, {64, 36}), "no line of the scene is in the image");
-    expect_empty(baselines_of(scene, {0, 0, 20}, {64, 36}, false), "no line of the scene");
+    const scene::Scene scene = scene::scene_of(scene::unit_cube());
+    expect_empty(rows_of(scene, {0, 0, 20}, {64, 36}), "no line of the scene is in the image");
+    expect_empty(rows_of(scene, {0, 0, 20}, {64, 36}, false), "no line of the scene");
 }
 
 TEST(EmptyView, NoTriangleHasAnArea) {
-    scene::Scene scene = cube();
+    scene::Scene scene = scene::scene_of(scene::unit_cube());
     for (glm::vec3& p : scene.meshes[0].positions)
         p.y = p.z = 0;
-    expect_empty(baselines_of(scene, {3, 2, 5}, {64, 36}), "no triangle has an area");
+    expect_empty(rows_of(scene, {3, 2, 5}, {64, 36}), "no triangle has an area");
 }
 
 TEST(EmptyView, TheBandLeavesNothing) {
-    const scene::Scene scene = cube();
-    expect_empty(baselines_of(scene, {2, 1.5, 3}, {13, 13}), "px of the frame");
-    expect_empty(baselines_of(scene, {2, 1.5, 3}, {1, 400}), "");
+    const scene::Scene scene = scene::scene_of(scene::unit_cube());
+    expect_empty(rows_of(scene, {2, 1.5, 3}, {13, 13}), "px of the frame");
+    expect_empty(rows_of(scene, {2, 1.5, 3}, {1, 400}), "");
 }
 
 TEST(EmptyView, OneTruePixelIsEnough) {
-    for (const Row& row : baselines_of(cube(), {2, 1.5, 3}, {64, 36})) {
+    for (const Row& row : rows_of(scene::scene_of(scene::unit_cube()), {2, 1.5, 3}, {64, 36})) {
         EXPECT_EQ(row.status, "ok");
         EXPECT_GT(row.n_truth, 0);
         EXPECT_TRUE(row.is_scored());

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catalogue/shapes.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::harness {
 namespace {
@@ -18,10 +19,7 @@ scene::View simple_view() {
 }
 
 scene::Scene sheet_scene(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v) {
-    scene::Scene scene;
-    scene.meshes.push_back(catalogue::make_sheet(corner, u, v));
-    scene.instances.push_back({});
-    return scene;
+    return scene::scene_of(catalogue::make_sheet(corner, u, v));
 }
 
 TEST(CountFrame, AddsUpTheAreaOfEveryTriangle) {

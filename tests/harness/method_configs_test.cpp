@@ -8,17 +8,13 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "tests/core/error_text.h"
 
 namespace ink::harness {
 namespace {
 
 std::string message_of(const std::string& methods, const std::vector<std::string>& settings) {
-    try {
-        (void)make_configs(methods, settings);
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return core::error_text([&] { return make_configs(methods, settings); });
 }
 
 TEST(MethodConfigs, NoListIsEveryMethodInTheRegistrysOrder) {

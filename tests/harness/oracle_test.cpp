@@ -4,7 +4,7 @@
 
 #include "harness/tables/csv.h"
 #include "harness/tables/row_table.h"
-#include "harness/view_cells.h"
+#include "tests/harness/baselines.h"
 
 namespace ink::harness {
 namespace {
@@ -14,24 +14,6 @@ struct Case {
     std::pair<int, int> size_px;
     score::Intersections intersections;
 };
-
-/// A view's baselines, scored in full or as settings are.
-std::vector<Evaluation> baselines_of(const Case& of, bool is_full) {
-    ViewRequest request;
-    request.width_px = of.size_px.first;
-    request.height_px = of.size_px.second;
-    const SceneViews scene_views = make_scene_views(load_scene(of.scene), request);
-    CellOptions options;
-    options.trace.crosscheck = false;
-    options.trace.intersections = of.intersections;
-    truth::SceneModel model(scene_views.scene, options.trace.truth);
-    const scene::View& view = scene_views.views.front();
-    const TracedView traced = trace_with_facts(model, scene_views.scene, view, options.trace);
-    std::vector<Evaluation> evaluations;
-    (is_full ? finish_evaluations : finish_briefly)(
-        scene_views.scene, view, traced, options, evaluations);
-    return evaluations;
-}
 
 /// Columns that hold an F of the row's own image; a random image stands beside it.
 std::vector<std::size_t> columns_of_f() {
@@ -62,9 +44,11 @@ class Oracle : public testing::TestWithParam<Case> {};
 
 TEST_P(Oracle, IsOneInEveryColumnThatIsAnFAndNoneIsZero) {
     const auto& all = rows_table().columns;
+    const Case& of = GetParam();
     EXPECT_GE(columns_of_f().size(), 5U);
     for (const bool is_full : {true, false}) {
-        std::vector<Evaluation> evaluations = baselines_of(GetParam(), is_full);
+        std::vector<Evaluation> evaluations =
+            baselines_of(of.scene, of.size_px, is_full, of.intersections);
         std::vector<std::string> faults;
         check_baselines(evaluations, faults);
         EXPECT_TRUE(faults.empty()) << faults.front();
@@ -86,7 +70,9 @@ TEST_P(Oracle, IsOneInEveryColumnThatIsAnFAndNoneIsZero) {
 }
 
 TEST_P(Oracle, HasARecallOfOneInEveryClass) {
-    const std::vector<Evaluation> evaluations = baselines_of(GetParam(), true);
+    const Case& of = GetParam();
+    const std::vector<Evaluation> evaluations =
+        baselines_of(of.scene, of.size_px, true, of.intersections);
     const Row& oracle = evaluations.back().row;
     ASSERT_EQ(oracle.method, "oracle");
     for (const auto& [name, recall] : oracle.recall_by_class)

@@ -188,15 +188,4 @@ inline std::vector<RowRecord> read_again(const std::vector<RowRecord>& rows) {
     return read_rows(file_of(rows_table(), lines));
 }
 
-/// What the core::Error of `call` says; "" if there is none.
-template <class Call>
-std::string message_of(Call call) {
-    try {
-        call();
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
 }  // namespace ink::harness

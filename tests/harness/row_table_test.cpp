@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::harness {
@@ -24,12 +25,7 @@ std::string field(const Row& row, const std::string& column) {
 }
 
 std::string error_of(const std::string& text) {
-    try {
-        (void)read_rows(split_csv(text, "rows.csv"));
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
+    return core::error_text([&] { return read_rows(split_csv(text, "rows.csv")); });
 }
 
 TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {

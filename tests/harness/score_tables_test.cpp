@@ -5,20 +5,11 @@
 
 #include "core/error.h"
 #include "harness/cell.h"
+#include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::harness {
 namespace {
-
-template <class Call>
-std::string error_of(Call call) {
-    try {
-        call();
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 /// Three rows, the first two of which have line scores.
 std::vector<RowRecord> three_rows() {
@@ -59,7 +50,8 @@ TEST(CurvesTable, ReadsAndWritesTheSameBytes) {
 TEST(CurvesTable, RefusesWhatIsNoWholeCurveOfAKnownCell) {
     const std::vector<RowRecord> rows = three_rows();
     const auto error = [&](const std::string& lines) {
-        return error_of([&] { (void)read_curves(file_of(curves_table(), lines), RowIndex(rows)); });
+        return core::error_text(
+            [&] { (void)read_curves(file_of(curves_table(), lines), RowIndex(rows)); });
     };
     const std::string curve = curve_lines(7, {});
     EXPECT_EQ(error(curve), "");
@@ -98,7 +90,7 @@ TEST(TolerancesTable, GoesBackIntoTheRowsAsItWas) {
 
 TEST(TolerancesTable, RefusesOtherTolerancesThanThoseOfEveryCell) {
     const auto error = [](const std::string& lines) {
-        return error_of([&] {
+        return core::error_text([&] {
             std::vector<RowRecord> rows = three_rows();
             join_tolerances(file_of(tolerances_table(), lines), rows);
         });
@@ -126,7 +118,7 @@ TEST(BinsTable, GoesBackIntoTheLineScoresAsItWas) {
 
 TEST(BinsTable, RefusesUnknownAttributesAndRowsWithoutLineScores) {
     const auto error = [](const std::string& lines) {
-        return error_of([&] {
+        return core::error_text([&] {
             std::vector<RowRecord> rows = three_rows();
             join_bins(file_of(bins_table(), lines), rows);
         });

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/error.h"
-#include "tests/shared_files.h"
+#include "tests/score/oracle_files.h"
 
 namespace {
 
@@ -170,9 +170,7 @@ TEST_F(ImageFile, RefusesSixteenBitsAndAbsurdSizes) {
 }
 
 TEST_F(ImageFile, ReadsWhatTheOraclesOwnReaderReads) {
-    const auto path = shared_file("oracle/cases/classes.gt.png");
-    INK_SKIP_WITHOUT(path);
-    const Gray labels = read_gray(path);
+    const Gray labels = read_gray(oracle_file("cases/classes.gt.png"));
     EXPECT_EQ(labels.width_px(), 200);
     EXPECT_EQ(labels.height_px(), 160);
     std::array<int, 256> n_of{};

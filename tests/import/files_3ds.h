@@ -30,6 +30,15 @@ inline std::string file_3ds(const std::string& objects, const std::string& nodes
     return chunk(0x4d4d, chunk(0x0002, raw(3)) + chunk(0x3d3d, objects) + keyframer);
 }
 
+/// The triangle (0,0,0) (4,0,0) (0,0,4) as an object.
+inline std::string triangle_3ds(const std::string& name) {
+    using Three = std::array<float, 3>;
+    const std::string vertices =
+        raw(std::uint16_t{3}) + raw(Three{0, 0, 0}) + raw(Three{4, 0, 0}) + raw(Three{0, 0, 4});
+    const std::string faces = raw(std::uint16_t{1}) + raw(std::array<std::uint16_t, 4>{0, 1, 2, 7});
+    return object_3ds(name, chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces)));
+}
+
 using Keys3ds = std::vector<std::pair<std::uint32_t, std::array<float, 3>>>;
 
 /// A track of places (0xb020) or colours (0xb025): a frame and three numbers for each key, of which

@@ -31,14 +31,6 @@ std::vector<ImportedLight> lights_in(const std::string& content) {
     return read_3ds_lights(std::as_bytes(std::span<const char>(content)));
 }
 
-/// A triangle as an object of a .3ds file.
-std::string triangle() {
-    const std::string vertices =
-        raw(std::uint16_t{3}) + raw(Three{0, 0, 0}) + raw(Three{4, 0, 0}) + raw(Three{0, 0, 4});
-    const std::string faces = raw(std::uint16_t{1}) + raw(std::array<std::uint16_t, 4>{0, 1, 2, 7});
-    return object_3ds("T", chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces)));
-}
-
 TEST(ThreeDsLight, HasPlaceColourMultiplierAndRanges) {
     const auto lights =
         lights_in(file_3ds(lamp("Lamp", kOrange + kThinsOut + kRanges + chunk(0x465b, raw(0.5F)))));
@@ -82,8 +74,8 @@ TEST(ThreeDsLight, DamageEndsTheSearch) {
 }
 
 TEST_F(ThreeDsLights, StandInTheSceneWithTheirRanges) {
-    const scene::Scene scene = import_scene(
-        write("lit.3ds", file_3ds(triangle() + lamp("Lamp", kOrange + kThinsOut + kRanges))));
+    const scene::Scene scene = import_scene(write(
+        "lit.3ds", file_3ds(triangle_3ds("T") + lamp("Lamp", kOrange + kThinsOut + kRanges))));
     ASSERT_EQ(scene.lights.size(), 1U);
     // The file's z is up, the scene's y is.
     EXPECT_LT(glm::length(scene.lights[0].p_world - glm::dvec3(1, 3, -2)), 1e-6);
@@ -96,10 +88,10 @@ TEST_F(ThreeDsLights, StandInTheSceneWithTheirRanges) {
 TEST_F(ThreeDsLights, GoAndTurnColourByTheirKeys) {
     const std::string tracks = track_3ds(0xb020, {{0, {1, 2, 3}}, {30, {5, 2, 3}}}) +
                                track_3ds(0xb025, {{0, {1, 0, 0}}, {60, {0, 0, 1}}});
-    scene::Scene scene =
-        import_scene(write("moving.3ds",
-                           file_3ds(triangle() + lamp("Lamp", kOrange + chunk(0x465b, raw(0.5F))),
-                                    kTriangleNode + node_3ds(0xb005, "Lamp", -1, tracks))));
+    scene::Scene scene = import_scene(
+        write("moving.3ds",
+              file_3ds(triangle_3ds("T") + lamp("Lamp", kOrange + chunk(0x465b, raw(0.5F))),
+                       kTriangleNode + node_3ds(0xb005, "Lamp", -1, tracks))));
     ASSERT_EQ(scene.lights.size(), 1U);
     ASSERT_NE(scene.animation, nullptr);
     EXPECT_EQ(scene.animation->duration_s, 2);
@@ -113,7 +105,7 @@ TEST_F(ThreeDsLights, GoAndTurnColourByTheirKeys) {
 
 TEST_F(ThreeDsLights, NeedNoNodeOfTheKeyframer) {
     const scene::Scene scene = import_scene(
-        write("bare.3ds", file_3ds(triangle() + lamp("Lamp", kOrange), kTriangleNode)));
+        write("bare.3ds", file_3ds(triangle_3ds("T") + lamp("Lamp", kOrange), kTriangleNode)));
     EXPECT_EQ(scene.lights.size(), 1U);
     EXPECT_EQ(scene.animation, nullptr);
 }
@@ -123,8 +115,9 @@ TEST_F(ThreeDsLights, WhatIsNotHeededIsNoted) {
     const std::string tracks = track_3ds(0xb020, {{0, {1, 2, 3}}, {30, {5, 2, 3}}});
     scene::Scene scene = import_scene(write(
         "notes.3ds",
-        file_3ds(triangle() + lamp("Lamp", kOrange + spot + chunk(0x4654, std::string("T\0", 2))),
-                 kTriangleNode + node_3ds(0xb007, "Lamp", 0, tracks))));
+        file_3ds(
+            triangle_3ds("T") + lamp("Lamp", kOrange + spot + chunk(0x4654, std::string("T\0", 2))),
+            kTriangleNode + node_3ds(0xb007, "Lamp", 0, tracks))));
     ASSERT_EQ(scene.lights.size(), 1U);
     const glm::dvec3 p_world = scene.lights[0].p_world;
     scene::pose_scene(scene, 1);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "import/import.h"
 #include "scene/topology.h"
 #include "tests/scene/small_meshes.h"
-#include "tests/shared_files.h"
 
 namespace ink::import {
 namespace {
@@ -110,22 +108,24 @@ TEST(WeldEpsilon, CountsWhatCollapses) {
     EXPECT_EQ(near.counts.joined_vertices, 1U);
 }
 
-TEST(WeldEpsilon, ClosesTheRealSoupAtAMillionth) {
-    const auto path = shared_file("models/featuretype.stl");
-    INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = import_scene(path);
-    EXPECT_EQ(scene::weld(scene).counts.boundary_edges, 576U);
-    const scene::Topology closed = scene::weld(scene, {.epsilon = 1e-6});
-    EXPECT_EQ(closed.counts.boundary_edges, 0U);
-    EXPECT_EQ(closed.counts.collapsed, 0U);
-}
-
-TEST(WeldEpsilon, TheSameMillionthCollapsesTrianglesOfAFineScan) {
-    const auto path = shared_file("models/dragon.ply");
-    INK_SKIP_WITHOUT(path);
-    const scene::Scene scene = import_scene(path);
-    EXPECT_EQ(scene::weld(scene).counts.collapsed, 0U);
-    EXPECT_GT(scene::weld(scene, {.epsilon = 1e-6}).counts.collapsed, 700U);
+TEST(WeldEpsilon, ClosesAtAMillionthWhatCollapsesTrianglesOfAFineScan) {
+    const scene::Scene soup = scene::scene_of(cracked_cube(5e-7F));
+    EXPECT_EQ(scene::weld(soup).counts.boundary_edges, 36U);
+    EXPECT_EQ(scene::weld(soup, {.epsilon = 1e-6}).counts.boundary_edges, 0U);
+    // A sheet of 30 x 30 squares half a millionth wide, of a scene about as large as that cube.
+    scene::Mesh scan;
+    for (int i = 0; i < 31 * 31; ++i)
+        scan.positions.emplace_back(1e-6 * (i % 31), 1e-6 * (i / 31), 0);
+    for (std::uint32_t square = 0; square < 30 * 30; ++square) {
+        const std::uint32_t at = square / 30 * 31 + square % 30;
+        scan.triangles.push_back({at, at + 1, at + 32});
+        scan.triangles.push_back({at, at + 32, at + 31});
+    }
+    scan.positions.insert(scan.positions.end(), {{2, 0, 0}, {0, 2, 0}, {0, 2, 2}});
+    scan.triangles.push_back({31 * 31, 31 * 31 + 1, 31 * 31 + 2});
+    const scene::Scene fine = scene::scene_of(scan);
+    EXPECT_EQ(scene::weld(fine).counts.collapsed, 0U);
+    EXPECT_GT(scene::weld(fine, {.epsilon = 1e-6}).counts.collapsed, 700U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "methods/registry.h"
 #include "methods/tuned.h"
+#include "tests/core/error_text.h"
 #include "tests/methods/names.h"
 #include "tests/methods/small_scenes.h"
 
@@ -34,12 +35,7 @@ seed = 7
 )";
 
 std::string message_of(const std::string& text) {
-    try {
-        (void)parse_preset(text, "mine.toml", registry());
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return core::error_text([&] { return parse_preset(text, "mine.toml", registry()); });
 }
 
 std::string with(std::string text, const std::string& from, const std::string& to) {

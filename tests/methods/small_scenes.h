@@ -9,6 +9,8 @@
 
 namespace ink::methods {
 
+using scene::scene_of;
+
 inline scene::Mesh cube_mesh() {
     return scene::unit_cube();
 }
@@ -19,18 +21,6 @@ inline scene::Mesh floor_mesh(float size) {
     mesh.positions = {{-size, 0, -size}, {size, 0, -size}, {size, 0, size}, {-size, 0, size}};
     mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
     return mesh;
-}
-
-inline scene::Scene scene_of(std::vector<scene::Mesh> meshes) {
-    scene::Scene scene;
-    scene.name = "test";
-    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
-        scene::Instance instance;
-        instance.mesh = i;
-        scene.instances.push_back(instance);
-    }
-    scene.meshes = std::move(meshes);
-    return scene;
 }
 
 /// A cube on a floor: contours, boundaries and creases, facets behind facets.

@@ -10,8 +10,8 @@
 #include "catalogue/shapes.h"
 #include "import/import.h"
 #include "methods/edge_hash/soup_models.h"
+#include "tests/models/fetched_model.h"
 #include "tests/scene/small_meshes.h"
-#include "tests/shared_files.h"
 
 namespace ink::methods {
 namespace {
@@ -21,24 +21,12 @@ SoupEdges found(const scene::Mesh& mesh, double epsilon = 0) {
     return find_edges({points, mesh.triangles}, epsilon);
 }
 
-/// Every triangle with three vertices of its own.
-scene::Mesh exploded(const scene::Mesh& mesh) {
-    scene::Mesh soup;
-    for (const scene::Triangle& t : mesh.triangles) {
-        const auto first = static_cast<std::uint32_t>(soup.positions.size());
-        for (const std::uint32_t v : t)
-            soup.positions.push_back(mesh.positions[v]);
-        soup.triangles.push_back({first, first + 1, first + 2});
-    }
-    return soup;
-}
-
 TEST(SoupEdges, ClosedFormsComeTogetherFromLooseTriangles) {
-    const SoupEdges cube = found(exploded(scene::unit_cube()));
+    const SoupEdges cube = found(scene::exploded(scene::unit_cube()));
     EXPECT_EQ(cube.counts.places, 8U);
     EXPECT_EQ(cube.counts.edges, 18U);
     EXPECT_EQ(cube.counts.boundary, 0U);
-    const SoupEdges ball = found(exploded(catalogue::make_icosphere(1, 2)));
+    const SoupEdges ball = found(scene::exploded(catalogue::make_icosphere(1, 2)));
     EXPECT_EQ(ball.counts.places, 10U * 16 + 2);
     EXPECT_EQ(ball.counts.edges, 30U * 16);
     EXPECT_EQ(ball.counts.boundary + ball.counts.non_manifold, 0U);
@@ -118,28 +106,21 @@ std::array<std::size_t, 4> boundary_edges(const scene::Scene& scene, double epsi
     return boundary;
 }
 
-TEST(SoupEdges, OfKnightComeToThis) {
-    const auto path = shared_file("models/knight.mdl");
+// Counted from the files' bytes by a few lines of Python.
+
+TEST(SoupEdges, OfAPlayerComeToThis) {
+    const auto path = fetched_model("penguin.obj");
     INK_SKIP_WITHOUT(path);
-    // 511 triangles, split along the skin's seam. Its vertices lie on a grid of 255 steps: equal
-    // ones are equal.
-    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
-              (std::array<std::size_t, 4>{677, 89, 89, 89}));
+    // 1764 triangles, split along the seams of the skin, in three parts that touch.
+    EXPECT_EQ(boundary_edges(import::import_scene(path), 0),
+              (std::array<std::size_t, 4>{418, 32, 32, 32}));
 }
 
-TEST(SoupEdges, OfKyonshiComeToThis) {
-    const auto path = shared_file("models/kyonshi/lower.md3");
+TEST(SoupEdges, OfLooseTrianglesComeToThis) {
+    const auto path = fetched_model("spider.stl");
     INK_SKIP_WITHOUT(path);
-    // 2530 triangles in ten surfaces of three parts, some of which touch.
-    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
-              (std::array<std::size_t, 4>{952, 260, 260, 224}));
-}
-
-TEST(SoupEdges, OfAModelWithCracksComeToThis) {
-    const auto path = shared_file("models/featuretype.stl");
-    INK_SKIP_WITHOUT(path);
-    EXPECT_EQ(boundary_edges(import::import_scene(path), 1e-5),
-              (std::array<std::size_t, 4>{3 * 3476, 576, 0, 0}));
+    EXPECT_EQ(boundary_edges(import::import_scene(path), 0),
+              (std::array<std::size_t, 4>{3 * 1368, 72, 72, 72}));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/models/fetched_model.h"
 #include "tests/program/run_program.h"
-#include "tests/shared_files.h"
 
 // What a user may get wrong: one clear line on stderr, exit code 2, and nothing left behind.
 
@@ -128,12 +128,12 @@ TEST(BadModel, CutShort) {
 }
 
 TEST(BadModel, RealOneCutShort) {
-    const auto path = shared_file("models/apollo.3ds");
+    const auto path = fetched_model("jeep.ms3d");
     INK_SKIP_WITHOUT(path);
     const Desk desk;
     std::ifstream file(path, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    expect_model_refused(desk, desk.write("cut.3ds", whole.substr(0, whole.size() / 2)));
+    expect_model_refused(desk, desk.write("cut.ms3d", whole.substr(0, whole.size() / 2)));
 }
 
 TEST(BadModel, NoTriangles) {

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "import/import.h"
+#include "tests/models/fetched_model.h"
 #include "tests/raster/id_agreement.h"
-#include "tests/shared_files.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::raster {
 namespace {
@@ -41,10 +42,7 @@ scene::Mesh bumpy_ball(int rings) {
 
 TEST(IdsAgainstEmbree, ABallOfTrianglesLargeAndBelowAPixel) {
     for (const int rings : {8, 200}) {
-        scene::Scene scene;
-        scene.name = fmt::format("ball {}", rings);
-        scene.meshes.push_back(bumpy_ball(rings));
-        scene.instances.push_back({.mesh = 0, .world_from_object = glm::dmat4(1), .name = "ball"});
+        const scene::Scene scene = scene::scene_of(bumpy_ball(rings));
         expect_same_ids(scene, round_views(scene, 2));
     }
 }
@@ -58,10 +56,7 @@ TEST(IdsAgainstEmbree, AnEyeInsideASoupCutByTheNearPlane) {
             mesh.positions.emplace_back(place(random), place(random), place(random));
         mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
-    scene::Scene scene;
-    scene.name = "soup";
-    scene.meshes.push_back(mesh);
-    scene.instances.push_back({.mesh = 0, .world_from_object = glm::dmat4(1), .name = "soup"});
+    const scene::Scene scene = scene::scene_of(mesh);
     std::vector<scene::Camera> cameras;
     for (const double turn : {0.0, 2.0, 4.0}) {
         scene::Camera camera = scene::look_at(
@@ -74,8 +69,8 @@ TEST(IdsAgainstEmbree, AnEyeInsideASoupCutByTheNearPlane) {
     expect_same_ids(scene, cameras);
 }
 
-TEST(IdsAgainstEmbree, Bunny) {
-    const auto path = shared_file("models/bunny.obj");
+TEST(IdsAgainstEmbree, CoarseBunny) {
+    const auto path = fetched_model("bunny_coarse.obj");
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = import::import_scene(path);
     expect_same_ids(scene, round_views(scene, 3));
@@ -92,18 +87,18 @@ scene::Camera inside_view(const scene::Scene& scene,
     return camera;
 }
 
-TEST(IdsAgainstEmbree, HydronexFromInside) {
-    const auto path = shared_file("models/hydronex.obj");
+TEST(IdsAgainstEmbree, AMapFromInside) {
+    const auto path = fetched_model("aggressor.obj");
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = import::import_scene(path);
     expect_same_ids(scene,
-                    {inside_view(scene, {584, 90, 1912}, {-0.31, 0.02, -0.95}),
+                    {inside_view(scene, {-48, 60, -328}, {-0.31, 0.02, -0.95}),
                      inside_view(scene, {-160, 122, 0}, {-0.17, 0.02, 0.98}),
-                     inside_view(scene, {-576, -6, 4832}, {0, 0, -1})});
+                     inside_view(scene, {200, -6, -700}, {0, 0, 1})});
 }
 
-TEST(IdsAgainstEmbree, Temple) {
-    const auto path = shared_file("models/temple.glb");
+TEST(IdsAgainstEmbree, AJeepFromOutsideAndInside) {
+    const auto path = fetched_model("jeep.ms3d");
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = import::import_scene(path);
     std::vector<scene::Camera> cameras = round_views(scene, 3);

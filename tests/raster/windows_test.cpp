@@ -11,16 +11,17 @@
 #include "catalogue/shapes.h"
 #include "core/simd.h"
 #include "gather_sink.h"
-#include "import/import.h"
 #include "raster/mesh/mesh_pass.h"
 #include "raster/mesh/mesh_view.h"
 #include "raster/pass/view_transform.h"
 #include "scene/framing.h"
 #include "scene/predicates.h"
-#include "tests/shared_files.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::raster {
 namespace {
+
+using scene::scene_of;
 
 constexpr int kWidth_px = 240;
 constexpr int kHeight_px = 180;
@@ -141,13 +142,6 @@ class Holed {
     scene::Sphere bounds_;
     std::vector<std::uint32_t> ids_;
 };
-
-scene::Scene scene_of(scene::Mesh mesh) {
-    scene::Scene scene;
-    scene.meshes.push_back(std::move(mesh));
-    scene.instances.push_back({0, glm::dmat4(1), "only"});
-    return scene;
-}
 
 /// Without the faces whose middle lies within `radius` of one of the points.
 scene::Mesh without(scene::Mesh mesh, const std::vector<glm::dvec3>& points, double radius) {
@@ -274,17 +268,21 @@ TEST(Windows, SkipsThreadsAndTargetsNeverChangeABit) {
     }
 }
 
-TEST(Windows, BunnyFromAllRound) {
-    const auto path = shared_file("models/bunny.obj");
-    INK_SKIP_WITHOUT(path);
-    const Holed bunny(import::import_scene(path));
-    ASSERT_EQ(bunny.clusters().solids.size(), 1U);
-    EXPECT_EQ(bunny.clusters().solids[0].hole_count, 5U);
-    ASSERT_TRUE(bunny.clusters().solids[0].is_watertight_covered);
+TEST(Windows, OfAScanFromAllRound) {
+    // As scans are: triangles of a pixel, nothing flat, five small holes.
+    scene::Mesh mesh = catalogue::make_icosphere(1, 5);
+    for (glm::vec3& p : mesh.positions)
+        p *= 1 + 0.06F * std::sin(7 * p.x + 2 * p.z) * std::cos(5 * p.y);
+    const std::vector<glm::dvec3> holes = {
+        {0.1, -1, 0.2}, {-0.4, -0.9, 0}, {0.5, -0.8, -0.4}, {-0.9, 0.3, 0.3}, {0.2, 0.4, 0.9}};
+    const Holed scan(scene_of(without(std::move(mesh), holes, 0.12)));
+    ASSERT_EQ(scan.clusters().solids.size(), 1U);
+    EXPECT_EQ(scan.clusters().solids[0].hole_count, 5U);
+    ASSERT_TRUE(scan.clusters().solids[0].is_watertight_covered);
     for (const glm::dvec3& way : random_ways(30)) {
-        const glm::dvec3 center = bunny.bounds().center_world;
-        const glm::dvec3 eye = center + way * (2.0 * bunny.bounds().radius);
-        const Compared compared = bunny.compare(bunny.view_from(eye, center));
+        const glm::dvec3 center = scan.bounds().center_world;
+        const glm::dvec3 eye = center + way * (2.0 * scan.bounds().radius);
+        const Compared compared = scan.compare(scan.view_from(eye, center));
         EXPECT_EQ(compared.lost_px, 0U);
         EXPECT_GT(compared.skipped, 0U);
     }

@@ -1,9 +1,10 @@
-"""Scenes on which a truth was wrong once: ../shared/cases, and the same made here.
+"""Scenes on which a truth was wrong once: cases/*.obj, and the same made here.
 
 Each says what is seen by arithmetic of its own, or by the pose in which nothing is rounded.
 """
 
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -15,10 +16,10 @@ from model_files import read_obj
 from outline import CLASSES
 from poses import POSES
 from probe_view import View
-from program import SHARED, trace
+from program import trace
 from shapes import one_object, part, quad, rotation
 
-CASES = SHARED / "cases"
+CASES = Path(__file__).parent / "cases"
 INTERSECTION = CLASSES.index("intersection")
 BOUNDARY = CLASSES.index("boundary")
 
@@ -40,12 +41,6 @@ EXACT_BENDS = {30: ((1, 1, 0), (2, 1, 1)), 45: ((1, 0, 0), (1, 1, 0)), 60: ((1, 
 
 
 class CasesTest(unittest.TestCase):
-    def case(self, name):
-        path = CASES / f"{name}.obj"
-        if not path.is_file():
-            self.skipTest("the shared cases are not beside the checkout")
-        return read_obj(path)
-
     def assert_agrees(self, mesh, seen_from, crease_deg=40, truth=None):
         """What rays find and what the truth draws is the same."""
         view = View(mesh, seen_from, crease_deg)
@@ -81,7 +76,7 @@ class CasesTest(unittest.TestCase):
         seen_from = camera((6.06, 12.1, 6.0), (0.0, 0.0, 0.0), 30)
         for name in ("crease60_a", "crease60_b"):
             with self.subTest(name=name):
-                mesh = self.case(name)
+                mesh = read_obj(CASES / f"{name}.obj")
                 truth = trace(mesh, seen_from, 60)
                 self.assertGreater(truth.outline.length_px(CREASE), 10)
                 self.assert_agrees(mesh, seen_from, 60, truth)
@@ -117,7 +112,7 @@ class CasesTest(unittest.TestCase):
                 self.assert_both_borders(Mesh(parts))
 
     def test_gap(self):
-        self.assert_both_borders(self.case("gap"))
+        self.assert_both_borders(read_obj(CASES / "gap.obj"))
 
     # ---- Surfaces that touch -----------------------------------------------------------------
 
@@ -143,7 +138,7 @@ class CasesTest(unittest.TestCase):
                                      lambda p, m=turn: p @ m.T), seen_from)
 
     def test_tj1(self):
-        mesh = self.case("tj1")
+        mesh = read_obj(CASES / "tj1.obj")
         points, faces = mesh.parts[0].points.astype(float), mesh.parts[0].faces
         plate = Mesh([part("plate", points, faces[:2])])
         normal = np.cross(points[1] - points[0], points[2] - points[0])
@@ -175,7 +170,7 @@ class CasesTest(unittest.TestCase):
                     self.assertEqual(len(verdict.failed), 0, verdict.failed[:3])
 
     def test_cop0(self):
-        mesh = self.case("cop0")
+        mesh = read_obj(CASES / "cop0.obj")
         self.assert_flat(mesh, camera_round(mesh, 640, 480))
 
     def test_coplanar_sheets_are_the_same_in_every_rotation(self):

@@ -16,7 +16,7 @@ from outline import read_outline
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("INKBENCH", str(ROOT / "build" / "release" / "inkbench"))
 WRITE_SCENE = os.environ.get("INKBENCH_WRITE_SCENE", str(Path(PROGRAM).parent / "write_scene"))
-SHARED = ROOT.parent / "shared"
+MODELS = ROOT / "inkbench-out" / "models"  # of experiments/models/fetch
 SKIPPED = 77
 DESK = tempfile.TemporaryDirectory(prefix="inkbench-referees-")
 

@@ -19,16 +19,6 @@ SceneStatistics statistics_of(const Scene& scene) {
     return make_scene_statistics(scene, kCrease_rad);
 }
 
-/// Each mesh an object of its own, where it is.
-Scene scene_of(std::vector<Mesh> meshes) {
-    Scene scene;
-    scene.name = "test";
-    for (std::uint32_t i = 0; i < meshes.size(); ++i)
-        scene.instances.push_back({i, glm::dmat4(1), "part"});
-    scene.meshes = std::move(meshes);
-    return scene;
-}
-
 TEST(SceneStatistics, OfACubeHasTwelveCreasesAndSixFlatDiagonals) {
     const SceneStatistics statistics = statistics_of(scene_of(unit_cube()));
     EXPECT_EQ(statistics.triangles, 12U);

@@ -38,4 +38,27 @@ inline Scene scene_of(Mesh mesh) {
     return scene;
 }
 
+/// One object per mesh, each where it is.
+inline Scene scene_of(std::vector<Mesh> meshes) {
+    Scene scene;
+    scene.name = "test";
+    for (std::uint32_t i = 0; i < meshes.size(); ++i)
+        scene.instances.push_back({i, glm::dmat4(1), "object"});
+    scene.meshes = std::move(meshes);
+    return scene;
+}
+
+/// Every triangle with three vertices of its own, as STL and OBJ arrive.
+inline Mesh exploded(const Mesh& mesh) {
+    Mesh soup;
+    soup.name = mesh.name;
+    for (const Triangle& t : mesh.triangles) {
+        const auto first = static_cast<std::uint32_t>(soup.positions.size());
+        for (const std::uint32_t v : t)
+            soup.positions.push_back(mesh.positions[v]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    return soup;
+}
+
 }  // namespace ink::scene

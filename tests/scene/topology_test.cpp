@@ -17,19 +17,6 @@ Mesh triangles(std::vector<glm::vec3> positions, std::vector<Triangle> faces) {
     return mesh;
 }
 
-/// Every triangle with three vertices of its own, as STL and OBJ arrive.
-Mesh exploded(const Mesh& mesh) {
-    Mesh soup;
-    soup.name = mesh.name;
-    for (const Triangle& t : mesh.triangles) {
-        const auto first = static_cast<std::uint32_t>(soup.positions.size());
-        for (const std::uint32_t v : t)
-            soup.positions.push_back(mesh.positions[v]);
-        soup.triangles.push_back({first, first + 1, first + 2});
-    }
-    return soup;
-}
-
 TEST(Weld, CubeSoupClosesToEightVerticesAndEighteenEdges) {
     const Topology topology = weld(scene_of(exploded(unit_cube())));
     EXPECT_EQ(topology.p_world.size(), 8U);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/core/error_text.h"
 
 namespace ink::score {
 namespace {
@@ -39,12 +40,8 @@ TEST(Intersections, CountedCurvesAreThoseOfTheChoice) {
 TEST(Intersections, ChoicesAreReadAndOthersRefused) {
     EXPECT_EQ(parse_intersections("all", ""), Intersections::all);
     EXPECT_EQ(parse_intersections("above_crease", ""), Intersections::above_crease);
-    try {
-        (void)parse_intersections("none", "--intersections");
-        FAIL() << "it is no choice";
-    } catch (const core::Error& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("above_crease | all"));
-    }
+    EXPECT_THAT(core::error_text([] { return parse_intersections("none", "--intersections"); }),
+                testing::HasSubstr("above_crease | all"));
 }
 
 }  // namespace

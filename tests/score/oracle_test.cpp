@@ -9,7 +9,7 @@
 
 #include "image_io/image_file.h"
 #include "score/score.h"
-#include "tests/shared_files.h"
+#include "tests/score/oracle_files.h"
 
 namespace {
 
@@ -77,7 +77,7 @@ void expect_score(const json& expected, const ink::score::Score& score) {
 
 void expect_case(const json& expected, std::optional<int> ignore_label) {
     SCOPED_TRACE(expected["pred"].get<std::string>());
-    const auto folder = shared_file("oracle/cases");
+    const auto folder = oracle_file("cases");
     const auto prediction = ink::image_io::read_gray(folder / expected["pred"]);
     const auto labels = ink::image_io::read_gray(folder / expected["gt"]);
     const ScoreOptions options{.tolerance_px = expected["tol"],
@@ -99,9 +99,7 @@ void expect_case(const json& expected, std::optional<int> ignore_label) {
 class Oracle : public testing::TestWithParam<std::string> {};
 
 TEST_P(Oracle, AgreesToTheLastInteger) {
-    const auto path = shared_file("oracle/expected/" + GetParam() + ".json");
-    INK_SKIP_WITHOUT(path);
-    const json expected = load_json(path);
+    const json expected = load_json(oracle_file("expected/" + GetParam() + ".json"));
     ASSERT_EQ(expected["images"].size(), 32U);
     for (const json& image : expected["images"])
         expect_case(image, std::nullopt);
@@ -113,9 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Expected,
                          [](const auto& value) { return value.param; });
 
 TEST(OracleIgnore, AgreesToTheLastInteger) {
-    const auto path = shared_file("oracle/expected/ignore7_tol2.json");
-    INK_SKIP_WITHOUT(path);
-    expect_case(load_json(path), 7);
+    expect_case(load_json(oracle_file("expected/ignore7_tol2.json")), 7);
 }
 
 }  // namespace

@@ -6,18 +6,14 @@
 #include <numbers>
 
 #include "catalogue/shapes.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::shade {
 namespace {
 
-constexpr double kCrease_rad = 2 * std::numbers::pi / 9;  // 40 degrees
+using scene::scene_of;
 
-scene::Scene scene_of(const scene::Mesh& mesh) {
-    scene::Scene scene;
-    scene.meshes.push_back(mesh);
-    scene.instances.push_back({.mesh = 0, .world_from_object = glm::dmat4(1), .name = "it"});
-    return scene;
-}
+constexpr double kCrease_rad = 2 * std::numbers::pi / 9;  // 40 degrees
 
 std::size_t without_patch(const UniformSpots& spots) {
     return static_cast<std::size_t>(

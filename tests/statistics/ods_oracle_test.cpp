@@ -7,7 +7,7 @@
 
 #include "image_io/image_file.h"
 #include "statistics/ods.h"
-#include "tests/shared_files.h"
+#include "tests/score/oracle_files.h"
 
 namespace ink::statistics {
 namespace {
@@ -15,13 +15,11 @@ namespace {
 class OdsOracle : public testing::TestWithParam<std::string> {};
 
 TEST_P(OdsOracle, AgreesOnThresholdAndF) {
-    const auto path = shared_file("oracle/expected/" + GetParam() + ".json");
-    INK_SKIP_WITHOUT(path);
-    std::ifstream file(path);
+    std::ifstream file(oracle_file("expected/" + GetParam() + ".json"));
     const auto expected = nlohmann::json::parse(file);
     std::vector<CellCurve> curves;
     for (const auto& image : expected["images"]) {
-        const auto folder = shared_file("oracle/cases");
+        const auto folder = oracle_file("cases");
         const auto prediction = image_io::read_gray(folder / image["pred"].get<std::string>());
         const auto labels = image_io::read_gray(folder / image["gt"].get<std::string>());
         const score::ScoreOptions options{.tolerance_px = image["tol"], .thin = image["thin"]};

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scene/animation.h"
+#include "tests/core/error_text.h"
 
 namespace ink::studies {
 namespace {
@@ -182,12 +183,8 @@ TEST(PosedSceneViews, ItsFileCamerasStandWhereTheyAreAtThatMoment) {
 
 /// What make_scene_views says of a request for `scene`.
 std::string complaint(const std::string& scene, const harness::ViewRequest& request) {
-    try {
-        (void)harness::make_scene_views(harness::load_scene(scene), request);
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
+    return core::error_text(
+        [&] { return harness::make_scene_views(harness::load_scene(scene), request); });
 }
 
 TEST(PosedSceneViews, IsCalledAndHashedAsItIsPosed) {

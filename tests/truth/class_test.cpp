@@ -113,15 +113,6 @@ std::vector<scene::Mesh> t_junction(double deviation_rad) {
     return {left, right};
 }
 
-scene::Mesh joined(const std::vector<scene::Mesh>& meshes) {
-    scene::Mesh all;
-    for (const scene::Mesh& mesh : meshes) {
-        for (const scene::Triangle& t : mesh.triangles)
-            add_triangle(all, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
-    }
-    return all;
-}
-
 double length_on_joint(const scene::Scene& scene, const Truth& truth, LineClass line_class) {
     const scene::Topology topology = scene::weld(scene);
     double sum = 0;

@@ -20,15 +20,6 @@ scene::Mesh small_tile() {
     return mesh;
 }
 
-scene::Mesh joined(const scene::Mesh& first, const scene::Mesh& second) {
-    scene::Mesh all;
-    for (const scene::Mesh* mesh : {&first, &second}) {
-        for (const scene::Triangle& t : mesh->triangles)
-            add_triangle(all, mesh->positions[t[0]], mesh->positions[t[1]], mesh->positions[t[2]]);
-    }
-    return all;
-}
-
 double sampled_f(const Truth& truth) {
     score::ScoreOptions options;
     options.band_px = 6;
@@ -65,7 +56,7 @@ TEST(Coincident, InTheOtherOrderItLiesOnTop) {
 
 TEST(Coincident, OfOneObjectTheyAreOneSurface) {
     for (const auto& mesh :
-         {joined(large_tile(), small_tile()), joined(small_tile(), large_tile())}) {
+         {joined({large_tile(), small_tile()}), joined({small_tile(), large_tile()})}) {
         const Truth truth = trace(scene_of({mesh}), view_from(6));
         EXPECT_NEAR(lengths(truth)[LineClass::boundary], 1000, kPx);
         EXPECT_EQ(lengths(truth).size(), 1U);

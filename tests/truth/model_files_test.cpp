@@ -5,7 +5,7 @@
 #include "edge/thin.h"
 #include "import/import.h"
 #include "score/score.h"
-#include "tests/shared_files.h"
+#include "tests/models/fetched_model.h"
 #include "truth/model.h"
 #include "truth/truth.h"
 
@@ -41,7 +41,7 @@ void expect_thin(const core::Image<std::uint8_t>& labels) {
 }
 
 TEST_P(RealModel, SampledAgreesWithTheLabels) {
-    const auto path = shared_file(std::string("models/") + GetParam());
+    const auto path = fetched_model(GetParam());
     INK_SKIP_WITHOUT(path);
     const scene::Scene scene = import::import_scene(path);
     const Model model = build_model(scene, {.threads = 2});
@@ -57,12 +57,12 @@ TEST_P(RealModel, SampledAgreesWithTheLabels) {
 
 INSTANTIATE_TEST_SUITE_P(Truth,
                          RealModel,
-                         testing::Values("bunny.obj",
-                                         "dragon.ply",
-                                         "conrod.off",
-                                         "temple.glb",
-                                         "knight.mdl",
-                                         "milk_truck.glb"),
+                         testing::Values("bunny_coarse.obj",
+                                         "dragon_coarse.ply",
+                                         "engine.glb",
+                                         "duck.dae",
+                                         "spider.stl",
+                                         "gargoyle.obj"),
                          [](const auto& test) {
                              const std::string file = test.param;
                              return file.substr(0, file.find('.'));

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/predicates.h"
+#include "tests/scene/whole_orient3d.h"
 #include "tests/truth/shapes.h"
 #include "truth/crossings/crossings.h"
 
@@ -153,28 +154,6 @@ TEST(Pierce, FaceFoldedFlatOnItsNeighbourIsCoplanar) {
     EXPECT_EQ(found.coplanar_with(1)[0].lower_face, 0U);
 }
 
-int plain_double_orient3d(const glm::dvec3& a,
-                          const glm::dvec3& b,
-                          const glm::dvec3& c,
-                          const glm::dvec3& d) {
-    const double det = glm::dot(glm::cross(b - a, c - a), d - a);
-    return (det > 0) - (det < 0);
-}
-
-/// The sign of the volume of points with whole coordinates below 2^30, in 128-bit integers.
-int integer_orient3d(const glm::dvec3& a,
-                     const glm::dvec3& b,
-                     const glm::dvec3& c,
-                     const glm::dvec3& d) {
-    __extension__ typedef __int128 Wide;
-    const auto minus = [](double x, double y) { return Wide(std::llround(x) - std::llround(y)); };
-    const Wide ux = minus(b.x, a.x), uy = minus(b.y, a.y), uz = minus(b.z, a.z);
-    const Wide vx = minus(c.x, a.x), vy = minus(c.y, a.y), vz = minus(c.z, a.z);
-    const Wide wx = minus(d.x, a.x), wy = minus(d.y, a.y), wz = minus(d.z, a.z);
-    const Wide det = wx * (uy * vz - uz * vy) + wy * (uz * vx - ux * vz) + wz * (ux * vy - uy * vx);
-    return (det > 0) - (det < 0);
-}
-
 /// By definition, and no other way: does a side of one triangle pass through the inside of the
 /// other? 0 no, 1 yes, -1 in no general position.
 template <class Orient>
@@ -235,7 +214,8 @@ TEST(Pierce, IsExactWherePlainDoubleErrs) {
             const scene::Topology topology = two_triangles(p);
             ASSERT_EQ(meet(topology, 0, 1).crossing.has_value(), j < i) << i << " " << j;
             ASSERT_EQ(find_crossings(topology, {}).segments.size(), j < i ? 1U : 0U);
-            if (i != j) wrong_in_double += crosses_by_sides(p, plain_double_orient3d) != (j < i);
+            if (i != j)
+                wrong_in_double += crosses_by_sides(p, scene::plain_double_orient3d) != (j < i);
         }
     }
     EXPECT_GT(wrong_in_double, 100);
@@ -253,7 +233,7 @@ TEST(Pierce, AgreesWithIntegersOnNearlyCoplanarPairs) {
         std::array<glm::dvec3, 6> p;
         for (glm::dvec3& corner : p)
             corner = in_plane();
-        const int truth = crosses_by_sides(p, integer_orient3d);
+        const int truth = crosses_by_sides(p, scene::integer_orient3d);
         if (truth < 0) continue;
         ++decided;
         crossings += truth;

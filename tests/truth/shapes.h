@@ -13,9 +13,12 @@
 
 #include "scene/scene.h"
 #include "scene/topology.h"
+#include "tests/scene/small_meshes.h"
 #include "truth/truth.h"
 
 namespace ink::truth {
+
+using scene::scene_of;
 
 inline constexpr int kWidth_px = 640;
 inline constexpr int kHeight_px = 480;
@@ -77,21 +80,20 @@ inline void add_box(scene::Mesh& mesh, glm::vec3 low, glm::vec3 high) {
     add_quad(mesh, p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1));  // bottom
 }
 
+/// All triangles in one mesh, three vertices each.
+inline scene::Mesh joined(const std::vector<scene::Mesh>& meshes) {
+    scene::Mesh all;
+    for (const scene::Mesh& mesh : meshes) {
+        for (const scene::Triangle& t : mesh.triangles)
+            add_triangle(all, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+    }
+    return all;
+}
+
 inline scene::Mesh box(glm::vec3 low, glm::vec3 high) {
     scene::Mesh mesh;
     add_box(mesh, low, high);
     return mesh;
-}
-
-/// One object per mesh, each where it is.
-inline scene::Scene scene_of(std::vector<scene::Mesh> meshes) {
-    scene::Scene scene;
-    scene.name = "test";
-    for (std::uint32_t i = 0; i < meshes.size(); ++i) {
-        scene.instances.push_back({i, glm::dmat4(1), "object"});
-    }
-    scene.meshes = std::move(meshes);
-    return scene;
 }
 
 inline Truth trace(const scene::Scene& scene, const scene::View& view, int threads = 1) {

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "methods/registry.h"
+#include "tests/core/error_text.h"
 
 namespace ink::tune {
 namespace {
@@ -18,12 +19,7 @@ TuneSpace space_of(const std::string& method, const std::string& parameters) {
 }
 
 std::string message_of(const std::string& method, const std::string& parameters) {
-    try {
-        (void)space_of(method, parameters);
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return core::error_text([&] { return space_of(method, parameters); });
 }
 
 TEST(TuneSpace, EndsOfTheCubeAreEndsOfTheRanges) {
