@@ -13,9 +13,9 @@ function(ink_room name)
     endif()
 endfunction()
 
-# ink_test(ROOM SOURCES ... LINKS ... [SLOW FILTER...] [NIGHTLY FILTER...]): the tests of one room, one program.
-# All but those that the filters name run in one process, the case ROOM/quick; a failure names its TEST. Each
-# filter of gtest is a case of its own beside it, with the label `slow`, or `nightly` for those that not every
+# ink_test(ROOM SOURCES ... LINKS ... [SLOW NAME=FILTER...] [NIGHTLY NAME=FILTER...]): the tests of one room,
+# one program. All but those that the filters (gtest's) name run in one process, the case ROOM/quick; a failure names
+# its TEST. Each filter is a case beside it, ROOM/NAME, with the label `slow`, or `nightly` for those that not every
 # change must pass.
 function(ink_test room)
     cmake_parse_arguments(TEST "" "" "SOURCES;LINKS;SLOW;NIGHTLY" ${ARGN})
@@ -26,18 +26,18 @@ function(ink_test room)
     target_link_libraries(test_${room} PRIVATE ${TEST_LINKS} GTest::gmock GTest::gtest_main)
     ink_use_precompiled(test_${room} test)
 
-    set(apart ${TEST_SLOW} ${TEST_NIGHTLY})
-    list(TRANSFORM apart REPLACE "-.*" "")
-    list(JOIN apart ":" apart)
-    ink_test_case(${room}/quick test_${room} "-${apart}")
+    set(apart "-")
     foreach(label slow nightly)
         string(TOUPPER ${label} list)
-        foreach(filter IN LISTS TEST_${list})
-            string(REGEX REPLACE "-.*|[^A-Za-z0-9.]" "" name ${filter})
-            ink_test_case(${room}/${name} test_${room} "${filter}")
+        foreach(case IN LISTS TEST_${list})
+            string(REGEX MATCH "^([^=]*)=(([^-]*).*)$" is_case ${case})
+            set(name ${CMAKE_MATCH_1})
+            string(APPEND apart ${CMAKE_MATCH_3} ":")
+            ink_test_case(${room}/${name} test_${room} ${CMAKE_MATCH_2})
             set_tests_properties(${room}/${name} PROPERTIES LABELS ${label})
         endforeach()
     endforeach()
+    ink_test_case(${room}/quick test_${room} ${apart})
 endfunction()
 
 function(ink_test_case name program filter)
