@@ -113,9 +113,8 @@ def random_pair(random):
 
 
 def oracle_counts(oracle, prediction, truth, options):
-    asked = types.SimpleNamespace(crop=0, gt="auto", ignore=options["ignore"], levels=False,
-                                  cut=options["threshold"], thin=options["thin"], match="max",
-                                  tol=options["tol"], thresholds=99)
+    asked = types.SimpleNamespace(ignore=options["ignore"], thin=options["thin"],
+                                  tol=options["tol"])
     score = oracle.ImageScore(prediction, truth, asked)
     k, n_pred, n_truth = score.counts(options["threshold"])
     _, thinned = score.binarise(options["threshold"])

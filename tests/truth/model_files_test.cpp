@@ -58,11 +58,11 @@ TEST_P(RealModel, SampledAgreesWithTheLabels) {
 INSTANTIATE_TEST_SUITE_P(Truth,
                          RealModel,
                          testing::Values("bunny_coarse.obj",
-                                         "dragon_coarse.ply",
-                                         "engine.glb",
+                                         "dragon.ply",
                                          "duck.dae",
+                                         "gargoyle.obj",
                                          "spider.stl",
-                                         "gargoyle.obj"),
+                                         "wuson.obj"),
                          [](const auto& test) {
                              const std::string file = test.param;
                              return file.substr(0, file.find('.'));
