@@ -38,7 +38,8 @@ TEST(InkBench, ClosesWithLeastMedianYardstickAndHashAndWritesThem) {
     int repetitions = 0;
     std::set<std::string> hashes, in_m;
     double least = 1e30, minimum = 0;
-    for (const auto& entry : nlohmann::json::parse(desk.read("o.json")).at("benchmarks")) {
+    const auto report = nlohmann::json::parse(desk.read("o.json"));
+    for (const auto& entry : report.at("benchmarks")) {
         hashes.insert(entry.at("label").get<std::string>());
         if (entry.at("run_type") == "iteration") {
             ++repetitions;
@@ -70,7 +71,7 @@ TEST(InkBench, DrawsExactlySoManyFramesAndTheSameOnTheInstructionSetAskedFor) {
             {kFrame, "--benchmark_repetitions=1", "--draws=3", "--benchmark_out=o.json", simd});
         EXPECT_THAT(desk.read("o.json"), HasSubstr("\"iterations\": 3,"));
         if (simd.ends_with("SCALAR")) {
-            EXPECT_THAT(outcome.out, HasSubstr("simd: SCALAR"));
+            EXPECT_THAT(outcome.err, HasSubstr("simd: SCALAR"));
         }
         std::smatch match;
         EXPECT_TRUE(std::regex_search(outcome.out, match, std::regex("\\b[0-9a-f]{16}\\b")));

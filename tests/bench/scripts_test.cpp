@@ -154,7 +154,7 @@ std::string counted(const std::string& flags = "") {
         {"-c",
          "chmod +x valgrind; PATH=.:$PATH python3 " INK_SOURCE_DIR "/bench/callgrind.py " + flags});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return outcome.out;
+    return outcome.out + outcome.err;
 }
 
 TEST(Callgrind, CountsAPixelsWorkAndStagesByTheDifferenceOfDraws) {
