@@ -234,9 +234,8 @@ PYBIND11_MODULE(inkbench, module) {
         &score,
         "Scores a drawing, uint8, (height, width), light lines on dark, against a Truth or an "
         "array of labels. Matched pixels are at most tolerance_px (up to 8) apart. With a "
-        "Truth, "
-        "pixels within 6 px of the frame and ignored ones do not count, as in `compare`; with an "
-        "array, band_px (0) and ignore (no label) say so.",
+        "Truth, pixels within 6 px of the frame and ignored ones do not count, as in `compare`; "
+        "with an array, band_px (0) and ignore (no label) say so.",
         py::arg("edges"),
         py::arg("truth"),
         py::kw_only(),
