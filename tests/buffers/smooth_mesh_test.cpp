@@ -6,7 +6,6 @@
 
 #include <cstdlib>
 #include <glm/vec3.hpp>
-#include <initializer_list>
 #include <vector>
 
 #include "buffers/codes/surface_codes.h"

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 #include "core/parallel.h"
 #include "core/quiet_gate.h"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "edge/laplacian.h"
 #include "guarded.h"
 #include "plain_filters.h"

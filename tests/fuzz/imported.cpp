@@ -1,6 +1,5 @@
 // What must hold of any reply of a reader of models.
 
-#include <cmath>
 #include <vector>
 
 #include "core/error.h"

@@ -1,6 +1,5 @@
 // What is looked for in Collada and FBX files of any bytes stands in them.
 
-#include <cmath>
 #include <string_view>
 
 #include "import/assimp/dae_cameras.h"

@@ -3,7 +3,6 @@
 #include "score/score.h"
 
 #include <array>
-#include <cmath>
 
 #include "score/drawing.h"
 #include "score/pixel_list.h"

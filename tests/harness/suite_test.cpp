@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
-
 #include "catalogue/catalogue.h"
 #include "core/error.h"
 #include "tests/core/error_text.h"

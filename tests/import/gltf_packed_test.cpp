@@ -7,7 +7,6 @@
 #include <meshoptimizer.h>
 
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"

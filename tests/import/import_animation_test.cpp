@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "scene/animation.h"
 #include "tests/import/files_3ds.h"

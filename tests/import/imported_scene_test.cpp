@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <set>
 
 #include "core/error.h"
 #include "import/printable.h"

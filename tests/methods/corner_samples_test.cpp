@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "raster/pass/pass.h"
 #include "scene/corner_view.h"
 #include "scene/surface.h"

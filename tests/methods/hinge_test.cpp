@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
-#include <numeric>
 
 #include "scene/animation.h"
 #include "tests/methods/names.h"

@@ -4,7 +4,6 @@
 #include <GL/osmesa.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "catalogue/catalogue.h"

@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "tests/raster/gather_sink.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "core/simd.h"
 #include "tests/raster/triangle_pile.h"

@@ -1,7 +1,6 @@
 #include "line_reference.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace ink::raster {
 namespace {

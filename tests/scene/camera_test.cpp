@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/error.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <numeric>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <set>
 
 #include "tests/scene/small_meshes.h"
 

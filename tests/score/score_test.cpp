@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/error.h"
 #include "edge/thin.h"
 #include "tests/score/images.h"

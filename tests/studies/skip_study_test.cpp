@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <set>
-#include <sstream>
 
 #include "harness/skip_switches.h"
 #include "studies/skips_table.h"

@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 
 #include "studies/roll_study.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <set>
 
 #include "catalogue/catalogue.h"
 #include "scene/camera.h"

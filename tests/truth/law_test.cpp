@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "edge/thin.h"
 #include "score/score.h"
