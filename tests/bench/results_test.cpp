@@ -1,7 +1,6 @@
 #include "bench/results.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <string>
 

@@ -1,7 +1,6 @@
 #include "catalogue/catalogue.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

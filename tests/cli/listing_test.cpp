@@ -1,7 +1,6 @@
 #include "cli/listing.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 

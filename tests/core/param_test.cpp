@@ -1,7 +1,6 @@
 #include "core/param.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "tests/core/error_text.h"

@@ -1,7 +1,6 @@
 #include "draw/crosscheck_report.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace ink::draw {
 namespace {

@@ -1,7 +1,6 @@
 #include "draw/score_files.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,6 @@
 #include "experiment/entrants/entrant.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>

@@ -1,7 +1,6 @@
 #include "experiment/experiment_run.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include <algorithm>

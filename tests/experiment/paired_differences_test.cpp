@@ -1,7 +1,6 @@
 #include "experiment/summary/paired_differences.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <random>
 

@@ -1,7 +1,6 @@
 #include "experiment/diff/run_diff.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <memory>
 

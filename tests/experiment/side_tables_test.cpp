@@ -2,7 +2,6 @@
 // their cell.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "linear_code/bound_tables.h"

@@ -1,7 +1,6 @@
 #include "experiment/summary/summary_csv.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <map>
 #include <sstream>

@@ -1,7 +1,6 @@
 #include "experiment/summary/summary.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace ink::experiment {
 namespace {

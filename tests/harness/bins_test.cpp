@@ -1,7 +1,6 @@
 #include "harness/bins.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <limits>
 #include <numbers>

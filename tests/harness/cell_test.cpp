@@ -1,7 +1,6 @@
 #include "harness/cell.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "tests/scene/small_meshes.h"

@@ -1,7 +1,6 @@
 #include "harness/unscored_view.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "tests/harness/baselines.h"
 

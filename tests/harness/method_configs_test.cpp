@@ -1,7 +1,6 @@
 #include "harness/method_configs.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>

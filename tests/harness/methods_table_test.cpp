@@ -1,7 +1,6 @@
 #include "harness/tables/methods_table.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sstream>
 

@@ -1,7 +1,6 @@
 #include "harness/tables/score_tables.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "harness/cell.h"

@@ -1,7 +1,6 @@
 // Skips on their way from the command line through a timed drawing into a row.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #include "harness/suite.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"

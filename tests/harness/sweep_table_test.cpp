@@ -1,7 +1,6 @@
 #include "harness/tables/sweep_table.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "harness/tables/cost_tables.h"

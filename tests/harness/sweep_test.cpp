@@ -1,7 +1,6 @@
 #include "harness/sweep.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "tests/scene/small_meshes.h"
 

@@ -1,7 +1,6 @@
 #include "image_io/image_file.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <array>

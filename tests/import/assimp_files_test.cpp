@@ -1,7 +1,6 @@
 // What is made of Assimp's scenes.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

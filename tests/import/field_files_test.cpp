@@ -1,7 +1,6 @@
 // Kinds of files on which readers of models are known to fail, from a file to a scene.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "import/imported_scene.h"
 #include "tests/import/model_files.h"

@@ -1,7 +1,6 @@
 // What glTF 2.0 makes of numbers: component types, modes, sparse accessors, nodes, copies, names.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,6 @@
 // KHR_lights_punctual on its way into a scene.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 

@@ -1,7 +1,6 @@
 // What moves in glTF 2.0: keys of every course, morph targets, bones.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>

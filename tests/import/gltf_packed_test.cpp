@@ -3,7 +3,6 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 // Files that are wrong, hostile, or ask for what is not read: one line that names the place.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"

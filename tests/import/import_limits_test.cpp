@@ -1,7 +1,6 @@
 // What a hostile file may cost: one line. A test build of the import child misbehaves by request.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sys/prctl.h>
 #include <sys/time.h>
 #include <sys/wait.h>

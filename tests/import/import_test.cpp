@@ -1,7 +1,6 @@
 #include "import/import.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include "import/imported_lights.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <limits>

@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "import/meshes/mesh_readers.h"
 #include "import/refusal.h"

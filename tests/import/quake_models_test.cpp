@@ -1,7 +1,6 @@
 #include "import/quake_models.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <glm/geometric.hpp>

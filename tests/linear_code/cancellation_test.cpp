@@ -1,7 +1,6 @@
 #include "linear_code/cancellation.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,6 @@
 #include "methods/auto/auto.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/trigonometric.hpp>
 

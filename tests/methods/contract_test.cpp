@@ -1,7 +1,6 @@
 // What every method of the registry must hold: one law each, over all of them.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>

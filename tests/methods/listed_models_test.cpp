@@ -1,7 +1,6 @@
 #include "methods/edge_list/listed_models.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #include "methods/presets.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <toml++/toml.h>
 #include <fstream>

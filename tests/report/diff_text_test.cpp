@@ -1,7 +1,6 @@
 #include "report/text/diff_text.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 namespace ink::report {
 namespace {

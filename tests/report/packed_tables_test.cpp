@@ -1,7 +1,6 @@
 #include "report/packed_tables.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 

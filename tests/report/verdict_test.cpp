@@ -1,7 +1,6 @@
 #include "report/text/verdict.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>

@@ -1,7 +1,6 @@
 #include "scene/animation.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include "scene/framing.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <glm/common.hpp>
 

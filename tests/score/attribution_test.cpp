@@ -1,7 +1,6 @@
 #include "score/attribution.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <random>
 

@@ -1,7 +1,6 @@
 #include "score/intersections.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "tests/core/error_text.h"

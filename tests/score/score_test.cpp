@@ -1,7 +1,6 @@
 #include "score/score.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "core/error.h"
 #include "edge/thin.h"

@@ -1,7 +1,6 @@
 #include "shade/shading.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

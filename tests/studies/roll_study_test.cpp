@@ -1,7 +1,6 @@
 #include "studies/roll_study.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

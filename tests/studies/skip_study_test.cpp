@@ -1,7 +1,6 @@
 #include "studies/skip_study.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <set>
 

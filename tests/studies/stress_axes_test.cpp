@@ -1,7 +1,6 @@
 #include "studies/stress/stress_axes.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>

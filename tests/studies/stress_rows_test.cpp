@@ -1,7 +1,6 @@
 #include "studies/stress/stress_rows.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // Tables of the studies: what a line says of its cell.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <numbers>
 

@@ -1,7 +1,6 @@
 #include "studies/timedemo.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <numeric>
 #include <set>

@@ -1,7 +1,6 @@
 #include "tune/tune_space.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <random>
 

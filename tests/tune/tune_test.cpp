@@ -1,7 +1,6 @@
 #include "tune/tune.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
