@@ -2,23 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/error.h"
+#include "methods/settings_toml.h"
 
 namespace ink::methods {
 namespace {
 
+constexpr const char* kNeeded = "name, method, [settings]";
 constexpr std::size_t kSweepSettings = 8;
 /// How far the sweep steps from a tuned number to either side.
 constexpr std::array kSweepSteps = {0.75, 1.25};
-
-std::string place_of(const toml::node& node, const std::string& where) {
-    return fmt::format("{}:{}", where, node.source().begin.line);
-}
 
 const method::MethodInfo* find_base(const std::vector<method::MethodInfo>& bases,
                                     const std::string& name) {
@@ -36,20 +33,6 @@ std::vector<std::string> names_of(const std::vector<method::MethodInfo>& bases) 
     return names;
 }
 
-/// The text behind `key`, which must be there.
-std::string text_of(const toml::table& table, const char* key, const std::string& where) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) {
-        throw core::Error(where, fmt::format("there is no '{}'", key), "name, method, [settings]");
-    }
-    const toml::value<std::string>* text = node->as_string();
-    if (text == nullptr) {
-        throw core::Error(
-            place_of(*node, where), fmt::format("'{}' is no text", key), "text in quotes");
-    }
-    return text->get();
-}
-
 /// The table behind `key`; nothing if there is none.
 const toml::table* table_of(const toml::table& file, const char* key, const std::string& where) {
     const toml::node* node = file.get(key);
@@ -61,16 +44,6 @@ const toml::table* table_of(const toml::table& file, const char* key, const std:
     return node == nullptr ? nullptr : node->as_table();
 }
 
-void refuse_unknown_keys(const toml::table& file, const std::string& where) {
-    const std::vector<std::string> known = {"name", "method", "settings", "provenance"};
-    for (const auto& [key, node] : file) {
-        if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-        throw core::Error(place_of(node, where),
-                          fmt::format("a preset has no '{}'", key.str()),
-                          core::known_names(known, key.str()));
-    }
-}
-
 void check_name(const toml::table& file, const std::string& name, const std::string& where) {
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
     const bool is_name = !name.empty() && name.find_first_not_of(kLetters) == std::string::npos;
@@ -78,43 +51,6 @@ void check_name(const toml::table& file, const std::string& name, const std::str
     throw core::Error(place_of(*file.get("name"), where),
                       fmt::format("'{}' cannot be the name of a method", name),
                       "small letters, digits and underscores");
-}
-
-/// A TOML value as settings are spelt on the command line; "" for what is none.
-std::string spelling(const toml::node& node) {
-    if (const auto* text = node.as_string()) return text->get();
-    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
-    if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
-    if (const auto* real = node.as_floating_point())
-        return fmt::format("{}", real->get() + 0.0);  // -0 is 0
-    return "";
-}
-
-core::ParamValues read_settings(const toml::table& settings,
-                                const method::MethodInfo& base,
-                                const std::string& where) {
-    core::ParamValues values;
-    for (const auto& [key, node] : settings) {
-        const std::string place = place_of(node, where);
-        const std::string name(key.str());
-        const std::string text = spelling(node);
-        core::check_known_params(base.params, {{name, text}}, place);
-        const auto param = std::find_if(
-            base.params.begin(), base.params.end(), [&](auto& each) { return each.name == name; });
-        const double value = core::parse_param(*param, text, place);
-        values[name] = core::format_param(*param, value);
-    }
-    return values;
-}
-
-toml::table parse_toml(std::string_view text, const std::string& where) {
-    try {
-        return toml::parse(text);
-    } catch (const toml::parse_error& error) {
-        throw core::Error(fmt::format("{}:{}", where, error.source().begin.line),
-                          std::string(error.description()),
-                          "a preset as TOML");
-    }
 }
 
 /// The tuned settings with `values` over them. Throws core::Error (where = the preset's name) for
@@ -178,12 +114,12 @@ std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
 Preset parse_preset(std::string_view text,
                     const std::string& where,
                     const std::vector<method::MethodInfo>& bases) {
-    const toml::table file = parse_toml(text, where);
-    refuse_unknown_keys(file, where);
+    const toml::table file = parse_toml(text, where, "a preset");
+    refuse_unknown_keys(file, {"name", "method", "settings", "provenance"}, "a preset", where);
     Preset preset;
-    preset.name = text_of(file, "name", where);
+    preset.name = text_of(file, "name", where, kNeeded);
     check_name(file, preset.name, where);
-    preset.method = text_of(file, "method", where);
+    preset.method = text_of(file, "method", where, kNeeded);
     const method::MethodInfo* base = find_base(bases, preset.method);
     if (base == nullptr) {
         throw core::Error(place_of(*file.get("method"), where),
@@ -192,12 +128,12 @@ Preset parse_preset(std::string_view text,
     }
     const toml::table* settings = table_of(file, "settings", where);
     if (settings == nullptr) {
-        throw core::Error(where, "there is no [settings]", "name, method, [settings]");
+        throw core::Error(where, "there is no [settings]", kNeeded);
     }
-    preset.settings = read_settings(*settings, *base, where);
+    preset.settings = read_settings(*settings, base->params, where);
     const toml::table* provenance = table_of(file, "provenance", where);
     if (provenance != nullptr && provenance->contains("command")) {
-        preset.command = text_of(*provenance, "command", where);
+        preset.command = text_of(*provenance, "command", where, "command");
     }
     return preset;
 }

@@ -1,80 +1,77 @@
 #include "methods/registry.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "core/error.h"
-#include "methods/auto/auto.h"
-#include "methods/back_faces/back_faces.h"
-#include "methods/blurred_silhouette/blurred_silhouette.h"
-#include "methods/canny/canny.h"
-#include "methods/decaudin/decaudin.h"
-#include "methods/edge_hash/edge_hash.h"
-#include "methods/edge_list/edge_list.h"
-#include "methods/id_lookup/id_lookup.h"
-#include "methods/ids/ids.h"
-#include "methods/ids_depth/ids_depth.h"
-#include "methods/inverted_hull/inverted_hull.h"
-#include "methods/jump_flood/jump_flood.h"
-#include "methods/label8/label8.h"
-#include "methods/label_plane/label_plane.h"
-#include "methods/mote16/mote16.h"
-#include "methods/mote2/mote2.h"
-#include "methods/mote4/mote4.h"
-#include "methods/plane_distance/plane_distance.h"
-#include "methods/polygon_offset/polygon_offset.h"
-#include "methods/rim/rim.h"
-#include "methods/roberts/roberts.h"
-#include "methods/sobel/sobel.h"
-#include "methods/surface16/surface16.h"
-#include "methods/surface8/surface8.h"
-#include "methods/tuned.h"
-#include "methods/two_sums/two_sums.h"
+#include "methods/method_file.h"
+#include "methods/presets.h"
+#include "methods/shipped_files.h"
+
+// One line for each method, in the order in which tables show them. A static object of its own per
+// method would register itself, and vanish with the object file that no other refers to when this
+// is linked from a static library. Hence a list.
+// clang-format off
+#define INK_METHODS(X) \
+    X(decaudin) \
+    X(mote2) \
+    X(mote4) \
+    X(mote16) \
+    X(two_sums) \
+    X(label_plane) \
+    X(polygon_offset) \
+    X(edge_list) \
+    X(back_faces) \
+    X(edge_hash) \
+    X(roberts) \
+    X(sobel) \
+    X(canny) \
+    X(plane_distance) \
+    X(rim) \
+    X(ids) \
+    X(ids_depth) \
+    X(id_lookup) \
+    X(inverted_hull) \
+    X(jump_flood) \
+    X(blurred_silhouette) \
+    X(label8) \
+    X(surface8) \
+    X(surface16) \
+    X(auto)
+// clang-format on
 
 namespace ink::methods {
+
+#define INK_DECLARE(name) method::MethodInfo name##_method();
+INK_METHODS(INK_DECLARE)
+#undef INK_DECLARE
+
 namespace {
 
-std::vector<method::MethodInfo> with_tuned(std::vector<method::MethodInfo> methods) {
-    std::vector<method::MethodInfo> tuned = tuned_methods(methods);
-    std::move(tuned.begin(), tuned.end(), std::back_inserter(methods));
+/// The method with what its file says.
+method::MethodInfo with_data(method::MethodInfo info) {
+    const auto files = method_files();
+    const auto file = std::find_if(
+        files.begin(), files.end(), [&](const auto& each) { return each.name == info.name; });
+    if (file == files.end())
+        throw core::Error("methods/CMakeLists.txt", "it has no line '" + info.name + "'");
+    return described(std::move(info), file->text, file->where());
+}
+
+std::vector<method::MethodInfo> all_methods() {
+    std::vector<method::MethodInfo> methods;
+#define INK_ADD(name) methods.push_back(with_data(name##_method()));
+    INK_METHODS(INK_ADD)
+#undef INK_ADD
+    const std::vector<method::MethodInfo> bases = methods;
+    for (const ShippedFile& preset : shipped_presets())
+        methods.push_back(preset_method(parse_preset(preset.text, preset.where(), bases), bases));
     return methods;
 }
 
 }  // namespace
 
 const std::vector<method::MethodInfo>& registry() {
-    // A static object of its own per method would register itself, and vanish with the object file
-    // that nobody else refers to when this is linked from a static library. Hence a list.
-    // One line for each method.
-    // clang-format off
-    static const std::vector<method::MethodInfo> methods = with_tuned({
-        decaudin(),
-        mote2(),
-        mote4(),
-        mote16(),
-        two_sums(),
-        label_plane(),
-        polygon_offset(),
-        edge_list(),
-        back_faces(),
-        edge_hash(),
-        roberts(),
-        sobel(),
-        canny(),
-        plane_distance(),
-        rim(),
-        ids(),
-        ids_depth(),
-        id_lookup(),
-        inverted_hull(),
-        jump_flood(),
-        blurred_silhouette(),
-        label8(),
-        surface8(),
-        surface16(),
-        auto_method(),
-    });
-    // clang-format on
+    static const std::vector<method::MethodInfo> methods = all_methods();
     return methods;
 }
 

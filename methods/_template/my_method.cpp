@@ -1,4 +1,4 @@
-#include "methods/my_method/my_method.h"
+// Who described it, and where.
 
 #include "buffers/full_buffer_method.h"
 
@@ -15,8 +15,7 @@ class MyMethod : public buffers::FullBufferMethod {
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
         table.number(&Params::limit, "limit", {0, 1}, "", "|n.v| below which a pixel is a line.");
-        table.number(&Params::threshold, "threshold", {1, 255}, "", "Least response of a line.");
-        return buffers::add_surface_params(table);
+        return method::add_threshold(buffers::add_surface_params(table));
     }
     /// The 0: this filter looks at no neighbour. One that does says how many pixels far.
     explicit MyMethod(const Params& params) : FullBufferMethod(params, 0), params_(params) {}
@@ -38,21 +37,16 @@ class MyMethod : public buffers::FullBufferMethod {
             }
         }
     }
-    /// Bytes read, bytes written and operations a pixel, for the predicted time.
-    [[nodiscard]] method::PixelWork filter_work() const override { return {12, 1, 16}; }
+    /// Read and written a pixel, for the predicted time.
+    [[nodiscard]] method::PixelBytes filter_bytes() const override { return {12, 1}; }
 
     Params params_;
 };
 
 }  // namespace
 
-method::MethodInfo my_method() {
-    method::MethodInfo info = method::method_info<MyMethod>(
-        "my_method", "who described it, and where", "dark where n . v is small");
-    info.family = method::Family::full_buffers;  // its colour and panel on charts
-    info.marker = method::Marker::cross;         // no other method of the family has it
-    info.tunables = {{"limit", {{0.05, 0.9}}}};  // what `inkbench tune` searches
-    return info;
+method::MethodInfo my_method_method() {
+    return method::method_info<MyMethod>("my_method");
 }
 
 }  // namespace ink::methods

@@ -1,3 +1,6 @@
+// New here, after item buffers (Weghorst, Hooper and Greenberg 1984): triangle ids, and the line
+// between two that differ looked up in the mesh, with its class.
+
 #include "methods/id_lookup/id_lookup.h"
 
 #include <algorithm>
@@ -5,29 +8,12 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "buffers/sample_grid.h"
 
 namespace ink::methods {
 namespace {
-
-buffers::InputParams input_params(const IdLookup::Params& params) {
-    buffers::InputParams inputs;
-    inputs.normals = scene::NormalSource::patch;  // not read; corners stay shared
-    inputs.crease_deg = params.crease_deg;
-    inputs.depth_format = params.depth_format;
-    inputs.samples = params.samples;
-    return inputs;
-}
-
-raster::PassFormat pass_format(const IdLookup::Params& params) {
-    raster::PassFormat format;
-    format.constant = true;
-    format.store = raster::Store::u32;
-    format.depth = params.depth_format;
-    format.halo_px = 1;
-    return format;
-}
 
 /// The classes of a tile's own pixels, and of a pixel more on every side, which nobody reads.
 class TileKinds {
@@ -108,31 +94,21 @@ class SideLookup {
     const raster::Tile& tile_;
 };
 
-/// Hands each row of each tile to `write(tile, y, kinds)`; see IdLookup::draw_classes.
-template <class Write>
-class LookupSink : public raster::TileSink {
-  public:
-    LookupSink(const ScreenMesh& screen,
-               buffers::Samples samples,
-               std::pair<int, int> size_px,
-               Write write)
-        : screen_(screen), samples_(samples), size_px_(size_px), write_(std::move(write)) {}
-
-    void finish(const raster::Tile& drawn) override {
-        const raster::Tile tile = buffers::output_tile(drawn, size_px_.first, size_px_.second);
+/// A sink that hands each row of each tile to `write(tile, y, kinds)`; `kinds` is null where no
+/// pixel of it is a line.
+template <class Image, class Write>
+auto row_sink(const ScreenMesh& screen, buffers::Samples samples, const Image& image, Write write) {
+    const int width_px = image.width_px();
+    const int height_px = image.height_px();
+    return buffers::EachTile([&screen, samples, width_px, height_px, write](const auto& drawn) {
+        const raster::Tile tile = buffers::output_tile(drawn, width_px, height_px);
         if (tile.width_px == 0 || tile.height_px == 0) return;
         TileKinds kinds;
-        const bool has_lines = !tile.is_empty && SideLookup(screen_, samples_, tile).look_up(kinds);
+        const bool has_lines = !tile.is_empty && SideLookup(screen, samples, tile).look_up(kinds);
         for (int y = 0; y < tile.height_px; ++y)
-            write_(tile, y, has_lines ? kinds.row(y) : nullptr);
-    }
-
-  private:
-    const ScreenMesh& screen_;
-    buffers::Samples samples_;
-    std::pair<int, int> size_px_;
-    Write write_;
-};
+            write(tile, y, has_lines ? kinds.row(y) : nullptr);
+    });
+}
 
 /// As pictures of the truth have them.
 glm::u8vec3 color_of(LineKind kind) {
@@ -153,35 +129,11 @@ glm::u8vec3 color_of(LineKind kind) {
     return {255, 255, 255};
 }
 
-/// From the fastest to the most exact, the method as it comes among them.
-std::vector<core::ParamValues> sweep() {
-    return {
-        // Neighbours alone are looked up; what is farther is a line.
-        {{"steps", "1"}},
-        {{"steps", "4"}},
-        // Half the bytes of the depth test.
-        {{"depth_format", "z16"}},
-        // Blunter creases only, and sharper ones too.
-        {{"crease_deg", "60"}},
-        {{"crease_deg", "20"}},
-        // No cracks closed.
-        {{"weld_epsilon", "0"}},
-        // The line in either of two pixels.
-        {{"samples", "centre"}},
-        {},
-    };
-}
-
 }  // namespace
 
 core::ParamTable<IdLookup::Params> IdLookup::table() {
     core::ParamTable<Params> table;
-    table
-        .number(&Params::crease_deg,
-                "crease_deg",
-                {0, 180},
-                "deg",
-                "Least dihedral deviation of an edge that is a crease.")
+    buffers::add_crease_param(table, "Least dihedral deviation of an edge that is a crease.")
         .number(&Params::weld_epsilon,
                 "weld_epsilon",
                 {0, 0.01},
@@ -192,65 +144,31 @@ core::ParamTable<IdLookup::Params> IdLookup::table() {
                 {1, 1000},
                 "",
                 "Most triangles crossed from one sample to the next before it gives up.");
-    return buffers::add_samples_param(table)
-        .choice(&Params::depth_format,
-                "depth_format",
-                {"q32", "z24", "z16"},
-                "Format of the depth test.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Least edge response of a line pixel; it draws only 0 and 255.");
+    buffers::add_depth_format_param(buffers::add_samples_param(table));
+    return method::add_threshold_of_two(table);
 }
 
-IdLookup::IdLookup(const Params& params)
-    : params_(params), format_(pass_format(params)), inputs_(input_params(params)) {}
+FacePass::FacePass(const IdLookupParams& params)
+    : ConstantPass(buffers::constant_inputs(params),
+                   buffers::constant_format(raster::Store::u32, params.depth_format, 1),
+                   kNoNeighbour),
+      params_(params) {}
 
-void IdLookup::look_up(const scene::Scene& scene) {
-    std::vector<std::uint32_t> before = std::move(mesh_.face_of_triangle);
+std::vector<std::uint32_t> FacePass::constants_of(const scene::Scene& scene) {
     mesh_ = make_lookup_mesh(
         scene,
         {.crease_rad = glm::radians(params_.crease_deg), .weld_epsilon = params_.weld_epsilon});
-    have_ids_changed_ = have_ids_changed_ || before != mesh_.face_of_triangle;
-    posed_hash_ = scene::scene_hash(scene);
+    return mesh_.face_of_triangle;
 }
 
-void IdLookup::prepare(const scene::Scene& scene) {
-    inputs_.prepare(scene);
-    look_up(scene);
-    have_ids_changed_ = true;
-}
-
-void IdLookup::pose(const scene::Scene& scene) {
-    inputs_.pose(scene);
-    // What meets, and which edges crease, may change with the pose.
-    if (scene::scene_hash(scene) != posed_hash_) look_up(scene);
-}
-
-template <class Write>
-raster::MeshResult IdLookup::draw_classes(const method::Frame& frame,
-                                          bool may_keep_still,
-                                          std::pair<int, int> size_px,
-                                          Write write) {
-    inputs_.see(frame);
+void FacePass::follow_view(const method::Frame& frame) {
     screen_.see(mesh_,
-                inputs_.view(),
+                inputs().view(),
                 {.crease_rad = glm::radians(params_.crease_deg), .most_steps = params_.steps},
                 frame.threads);
-    LookupSink sink(screen_, params_.samples, size_px, std::move(write));
-    raster::MeshInput input = inputs_.mesh_input(frame);
-    input.constants = mesh_.face_of_triangle;
-    input.sky_code = {kNoNeighbour};
-    input.may_keep_still = input.may_keep_still && may_keep_still;
-    if (have_ids_changed_ || !may_keep_still) input.moved_objects = std::nullopt;
-    have_ids_changed_ = false;
-    return pass_.draw(format_, input, sink);
 }
 
-void IdLookup::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (inputs_.is_empty()) return out.fill(0);
+raster::SkipCounts IdLookup::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     const auto write = [&](const raster::Tile& tile, int y, const LineKind* kinds) {
         std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
         if (kinds == nullptr) {
@@ -260,21 +178,20 @@ void IdLookup::draw(const method::Frame& frame, edge::EdgeImage& out) {
         for (int x = 0; x < tile.width_px; ++x)
             to[x] = kinds[x] == LineKind::none ? 0 : 255;
     };
-    const raster::MeshResult result =
-        draw_classes(frame, true, {out.width_px(), out.height_px()}, write);
-    inputs_.finish(result, out);
-    skip_counts_ = result.skips;
+    auto sink = row_sink(pass().screen(), params_.samples, out, write);
+    return pass().draw_lines(frame, sink, out);
 }
 
 core::Image<LineKind> IdLookup::classes(const method::Frame& frame) {
     core::Image<LineKind> image(frame.view.width_px, frame.view.height_px, LineKind::none);
-    if (inputs_.is_empty()) return image;
+    if (pass().is_empty()) return image;
     const auto write = [&](const raster::Tile& tile, int y, const LineKind* kinds) {
         if (kinds == nullptr) return;
         std::copy_n(kinds, tile.width_px, image.row(tile.y0_px + y) + tile.x0_px);
     };
-    (void)draw_classes(frame, false, {image.width_px(), image.height_px()}, write);
-    inputs_.forget_image();
+    auto sink = row_sink(pass().screen(), params_.samples, image, write);
+    (void)pass().draw(frame, false, sink);
+    pass().inputs().forget_image();
     return image;
 }
 
@@ -285,27 +202,8 @@ std::vector<method::Layer> IdLookup::layers(const method::Frame& frame) {
     return {std::move(layer)};
 }
 
-method::Cost IdLookup::cost() const {
-    method::Cost cost;
-    cost.passes = 1;
-    cost.values_per_vertex = 0;
-    cost.buffer_bytes_per_px = format_.bytes_per_px();
-    cost.fill = method::fill_work(format_);
-    // Two comparisons, joined; walks are few, and depend on the scene.
-    cost.filter = {sizeof(std::uint32_t), 1, 2 + 2};
-    return cost;
-}
-
-method::MethodInfo id_lookup() {
-    method::MethodInfo info = method::method_info<IdLookup>(
-        "id_lookup",
-        "new here; after item buffers (Weghorst, Hooper and Greenberg 1984) and the exact classes "
-        "of the truth",
-        "triangle ids, and the line between two that differ looked up in the mesh, with its class");
-    info.family = method::Family::ids;
-    info.marker = method::Marker::up;
-    info.sweep = sweep();
-    return info;
+method::MethodInfo id_lookup_method() {
+    return method::method_info<IdLookup>("id_lookup");
 }
 
 }  // namespace ink::methods

@@ -1,10 +1,12 @@
-#include "methods/ids/ids.h"
+// Item buffers: Weghorst, Hooper and Greenberg 1984; borders of ids as engines draw them. A line
+// wherever two neighbours have different ids, or a pixel's four corners.
 
 #include <algorithm>
 #include <cstring>
 
+#include "buffers/each_tile.h"
+#include "buffers/id_method.h"
 #include "buffers/packed_sink.h"
-#include "buffers/sample_grid.h"
 
 namespace ink::methods {
 namespace {
@@ -29,24 +31,38 @@ struct Stencil {
     }
 };
 
-class IdSink : public raster::TileSink {
+class Ids : public buffers::IdMethod {
   public:
-    IdSink(const Ids::Params& params, edge::EdgeImage& out) : params_(params), out_(out) {}
-
-    void finish(const raster::Tile& tile) override {
-        if (tile.is_empty) return buffers::clear_tile(tile, out_);
-        if (params_.samples == buffers::Samples::corner) return finish_corners(tile);
-        if (params_.depth_format == raster::DepthFormat::q32) return finish_as<float>(tile);
-        finish_as<std::uint32_t>(tile);
+    struct Params : buffers::IdParams {
+        buffers::BorderSide side = buffers::BorderSide::nearer;
+        int threshold = 128;  ///< it draws 0 and 255 alone
+    };
+    static core::ParamTable<Params> table() {
+        core::ParamTable<Params> table;
+        buffers::add_side_param(buffers::add_id_params(table));
+        return method::add_threshold_of_two(buffers::add_depth_format_param(
+            table, "Format of the depth test, which also decides the nearer side."));
     }
+    explicit Ids(const Params& params) : IdMethod(params, 1), params_(params) {}
 
   private:
-    void finish_corners(const raster::Tile& drawn) {
-        const raster::Tile tile = buffers::output_tile(drawn, out_.width_px(), out_.height_px());
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) override {
+        buffers::EachTile sink([&](const raster::Tile& tile) { draw_borders(tile, out); });
+        return pass().draw_lines(frame, sink, out);
+    }
+    void draw_borders(const raster::Tile& tile, edge::EdgeImage& out) const {
+        if (tile.is_empty) return buffers::clear_tile(tile, out);
+        if (params_.samples == buffers::Samples::corner) return finish_corners(tile, out);
+        if (params_.depth_format == raster::DepthFormat::q32) return finish_as<float>(tile, out);
+        finish_as<std::uint32_t>(tile, out);
+    }
+
+    static void finish_corners(const raster::Tile& drawn, edge::EdgeImage& out) {
+        const raster::Tile tile = buffers::output_tile(drawn, out.width_px(), out.height_px());
         for (int y = 0; y < tile.height_px; ++y) {
             const auto* upper = tile.row<std::uint32_t>(0, y);
             const auto* lower = tile.row<std::uint32_t>(0, y + 1);
-            std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
+            std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
             for (int x = 0; x < tile.width_px; ++x) {
                 const std::uint32_t id = upper[x];
                 const std::uint32_t others =
@@ -57,14 +73,14 @@ class IdSink : public raster::TileSink {
     }
 
     template <class Depth>
-    void finish_as(const raster::Tile& tile) {
+    void finish_as(const raster::Tile& tile, edge::EdgeImage& out) const {
         for (int y = 0; y < tile.height_px; ++y) {
             Stencil<Depth> at{};
             for (int row = 0; row < 3; ++row) {
                 at.id[row] = tile.row<std::uint32_t>(0, y + row - 1);
                 at.depth[row] = tile.depth_row<Depth>(y + row - 1);
             }
-            std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
+            std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
             mark_differences(at.id, tile.width_px, to);
             if (params_.side == buffers::BorderSide::nearer) keep_own(at, tile.width_px, to);
         }
@@ -99,79 +115,20 @@ class IdSink : public raster::TileSink {
             }
         }
     }
+    /// Depth, too, where the nearer side is asked for.
+    [[nodiscard]] method::PixelBytes filter_bytes() const override {
+        const bool reads_depth = params_.samples == buffers::Samples::centre &&
+                                 params_.side == buffers::BorderSide::nearer;
+        return {reads_depth ? 8.0 : 4.0, 1};
+    }
 
-    const Ids::Params& params_;
-    edge::EdgeImage& out_;
+    Params params_;
 };
-
-/// From the fastest to the most exact, the method as it comes among them.
-std::vector<core::ParamValues> sweep() {
-    return {
-        // Contours of objects alone.
-        {{"of", "object"}},
-        {{"of", "object"}, {"side", "both"}},
-        // Half the bytes of the depth test.
-        {{"depth_format", "z16"}},
-        // What lies coplanar side by side in two objects is one.
-        {{"of", "patch"}},
-        {{"of", "patch"}, {"side", "both"}},
-        // Blunter creases only.
-        {{"crease_deg", "60"}},
-        // Nothing welded but what is bit-identical.
-        {{"weld_epsilon", "0"}},
-        // Two pixels wide, which no turn of a border makes thinner.
-        {{"side", "both"}},
-        // The line in the pixel that it runs in.
-        {{"samples", "corner"}},
-        {},
-    };
-}
 
 }  // namespace
 
-core::ParamTable<Ids::Params> Ids::table() {
-    core::ParamTable<Params> table;
-    return buffers::add_side_param(buffers::add_id_params(table))
-        .choice(&Params::depth_format,
-                "depth_format",
-                {"q32", "z24", "z16"},
-                "Format of the depth test, which also decides the nearer side.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Least edge response of a line pixel; it draws only 0 and 255.");
-}
-
-Ids::Ids(const Params& params) : buffers::IdMethod(params, 1), params_(params) {}
-
-raster::SkipCounts Ids::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
-    IdSink sink(params_, out);
-    return pass().draw_lines(frame, sink, out);
-}
-
-method::Cost Ids::cost() const {
-    method::Cost cost = pass().cost();
-    // Four comparisons, joined; on a border's side four more of depth, which few pixels reach.
-    cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
-    if (params_.samples == buffers::Samples::corner) {
-        // Three differences, joined; no depth.
-        cost.filter.operations = 3 + 2 + 1;
-    } else if (params_.side == buffers::BorderSide::nearer) {
-        cost.filter.bytes_read += 4;
-    }
-    return cost;
-}
-
-method::MethodInfo ids() {
-    method::MethodInfo info = method::method_info<Ids>(
-        "ids",
-        "item buffers: Weghorst, Hooper and Greenberg 1984; borders of ids as engines draw them",
-        "a line wherever neighbours belong to other objects or smooth patches");
-    info.family = method::Family::ids;
-    info.marker = method::Marker::circle;
-    info.sweep = sweep();
-    return info;
+method::MethodInfo ids_method() {
+    return method::method_info<Ids>("ids");
 }
 
 }  // namespace ink::methods

@@ -1,12 +1,14 @@
-// Surface ids and depth together, as outline passes that have both draw lines.
-
-#include "methods/ids_depth/ids_depth.h"
+// Surface ids and depth together, as outline passes of engines and of three.js draw lines where
+// they have an id buffer: a border between two neighbours is another id, or within one
+//
+//     |q1 - q0| > depth_step max(q0, q1),    q = 1 / distance
 
 #include <algorithm>
 #include <cmath>
 
+#include "buffers/each_tile.h"
+#include "buffers/id_method.h"
 #include "buffers/packed_sink.h"
-#include "buffers/sample_grid.h"
 
 namespace ink::methods {
 namespace {
@@ -29,108 +31,66 @@ struct Sample {
     }
 };
 
-class BorderSink : public raster::TileSink {
+class IdsDepth : public buffers::IdMethod {
   public:
-    BorderSink(const IdsDepth::Params& params, edge::EdgeImage& out)
-        : params_(params), depth_step_(static_cast<float>(params.depth_step)), out_(out) {}
-
-    void finish(const raster::Tile& drawn) override {
-        if (drawn.is_empty) return buffers::clear_tile(drawn, out_);
-        const raster::Tile tile = buffers::output_tile(drawn, out_.width_px(), out_.height_px());
-        for (int y = 0; y < tile.height_px; ++y) {
-            const auto* id = tile.row<std::uint32_t>(0, y);
-            const auto* q = tile.depth_row<float>(y);
-            std::uint8_t* to = out_.row(tile.y0_px + y) + tile.x0_px;
-            for (int x = 0; x < tile.width_px; ++x)
-                to[x] = is_line({id + x, q + x}, tile.stride) ? 255 : 0;
-        }
-    }
-
-  private:
-    [[nodiscard]] bool is_line(const Sample& at, std::ptrdiff_t down) const {
-        if (params_.samples == buffers::Samples::corner) {
-            const Sample across{at.id + 1 + down, at.q + 1 + down};
-            return at.has_border(1, depth_step_) || at.has_border(down, depth_step_) ||
-                   across.has_border(-1, depth_step_) || across.has_border(-down, depth_step_);
-        }
-        const auto asks = [&](std::ptrdiff_t step) {
-            return params_.side == buffers::BorderSide::both ? at.has_border(step, depth_step_)
-                                                             : at.owns_border(step, depth_step_);
-        };
-        return asks(1) || asks(-1) || asks(down) || asks(-down);
-    }
-
-    const IdsDepth::Params& params_;
-    float depth_step_;
-    edge::EdgeImage& out_;
-};
-
-/// From the fastest to the most exact, the method as it comes among them.
-std::vector<core::ParamValues> sweep() {
-    return {
-        // Objects and depth: no creases.
-        {{"of", "object"}},
-        // What lies coplanar side by side in two objects is one.
-        {{"of", "patch"}},
-        // Ids alone.
-        {{"depth_step", "0"}},
-        // Both sides of a border.
-        {{"side", "both"}},
-        // Blunter creases only.
-        {{"crease_deg", "60"}},
-        // Steps of depth at smaller and at larger ones.
-        {{"depth_step", "0.03"}},
-        {{"depth_step", "0.1"}},
-        {{"depth_step", "0.2"}},
-        // The line in the pixel that it runs in.
-        {{"samples", "corner"}},
-        {},
+    struct Params : buffers::IdParams {
+        buffers::BorderSide side = buffers::BorderSide::nearer;
+        double depth_step = 0.05;  // found: see the page
+        int threshold = 128;       ///< it draws 0 and 255 alone
     };
-}
-
-}  // namespace
-
-core::ParamTable<IdsDepth::Params> IdsDepth::table() {
-    core::ParamTable<Params> table;
-    return buffers::add_side_param(buffers::add_id_params(table))
-        .number(&Params::depth_step,
+    static core::ParamTable<Params> table() {
+        core::ParamTable<Params> table;
+        buffers::add_side_param(buffers::add_id_params(table))
+            .number(
+                &Params::depth_step,
                 "depth_step",
                 {0, 1},
                 "",
-                "Step of 1/distance within one id that is a border, over the nearer's; 0: none.")
-        .number(&Params::threshold,
-                "threshold",
-                {1, 255},
-                "",
-                "Least edge response of a line pixel; it draws only 0 and 255.");
-}
+                "Step of 1/distance within one id that is a border, over the nearer's; 0: none.");
+        return method::add_threshold_of_two(table);
+    }
+    explicit IdsDepth(const Params& params) : IdMethod(params, 1), params_(params) {}
 
-IdsDepth::IdsDepth(const Params& params) : buffers::IdMethod(params, 1), params_(params) {}
+  private:
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) override {
+        buffers::EachTile sink([&](const raster::Tile& tile) { draw_borders(tile, out); });
+        return pass().draw_lines(frame, sink, out);
+    }
+    void draw_borders(const raster::Tile& drawn, edge::EdgeImage& out) const {
+        if (drawn.is_empty) return buffers::clear_tile(drawn, out);
+        const auto depth_step = static_cast<float>(params_.depth_step);
+        const raster::Tile tile = buffers::output_tile(drawn, out.width_px(), out.height_px());
+        for (int y = 0; y < tile.height_px; ++y) {
+            const auto* id = tile.row<std::uint32_t>(0, y);
+            const auto* q = tile.depth_row<float>(y);
+            std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
+            for (int x = 0; x < tile.width_px; ++x)
+                to[x] = is_line({id + x, q + x}, tile.stride, depth_step) ? 255 : 0;
+        }
+    }
+    [[nodiscard]] bool is_line(const Sample& at, std::ptrdiff_t down, float depth_step) const {
+        if (params_.samples == buffers::Samples::corner) {
+            const Sample across{at.id + 1 + down, at.q + 1 + down};
+            return at.has_border(1, depth_step) || at.has_border(down, depth_step) ||
+                   across.has_border(-1, depth_step) || across.has_border(-down, depth_step);
+        }
+        const auto asks = [&](std::ptrdiff_t step) {
+            return params_.side == buffers::BorderSide::both ? at.has_border(step, depth_step)
+                                                             : at.owns_border(step, depth_step);
+        };
+        return asks(1) || asks(-1) || asks(down) || asks(-down);
+    }
+    [[nodiscard]] method::PixelBytes filter_bytes() const override {
+        return {params_.depth_step > 0 ? 8.0 : 4.0, 1};
+    }
 
-raster::SkipCounts IdsDepth::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
-    BorderSink sink(params_, out);
-    return pass().draw_lines(frame, sink, out);
-}
+    Params params_;
+};
 
-method::Cost IdsDepth::cost() const {
-    method::Cost cost = pass().cost();
-    // Four borders: ids compared and joined; a difference, its size, the larger q, a product and a
-    // comparison where depth is asked.
-    cost.filter = {sizeof(std::uint32_t), 1, 4 + 3};
-    if (params_.depth_step > 0) cost.filter = cost.filter + method::PixelWork{4, 0, 4 * 5};
-    return cost;
-}
+}  // namespace
 
-method::MethodInfo ids_depth() {
-    method::MethodInfo info = method::method_info<IdsDepth>(
-        "ids_depth",
-        "id and depth buffers together, as outline passes of three.js and of engines have them",
-        "a line wherever neighbours have other ids, or depth steps within one id");
-    info.family = method::Family::ids;
-    info.marker = method::Marker::right;
-    info.tunables = {{"depth_step", {{0.001, 0.2}}}};
-    info.sweep = sweep();
-    return info;
+method::MethodInfo ids_depth_method() {
+    return method::method_info<IdsDepth>("ids_depth");
 }
 
 }  // namespace ink::methods

@@ -1,17 +1,23 @@
-#include "methods/surface16/surface16.h"
+// New here: two distances over the surface in two bytes, constant over each triangle: that of
+// surface8, and one from another end of each patch, with steps twice as long. The larger of the two
+// edge responses counts (surface_codes/surface_codes.h).
+
+#include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
+namespace {
 
-method::MethodInfo surface16() {
-    method::MethodInfo info = method::method_info<Surface16>(
-        "surface16",
-        "new here: two distances over the surface in two bytes, constant over each triangle",
-        "a line wherever one of two codes of surface distance differs by more than a step");
-    info.family = method::Family::ids;
-    info.marker = method::Marker::left;
-    info.tunables = buffers::surface_tunables();
-    info.sweep = buffers::surface_sweep();
-    return info;
+class Surface16 : public CodeMethod {
+  public:
+    using Params = SurfaceCodeParams;
+    static core::ParamTable<Params> table() { return surface_code_table(); }
+    explicit Surface16(const Params& params) : CodeMethod(params, surface_setup(params, 2)) {}
+};
+
+}  // namespace
+
+method::MethodInfo surface16_method() {
+    return method::method_info<Surface16>("surface16");
 }
 
 }  // namespace ink::methods

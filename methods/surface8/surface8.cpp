@@ -1,17 +1,28 @@
-#include "methods/surface8/surface8.h"
+// New here: distances over the surface in a byte, constant over each triangle,
+//
+//     D    = the shortest way over the patch from one of its ends; a way costs a step at most, less
+//            where the surface hardly turns                     (surface_codes/surface_distance.h)
+//     code = 2 + fold(floor(D + phase)), to and fro in 0..253 (surface_codes/patch_phases.h) edge
+//     response = min(255, 64 |difference of codes|) of a pixel's neighbouring samples
+//
+// so that codes differ by a step at most where a smooth surface goes on, and by more across lines.
+
+#include "methods/surface_codes/surface_code_params.h"
 
 namespace ink::methods {
+namespace {
 
-method::MethodInfo surface8() {
-    method::MethodInfo info = method::method_info<Surface8>(
-        "surface8",
-        "new here: distances over the surface in a byte, constant over each triangle",
-        "a line wherever codes of surface distance differ by more than a step");
-    info.family = method::Family::ids;
-    info.marker = method::Marker::diamond;
-    info.tunables = buffers::surface_tunables();
-    info.sweep = buffers::surface_sweep();
-    return info;
+class Surface8 : public CodeMethod {
+  public:
+    using Params = SurfaceCodeParams;
+    static core::ParamTable<Params> table() { return surface_code_table(); }
+    explicit Surface8(const Params& params) : CodeMethod(params, surface_setup(params, 1)) {}
+};
+
+}  // namespace
+
+method::MethodInfo surface8_method() {
+    return method::method_info<Surface8>("surface8");
 }
 
 }  // namespace ink::methods

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "buffers/pack_kernel.h"
@@ -22,6 +24,34 @@ struct Ranges {
     glm::dvec3 normal{0};  ///< of each view-space component's (n+1)/2
     double offset = 0;     ///< added to the sum, as ranges below 0 need
 };
+
+/// The parameters of a code that sums all four channels.
+struct SumParams {
+    double range_depth = 63;
+    double range_nx = 63;
+    double range_ny = 63;
+    double range_nz = 63;
+
+    [[nodiscard]] Ranges ranges() const { return {range_depth, {range_nx, range_ny, range_nz}}; }
+};
+
+/// Appends the rows of SumParams; `max_code` is the largest the store holds, `note` ends each
+/// sentence.
+template <class P>
+core::ParamTable<P>& add_sum_params(core::ParamTable<P>& table,
+                                    double max_code,
+                                    const std::string& note = ".") {
+    const std::pair<double, double> range{0, max_code};
+    const auto add = [&](double SumParams::*field, const char* name, const char* channel) {
+        const std::string doc = "Codes that " + std::string(channel) + note;
+        table.number(field, name, range, "code", doc);
+    };
+    add(&SumParams::range_depth, "range_depth", "depth 0..1 spans");
+    add(&SumParams::range_nx, "range_nx", "the normal's x spans");
+    add(&SumParams::range_ny, "range_ny", "the normal's y spans");
+    add(&SumParams::range_nz, "range_nz", "the normal's z spans");
+    return table;
+}
 
 /// One number inside a packed code: bits `shift` .. `shift + bits - 1` of plane `plane`.
 struct Field {

@@ -2,6 +2,7 @@
 
 #include "buffers/full_buffers.h"
 #include "buffers/surface_cross.h"
+#include "buffers/surface_method.h"
 
 namespace ink::buffers {
 
@@ -12,33 +13,29 @@ struct FullBufferFrame {
     PixelRays rays;
 };
 
+/// Appends the row `sky`.
+template <class P>
+core::ParamTable<P>& add_sky_depth_param(core::ParamTable<P>& table) {
+    return table.number(&P::sky,
+                        "sky",
+                        {-1, 1},
+                        "depth",
+                        "Depth of empty pixels; -1 stands for infinity, a whole range beyond far.");
+}
+
 /// A method that filters depth and view-space normals as floats: all but the filter itself.
-///
-/// The shell of decaudin, roberts, sobel and plane_distance.
-class FullBufferMethod : public method::Method {
+class FullBufferMethod : public SurfaceMethod<FullBuffers> {
   public:
-    void prepare(const scene::Scene& scene) override { buffers_.prepare(scene); }
-    [[nodiscard]] bool prepare_like(const method::Method& other,
-                                    const scene::Scene& /*scene*/) override {
-        const auto* same = dynamic_cast<const FullBufferMethod*>(&other);
-        return same != nullptr && buffers_.prepare_like(same->buffers_);
-    }
-    void pose(const scene::Scene& scene) override { buffers_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `depth` and `normal`, see FullBuffers.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override {
-        return buffers_.layers(frame);
+        return pass().layers(frame);
     }
-    [[nodiscard]] int bytes_per_px() const override { return buffers_.format().bytes_per_px(); }
-    /// That of the pass and of filter_work().
-    [[nodiscard]] method::Cost cost() const override;
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
 
   protected:
     /// The filter sees `halo_px` pixels beyond its tile, and depth `sky` where nothing is; with
     /// kNothingDrawn it sees depth as it was carried and encodes it itself.
     FullBufferMethod(const InputParams& params, int halo_px, float sky = method::kNothingDrawn)
-        : buffers_(params, halo_px), sky_(sky) {}
+        : SurfaceMethod(params, halo_px), sky_(sky) {}
 
     /// Writes the edge responses of a tile that something was drawn to. Called by several threads,
     /// for a tile each.
@@ -46,21 +43,16 @@ class FullBufferMethod : public method::Method {
                         const raster::Tile& tile,
                         edge::EdgeImage& out) const = 0;
 
-    /// What filter() does at a pixel.
-    [[nodiscard]] virtual method::PixelWork filter_work() const = 0;
-
   private:
-    class Sink;
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) final;
 
-    FullBuffers buffers_;
     float sky_;
-    raster::SkipCounts skip_counts_{};
 };
 
-/// What encoded_depth() does at a pixel.
-[[nodiscard]] method::PixelWork encoded_depth_work(const InputParams& params);
+/// What encoded_depth() moves at a pixel.
+[[nodiscard]] method::PixelBytes encoded_depth_bytes(const InputParams& params);
 
-/// What view_normals() does at a pixel.
-[[nodiscard]] method::PixelWork view_normals_work(bool renormalise);
+/// What view_normals() moves at a pixel.
+[[nodiscard]] method::PixelBytes view_normals_bytes(bool renormalise);
 
 }  // namespace ink::buffers

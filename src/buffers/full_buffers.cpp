@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "buffers/each_tile.h"
 #include "buffers/surface_values.h"
 
 namespace ink::buffers {
@@ -26,53 +27,14 @@ std::uint8_t byte_of(float share) {
     return static_cast<std::uint8_t>(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F);
 }
 
-/// Images of depth and normal, written where something was drawn.
-class LayerSink : public raster::TileSink {
-  public:
-    using Image = core::Image<glm::u8vec3>;
-    LayerSink(const method::DepthCarrier& carrier,
-              const InputParams& params,
-              Image& depth,
-              Image& normal)
-        : carrier_(carrier), params_(params), depth_(depth), normal_(normal) {}
-
-    void finish(const raster::Tile& drawn) override {
-        if (drawn.is_empty) return;
-        const raster::Tile tile = output_tile(drawn, depth_.width_px(), depth_.height_px());
-        TileFloats depth_buffer;
-        std::array<TileFloats, 3> normal_buffers;
-        const TilePlane depth = encoded_depth(tile, carrier_, params_.depth_sign, 0, depth_buffer);
-        const auto normals = view_normals(tile, params_.renormalise, normal_buffers);
-        for (int y = 0; y < tile.height_px; ++y) {
-            const float* const carried = tile.row<float>(0, y);
-            glm::u8vec3* const depth_row = depth_.row(tile.y0_px + y) + tile.x0_px;
-            glm::u8vec3* const normal_row = normal_.row(tile.y0_px + y) + tile.x0_px;
-            for (int x = 0; x < tile.width_px; ++x) {
-                if (carried[x] == method::kNothingDrawn) continue;
-                depth_row[x] = glm::u8vec3(byte_of(depth.row(y)[x]));
-                for (int i = 0; i < 3; ++i) {
-                    const float n = normals[static_cast<std::size_t>(i)].row(y)[x];
-                    normal_row[x][i] = byte_of((n + 1) / 2);
-                }
-            }
-        }
-    }
-
-  private:
-    const method::DepthCarrier& carrier_;
-    const InputParams& params_;
-    Image& depth_;
-    Image& normal_;
-};
-
 }  // namespace
 
 FullBuffers::FullBuffers(const InputParams& params, int halo_px)
-    : params_(params), format_(pass_format(params, halo_px)), inputs_(params) {}
+    : SurfacePass(params, pass_format(params, halo_px)), params_(params) {}
 
 method::DepthCarrier FullBuffers::see(const method::Frame& frame) {
-    inputs_.see(frame);
-    return {params_.depth_encoding, params_.interpolation, inputs_.range()};
+    inputs().see(frame);
+    return {params_.depth_encoding, params_.interpolation, inputs().range()};
 }
 
 raster::SkipCounts FullBuffers::draw(const method::Frame& frame,
@@ -80,12 +42,12 @@ raster::SkipCounts FullBuffers::draw(const method::Frame& frame,
                                      float sky,
                                      raster::TileSink& sink,
                                      edge::EdgeImage& out) {
-    const ChannelValues values(inputs_, carrier);
-    raster::MeshInput input = inputs_.mesh_input(frame);
+    const ChannelValues values(inputs(), carrier);
+    raster::MeshInput input = inputs().mesh_input(frame);
     input.values = &values;
     input.sky_f32 = {carrier.is_encoded() ? sky : method::kNothingDrawn, 0, 0, 0};
-    const raster::MeshResult result = pass_.draw(format_, input, sink);
-    inputs_.finish(result, out);
+    const raster::MeshResult result = SurfacePass::draw(input, sink);
+    inputs().finish(result, out);
     return result.skips;
 }
 
@@ -94,27 +56,38 @@ std::vector<method::Layer> FullBuffers::layers(const method::Frame& frame) {
     method::Layer normal{"normal", {frame.view.width_px, frame.view.height_px}};
     if (!is_empty()) {
         const method::DepthCarrier carrier = see(frame);
-        const ChannelValues values(inputs_, carrier);
-        raster::MeshInput input = inputs_.mesh_input(frame);
+        const ChannelValues values(inputs(), carrier);
+        raster::MeshInput input = inputs().mesh_input(frame);
         input.values = &values;
         input.sky_f32 = {method::kNothingDrawn, 0, 0, 0};
         input.may_keep_still = false;
-        LayerSink sink(carrier, params_, depth.rgb, normal.rgb);
-        (void)pass_.draw(format_, input, sink);
-        inputs_.forget_image();
+        EachTile sink([&](const raster::Tile& drawn) {
+            if (drawn.is_empty) return;
+            const raster::Tile tile =
+                output_tile(drawn, depth.rgb.width_px(), depth.rgb.height_px());
+            TileFloats depth_buffer;
+            std::array<TileFloats, 3> normal_buffers;
+            const TilePlane codes =
+                encoded_depth(tile, carrier, params_.depth_sign, 0, depth_buffer);
+            const auto normals = view_normals(tile, params_.renormalise, normal_buffers);
+            for (int y = 0; y < tile.height_px; ++y) {
+                const float* const carried = tile.row<float>(0, y);
+                glm::u8vec3* const depth_row = depth.rgb.row(tile.y0_px + y) + tile.x0_px;
+                glm::u8vec3* const normal_row = normal.rgb.row(tile.y0_px + y) + tile.x0_px;
+                for (int x = 0; x < tile.width_px; ++x) {
+                    if (carried[x] == method::kNothingDrawn) continue;
+                    depth_row[x] = glm::u8vec3(byte_of(codes.row(y)[x]));
+                    for (int i = 0; i < 3; ++i) {
+                        const float n = normals[static_cast<std::size_t>(i)].row(y)[x];
+                        normal_row[x][i] = byte_of((n + 1) / 2);
+                    }
+                }
+            }
+        });
+        (void)SurfacePass::draw(input, sink);
+        inputs().forget_image();
     }
     return {std::move(depth), std::move(normal)};
-}
-
-method::Cost FullBuffers::cost() const {
-    method::Cost cost;
-    cost.passes = 1;
-    cost.interpolants = format_.interpolants;
-    cost.values_per_vertex = format_.interpolants;
-    cost.shares_vertices = params_.normals != scene::NormalSource::facet;
-    cost.buffer_bytes_per_px = format_.bytes_per_px();
-    cost.fill = method::fill_work(format_);
-    return cost;
 }
 
 TilePlane encoded_depth(const raster::Tile& tile,

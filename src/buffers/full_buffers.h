@@ -3,8 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "buffers/surface_inputs.h"
-#include "method/method.h"
+#include "buffers/surface_pass.h"
 
 namespace ink::buffers {
 
@@ -35,25 +34,12 @@ struct TilePlane {
 };
 
 /// The four planes of a full buffer: depth as it was carried, and the view-space normal.
-class FullBuffers {
+class FullBuffers : public SurfacePass {
   public:
     FullBuffers(const InputParams& params, int halo_px);
 
-    void prepare(const scene::Scene& scene) { inputs_.prepare(scene); }
-    /// See SurfaceInputs::prepare_like.
-    [[nodiscard]] bool prepare_like(const FullBuffers& other) {
-        return inputs_.prepare_like(other.inputs_);
-    }
-    void pose(const scene::Scene& scene) { inputs_.pose(scene); }
-    [[nodiscard]] bool is_empty() const { return inputs_.is_empty(); }
-    [[nodiscard]] const raster::PassFormat& format() const { return format_; }
-
     /// How this frame's depth is carried. Before draw(), for the sink.
     [[nodiscard]] method::DepthCarrier see(const method::Frame& frame);
-    /// The distances that depth 1 and 0 stand for in the frame that was seen.
-    [[nodiscard]] const raster::DepthRange& range() const { return inputs_.range(); }
-    /// See SurfaceInputs::view.
-    [[nodiscard]] const scene::View& view() const { return inputs_.view(); }
     /// Draws the frame that was seen. Where nothing is, normals are null and depth is `sky`, or
     /// kNothingDrawn where the carrier's depth is yet to be encoded.
     [[nodiscard]] raster::SkipCounts draw(const method::Frame& frame,
@@ -66,14 +52,8 @@ class FullBuffers {
     /// red, green, blue, sky black. Drawn anew.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame);
 
-    /// What its pass costs; the filter is the method's to add.
-    [[nodiscard]] method::Cost cost() const;
-
   private:
     InputParams params_;
-    raster::PassFormat format_;
-    SurfaceInputs inputs_;
-    raster::MeshPass pass_;
 };
 
 /// Encoded depth of a tile, halo included: its own plane if that holds it, else made in `buffer`.

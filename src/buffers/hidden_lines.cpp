@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "buffers/line_cost.h"
-
 namespace ink::buffers {
 
 double KindWidths::of(EdgeKind kind) const {
@@ -20,42 +18,13 @@ double KindWidths::of(EdgeKind kind) const {
     return 0;
 }
 
-HiddenLines::HiddenLines(const HiddenLineParams& params) : params_(params) {
-    format_.depth = params.depth_format;
-}
+HiddenLines::HiddenLines(const HiddenLineParams& params)
+    : DepthFill({.depth_format = params.depth_format}), params_(params) {}
 
-void HiddenLines::prepare(const scene::Scene& scene) {
-    surface_ = std::make_unique<scene::Surface>(scene::flatten(scene));
-    mesh_ = raster::LaneMesh(*surface_);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = scene::scene_hash(scene);
-    skip_counts_ = {};
-}
-
-void HiddenLines::pose(const scene::Scene& scene) {
-    const std::uint64_t hash = scene::scene_hash(scene);
-    if (hash == posed_hash_) return;
-    auto moved = std::make_unique<scene::Surface>(scene::flatten(scene));
-    // An object that is mirrored now and was not turns its triangles round.
-    if (moved->triangles != surface_->triangles) return prepare(scene);
-    mesh_.update(*moved);
-    surface_ = std::move(moved);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = hash;
-}
-
-void HiddenLines::fill(const method::Frame& frame) {
-    const scene::Camera& camera = frame.view.camera;
-    depth_.start(format_.depth, camera.near, camera.far, frame.view.width_px, frame.view.height_px);
-    raster::MeshInput input;
-    input.mesh = &mesh_;
-    input.view = frame.view;
-    input.bounds = bounds_;
-    input.threads = frame.threads;
-    input.skips = frame.skips;
+raster::SkipCounts HiddenLines::fill(const method::Frame& frame) {
+    raster::MeshInput input = see(frame);
     input.offset = {params_.offset_factor, params_.offset_units};
-    raster::DepthSink sink(depth_);
-    skip_counts_ = mesh_pass_.draw(format_, input, sink).skips;
+    return DepthFill::fill(input);
 }
 
 void HiddenLines::draw(const method::Frame& frame,
@@ -82,12 +51,22 @@ void HiddenLines::draw(const method::Frame& frame,
         input.view = frame.view;
         input.width_px = width_px;
         input.threads = frame.threads;
-        line_pass_.draw(input, depth_, out);
+        line_pass_.draw(input, depth(), out);
     }
 }
 
-method::Cost HiddenLines::cost() const {
-    return filled_lines_cost(format_);
+HiddenLinesMethod::HiddenLinesMethod(const HiddenLineParams& params)
+    : SurfaceMethod(params),
+      widths_{.contour_px = params.width_contour_px, .crease_px = params.width_crease_px} {
+    if (params.boundary_edges == BoundaryEdges::contour) widths_.boundary_px = widths_.contour_px;
+    if (params.boundary_edges == BoundaryEdges::crease) widths_.boundary_px = widths_.crease_px;
+}
+
+raster::SkipCounts HiddenLinesMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
+    out.fill(0);
+    const raster::SkipCounts skips = pass().fill(frame);
+    pass().draw(frame, lines(frame), widths_, out);
+    return skips;
 }
 
 }  // namespace ink::buffers

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "buffers/depth_fill.h"
 #include "buffers/known_edge.h"
-#include "core/param.h"
-#include "method/method.h"
-#include "raster/depth/depth_image.h"
+#include "buffers/surface_method.h"
 #include "raster/lines/line_pass.h"
-#include "raster/mesh/mesh_pass.h"
-#include "scene/surface.h"
 
 namespace ink::buffers {
+
+/// As what an edge of one face is drawn.
+enum class BoundaryEdges { contour, crease, none };
 
 /// The parameters of whatever draws known edges and hides them by the depth buffer.
 struct HiddenLineParams {
@@ -25,12 +22,15 @@ struct HiddenLineParams {
     double offset_factor = 0.5;
     double offset_units = 1;
     raster::DepthFormat depth_format = raster::DepthFormat::z24;
+    BoundaryEdges boundary_edges = BoundaryEdges::contour;
+    int threshold = 128;  ///< 0 and 255 alone are drawn
 };
 
-/// Appends the rows of HiddenLineParams to a table whose struct derives from it.
+/// Appends the rows of HiddenLineParams but `boundary_edges` to a table whose struct derives from
+/// it.
 template <class P>
 core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
-    return table
+    table
         .number(&P::width_contour_px,
                 "width_contour_px",
                 {1, 16},
@@ -40,12 +40,9 @@ core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
                 "width_crease_px",
                 {1, 16},
                 "px",
-                "Width of creases, to the nearest whole pixel.")
-        .number(&P::crease_deg,
-                "crease_deg",
-                {0, 180},
-                "deg",
-                "Least dihedral deviation of an edge between two seen faces that is a line.")
+                "Width of creases, to the nearest whole pixel.");
+    add_crease_param(table,
+                     "Least dihedral deviation of an edge between two seen faces that is a line.")
         .number(&P::offset_factor,
                 "offset_factor",
                 {-16, 16},
@@ -55,11 +52,9 @@ core::ParamTable<P>& add_hidden_line_params(core::ParamTable<P>& table) {
                 "offset_units",
                 {-65536, 65536},
                 "",
-                "Polygon offset of the fills, in steps of the depth format.")
-        .choice(&P::depth_format,
-                "depth_format",
-                {"q32", "z24", "z16"},
-                "Format of the depth buffer that hides lines.");
+                "Polygon offset of the fills, in steps of the depth format.");
+    return method::add_threshold(
+        add_depth_format_param(table, "Format of the depth buffer that hides lines."));
 }
 
 /// How wide each kind of edge is drawn, px; 0 leaves it out.
@@ -73,19 +68,12 @@ struct KindWidths {
 
 /// A surface that hides lines: filled into a depth buffer, then lines drawn over it where they are
 /// not behind it.
-class HiddenLines {
+class HiddenLines : public DepthFill {
   public:
     explicit HiddenLines(const HiddenLineParams& params);
 
-    /// Once per topology: clusters for the rasterizer.
-    void prepare(const scene::Scene& scene);
-    /// World positions, if anything moved since.
-    void pose(const scene::Scene& scene);
-
-    /// Whether there is nothing to draw.
-    [[nodiscard]] bool is_empty() const { return !surface_ || surface_->triangles.empty(); }
-    /// Depth of the frame, its surface moved by the polygon offset.
-    void fill(const method::Frame& frame);
+    /// Depth of the frame, its surface moved by the polygon offset. Returns what was skipped.
+    raster::SkipCounts fill(const method::Frame& frame);
     /// Sets to 255 what is seen of the edges, each as wide as its kind; the rest of `out` stays.
     /// After fill() of the same frame.
     void draw(const method::Frame& frame,
@@ -93,25 +81,25 @@ class HiddenLines {
               const KindWidths& widths,
               edge::EdgeImage& out);
 
-    /// What fill() made.
-    [[nodiscard]] const raster::DepthImage& depth() const { return depth_; }
-    [[nodiscard]] const raster::SkipCounts& skip_counts() const { return skip_counts_; }
-    [[nodiscard]] int bytes_per_px() const { return format_.bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const;
-
   private:
     HiddenLineParams params_;
-    raster::PassFormat format_;
-    std::unique_ptr<scene::Surface> surface_;  ///< the mesh borrows it
-    raster::LaneMesh mesh_;
-    scene::Sphere bounds_;
-    std::uint64_t posed_hash_ = 0;
-    raster::MeshPass mesh_pass_;
     raster::LinePass line_pass_;
-    raster::DepthImage depth_;
-    raster::SkipCounts skip_counts_{};
     std::vector<glm::dvec3> p_world_;  ///< of the lines of one width
     std::vector<raster::Line> lines_;
+};
+
+/// A method that draws edges where no surface hides them: all but which.
+class HiddenLinesMethod : public SurfaceMethod<HiddenLines> {
+  protected:
+    explicit HiddenLinesMethod(const HiddenLineParams& params);
+
+    /// The edges of a frame, hidden or not.
+    virtual std::vector<KnownEdge> lines(const method::Frame& frame) = 0;
+
+  private:
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) final;
+
+    KindWidths widths_;
 };
 
 }  // namespace ink::buffers

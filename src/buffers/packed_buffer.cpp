@@ -25,10 +25,9 @@ raster::PassFormat pass_format(const PackParams& params, const CodeLayout& layou
 }  // namespace
 
 PackedBuffer::PackedBuffer(const PackParams& params, CodeLayout layout)
-    : params_(params),
-      packer_(std::move(layout), params.depth_sign, params.quantise, params.overflow),
-      format_(pass_format(params, packer_.layout())),
-      inputs_(params) {}
+    : SurfaceMethod(params, pass_format(params, layout)),
+      params_(params),
+      packer_(std::move(layout), params.depth_sign, params.quantise, params.overflow) {}
 
 std::optional<method::LinearCode> PackedBuffer::code() const {
     const CodeLayout& layout = packer_.layout();
@@ -80,14 +79,14 @@ std::unique_ptr<raster::CornerValues> PackedBuffer::corner_values(bool reads_all
     const CodeLayout& layout = packer_.layout();
     if (params_.packing == Packing::pixel) {
         const method::DepthCarrier carrier(
-            params_.depth_encoding, params_.interpolation, inputs_.range());
-        return std::make_unique<ChannelValues>(inputs_, carrier);
+            params_.depth_encoding, params_.interpolation, pass().inputs().range());
+        return std::make_unique<ChannelValues>(pass().inputs(), carrier);
     }
     if (!has_linear_codes()) {
-        return std::make_unique<CodeValues>(inputs_, packer_, params_.depth_encoding);
+        return std::make_unique<CodeValues>(pass().inputs(), packer_, params_.depth_encoding);
     }
     std::vector<raster::LinearValue> values;
-    const LinearChannels channels = inputs_.linear_channels();
+    const LinearChannels channels = pass().inputs().linear_channels();
     for (const Field& field : layout.fields)
         values.push_back(linear_code(channels, field.ranges, params_.depth_sign));
     auto result = std::make_unique<LinearValues>(std::move(values), reads_all);
@@ -98,9 +97,10 @@ std::unique_ptr<raster::CornerValues> PackedBuffer::corner_values(bool reads_all
 raster::SkipCounts PackedBuffer::draw_buffer(const method::Frame& frame,
                                              edge::EdgeImage& out,
                                              FrameCodes* codes) {
-    inputs_.see(frame);
+    SurfaceInputs& inputs = pass().inputs();
+    inputs.see(frame);
     const method::DepthCarrier carrier(
-        params_.depth_encoding, params_.interpolation, inputs_.range());
+        params_.depth_encoding, params_.interpolation, inputs.range());
     const PackedFilter filter{.packing = params_.packing,
                               .renormalise = params_.renormalise,
                               .fatten = params_.fatten,
@@ -112,7 +112,7 @@ raster::SkipCounts PackedBuffer::draw_buffer(const method::Frame& frame,
     const bool skips_attributes = frame.skips.has(raster::Skip::attributes);
     std::uint64_t unread = 0;
     const auto values = corner_values(!skips_attributes, unread);
-    raster::MeshInput input = inputs_.mesh_input(frame);
+    raster::MeshInput input = inputs.mesh_input(frame);
     input.values = values.get();
     input.sky_code.fill(static_cast<std::uint32_t>(params_.sky));
     input.sky_f32 = {method::kNothingDrawn, 0, 0, 0};
@@ -123,19 +123,13 @@ raster::SkipCounts PackedBuffer::draw_buffer(const method::Frame& frame,
         input.may_keep_still = false;
         sink.keep_codes(*codes);
     }
-    const raster::MeshResult result = pass_.draw(format_, input, sink);
-    inputs_.finish(result, out);
+    const raster::MeshResult result = pass().draw(input, sink);
+    inputs.finish(result, out);
     raster::SkipCounts counts = result.skips;
     raster::SkipCount& attributes = raster::count_of(counts, raster::Skip::attributes);
     attributes.of = kChannels;
     if (skips_attributes) attributes.skipped = unread;
     return counts;
-}
-
-void PackedBuffer::draw(const method::Frame& frame, edge::EdgeImage& out) {
-    skip_counts_ = {};
-    if (inputs_.is_empty()) return out.fill(0);
-    skip_counts_ = draw_buffer(frame, out, nullptr);
 }
 
 std::vector<method::Layer> PackedBuffer::layers(const method::Frame& frame) {
@@ -144,9 +138,23 @@ std::vector<method::Layer> PackedBuffer::layers(const method::Frame& frame) {
     const auto planes = static_cast<std::size_t>(packer_.layout().planes);
     FrameCodes codes(planes, {width_px, height_px, static_cast<std::uint16_t>(params_.sky)});
     edge::EdgeImage edge_responses(width_px, height_px);
-    if (!inputs_.is_empty()) (void)draw_buffer(frame, edge_responses, &codes);
+    if (!pass().is_empty()) (void)draw_buffer(frame, edge_responses, &codes);
     return {{"packed", code_image(codes, packer_.layout())},
             {"filtered", response_image(edge_responses, params_.threshold)}};
+}
+
+/// Four floats a pixel to codes, where these are packed; then the Laplacian of each field, whose
+/// edge response joins what is there.
+method::PixelBytes PackedBuffer::filter_bytes() const {
+    const CodeLayout& layout = packer_.layout();
+    const double code = layout.bits() / 8.0;
+    const auto fields = static_cast<double>(layout.fields.size());
+    const double copies = (layout.has_bit_fields() ? 1 : 0) + (params_.fatten ? 1 : 0);
+    method::PixelBytes bytes = fields * method::PixelBytes{(1 + copies) * code, copies * code + 1};
+    bytes.read += fields - 1;
+    if (params_.packing == Packing::pixel)
+        bytes = bytes + method::PixelBytes{4 * sizeof(float), layout.planes * code};
+    return bytes;
 }
 
 }  // namespace ink::buffers

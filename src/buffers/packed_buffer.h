@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "buffers/packed_sink.h"
-#include "buffers/surface_inputs.h"
-#include "method/method.h"
+#include "buffers/surface_method.h"
+#include "buffers/surface_pass.h"
 
 namespace ink::buffers {
 
@@ -25,7 +25,7 @@ struct PackParams : InputParams {
 /// holds.
 template <class P>
 core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
-    return add_input_params(table)
+    add_input_params(table)
         .choice(
             &P::packing,
             "packing",
@@ -52,36 +52,28 @@ core::ParamTable<P>& add_pack_params(core::ParamTable<P>& table, int max_code) {
                 "Shift left of the response after clipping; right if negative.")
         .flag(&P::fatten, "fatten", "Blur the codes slightly before the filter: fatter lines.")
         .number(
-            &P::sky, "sky", {0, static_cast<double>(max_code)}, "code", "What empty pixels hold.")
-        .number(&P::threshold, "threshold", {1, 255}, "", "Least edge response of a line pixel.");
+            &P::sky, "sky", {0, static_cast<double>(max_code)}, "code", "What empty pixels hold.");
+    return method::add_threshold(table);
 }
 
 /// Depth and normal packed into one or two small integers a pixel, and MOTE's filter over them.
 ///
 /// The engine of mote2, mote4, mote16 and two_sums, which differ in their CodeLayout alone.
-class PackedBuffer : public method::Method {
+class PackedBuffer : public SurfaceMethod<SurfacePass> {
   public:
     PackedBuffer(const PackParams& params, CodeLayout layout);
 
-    void prepare(const scene::Scene& scene) override { inputs_.prepare(scene); }
-    [[nodiscard]] bool prepare_like(const method::Method& other,
-                                    const scene::Scene& /*scene*/) override {
-        const auto* same = dynamic_cast<const PackedBuffer*>(&other);
-        return same != nullptr && inputs_.prepare_like(same->inputs_);
-    }
-    void pose(const scene::Scene& scene) override { inputs_.pose(scene); }
-    void draw(const method::Frame& frame, edge::EdgeImage& out) override;
     /// `packed`: the codes, black to white over their bits; two or more fields as red, green, blue.
     /// `filtered`: the response, brightened so that the threshold is middle grey.
     [[nodiscard]] std::vector<method::Layer> layers(const method::Frame& frame) override;
-    [[nodiscard]] int bytes_per_px() const override { return format_.bytes_per_px(); }
-    [[nodiscard]] method::Cost cost() const override;
     /// Declared where the code is one sum, rounded once, and filtered as it stands.
     [[nodiscard]] std::optional<method::LinearCode> code() const override;
 
-    [[nodiscard]] raster::SkipCounts skip_counts() const override { return skip_counts_; }
-
   private:
+    raster::SkipCounts draw_lines(const method::Frame& frame, edge::EdgeImage& out) override {
+        return draw_buffer(frame, out, nullptr);
+    }
+    [[nodiscard]] method::PixelBytes filter_bytes() const override;
     /// Draws the scene that is there; with `codes` all of it, and keeps them.
     [[nodiscard]] raster::SkipCounts draw_buffer(const method::Frame& frame,
                                                  edge::EdgeImage& out,
@@ -93,10 +85,6 @@ class PackedBuffer : public method::Method {
 
     PackParams params_;
     Packer packer_;
-    raster::PassFormat format_;
-    SurfaceInputs inputs_;
-    raster::MeshPass pass_;
-    raster::SkipCounts skip_counts_{};
 };
 
 }  // namespace ink::buffers

@@ -6,11 +6,6 @@
 #include "edge/roberts.h"
 
 namespace ink::buffers {
-namespace {
-
-constexpr double kFloat_bytes = sizeof(float);
-
-}  // namespace
 
 PixelRays::PixelRays(const scene::View& view)
     : center_x_px_(static_cast<float>(view.width_px) / 2),
@@ -73,18 +68,6 @@ void normal_cross(const raster::Tile& tile,
         for (int x = 0; x < tile.width_px; ++x)
             to[x] = std::sqrt(to[x]);
     }
-}
-
-method::PixelWork inverse_distance_work(raster::Interpolation interpolation) {
-    method::PixelWork distance{
-        kFloat_bytes, kFloat_bytes, 2 + 1 + 1};  // scaled, at least, sky told
-    if (interpolation == raster::Interpolation::perspective)
-        distance.operations += method::kSlowOperations;
-    return distance;
-}
-
-method::PixelWork half_cross_work() {
-    return {kFloat_bytes, 0, 2 + 2 + 1 + 1};
 }
 
 }  // namespace ink::buffers

@@ -97,10 +97,4 @@ void write_cross(const raster::Tile& tile,
     }
 }
 
-/// What inverse_distance() does at a pixel.
-[[nodiscard]] method::PixelWork inverse_distance_work(raster::Interpolation interpolation);
-
-/// What half_cross() does at a pixel.
-[[nodiscard]] method::PixelWork half_cross_work();
-
 }  // namespace ink::buffers

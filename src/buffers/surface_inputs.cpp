@@ -22,8 +22,8 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
     std::uint64_t moved = 0;
     for (std::size_t t = 0; t < a.triangles.size(); ++t) {
         for (const std::uint32_t corner : a.triangles[t]) {
-            const bool is_same =
-                a.p_world[corner] == b.p_world[corner] && a.n_world[corner] == b.n_world[corner];
+            const bool is_same = a.p_world[corner] == b.p_world[corner] &&
+                                 (a.n_world.empty() || a.n_world[corner] == b.n_world[corner]);
             if (!is_same) moved |= std::uint64_t{1} << (a.object[t] % 64);
         }
     }
@@ -32,7 +32,10 @@ std::uint64_t moved_objects(const scene::Surface& a, const scene::Surface& b) {
 
 }  // namespace
 
-SurfaceInputs::SurfaceInputs(const InputParams& params) : params_(params) {}
+scene::Surface SurfaceInputs::flattened(const scene::Scene& scene) const {
+    if (reads_ == Reads::positions) return scene::flatten(scene);
+    return scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg));
+}
 
 void SurfaceInputs::prepare(const scene::Scene& scene) {
     lay_out(scene);
@@ -40,8 +43,7 @@ void SurfaceInputs::prepare(const scene::Scene& scene) {
 }
 
 void SurfaceInputs::lay_out(const scene::Scene& scene) {
-    surface_ = std::make_shared<const scene::Surface>(
-        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    surface_ = std::make_shared<const scene::Surface>(flattened(scene));
     mesh_ = std::make_shared<raster::LaneMesh>(*surface_);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = scene::scene_hash(scene);
@@ -61,17 +63,17 @@ bool SurfaceInputs::prepare_like(const SurfaceInputs& other) {
     return true;
 }
 
-void SurfaceInputs::pose(const scene::Scene& scene) {
+Posed SurfaceInputs::pose(const scene::Scene& scene) {
     const std::uint64_t hash = scene::scene_hash(scene);
-    if (hash == posed_hash_) return;
+    if (hash == posed_hash_) return Posed::still;
     has_moved_ = true;
     // Which corners share a normal may change with the dihedral deviation between faces, so a moved
     // scene is flattened anew; its clusters stay if that has not happened.
-    auto moved = std::make_shared<const scene::Surface>(
-        scene::flatten(scene, params_.normals, glm::radians(params_.crease_deg)));
+    auto moved = std::make_shared<const scene::Surface>(flattened(scene));
     if (moved->triangles != surface_->triangles ||
         moved->p_world.size() != surface_->p_world.size()) {
-        return lay_out(scene);
+        lay_out(scene);
+        return Posed::anew;
     }
     moved_objects_ |= moved_objects(*surface_, *moved);
     if (mesh_.use_count() == 1) {
@@ -82,6 +84,7 @@ void SurfaceInputs::pose(const scene::Scene& scene) {
     surface_ = std::move(moved);
     bounds_ = scene::bounding_sphere(scene);
     posed_hash_ = hash;
+    return Posed::moved;
 }
 
 void SurfaceInputs::see(const method::Frame& frame) {

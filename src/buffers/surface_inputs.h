@@ -31,46 +31,74 @@ struct InputParams {
     Samples samples = Samples::centre;  ///< a row of its own, see add_samples_param
 };
 
+/// Appends the row `crease_deg`.
+template <class P>
+core::ParamTable<P>& add_crease_param(
+    core::ParamTable<P>& table,
+    const char* doc = "Least dihedral deviation of an edge between two smooth patches.") {
+    return table.number(&P::crease_deg, "crease_deg", {0, 180}, "deg", doc);
+}
+
+/// Appends the rows that say what a smooth patch is: `crease_deg`, and `weld_epsilon` "for" what.
+template <class P>
+core::ParamTable<P>& add_patch_params(core::ParamTable<P>& table, const std::string& purpose) {
+    return add_crease_param(table).number(&P::weld_epsilon,
+                                          "weld_epsilon",
+                                          {0, 0.01},
+                                          "",
+                                          "Vertices of an object this near are welded for its " +
+                                              purpose + ", as a share of its diagonal.");
+}
+
+/// Appends the row `depth_format`.
+template <class P>
+core::ParamTable<P>& add_depth_format_param(core::ParamTable<P>& table,
+                                            const char* doc = "Format of the depth test.") {
+    return table.choice(&P::depth_format, "depth_format", {"q32", "z24", "z16"}, doc);
+}
+
+/// Appends the row `depth_range`.
+template <class P>
+core::ParamTable<P>& add_depth_range_param(core::ParamTable<P>& table) {
+    return table.choice(
+        &P::depth_range,
+        "depth_range",
+        {"fit", "camera"},
+        "What depth 0..1 spans: the scene's bounding sphere, or the camera's near and far.");
+}
+
+/// Appends the row `interpolation`.
+template <class P>
+core::ParamTable<P>& add_interpolation_param(core::ParamTable<P>& table) {
+    return table.choice(&P::interpolation,
+                        "interpolation",
+                        {"affine", "perspective"},
+                        "Linear on the screen, as 1998's hardware did, or on the surface.");
+}
+
 /// Appends the rows of InputParams that say what the surface gives, whatever depth is made of.
 template <class P>
 core::ParamTable<P>& add_surface_params(core::ParamTable<P>& table) {
-    return table
-        .choice(&P::normals,
-                "normals",
-                {"file", "patch", "facet"},
-                "The file's normals, per corner over its smooth patch, or one per triangle.")
-        .number(&P::crease_deg,
-                "crease_deg",
-                {0, 180},
-                "deg",
-                "Least dihedral deviation of an edge between two smooth patches.")
-        .choice(&P::interpolation,
-                "interpolation",
-                {"affine", "perspective"},
-                "Linear on the screen, as 1998's hardware did, or on the surface.")
+    table.choice(&P::normals,
+                 "normals",
+                 {"file", "patch", "facet"},
+                 "The file's normals, per corner over its smooth patch, or one per triangle.");
+    add_interpolation_param(add_crease_param(table))
         .flag(&P::renormalise,
               "renormalise",
-              "Scale interpolated normals to length 1 at every pixel.")
-        .choice(
-            &P::depth_format, "depth_format", {"q32", "z24", "z16"}, "Format of the depth test.");
+              "Scale interpolated normals to length 1 at every pixel.");
+    return add_depth_format_param(table);
 }
 
 /// Appends the rows of InputParams to a table whose struct derives from it.
 template <class P>
 core::ParamTable<P>& add_input_params(core::ParamTable<P>& table) {
-    table
-        .choice(&P::depth_encoding,
-                "depth_encoding",
-                {"inverse", "linear", "log", "zbuffer24", "zbuffer16", "reversed_float"},
-                "How distance becomes a number; only 1/w is flat on a plane.")
-        .choice(&P::depth_range,
-                "depth_range",
-                {"fit", "camera"},
-                "What depth 0..1 spans: the scene's bounding sphere, or the camera's near and far.")
-        .choice(&P::depth_sign,
-                "depth_sign",
-                {"near_high", "far_high"},
-                "Which end of the range is 1.");
+    table.choice(&P::depth_encoding,
+                 "depth_encoding",
+                 {"inverse", "linear", "log", "zbuffer24", "zbuffer16", "reversed_float"},
+                 "How distance becomes a number; only 1/w is flat on a plane.");
+    add_depth_range_param(table).choice(
+        &P::depth_sign, "depth_sign", {"near_high", "far_high"}, "Which end of the range is 1.");
     return add_surface_params(table);
 }
 
@@ -80,13 +108,24 @@ struct LinearChannels {
     raster::LinearValue normal[3];
 };
 
+/// Whether a surface is laid out with normals, by which corners part, or by positions alone.
+enum class Reads { normals, positions };
+
+/// What pose() found.
+enum class Posed {
+    still,  ///< nothing moved
+    moved,  ///< the same triangles elsewhere
+    anew,   ///< triangles that join other corners: all was laid out again
+};
+
 /// A scene laid out for the rasterizer's lanes, what of it moved, and the image that is kept for
 /// tiles that nothing moved in.
 ///
 /// A method calls see(), draws with mesh_input(), and finish() last.
 class SurfaceInputs {
   public:
-    explicit SurfaceInputs(const InputParams& params);
+    explicit SurfaceInputs(const InputParams& params, Reads reads = Reads::normals)
+        : params_(params), reads_(reads) {}
 
     /// Once per topology: normals, shared corners, clusters.
     void prepare(const scene::Scene& scene);
@@ -94,7 +133,7 @@ class SurfaceInputs {
     /// and nothing has moved there since; false, and nothing is done, if not.
     [[nodiscard]] bool prepare_like(const SurfaceInputs& other);
     /// World positions, and normals again, if anything moved since.
-    void pose(const scene::Scene& scene);
+    Posed pose(const scene::Scene& scene);
     /// The view, its depth range, and whether the last frame had the same.
     void see(const method::Frame& frame);
 
@@ -120,6 +159,7 @@ class SurfaceInputs {
   private:
     /// Surface and clusters of the scene as it stands, from nothing: no image is kept.
     void lay_out(const scene::Scene& scene);
+    [[nodiscard]] scene::Surface flattened(const scene::Scene& scene) const;
 
     struct Kept {
         edge::EdgeImage image;
@@ -127,6 +167,7 @@ class SurfaceInputs {
     };
 
     InputParams params_;
+    Reads reads_;
     std::shared_ptr<const scene::Surface> surface_;  ///< the mesh borrows it
     std::shared_ptr<raster::LaneMesh> mesh_;         ///< changed only by its single owner
     scene::Sphere bounds_;

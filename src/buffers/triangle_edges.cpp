@@ -59,7 +59,7 @@ TriangleEdges::Lines TriangleEdges::lines_of(const scene::Scene& scene) const {
             const bool has_next =
                 i + 1 < faces.size() && topology.faces[faces[i + 1]].object == face.object;
             if (has_next) ++i;
-            found.lines.push_back(line_of(topology, surface_, face, edge));
+            found.lines.push_back(line_of(topology, surface(), face, edge));
             found.lines.back().is_both_ways = has_next;
             found.faces.push_back({face.triangle, topology.faces[faces[i]].triangle});
         }
@@ -75,47 +75,27 @@ void TriangleEdges::find_lines(const scene::Scene& scene) {
 }
 
 void TriangleEdges::prepare(const scene::Scene& scene) {
-    surface_ = scene::flatten(scene);
-    mesh_ = raster::LaneMesh(surface_);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = scene::scene_hash(scene);
+    DepthFill::prepare(scene);
     find_lines(scene);
 }
 
 void TriangleEdges::pose(const scene::Scene& scene) {
-    const std::uint64_t hash = scene::scene_hash(scene);
-    if (hash == posed_hash_) return;
-    scene::Surface moved = scene::flatten(scene);
-    if (moved.triangles != surface_.triangles) return prepare(scene);
-    surface_ = std::move(moved);
-    mesh_.update(surface_);
-    if (edges_ == WireEdges::polygons) find_lines(scene);
-    bounds_ = scene::bounding_sphere(scene);
-    posed_hash_ = hash;
-}
-
-raster::MeshInput TriangleEdges::mesh_input(const method::Frame& frame) const {
-    raster::MeshInput input;
-    input.mesh = &mesh_;
-    input.view = frame.view;
-    input.bounds = bounds_;
-    input.threads = frame.threads;
-    input.skips = frame.skips;
-    return input;
+    const Posed posed = inputs().pose(scene);
+    const bool may_bend = edges_ == WireEdges::polygons && posed == Posed::moved;
+    if (may_bend || posed == Posed::anew) find_lines(scene);
 }
 
 void TriangleEdges::find_sides(const method::Frame& frame) {
     constexpr std::size_t kRun = 4096;
-    const std::size_t count = surface_.triangles.size();
+    const std::size_t count = surface().triangles.size();
     sides_.resize(count);
     core::parallel_for((count + kRun - 1) / kRun, frame.threads, [&](std::size_t run) {
         const std::size_t last = std::min(count, (run + 1) * kRun);
         for (std::size_t i = run * kRun; i < last; ++i) {
-            const scene::Triangle& t = surface_.triangles[i];
-            sides_[i] = static_cast<std::int8_t>(scene::facing(surface_.p_world[t[0]],
-                                                               surface_.p_world[t[1]],
-                                                               surface_.p_world[t[2]],
-                                                               frame.view.camera.eye_world));
+            const scene::Triangle& t = surface().triangles[i];
+            const std::vector<glm::dvec3>& p = surface().p_world;
+            sides_[i] = static_cast<std::int8_t>(
+                scene::facing(p[t[0]], p[t[1]], p[t[2]], frame.view.camera.eye_world));
         }
     });
 }

@@ -4,11 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "method/method.h"
+#include "buffers/depth_fill.h"
 #include "raster/lines/line_pass.h"
-#include "raster/mesh/lane_mesh.h"
-#include "raster/mesh/mesh_pass.h"
-#include "scene/surface.h"
 
 namespace ink::buffers {
 
@@ -24,9 +21,11 @@ enum class WireEdges {
 /// it is one line there and back. A polygon's inner edges are those between two triangles of one
 /// object and material that bend by less than scene::kFlat_rad as the scene is posed. Triangles
 /// that are degenerate when it is prepared have no edges.
-class TriangleEdges {
+class TriangleEdges : public DepthFill {
   public:
-    explicit TriangleEdges(WireEdges edges) : edges_(edges) {}
+    explicit TriangleEdges(WireEdges edges,
+                           raster::DepthFormat depth_format = raster::DepthFormat::q32)
+        : DepthFill({.depth_format = depth_format}), edges_(edges) {}
 
     /// Once per topology.
     void prepare(const scene::Scene& scene);
@@ -34,11 +33,8 @@ class TriangleEdges {
     /// a new weld, for what was flat may have bent.
     void pose(const scene::Scene& scene);
 
-    [[nodiscard]] bool is_empty() const { return surface_.triangles.empty(); }
-    [[nodiscard]] const scene::Surface& surface() const { return surface_; }
-    /// A pass over its triangles that still lacks culling and offset.
-    [[nodiscard]] raster::MeshInput mesh_input(const method::Frame& frame) const;
-
+    /// The corners that lines join.
+    [[nodiscard]] const scene::Surface& surface() const { return inputs().surface(); }
     /// All of them; they join corners of surface().
     [[nodiscard]] std::span<const raster::Line> lines() const { return lines_; }
     /// Those of at least one triangle that the eye sees from its back (`side` < 0) or from its
@@ -62,10 +58,6 @@ class TriangleEdges {
     void find_sides(const method::Frame& frame);
 
     WireEdges edges_;
-    scene::Surface surface_;
-    raster::LaneMesh mesh_;  ///< borrows the surface
-    scene::Sphere bounds_;
-    std::uint64_t posed_hash_ = 0;
     std::vector<raster::Line> lines_;
     std::vector<Faces> faces_;        ///< one per line
     std::vector<std::int8_t> sides_;  ///< one per triangle, of the last frame

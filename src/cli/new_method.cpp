@@ -63,29 +63,6 @@ std::string replace_all(std::string text, const std::string& from, const std::st
     return text;
 }
 
-/// Puts `line` among the lines that begin with `start`, before the first that sorts behind it.
-void insert_sorted(std::string& text,
-                   const std::string& start,
-                   const std::string& line,
-                   const fs::path& file) {
-    std::size_t place = std::string::npos;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        const std::string here = text.substr(at, end - at);
-        if (here.starts_with(start)) {
-            place = end + 1;
-            if (here > line) {
-                place = at;
-                break;
-            }
-        }
-        at = end + 1;
-    }
-    if (place == std::string::npos)
-        throw core::Error(file.string(), "it has no line that begins with '" + start + "'");
-    text.insert(place, line + "\n");
-}
-
 /// Puts `line` before the first line that holds `mark`.
 void insert_before(std::string& text,
                    const std::string& mark,
@@ -106,19 +83,17 @@ std::vector<fs::path> add_new_method(const fs::path& root, const std::string& na
         throw core::Error((root / folder).string(), "this folder is there already");
     // All is read and changed before anything is written.
     std::map<fs::path, std::string> files;
-    for (const char* ending : {".h", ".cpp"}) {
+    for (const char* ending : {".cpp", ".toml"}) {
         const fs::path from = root / "methods/_template" / (std::string(kTemplateName) + ending);
         const std::string text = replace_all(source_text(from), kTemplateClass, class_name(name));
         files[folder / (name + ending)] = replace_all(text, kTemplateName, name);
     }
-    const fs::path registry = "methods/registry.cpp";
-    std::string& lines = files[registry] = source_text(root / registry);
-    const std::string header = name + "/" + name;
-    insert_sorted(lines, "#include \"methods/", "#include \"methods/" + header + ".h\"", registry);
-    insert_before(lines, "auto_method(),", "        " + name + "(),", registry);
-    const fs::path list = "methods/CMakeLists.txt";
-    std::string& sources = files[list] = source_text(root / list);
-    insert_before(sources, "auto/auto.cpp", "        " + header + ".cpp", list);
+    const auto list = [&](const fs::path& file, const char* mark, const std::string& line) {
+        std::string& lines = files[file] = source_text(root / file);
+        insert_before(lines, mark, line, file);
+    };
+    list("methods/registry.cpp", "    X(auto)", "    X(" + name + ") \\");
+    list("methods/CMakeLists.txt", "    auto", "    " + name);
 
     std::vector<fs::path> changed;
     fs::create_directories(root / folder);

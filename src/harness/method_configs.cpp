@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "methods/presets.h"
-#include "methods/tuned.h"
+#include "methods/shipped_files.h"
 
 namespace ink::harness {
 namespace {

@@ -169,13 +169,12 @@ struct MethodInfo {
 };
 
 /// A MethodInfo from a class `M` with a nested `Params`, a static `table()` of its parameters and a
-/// constructor from `Params`.
+/// constructor from `Params`: what is code of a method. The rest is data:
+/// methods/<name>/<name>.toml.
 template <class M>
-[[nodiscard]] MethodInfo method_info(std::string name, std::string source, std::string summary) {
+[[nodiscard]] MethodInfo method_info(std::string name) {
     MethodInfo info;
     info.name = std::move(name);
-    info.source = std::move(source);
-    info.summary = std::move(summary);
     info.params = M::table().params();
     info.make = [name = info.name](const core::ParamValues& values) -> std::unique_ptr<Method> {
         return std::make_unique<M>(M::table().read(values, name));
@@ -185,6 +184,19 @@ template <class M>
         return table.write(table.read(values, name));
     };
     return info;
+}
+
+/// Appends the row `threshold`, which every method has.
+template <class P>
+core::ParamTable<P>& add_threshold(core::ParamTable<P>& table,
+                                   const char* doc = "Least edge response of a line pixel.") {
+    return table.number(&P::threshold, "threshold", {1, 255}, "", doc);
+}
+
+/// The same of a method whose edge responses are all or nothing.
+template <class P>
+core::ParamTable<P>& add_threshold_of_two(core::ParamTable<P>& table) {
+    return add_threshold(table, "Least edge response of a line pixel; it draws only 0 and 255.");
 }
 
 }  // namespace ink::method

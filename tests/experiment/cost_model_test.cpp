@@ -25,14 +25,14 @@ std::vector<CostSample> priced_samples(const PerUnit& prices) {
     return samples;
 }
 
-method::Cost declared(int interpolants, double bytes, double operations) {
+method::Cost declared(int interpolants, double bytes, double filter_bytes) {
     method::Cost cost;
     cost.passes = 1;
     cost.interpolants = interpolants;
     cost.values_per_vertex = interpolants;
     cost.buffer_bytes_per_px = static_cast<int>(bytes);
-    cost.fill = {4, bytes, 8 + 2.0 * interpolants};
-    cost.filter = {bytes, 1, operations};
+    cost.fill = {4, bytes};
+    cost.filter = {filter_bytes, 1};
     return cost;
 }
 
@@ -70,16 +70,16 @@ TEST(UnitCounts, ArePassesTimesTheSumOverStages) {
     cost.interpolants = 3;
     cost.values_per_vertex = 5;
     cost.buffer_bytes_per_px = 7;
-    cost.fill = {1, 2, 11};
-    cost.filter = {3, 4, 13};
+    cost.fill = {1, 2};
+    cost.filter = {3, 4};
     const harness::FrameCounts frame{100, 10, 1000, 10000};
     const PerUnit counts = unit_counts({cost, frame});
     const PerUnit expected = {2 * 100,
                               2 * 100 * 5,
                               2 * 10,
                               2 * 10 * 3,
-                              2 * 1000 * 11,
-                              2 * 10000 * 13,
+                              2 * 1000,
+                              2 * 10000,
                               2 * (1000 * (1 + 2) + 10000 * (7 + 3 + 4))};
     EXPECT_EQ(counts, expected);
     cost.shares_vertices = false;

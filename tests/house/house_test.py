@@ -120,9 +120,10 @@ def check_arrows(tree):
         elif to in ("src", "tests", "bench"):
             why = "is none of the rooms' includes"
         elif room == to == "methods":
-            own = (target.count("/") < 2 or target.split("/")[1] == path.split("/")[1]
-                   or path == "methods/registry.cpp" or path.startswith("methods/_template/"))
-            why = "" if own else "is another method"
+            # What several methods share has a folder, and is no method.
+            shared = target.count("/") < 2 or target.split("/")[1] == "surface_codes"
+            own = target.split("/")[1] == path.split("/")[1]
+            why = "" if shared or own else "is another method"
         elif to != room and to in table and not {to, target} & table[room]:
             why = f"is not allowed in {room}"
         if why:
@@ -194,28 +195,29 @@ def check_sizes(tree):
 
 
 def check_methods(tree):
-    """A method has .cpp, page, an entry in the registry and a line of CMake; a preset, which runs
-    another's code, has .toml and page, and no code."""
+    """A method has .cpp, .toml, page, an entry in the registry and a line of CMake; a preset, whose
+    .toml begins with its name, runs another's code, and has .toml and page."""
     registry, cmake = tree.get("methods/registry.cpp"), tree.get("methods/CMakeLists.txt")
     if registry is None or cmake is None:
         yield "methods: registry.cpp or CMakeLists.txt is missing"
         return
     for folder in sorted(folders_of(tree)):
-        # One that begins with _ is a template; `outside` has programs that drive others' methods.
-        match = re.fullmatch(r"methods/(?!_|outside)(\w+)", folder)
+        # One that begins with _ is a template; `outside` has programs that drive others' methods,
+        # `surface_codes` what several methods share.
+        match = re.fullmatch(r"methods/(?!_|outside|surface_codes)(\w+)", folder)
         if match is None:
             continue
         name = match.group(1)
         stem = f"{folder}/{name}"
-        is_preset = f"{stem}.toml" in tree and f"{stem}.cpp" not in tree
-        for ending in (".md", ".toml") if is_preset else (".md", ".cpp"):
+        is_preset = tree.get(f"{stem}.toml", "").startswith("name = ")
+        for ending in (".md", ".toml") if is_preset else (".md", ".cpp", ".toml"):
             if stem + ending not in tree:
                 yield f"{stem}{ending}: missing"
-        if is_preset and f"{stem}.h" in tree:
-            yield f"{stem}.h: a preset has no code"
-        if not is_preset and not re.search(rf"\b{name}(_method)?\b(\(\),|\)|,)", registry):
+        if is_preset and f"{stem}.cpp" in tree:
+            yield f"{stem}.cpp: a preset has no code"
+        if not is_preset and f"X({name})" not in registry:
             yield f"methods/registry.cpp: no line for {name}"
-        if f"{name}/{name}.{'toml' if is_preset else 'cpp'}" not in cmake:
+        if not re.search(rf"\n +{name}[)\n]", cmake):
             yield f"methods/CMakeLists.txt: no line for {name}"
 
 
@@ -278,8 +280,8 @@ TABLE = ("| `core` | nothing of ours | |\n| `scene` | core | |\n| `../methods` |
          "| `truth` | core | |\n| `statistics` | core, `truth/line.h` | |\n"
          "| `harness` | all of the above | |\n| `tune` | all that measure, harness | |\n")
 SOUND = {"src/README.md": TABLE, "README.md": "word " * 600, "bench/CMakeLists.txt": "",
-         "tests/CMakeLists.txt": "-O3 -ffp-contract=off", "methods/CMakeLists.txt": "dots/dots.cpp",
-         "methods/registry.cpp": '#include "methods/dots/dots.h"\n    dots(),\n',
+         "tests/CMakeLists.txt": "-O3 -ffp-contract=off", "methods/CMakeLists.txt": "(\n    dots)\n",
+         "methods/registry.cpp": "X(dots)\n", "methods/dots/dots.toml": "source = 1\n",
          "methods/dots/dots.cpp": '#include "scene/mesh.h"\n#include "methods/dots/dots.h"\n',
          "methods/dots/dots.md": "0.5, 1..255 and `.5`, `knob`\n```sh\nknob\n```\n",
          "src/tune/a.cpp": '#include "truth/truth.h"\n#include "harness/row.h"\n',
@@ -310,7 +312,8 @@ PLANTED = [
     (check_methods, "methods/dots/dots.md", None, "methods/dots/dots.md: missing"),
     (check_methods, "methods/registry.cpp", "", "registry.cpp: no line for dots"),
     (check_methods, "methods/CMakeLists.txt", "", "CMakeLists.txt: no line for dots"),
-    (check_methods, "methods/fine/fine.toml", "", "methods/fine/fine.md: missing"),
+    (check_methods, "methods/dots/dots.toml", None, "methods/dots/dots.toml: missing"),
+    (check_methods, "methods/fine/fine.toml", "name = 1", "methods/fine/fine.md: missing"),
     (check_headers, "src/core/a.h", "#include <vector>\n#pragma once\n", "code before"),
     (check_headers, "src/core/a.h", "", "src/core/a.h: code before #pragma once, or none"),
     (check_flags, "CMakePresets.json", "\nx -march=native", "CMakePresets.json:2: -march=native"),

@@ -1,11 +1,10 @@
-#include "methods/auto/auto.h"
+#include "methods/auto/auto_plan.h"
 
 #include <gmock/gmock.h>
 
 #include <glm/trigonometric.hpp>
 
 #include "catalogue/shapes.h"
-#include "methods/auto/auto_plan.h"
 #include "tests/methods/small_scenes.h"
 
 // What `auto` plans for each kind of scene, and that it draws what it plans.

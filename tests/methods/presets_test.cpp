@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "methods/registry.h"
-#include "methods/tuned.h"
+#include "methods/shipped_files.h"
 #include "tests/core/error_text.h"
 #include "tests/methods/names.h"
 #include "tests/methods/small_scenes.h"
@@ -122,7 +122,7 @@ TEST(Presets, DefaultsShownAreThoseOfTheFile) {
 }
 
 TEST(ShippedPresets, TheRegistrysDefaultsAreThoseOfTheFilesOnDisk) {
-    for (const ShippedPreset& shipped : shipped_presets()) {
+    for (const ShippedFile& shipped : shipped_presets()) {
         const std::string name(shipped.name);
         const std::string path =
             std::string(INK_SOURCE_DIR) + "/methods/" + name + "/" + name + ".toml";

@@ -13,7 +13,7 @@
 namespace ink::experiment {
 namespace {
 
-enum Unit { vertex, vertex_value, triangle, interpolant, fill_operation, filter_operation, byte };
+enum Unit { vertex, vertex_value, triangle, interpolant, covered_pixel, pixel, byte };
 
 constexpr int kMaxSweeps = 200'000;
 constexpr double kSettled = 1e-12;  // change of every share in one sweep, of the largest
@@ -102,8 +102,8 @@ const std::array<CostUnit, kCostUnits>& cost_units() {
         {"vertex value", "a number computed at a vertex"},
         {"triangle", "a triangle set up and binned, depth with it"},
         {"interpolant", "a further plane set up for a triangle"},
-        {"fill operation", "an operation at a covered pixel"},
-        {"filter operation", "an operation at a pixel of the frame"},
+        {"covered pixel", "a pixel that a triangle covers, seen or not"},
+        {"pixel", "a pixel of the frame, empty or not"},
         {"byte", "a byte of a buffer or the image, cleared, read or written"},
     }};
     return kUnits;
@@ -113,17 +113,15 @@ PerUnit unit_counts(const harness::CostFacts& facts) {
     const method::Cost& c = facts.declared;
     const harness::FrameCounts& f = facts.frame;
     const double vertices = c.shares_vertices ? f.vertices : 3 * f.triangles;
-    const double filter_bytes =
-        c.buffer_bytes_per_px + c.filter.bytes_read + c.filter.bytes_written;
+    const double filter_bytes = c.buffer_bytes_per_px + c.filter.read + c.filter.written;
     PerUnit counts{};
     counts[vertex] = vertices;
     counts[vertex_value] = vertices * c.values_per_vertex;
     counts[triangle] = f.triangles;
     counts[interpolant] = f.triangles * c.interpolants;
-    counts[fill_operation] = f.covered_px * c.fill.operations;
-    counts[filter_operation] = f.frame_px * c.filter.operations;
-    counts[byte] =
-        f.covered_px * (c.fill.bytes_read + c.fill.bytes_written) + f.frame_px * filter_bytes;
+    counts[covered_pixel] = f.covered_px;
+    counts[pixel] = f.frame_px;
+    counts[byte] = f.covered_px * (c.fill.read + c.fill.written) + f.frame_px * filter_bytes;
     for (double& count : counts)
         count *= c.passes;
     return counts;

@@ -19,7 +19,7 @@ struct CostUnit {
     std::string_view doc;  ///< what one of it is
 };
 
-/// vertex, vertex_value, triangle, interpolant, fill_operation, filter_operation, byte.
+/// vertex, vertex_value, triangle, interpolant, covered_pixel, pixel, byte.
 inline constexpr std::size_t kCostUnits = 7;
 [[nodiscard]] const std::array<CostUnit, kCostUnits>& cost_units();
 

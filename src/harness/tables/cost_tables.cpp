@@ -8,7 +8,7 @@ namespace {
 template <class Facts>
 void add_declared(const Facts& facts) {
     using C = method::Cost;
-    using W = method::PixelWork;
+    using B = method::PixelBytes;
     const auto declared = facts.part(&CostFacts::declared);
     declared.add(
         {"passes", "", "over the triangles that the method declares; 0: it declares nothing"},
@@ -21,15 +21,11 @@ void add_declared(const Facts& facts) {
                  &C::shares_vertices);
     const auto fill = declared.part(&C::fill);
     fill.add({"fill_bytes_read", "B/px", "per covered pixel of a triangle, hidden ones too"},
-             &W::bytes_read);
-    fill.add({"fill_bytes_written", "B/px", "the same"}, &W::bytes_written);
-    fill.add({"fill_operations", "1/px", "on one number each, per covered pixel"}, &W::operations);
+             &B::read);
+    fill.add({"fill_bytes_written", "B/px", "the same"}, &B::written);
     const auto filter = declared.part(&C::filter);
-    filter.add({"filter_bytes_read", "B/px", "per pixel of the frame, empty ones too"},
-               &W::bytes_read);
-    filter.add({"filter_bytes_written", "B/px", "the same"}, &W::bytes_written);
-    filter.add({"filter_operations", "1/px", "on one number each, per pixel of the frame"},
-               &W::operations);
+    filter.add({"filter_bytes_read", "B/px", "per pixel of the frame, empty ones too"}, &B::read);
+    filter.add({"filter_bytes_written", "B/px", "the same"}, &B::written);
     declared.add({"buffer_bytes_per_px", "B/px", "cleared once a frame, depth included"},
                  &C::buffer_bytes_per_px);
 }

@@ -5,8 +5,8 @@ state.define('cost.log', true);
 addSection({
     id: 'cost',
     title: 'Cost',
-    intro: 'What each method declares of a frame, counted from its formulas, beside the time it took. Bytes are ' +
-        'read, written and cleared ones. A division counts as eight operations. Medians over views.',
+    intro: 'What each method declares of a frame, by its settings, beside the time it took. Bytes are read, ' +
+        'written and cleared ones. Medians over views.',
     isThere: view => costLines(view).length > 0,
     uses: ['cost.*', 'sort.cost*'],
     isFolded: true,
@@ -114,10 +114,8 @@ function costTable(root, methods) {
                 help: 'Planes set up per triangle, beside that of the depth'}),
             {key: 'fill_bytes', title: 'bytes', group: 'per covered pixel', value: m => m.fillBytes,
                 text: m => formatTick(m.fillBytes)},
-            declared('fill_operations', 'operations', 'fill_operations', {group: 'per covered pixel'}),
             {key: 'frame_bytes', title: 'bytes', group: 'per pixel of the image', value: m => m.frameBytes,
                 text: m => formatTick(m.frameBytes)},
-            declared('filter_operations', 'operations', 'filter_operations', {group: 'per pixel of the image'}),
             {key: 'measured', title: 'measured', group: 'least draw ms', value: m => m.measuredMs,
                 text: m => formatMs(m.measuredMs), best: 'low', rows: m => m.lines},
             {key: 'predicted', title: 'predicted', group: 'least draw ms', value: m => m.predictedMs,

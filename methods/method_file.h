@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "method/method.h"
+
+namespace ink::methods {
+
+/// `info`, which holds what is code of a method, with what its file says:
+/// `methods/<name>/<name>.toml`
+///
+///     source = "who described it, and where"
+///     summary = "one line for inkbench list"
+///     family = "packed"
+///     marker = "square"
+///     sweep = [{}, {threshold = 3}]
+///     sum_limits = [{params = ["range_depth", "range_normal"], limit = 255}]
+///
+///     [tunables]
+///     range_depth = "all"
+///     threshold = [1, 64]
+///
+/// sweep, sum_limits and tunables may be left out. Throws core::Error (where = "file:line") for
+/// text that is no TOML, a key that is missing or unknown, a value of another type, a parameter
+/// that the method does not have, a value that it does not accept. `where` is the file's name.
+[[nodiscard]] method::MethodInfo described(method::MethodInfo info,
+                                           std::string_view text,
+                                           const std::string& where);
+
+}  // namespace ink::methods

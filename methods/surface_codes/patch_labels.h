@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "methods/surface_codes/smooth_mesh.h"
+
+namespace ink::methods {
+
+/// What labels must keep apart where they meet.
+struct LabelRange {
+    int bits = 8;              ///< labels are numbers modulo 2^bits, 1..16
+    int least_difference = 8;  ///< of m times two labels, for m = 1, 2 and 3, either way round
+};
+
+/// How far two labels are apart as a filter of four neighbours sees them: the least of m times
+/// their difference, modulo 2^bits and either way round, for m = 1, 2 and 3. 128 apart in a byte
+/// are nothing to a stencil with two of its neighbours across: 2 * 128 is 0 there.
+[[nodiscard]] int seen_difference(std::uint32_t a, std::uint32_t b, int bits);
+
+/// Per face the label of its patch, such that patches with a common border differ enough. Found
+/// patch by patch, the largest area first, so that as little as possible of the borders with those
+/// before has labels too near; where a patch is free, patches that follow each other in the file
+/// get labels far apart. Deterministic; O(n log n).
+[[nodiscard]] std::vector<std::uint32_t> patch_labels(const SmoothMesh& mesh,
+                                                      const LabelRange& range);
+
+}  // namespace ink::methods

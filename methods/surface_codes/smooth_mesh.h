@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "buffers/surface_ids.h"
+#include "methods/surface_codes/touching_boundaries.h"
+#include "scene/scene.h"
+#include "scene/topology.h"
+
+namespace ink::methods {
+
+/// A welded scene cut into smooth patches, and each patch's corners into fans.
+///
+/// A patch is what faces of one object reach over edges that bend by less than a crease: edges of
+/// two faces; edges of more, where two go on over it with each other alone; and boundaries that lie
+/// on each other. A fan is what corners at one vertex reach over edges that they share: the faces
+/// of a patch that touch there.
+struct SmoothMesh {
+    static constexpr std::uint32_t kNone = 0xffffffffU;
+
+    scene::Topology topology;
+    std::vector<std::uint32_t> patch_of;  ///< per face; numbered by their first faces
+    std::uint32_t patch_count = 0;
+    std::vector<std::uint32_t> fan_of;  ///< per corner, which is 3 * face + i; numbered likewise
+    std::uint32_t fan_count = 0;
+    std::vector<std::uint32_t>
+        across;  ///< per corner i: the face smoothly beyond edges[i], or kNone
+    /// Pairs of faces that a line parts: at creases, seams, and edges of more than two faces.
+    std::vector<FacePair> borders;
+    /// Pairs of faces of a patch that touch along an edge which they do not share (T-junctions).
+    std::vector<FacePair> touching;
+
+    [[nodiscard]] std::size_t face_count() const { return patch_of.size(); }
+    /// Which corner of a face lies at one of its vertices.
+    [[nodiscard]] std::uint32_t corner_at(std::uint32_t face, std::uint32_t vertex) const {
+        const auto& v = topology.faces[face].vertices;
+        return 3 * face + (v[0] == vertex ? 0U : v[1] == vertex ? 1U : 2U);
+    }
+};
+
+/// O(n log n) for the weld, O(n) for the rest. An empty scene has no faces.
+[[nodiscard]] SmoothMesh make_smooth_mesh(const scene::Scene& scene,
+                                          const buffers::PatchOptions& options);
+
+/// Per triangle of the scene the face that it is, or that it repeats, or that lies beside it where
+/// welding left no area of it, or of all round it; kNone where nothing does.
+[[nodiscard]] std::vector<std::uint32_t> faces_of_triangles(const scene::Scene& scene,
+                                                            const scene::Topology& topology);
+
+}  // namespace ink::methods

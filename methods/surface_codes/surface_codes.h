@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "methods/surface_codes/patch_phases.h"
+#include "methods/surface_codes/smooth_mesh.h"
+#include "methods/surface_codes/surface_distance.h"
+
+namespace ink::methods {
+
+/// How codes follow the surface.
+struct CodeOptions {
+    buffers::PatchOptions patches;
+    double turn_rad = 0;  ///< turning of the normal that costs a step; 0: a patch has one code
+    int rounds = 0;       ///< of lifting one side of creases that end inside a patch
+    CodeRange range;
+    /// 1, or 2: then a second code, of distances from another end, stands above the first.
+    int bytes = 1;
+};
+
+/// One code of a byte or two per triangle of a scene: what methods without interpolants draw.
+///
+/// Codes are functions of the scene as it rests (at the start of its animation, if it has one), and
+/// of a footprint: the length that a step must cover at least. So they stay while a scene moves.
+/// Deterministic. An empty scene has none.
+class SurfaceCodes {
+  public:
+    explicit SurfaceCodes(const CodeOptions& options) : options_(options) {}
+
+    /// Welds and cuts the scene at rest. O(n log n).
+    void prepare(const scene::Scene& scene);
+
+    /// A code per triangle. `length_world` holds a length per triangle at least that a step covers
+    /// there, or nothing: then steps are as short as the surface makes them.
+    [[nodiscard]] std::vector<std::uint32_t> codes(std::span<const float> length_world);
+
+    /// The diameter of the largest object, world units: of the box round it.
+    [[nodiscard]] double largest_object() const;
+    [[nodiscard]] const SmoothMesh& mesh() const { return mesh_; }
+    /// Of the codes that were made last.
+    [[nodiscard]] const SlitCount& slits() const { return slits_; }
+
+  private:
+    CodeOptions options_;
+    SmoothMesh mesh_;
+    std::vector<std::uint32_t> face_of_;  ///< per triangle
+    SlitCount slits_;
+};
+
+}  // namespace ink::methods
