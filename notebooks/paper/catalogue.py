@@ -1,6 +1,6 @@
 """All figures, by the name of their files: what draws them, and in which order they stand."""
 
-from paper import (buffers, cost, latex, methods, motion, prediction, scenes, stress, strips,
+from paper import (axes, buffers, cost, latex, methods, motion, prediction, scenes, strips,
                    tuning)
 
 FIGURES = {
@@ -25,11 +25,11 @@ FIGURES = {
     "tuning": tuning.search,
     "tuned": tuning.tuned,
     "bound": tuning.bound,
-    "scaling": cost.scaling,
+    "scaling": axes.scaling,
     "sizes": cost.sizes,
-    "stress": stress.curves,
-    "stress_losses": stress.losses,
-    "stress_apart": stress.apart,
+    "stress": axes.curves,
+    "stress_losses": axes.losses,
+    "stress_apart": axes.apart,
     "flicker": motion.flicker,
     "lives": motion.lives,
     "roll": motion.roll,

@@ -1,4 +1,4 @@
-"""What a millisecond buys: error against time, settings, scenes that grow, sizes and threads."""
+"""What a millisecond buys: error against time, settings, sizes and threads."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -163,60 +163,6 @@ def settings(runs, style):
     return Chart(figure, "What settings trade: small marks are all settings of a sweep, stairs those "
                  "that no other of the method beats, the grey stair those that none beats at all. "
                  + runs.source("sweep.csv"), facts)
-
-
-_AXES = {"triangles": "triangles", "pixels": "megapixels", "covered": "covered share, %"}
-
-
-def scaling(runs, style):
-    """How time grows with triangles, pixels and the covered share of the image."""
-    frame = runs.table("scaling.csv", "`inkbench compare --scaling` writes it")
-    frame["ms"] = frame["draw_ns_min"] / 1e6
-    if not frame["ms"].notna().any():
-        raise Nothing(_NO_TIMES)
-    frame.loc[frame["axis"] == "pixels", "x"] = frame["width"] * frame["height"] / 1e6
-    frame.loc[frame["axis"] == "covered", "x"] = 100 * frame["covered_share"]
-    kinds = [name for name in _AXES if name in set(frame["axis"])]
-    groups = style.families_of(frame["method"])
-    across = style.columns(50, len(groups))
-    blocks = -(-len(groups) // across)
-    figure, axes = layout.new_figure(style, 1.5 * len(kinds) * blocks, len(kinds) * blocks, across,
-                                     sharey=True)
-    facts, ends = [], []
-    for g, (name, members) in enumerate(groups.items()):
-        for k, kind in enumerate(kinds):
-            ax = axes[g // across * len(kinds) + k, g % across]
-            along = frame[frame["axis"] == kind]
-            own_ends = []
-            for method, points in along.groupby("method", sort=False):
-                points = points.sort_values("x")
-                if method not in members:
-                    ax.plot(points["x"], points["ms"], color=MIST, linewidth=0.5, zorder=1)
-                    continue
-                ax.plot(points["x"], points["ms"],
-                        **{**style.look(method, True), "markersize": 2.6 * style.scale})
-                own_ends.append((points["x"].iloc[-1], points["ms"].iloc[-1], method,
-                                 style.text_colour(method)))
-            ax.set_xscale("log")
-            ax.set_yscale("log")
-            layout.plain_ticks(ax)
-            ax.set_xlabel(_AXES[kind])
-            if k == 0:
-                ax.set_title(name, color=style.text_colour(members[0]))
-            ends.append((ax, own_ends))
-    for ax in axes[(blocks - 1) * len(kinds):, (len(groups) - 1) % across + 1:].flat:
-        ax.set_axis_off()
-    figure.supylabel("least time of a frame, ms")
-    layout.label_ends(figure, style, ends)
-    for kind in kinds:
-        along = frame[frame["axis"] == kind].sort_values("x")
-        span = along.groupby("method")["ms"].agg(["first", "last"])
-        growth = (span["last"] / span["first"]).sort_values()
-        facts.append(f"{kind} x {along['x'].max() / along['x'].min():.0f}: time x "
-                     f"{growth.iloc[0]:.1f} ({growth.index[0]}) to x {growth.iloc[-1]:.1f} "
-                     f"({growth.index[-1]})")
-    return Chart(figure, "Least time of a frame on spheres of growing triangle count, image size and "
-                 "covered share; grey: the other families. " + runs.source("scaling.csv"), facts)
 
 
 def sizes(runs, style):

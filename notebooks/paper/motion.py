@@ -90,9 +90,13 @@ def lives(runs, style):
                  "longer, by family. " + runs.source("lives.csv"), facts)
 
 
+def _creases(runs):
+    return runs.table("creases.csv", _ADVICE)
+
+
 def roll(runs, style):
     """The drawn share of a cube's creases while the camera rolls, and where it was predicted lost."""
-    frame = runs.table("roll.csv", _ADVICE)
+    frame = _creases(runs)
     angles = runs.table_if_any("vanishing.csv")
     methods = [m for m in style.by_family(frame["method"])
                if frame.loc[frame["method"] == m, "predicted_step"].notna().any()]
@@ -105,7 +109,7 @@ def roll(runs, style):
         for ax, crease in zip(line, creases):
             own = frame[(frame["method"] == method) & (frame["crease"] == crease)]
             blind = own["predicted_blind"].fillna(False).astype(bool)
-            ax.fill_between(own["roll_deg"], 0, 1, where=blind, step="mid", color=ORANGE,
+            ax.fill_between(own["value"], 0, 1, where=blind, step="mid", color=ORANGE,
                             alpha=0.35, linewidth=0)
             if angles is not None:
                 at = angles[(angles["method"] == method) & (angles["crease"] == crease)]
@@ -113,7 +117,7 @@ def roll(runs, style):
                     is_lost = angle["recall_there"] < 0.5
                     ax.axvline(angle["predicted_deg"], color=MISSING if is_lost else FAINT,
                                linestyle="--" if is_lost else ":", linewidth=0.8)
-            ax.plot(own["roll_deg"], own["covered_px"] / own["length_px"], color=BLUE,
+            ax.plot(own["value"], own["covered_px"] / own["length_px"], color=BLUE,
                     linewidth=0.9 * style.scale)
             ax.set_xlim(0, 360)
             ax.set_xticks([0, 90, 180, 270])
@@ -142,12 +146,12 @@ def roll(runs, style):
                          "the crease is drawn all the same")
     return Chart(figure, "Drawn share of three creases of a cube while the camera rolls once round. "
                  "Dashes: angles at which the declared code has no step across the crease, "
-                 "predicted from the code and the cube alone. " + runs.source("roll.csv"), facts)
+                 "predicted from the code and the cube alone. " + runs.source("creases.csv"), facts)
 
 
 def roll_least(runs, style):
     """The least and the mean share of a crease that each method draws over a whole roll."""
-    frame = runs.table("roll.csv", _ADVICE)
+    frame = _creases(runs)
     frame = frame.assign(share=frame["covered_px"] / frame["length_px"])
     spread = frame.groupby("method")["share"].agg(["min", "mean"])
     spread = spread.loc[style.by_family(spread.index)]
@@ -165,5 +169,5 @@ def roll_least(runs, style):
                                ("mean", {"color": INK, "marker": "o", "linestyle": ""})])
     always = spread[spread["min"] > 0.5].index
     return Chart(figure, "The share of a cube's creases that is drawn while the camera rolls once "
-                 "round: at the worst angle, and in the mean. " + runs.source("roll.csv"),
+                 "round: at the worst angle, and in the mean. " + runs.source("creases.csv"),
                  [f"never below one half: {', '.join(always) or 'none'}"])

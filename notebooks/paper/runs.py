@@ -87,8 +87,8 @@ class RunFolder:
         """The file `name` as a frame, or None if it is missing or has no line of data.
 
         A table that names cells has the columns of their rows too, and its own where both have one.
-        Of rows.csv the cells of a comparison are here alone: those of other studies stand with
-        their own tables.
+        Of rows.csv the cells of a comparison are here alone; "rows.csv of scaling" has those of
+        that study.
         """
         if name not in self._frames:
             self._frames[name] = self._read(name)
@@ -96,12 +96,13 @@ class RunFolder:
         return None if frame is None else frame.copy()
 
     def _read(self, name):
+        name, _, study = name.partition(" of ")
         path = self._file(name)
         if not path.is_file():
             return None
         frame = _read_csv(path)
         if name == "rows.csv":
-            frame = frame[frame["study"] == "compare"]
+            frame = frame[frame["study"] == (study or "compare")]
         elif "cell" in frame:
             frame = self._with_rows(name, frame)
         return frame.reset_index(drop=True) if len(frame) else None

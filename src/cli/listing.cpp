@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "experiment/dictionary.h"
-#include "experiment/summary/stress_summary.h"
 #include "harness/tables/row_table.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
@@ -97,12 +96,12 @@ std::string list_skips() {
 
 std::string list_axes() {
     std::string text = "axes of difficulty (inkbench stress --axes a,b)\n";
-    for (const studies::StressAxis& axis : studies::stress_axes()) {
+    for (const studies::Axis& axis : studies::stress_axes()) {
         text += fmt::format("  {:<14} {}: {} .. {}, {} points\n  {:<14} {}\n",
                             axis.name,
                             axis.title,
-                            experiment::format_stress_value(axis, axis.values.front()),
-                            experiment::format_stress_value(axis, axis.values.back()),
+                            studies::format_value(axis, axis.values.front()),
+                            studies::format_value(axis, axis.values.back()),
                             axis.values.size(),
                             "",
                             axis.sentence);

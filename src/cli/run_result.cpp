@@ -13,12 +13,12 @@
 #include "core/interrupt.h"
 #include "core/whole_file.h"
 #include "experiment/run_data.h"
-#include "experiment/summary/stress_summary.h"
-#include "experiment/summary/summary.h"
-#include "experiment/summary/unscored.h"
 #include "linear_code/linear_bound_study.h"
 #include "report/run_page.h"
 #include "report/text/verdict.h"
+#include "studies/axis_summary.h"
+#include "summary/summary.h"
+#include "summary/unscored.h"
 
 namespace ink::cli {
 namespace {
@@ -31,7 +31,7 @@ constexpr int kUnscored = 3;
 
 json methods_json(const std::vector<harness::Row>& rows) {
     json methods = json::array();
-    for (const experiment::MethodSummary& s : experiment::summarise(rows)) {
+    for (const summary::MethodSummary& s : summary::summarise(rows)) {
         methods.push_back({{"method", s.method},
                            {"views", s.views},
                            {"failed", s.failed},
@@ -47,11 +47,11 @@ json methods_json(const std::vector<harness::Row>& rows) {
     return methods;
 }
 
-using UnscoredCells = std::vector<experiment::Unscored>;
+using UnscoredCells = std::vector<summary::Unscored>;
 
 json unscored_json(const UnscoredCells& cells) {
     json unscored = json::array();
-    for (const experiment::Unscored& cell : cells) {
+    for (const summary::Unscored& cell : cells) {
         unscored.push_back({{"scene", cell.scene},
                             {"view", cell.view},
                             {"method", cell.method},
@@ -75,12 +75,6 @@ json result_json(const experiment::RunData& run,
             {"faults", record.faults}};
 }
 
-void print_stress(const std::vector<studies::StressRow>& rows) {
-    if (rows.empty()) return;
-    fmt::print("{}",
-               experiment::stress_table(experiment::summarise_stress(rows, rows.front().row.seed)));
-}
-
 void print_comparison(const experiment::RunTables& tables, bool one_place) {
     if (tables.rows.empty()) return;
     const harness::Row& first = tables.rows.front();
@@ -100,7 +94,7 @@ void print_warnings(const experiment::RunRecord& record,
                     const fs::path& folder) {
     for (const experiment::ModelFacts& model : record.models)
         print_not_heeded(model.scene, model.notes);
-    fmt::print(stderr, "{}", experiment::unscored_text(unscored));
+    fmt::print(stderr, "{}", summary::unscored_text(unscored));
     for (const std::string& fault : record.faults)
         fmt::print(stderr, "inkbench: this run is invalid: {}\n", fault);
     if (record.missing_blocks.empty()) return;
@@ -119,9 +113,9 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     const fs::path page = folder / "report.html";
     report::write_run_page({run}, page);
     // Of every size and number of threads, before one of them is kept to be printed.
-    const UnscoredCells unscored = experiment::unscored_cells(run.tables.rows);
+    const UnscoredCells unscored = summary::unscored_cells(run.tables.rows);
     const bool is_without_score =
-        run.record.missing_blocks.empty() && experiment::is_all_unscored(run.tables.rows);
+        run.record.missing_blocks.empty() && summary::is_all_unscored(run.tables.rows);
     experiment::keep_one_place(run.tables);
     const std::vector<harness::Row>& rows = run.tables.rows;
     if (!rows.empty()) {
@@ -131,7 +125,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
         fmt::print("{}\n", result_json(run, unscored, page).dump(2));
     } else {
         print_comparison(run.tables, run.record.one_place);
-        print_stress(run.tables.stress);
+        fmt::print("{}", studies::stress_table(studies::summarise_axes(run.tables.on_axes)));
         if (!run.tables.bounds.empty())
             fmt::print("{}", linear_code::bound_table(run.tables.bounds));
         fmt::print("run: {}\nreport: {}\n", folder.string(), page.string());
@@ -141,7 +135,7 @@ void conclude(const experiment::RunOutcome& outcome, const fs::path& folder, boo
     if (is_without_score) fmt::print(stderr, "inkbench: not one cell has a score\n");
     if (outcome.is_interrupted) throw CLI::RuntimeError(core::kInterrupted);
     if (is_without_score || !run.record.faults.empty()) throw CLI::RuntimeError(kInvalid);
-    if (std::any_of(unscored.begin(), unscored.end(), experiment::is_failure))
+    if (std::any_of(unscored.begin(), unscored.end(), summary::is_failure))
         throw CLI::RuntimeError(kUnscored);
 }
 

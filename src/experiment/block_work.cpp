@@ -148,8 +148,6 @@ void BlockWork::work_through(const std::vector<Group>& groups) {
         }
         bool goes_on = false;
         try {
-            for (const std::size_t block : *group)
-                if (plan_.blocks[block].expect) plan_.blocks[block].expect();
             goes_on = std::all_of(
                 group->begin(), group->end(), [&](std::size_t block) { return compute(block); });
         } catch (...) {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/interrupt.h"
 #include "experiment/stage_times.h"
 #include "harness/sweep.h"
 #include "harness/tables/cost_tables.h"
@@ -18,11 +17,6 @@
 namespace ink::experiment {
 namespace {
 
-/// Images that are drawn before their view's turn; with layers, a pixel of a method has so many
-/// bytes.
-constexpr std::size_t kMostAhead_bytes = std::size_t{1} << 28;
-constexpr std::size_t kBytesWithLayers = 8;
-
 void add_side_tables(std::int64_t cell,
                      const harness::Evaluation& evaluation,
                      BlockResult& result) {
@@ -33,44 +27,16 @@ void add_side_tables(std::int64_t cell,
     result.lines["bins.csv"] += harness::bin_lines(cell, evaluation.row.lines->bins);
 }
 
-AskedView asked_view(const BlockPlace& at) {
-    return {at.view, at.threads, at.keeps_images};
-}
-
-/// Some methods draw a view in turns.
-void draw_some(std::vector<std::unique_ptr<harness::PreparedMethod>>& methods,
-               const AskedView& asked,
-               const harness::MeasureOptions& measure,
-               DrawnMethods& drawn) {
-    auto evaluations = harness::method_evaluations(methods, *asked.view, measure);
-    for (std::size_t i = 0; asked.keeps_layers && i < methods.size(); ++i) {
-        if (!evaluations[i].row.is_ok()) continue;
-        drawn.layers.push_back(
-            harness::buffer_layers(*methods[i], {*asked.view, measure.threads, measure.skips}));
-    }
-    std::move(evaluations.begin(), evaluations.end(), std::back_inserter(drawn.evaluations));
-}
-
-/// The views to draw now: `asked`, and others of its scene that are to come, where methods do not
-/// all fit into memory and would be made ready for each.
-std::vector<AskedView> views_to_draw(ViewBench& bench, std::size_t scene, const AskedView& asked) {
-    std::vector<AskedView> views = {asked};
-    if (bench.most_at_once(scene) >= bench.configs().size()) return views;
-    const auto bytes = bench.configs().size() * static_cast<std::size_t>(asked.view->width_px) *
-                       static_cast<std::size_t>(asked.view->height_px) *
-                       (asked.keeps_layers ? kBytesWithLayers : 1);
-    const std::vector<AskedView> more =
-        bench.drawn_ahead(scene).to_draw(asked, kMostAhead_bytes / std::max<std::size_t>(1, bytes));
-    views.insert(views.end(), more.begin(), more.end());
-    return views;
-}
+/// What the methods drew of a view, and have inside if that is kept.
+struct DrawnMethods {
+    std::vector<harness::Evaluation> evaluations = {};
+    std::vector<harness::MethodLayers> layers = {};
+};
 
 /// What all methods draw of a view, as many at a time as fit into memory.
 DrawnMethods draw_methods(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
-    const AskedView asked = asked_view(at);
-    if (auto drawn = bench.drawn_ahead(at.scene).take(asked)) return std::move(*drawn);
-    std::vector<AskedView> views = views_to_draw(bench, at.scene, asked);
-    std::vector<DrawnMethods> drawn(views.size());
+    const harness::MeasureOptions measure = bench.cell_options(at.threads).measure;
+    DrawnMethods drawn;
     for (std::size_t first = 0; first < bench.configs().size();
          first += bench.most_at_once(at.scene)) {
         auto& methods = [&]() -> auto& {
@@ -79,14 +45,15 @@ DrawnMethods draw_methods(ViewBench& bench, const BlockPlace& at, StageTimes& st
         }
         ();
         const StageTimer timer(stages, WorkStage::draw);
-        // Who asks for an end waits for this block's own view only.
-        if (core::is_interrupted()) views.resize(1);
-        for (std::size_t v = 0; v < views.size(); ++v)
-            draw_some(methods, views[v], bench.cell_options(views[v].threads).measure, drawn[v]);
+        auto some = harness::method_evaluations(methods, *at.view, measure);
+        for (std::size_t i = 0; at.keeps_images && i < methods.size(); ++i) {
+            if (!some[i].row.is_ok()) continue;
+            drawn.layers.push_back(
+                harness::buffer_layers(*methods[i], {*at.view, measure.threads, measure.skips}));
+        }
+        std::move(some.begin(), some.end(), std::back_inserter(drawn.evaluations));
     }
-    for (std::size_t v = 1; v < views.size(); ++v)
-        bench.drawn_ahead(at.scene).keep(views[v], std::move(drawn[v]));
-    return std::move(drawn.front());
+    return drawn;
 }
 
 const harness::TracedView& trace(ViewBench& bench, const BlockPlace& at, StageTimes& stages) {
@@ -118,10 +85,6 @@ void explain(ViewBench& bench,
 }
 
 }  // namespace
-
-void expect_methods(ViewBench& bench, const BlockPlace& at) {
-    bench.drawn_ahead(at.scene).expect(asked_view(at));
-}
 
 BlockResult run_methods(ViewBench& bench, const BlockPlace& at) {
     const scene::Scene& scene = bench.scenes()[at.scene];

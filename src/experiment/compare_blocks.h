@@ -30,10 +30,6 @@ struct SettingsPart {
     Preparation preparation = Preparation::copied;
 };
 
-/// Says that run_methods is to come for a place: what large meshes need is then made ready once for
-/// all views that are to come.
-void expect_methods(ViewBench& bench, const BlockPlace& at);
-
 /// The methods at their own settings, and the baselines: rows.csv and what stands beside it.
 [[nodiscard]] BlockResult run_methods(ViewBench& bench, const BlockPlace& at);
 

@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "experiment/summary/cost_model.h"
-#include "experiment/summary/paired_differences.h"
-#include "experiment/summary/stress_summary.h"
-#include "experiment/summary/summary_csv.h"
-#include "experiment/summary/unscored.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/methods_table.h"
 #include "harness/tables/row_table.h"
@@ -14,12 +9,15 @@
 #include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_table.h"
+#include "studies/axis_summary.h"
+#include "studies/axis_tables.h"
 #include "studies/motion_table.h"
-#include "studies/roll_table.h"
-#include "studies/scaling_table.h"
-#include "studies/skips_table.h"
-#include "studies/stress_table.h"
+#include "studies/roll_axis.h"
 #include "studies/timedemo.h"
+#include "summary/cost_model.h"
+#include "summary/paired_differences.h"
+#include "summary/summary_csv.h"
+#include "summary/unscored.h"
 
 namespace ink::experiment {
 namespace {
@@ -77,25 +75,24 @@ std::vector<harness::TableInfo> dictionary() {
     return {run_record(),
             harness::methods_table(),
             harness::rows_table(),
-            summary_table(),
-            differences_table(),
-            unscored_table(),
+            summary::summary_table(),
+            summary::differences_table(),
+            summary::unscored_table(),
             harness::curves_table(),
             harness::tolerances_table(),
             harness::bins_table(),
             sweep(),
             harness::cost_table(),
-            cost_fit_table(),
+            summary::cost_fit_table(),
+            summary::predictions_table(),
             linear_code::cancellation_table(),
-            studies::stress_table(),
-            stress_summary_table(),
-            stress_axes_table(),
+            studies::axes_table(),
+            studies::axis_summary_table(),
+            studies::faults_table(),
             studies::motion_table(),
             studies::lives_table(),
-            studies::roll_table(),
+            studies::creases_table(),
             studies::vanishing_table(),
-            studies::scaling_table(),
-            studies::skips_table(),
             linear_code::bound_table(),
             evaluations(),
             studies::timedemo_frames_table()};

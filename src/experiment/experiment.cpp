@@ -8,7 +8,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
-#include "experiment/entrants/entrant.h"
+#include "entrants/entrant.h"
 #include "harness/suite.h"
 
 namespace ink::experiment {
@@ -86,7 +86,8 @@ std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
     std::vector<harness::MethodConfig> configs = harness::make_configs(
         fmt::format("{}", fmt::join(experiment.methods, ",")), {}, experiment.presets);
     for (const std::string& text : experiment.entrants) {
-        configs.push_back(entrant_config(parse_entrant(text), {.wall_s = experiment.entrant_s}));
+        configs.push_back(entrants::entrant_config(entrants::parse_entrant(text),
+                                                   {.wall_s = experiment.entrant_s}));
         const auto is_namesake = [&](const harness::MethodConfig& other) {
             return other.info->name == configs.back().info->name;
         };

@@ -11,6 +11,7 @@
 #include "harness/method_configs.h"
 #include "harness/suite.h"
 #include "score/intersections.h"
+#include "studies/axis.h"
 
 namespace ink::experiment {
 
@@ -51,16 +52,18 @@ struct Experiment {
     std::string name;
     ExperimentKind kind = ExperimentKind::compare;
     std::uint64_t seed = 0;
-    std::vector<std::string> methods;    ///< registered names, each once; none: all
-    std::vector<std::string> presets;    ///< preset files whose methods take part too
-    std::vector<std::string> entrants;   ///< NAME=PATH, methods from outside that take part too
-    double entrant_s = 60;               ///< that a program from outside may take for a view
-    std::vector<ImageSize> sizes;        ///< one at least
-    std::vector<int> threads = {1};      ///< of the methods
-    std::vector<std::string> scenes;     ///< built-in scenes or model files; compare, animation
-    harness::ViewRequest view_request;   ///< from where scenes are seen; its size is not read
-    int views = 0;                       ///< the first of each scene; 0: all
-    std::vector<std::string> axes;       ///< of stress; none: all
+    std::vector<std::string> methods;   ///< registered names, each once; none: all
+    std::vector<std::string> presets;   ///< preset files whose methods take part too
+    std::vector<std::string> entrants;  ///< NAME=PATH, methods from outside that take part too
+    double entrant_s = 60;              ///< that a program from outside may take for a view
+    std::vector<ImageSize> sizes;       ///< one at least
+    std::vector<int> threads = {1};     ///< of the methods
+    std::vector<std::string> scenes;    ///< built-in scenes or model files; compare, animation
+    harness::ViewRequest view_request;  ///< from where scenes are seen; its size is not read
+    int views = 0;                      ///< the first of each scene; 0: all
+    std::vector<std::string> axes;      ///< of stress; none: all
+    std::vector<studies::Axis> own_axes =
+        {};                              ///< stress: made by code, beside (or instead of) these
     int points = 0;                      ///< values of an axis, at most; 0: all
     int frames = 48;                     ///< of a sequence
     bool roll = true;                    ///< animation: the cube roll too
@@ -72,9 +75,9 @@ struct Experiment {
     double weld_epsilon = 0;             ///< of the truth, share of each part's diagonal
     score::Intersections intersections = score::Intersections::above_crease;  ///< that count
     KeptImages images = KeptImages::first;
-    bool study_motion = false;   ///< compare: motion.csv, roll.csv too
-    bool study_scaling = false;  ///< compare: scaling.csv too
-    bool study_skips = false;    ///< compare: skips.csv too
+    bool study_motion = false;   ///< compare: the sequences and the roll of an animation, too
+    bool study_scaling = false;  ///< compare: scaling_axes.h too
+    bool study_skips = false;    ///< compare: skip_axes.h too
     BoundRequest bound;
     int repetitions = 15;     ///< timed drawings, at most
     double budget_ms = 60;    ///< of drawing, after which repetitions end

@@ -9,15 +9,12 @@
 #include "harness/evaluations.h"
 #include "studies/motion_study.h"
 #include "studies/motion_table.h"
-#include "studies/roll_study.h"
-#include "studies/roll_table.h"
+#include "studies/roll_axis.h"
 
 namespace ink::experiment {
 namespace {
 
 constexpr int kBaselines = 3;  // of a sequence: sampled, exact_corner and oracle
-constexpr int kRollFrames = 180;
-constexpr int kRollCreases = 3;
 
 /// The sequences of the study whose scene takes part.
 std::vector<studies::Sequence> sequences_of(const Experiment& experiment, const ImageSize& size) {
@@ -68,27 +65,6 @@ BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t 
     return result;
 }
 
-/// A method has a curve per crease, and one cell for all of them.
-BlockResult run_roll(const Stage& stage, int threads, std::int64_t first_cell) {
-    studies::RollOptions options;
-    options.measure.threads = threads;
-    options.cache = stage.trace.cache;
-    options.frame_count = kRollFrames;
-    BlockResult result;
-    std::int64_t cell = first_cell;
-    std::string method;
-    for (const studies::RollCurve& curve : studies::study_roll(stage.configs, options)) {
-        if (!method.empty() && curve.method != method) ++cell;
-        if (curve.method != method)
-            result.lines["rows.csv"] +=
-                harness::row_line(cell, harness::Study::roll, studies::roll_row(curve, options));
-        method = curve.method;
-        result.lines["roll.csv"] += studies::roll_lines(cell, curve);
-        result.lines["vanishing.csv"] += studies::vanishing_lines(cell, curve);
-    }
-    return result;
-}
-
 void plan_sequences(const Experiment& experiment, const std::shared_ptr<Stage>& stage, Plan& plan) {
     const int rows = static_cast<int>(stage->configs.size()) + kBaselines;
     for (const ImageSize& size : experiment.sizes) {
@@ -128,18 +104,7 @@ void plan_animation(const Experiment& experiment, const harness::TraceOptions& t
     plan.add_table(studies::motion_table());
     plan.add_table(studies::lives_table());
     plan_sequences(experiment, stage, plan);
-    if (!experiment.roll) return;
-    plan.add_table(studies::roll_table());
-    plan.add_table(studies::vanishing_table());
-    const int methods = static_cast<int>(stage->configs.size());
-    const int threads = experiment.threads.front();
-    const std::int64_t first_cell = plan.take_cells(methods);
-    plan.blocks.push_back(
-        {"roll",
-         methods * kRollCreases * kRollFrames,
-         kRollFrames * (0.005 + methods * 0.002),
-         true,
-         [stage, threads, first_cell] { return run_roll(*stage, threads, first_cell); }});
+    if (experiment.roll) plan_axes({studies::roll_axis(stage->configs)}, experiment, trace, plan);
 }
 
 }  // namespace ink::experiment

@@ -13,13 +13,14 @@
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
 #include "linear_code/cancellation_table.h"
+#include "studies/scaling_axes.h"
+#include "studies/skip_axes.h"
 
 namespace ink::experiment {
 namespace {
 
 /// Settings of one method that take turns; more at once would not fit into memory on large models.
 constexpr std::size_t kSettingsAtOnce = 48;
-constexpr int kBaselines = 4;
 /// The motion study beside a comparison: small images, a few pixels' way.
 constexpr ImageSize kMotionSize{640, 360};
 constexpr int kMotionFrames = 24;
@@ -152,15 +153,14 @@ void plan_view(const std::shared_ptr<ViewBench>& bench,
                std::size_t nth_view,
                const std::vector<std::string>& swept,
                Plan& plan) {
-    const int cells = static_cast<int>(bench->configs().size()) + kBaselines;
+    const int cells = static_cast<int>(bench->configs().size()) + harness::kBaselines;
     at.first_cell = plan.take_cells(cells);
     plan.blocks.push_back({place_text(*bench, at),
                            cells,
                            work_s(*bench, at, {cells, at.is_first_view ? cells : 0, true}),
                            false,
                            [bench, at] { return run_methods(*bench, at); },
-                           at.scene,
-                           [bench, at] { expect_methods(*bench, at); }});
+                           at.scene});
     for (std::size_t m = 0; m < bench->configs().size(); ++m) {
         const std::vector<harness::MethodConfig> settings =
             settings_of(*bench, bench->configs()[m], nth_view);
@@ -208,9 +208,9 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
             }
         }
     }
-    if (experiment.study_scaling) plan_scaling(experiment, plan);
+    if (experiment.study_scaling) plan_axes(studies::scaling_axes(), experiment, trace, plan);
     if (experiment.study_motion) plan_animation(motion_beside(experiment), trace, plan);
-    if (experiment.study_skips) plan_skips(experiment, plan);
+    if (experiment.study_skips) plan_axes(studies::skip_axes(), experiment, trace, plan);
 }
 
 }  // namespace ink::experiment

@@ -106,10 +106,9 @@ RunOutcome merge_shards(const std::vector<fs::path>& folders,
     if (const auto there = read_record(out)) refuse_other_run(out, *there, gathering.record());
     for (const auto& [index, folder] : gathering.blocks())
         store.adopt(index, BlockStore(folder));
-    if (fs::exists(gathering.first() / "methods.csv")) {
-        fs::copy_file(gathering.first() / "methods.csv",
-                      out / "methods.csv",
-                      fs::copy_options::overwrite_existing);
+    for (const char* name : {"methods.csv", "axes.csv"}) {
+        if (!fs::exists(gathering.first() / name)) continue;
+        fs::copy_file(gathering.first() / name, out / name, fs::copy_options::overwrite_existing);
     }
     return write_run(store, gathering.record(), gathering.missing());
 }

@@ -14,6 +14,7 @@
 #include "core/whole_file.h"
 #include "experiment/asked.h"
 #include "harness/tables/methods_table.h"
+#include "studies/axis_tables.h"
 
 namespace ink::experiment {
 namespace {
@@ -69,6 +70,13 @@ void Plan::add_table(const harness::TableInfo& table) {
     std::string columns = harness::heading(table);
     columns.pop_back();  // its line break
     tables.push_back({table.file, std::move(columns)});
+}
+
+void Plan::add_axis(const studies::Axis& axis) {
+    std::string& text = files[studies::axes_table().file];
+    if (text.empty()) text = harness::heading(studies::axes_table());
+    if (text.find(fmt::format("\n{},", axis.name)) == std::string::npos)
+        text += studies::axis_line(axis);
 }
 
 void Plan::add_model(const scene::Scene& scene) {

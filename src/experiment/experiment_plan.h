@@ -41,9 +41,6 @@ struct Block {
     /// Blocks of one group share what they make ready: they run one after the other, beside those
     /// of other groups. A block without a group has the machine to itself.
     std::optional<std::size_t> group = std::nullopt;
-    /// If there is one, it is called on the group's lane before the first block of the group runs:
-    /// this block will run, too.
-    std::function<void()> expect = {};
 };
 
 /// What a model file has beside what is drawn of it, for run.toml and the terminal.
@@ -67,7 +64,7 @@ struct Plan {
     bool one_place = true;  ///< one size and one number of threads: summaries mean something
     int timed_threads = 1;  ///< the most that a timed drawing of a group uses
     std::vector<PlannedTable> tables;
-    std::map<std::string, std::string> files;  ///< what is known before any block: methods.csv
+    std::map<std::string, std::string> files;  ///< known before any block: methods.csv, axes.csv
     std::vector<ModelFacts> models;            ///< of which there is something to say
     std::vector<Block> blocks;
     std::int64_t rows = 0;  ///< lines of rows.csv that the blocks so far will have
@@ -75,6 +72,8 @@ struct Plan {
     [[nodiscard]] int cells() const;
 
     void add_table(const harness::TableInfo& table);
+    /// Puts what an axis varies into axes.csv, once.
+    void add_axis(const studies::Axis& axis);
     /// Notes in `models` what there is to say of the scene.
     void add_model(const scene::Scene& scene);
     /// The first of `count` new numbers for the column `cell` of rows.csv.
@@ -101,8 +100,10 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
 void plan_animation(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
 void plan_bound(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan);
-/// The studies beside a comparison: scaling.csv, skips.csv.
-void plan_scaling(const Experiment& experiment, Plan& plan);
-void plan_skips(const Experiment& experiment, Plan& plan);
+/// Blocks of every value of some axes, alone on the machine.
+void plan_axes(const std::vector<studies::Axis>& axes,
+               const Experiment& experiment,
+               const harness::TraceOptions& trace,
+               Plan& plan);
 
 }  // namespace ink::experiment

@@ -24,7 +24,7 @@ constexpr int kMostShards = 100'000;
 
 /// A folder that holds results, but none that this program could tell apart.
 bool holds_unknown_results(const fs::path& folder) {
-    for (const char* name : {"rows.csv", "report.html", "plan.toml", "stress.csv"})
+    for (const char* name : {"rows.csv", "report.html", "plan.toml"})
         if (fs::exists(folder / name)) return true;
     return false;
 }

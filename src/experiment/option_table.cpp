@@ -9,7 +9,7 @@
 
 #include "catalogue/catalogue.h"
 #include "core/error.h"
-#include "experiment/entrants/entrant.h"
+#include "entrants/entrant.h"
 #include "methods/registry.h"
 #include "raster/skips.h"
 #include "studies/stress/stress_axes.h"
@@ -84,7 +84,7 @@ void read_methods(Experiment& experiment, const Given& methods) {
 
 void read_entrants(Experiment& experiment, const Given& entrants) {
     for (const core::GivenText& entrant : entrants) {
-        at_place(entrant.where, [&] { (void)parse_entrant(entrant.text); });
+        at_place(entrant.where, [&] { (void)entrants::parse_entrant(entrant.text); });
         experiment.entrants.push_back(entrant.text);
     }
 }
@@ -241,17 +241,17 @@ OptionTable make_table() {
 
     in(kCompare, "--scaling").flag(
         &E::study_scaling, "study.scaling",
-        "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: scaling.csv and "
-        "plots, about a minute");
+        "Also time spheres of 100 to a million triangles, on 0.3 to 33 Mpx: rows of study scaling "
+        "and plots, about a minute");
     in(kCompare, "--motion").flag(
         &E::study_motion, "study.motion",
         "Also draw sequences in which the camera moves slowly, and a cube before a camera that "
-        "rolls: flicker, pops, lives of false lines; motion.csv, roll.csv, vanishing.csv and "
-        "plots, about a minute");
+        "rolls: flicker, pops, lives of false lines; motion.csv, rows of study roll, "
+        "vanishing.csv and plots, about a minute");
     in(kCompare, "--skip-study").flag(
         &E::study_skips, "study.skips",
-        "Also measure how much time each skip saves, on scenes made for it: skips.csv and a part "
-        "of the report");
+        "Also measure how much time each skip saves, on scenes made for it: rows of study skips "
+        "and a part of the report");
 
     in(kBound, "--signed").flag(
         [](auto& e) -> auto& { return e.bound.is_signed; }, "bound.signed",

@@ -12,13 +12,11 @@
 #include "experiment/dictionary.h"
 #include "experiment/gzip_file.h"
 #include "experiment/run_tables.h"
-#include "experiment/summary/cost_model.h"
-#include "experiment/summary/summary.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
-#include "studies/stress_table.h"
+#include "studies/axis_tables.h"
 
 namespace ink::experiment {
 namespace {
@@ -65,41 +63,20 @@ RunTables parse_tables(const Texts& texts, const std::string& where) {
             if (!harness::is_baseline(record.curve.method))
                 run.curves.push_back(std::move(record.curve));
     }
-    if (tables.has("sweep.csv")) {
-        for (harness::SweepRecord& record : harness::read_sweep(tables.split("sweep.csv"), index)) {
-            run.sweep.push_back(std::move(record.row));
-            run.sweep_places.push_back({record.cell, record.setting});
-        }
+    if (tables.has("sweep.csv")) run.sweep = harness::read_sweep(tables.split("sweep.csv"), index);
+    std::map<std::int64_t, studies::CaseFaults> faults;
+    if (tables.has("stress.csv")) {
+        for (const auto& of : studies::read_faults(tables.split("stress.csv"), index))
+            faults[of.row.cell] = of.faults;
     }
-    if (tables.has("stress.csv"))
-        run.stress = studies::read_stress(tables.split("stress.csv"), index);
     if (tables.has("bound.csv"))
         run.bounds = linear_code::read_bounds(tables.split("bound.csv"), index);
     for (harness::RowRecord& record : records) {
+        if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});
         if (record.study != harness::Study::compare) continue;
         run.rows.push_back(std::move(record.row));
-        run.cells.push_back(record.cell);
     }
     return run;
-}
-
-void write_costs(const RunTables& run, Texts& texts) {
-    if (texts.contains("cost.csv")) {
-        std::string text = harness::heading(harness::cost_table());
-        for (std::size_t i = 0; i < run.rows.size(); ++i)
-            text += harness::cost_line(run.cells[i], run.rows[i]);
-        texts["cost.csv"] = std::move(text);
-    }
-    if (texts.contains("sweep.csv")) {
-        const auto swept =
-            harness::swept_parameters(harness::split_csv(texts["sweep.csv"], "sweep.csv"));
-        std::string text = harness::heading(harness::sweep_table(swept));
-        for (std::size_t i = 0; i < run.sweep.size(); ++i) {
-            const SettingPlace& place = run.sweep_places[i];
-            text += harness::sweep_line(place.cell, place.setting, swept, run.sweep[i]);
-        }
-        texts["sweep.csv"] = std::move(text);
-    }
 }
 
 void keep_one_place(RunTables& tables) {

@@ -9,24 +9,16 @@
 #include "harness/row.h"
 #include "linear_code/linear_bound_study.h"
 #include "statistics/ods.h"
-#include "studies/stress/stress_rows.h"
+#include "studies/axis_rows.h"
 
 namespace ink::experiment {
-
-/// Where a line of sweep.csv belongs.
-struct SettingPlace {
-    std::int64_t cell = 0;
-    int setting = 0;
-};
 
 /// What the tables of a run hold, read back. What a run has no table of is empty.
 struct RunTables {
     std::vector<harness::Row> rows;             ///< of the study `compare`: one a method and view
     std::vector<statistics::CellCurve> curves;  ///< of the methods among them
-    std::vector<std::int64_t> cells;            ///< the number of each of `rows`
     std::vector<harness::Row> sweep;            ///< a row per setting, method and swept view
-    std::vector<SettingPlace> sweep_places;     ///< of each of `sweep`
-    std::vector<studies::StressRow> stress;
+    std::vector<studies::AxisRow> on_axes;      ///< of every study that is axes
     std::vector<linear_code::BoundRow> bounds;
 };
 
@@ -34,9 +26,6 @@ struct RunTables {
 /// `where`, table and line) for text that no such table holds.
 [[nodiscard]] RunTables parse_tables(const std::map<std::string, std::string>& texts,
                                      const std::string& where);
-
-/// Writes what predict_costs found out into the texts of cost.csv and sweep.csv.
-void write_costs(const RunTables& tables, std::map<std::string, std::string>& texts);
 
 /// A run folder, read back whole: all that a page or a figure needs, but its images.
 struct RunData {

@@ -8,12 +8,12 @@
 #include <set>
 
 #include "experiment/run_data.h"
-#include "experiment/summary/cost_model.h"
-#include "experiment/summary/paired_differences.h"
-#include "experiment/summary/stress_summary.h"
-#include "experiment/summary/summary_csv.h"
-#include "experiment/summary/unscored.h"
 #include "harness/tables/csv_table.h"
+#include "studies/axis_summary.h"
+#include "summary/cost_model.h"
+#include "summary/paired_differences.h"
+#include "summary/summary_csv.h"
+#include "summary/unscored.h"
 
 namespace ink::experiment {
 namespace {
@@ -58,26 +58,27 @@ std::vector<FinishedTable> finished_tables(const RunRecord& record, const BlockS
         texts[table.name] = joined(table, store, blocks);
 
     if (blocks.size() < static_cast<std::size_t>(record.blocks)) drop_lines_without_cell(texts);
-    RunTables data = parse_tables(texts, store.folder().string());
-    const CostFit fit = record.times ? predict_costs(data.rows, data.sweep) : CostFit{};
-    if (fit.cells > 0) write_costs(data, texts);
+    const RunTables data = parse_tables(texts, store.folder().string());
+    const summary::CostFit fit =
+        record.times ? summary::predict_costs(data.rows, data.sweep) : summary::CostFit{};
     std::vector<FinishedTable> tables;
     for (const RecordedTable& table : record.tables)
         tables.push_back({table.name, std::move(texts.at(table.name))});
     // Over several sizes or numbers of threads no one time of a method means anything.
     if (record.one_place && record.kind == "compare") {
-        tables.push_back({"summary.csv", summary_csv(data.rows, data.curves)});
-        tables.push_back({"differences.csv", differences_csv(all_paired_differences(data.rows))});
+        tables.push_back({"summary.csv", summary::summary_csv(data.rows, data.curves)});
+        tables.push_back({"differences.csv",
+                          summary::differences_csv(summary::all_paired_differences(data.rows))});
     }
     if (record.kind == "compare")
-        tables.push_back({"unscored.csv", unscored_csv(unscored_cells(data.rows))});
-    if (fit.cells > 0) tables.push_back({"cost_fit.csv", cost_fit_csv(fit)});
-    if (!data.stress.empty()) {
-        const std::uint64_t seed = data.stress.front().row.seed;
         tables.push_back(
-            {"stress_summary.csv", stress_summary_csv(summarise_stress(data.stress, seed))});
-        tables.push_back({"stress_axes.csv", stress_axes_csv(data.stress)});
+            {"unscored.csv", summary::unscored_csv(summary::unscored_cells(data.rows))});
+    if (fit.cells > 0) {
+        tables.push_back({"cost_fit.csv", summary::cost_fit_csv(fit)});
+        tables.push_back({"predictions.csv", summary::predictions_csv(fit)});
     }
+    if (const auto points = studies::summarise_axes(data.on_axes); !points.empty())
+        tables.push_back({"axis_summary.csv", studies::axis_summary_csv(points)});
     return tables;
 }
 

@@ -16,7 +16,7 @@ struct FinishedTable {
 };
 
 /// The tables of the finished blocks of a run, in plan order: their lines, with the times that the
-/// cost model predicts from all of them, and summary.csv, differences.csv or stress_summary.csv
+/// cost model predicts from all of them, and summary.csv, differences.csv or axis_summary.csv
 /// where the run has what they are made from. A function of the blocks alone: whoever computed
 /// which, the bytes are the same. Blocks that are missing leave their lines out, and those of other
 /// tables about cells that rows.csv lacks then.

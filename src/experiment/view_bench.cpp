@@ -86,8 +86,7 @@ harness::MissPredictor& ViewBench::predictor(std::size_t scene) {
 }
 
 std::size_t ViewBench::most_at_once(std::size_t scene) const {
-    const std::size_t triangles = std::max<std::size_t>(1, triangle_count(scenes_[scene]));
-    return std::max<std::size_t>(1, triangles_at_once_ / triangles);
+    return harness::most_at_once(scenes_[scene], triangles_at_once_);
 }
 
 std::vector<std::unique_ptr<harness::PreparedMethod>>& ViewBench::methods(std::size_t scene,

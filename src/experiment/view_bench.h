@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "experiment/drawn_methods.h"
 #include "experiment/experiment.h"
 #include "harness/miss_prediction.h"
 #include "harness/view_cells.h"
@@ -29,16 +28,11 @@ enum class Preparation {
 /// lanes may use it at a time, each for a scene of its own.
 class ViewBench {
   public:
-    /// Triangles times methods that are ready together on a lane: a method prepares 600 bytes a
-    /// triangle in the mean, and twice 1 GB beside the truths of large scenes keep a comparison of
-    /// all methods below 4 on two cores.
-    static constexpr std::size_t kTrianglesAtOnce = 1'500'000;
-
     /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_scenes
     /// does.
     ViewBench(const Experiment& experiment,
               harness::TraceOptions trace,
-              std::size_t triangles_at_once = kTrianglesAtOnce);
+              std::size_t triangles_at_once = harness::kTrianglesAtOnce);
 
     [[nodiscard]] const Experiment& experiment() const { return experiment_; }
     [[nodiscard]] const std::vector<harness::MethodConfig>& configs() const { return configs_; }
@@ -59,8 +53,6 @@ class ViewBench {
     /// scene. Those last asked for are at hand.
     std::vector<std::unique_ptr<harness::PreparedMethod>>& methods(std::size_t scene,
                                                                    std::size_t first);
-    /// Views of the scene that the lane has still to draw, and those it drew before their turn.
-    [[nodiscard]] DrawnAhead& drawn_ahead(std::size_t scene) { return desk_of(scene).drawn_ahead; }
     /// Some methods made ready for the scene; they are not kept.
     [[nodiscard]] std::vector<std::unique_ptr<harness::PreparedMethod>> prepared(
         const std::vector<harness::MethodConfig>& configs,
@@ -83,7 +75,6 @@ class ViewBench {
         std::vector<std::unique_ptr<harness::PreparedMethod>> methods = {};
         std::size_t first_method = 0;
         std::vector<std::unique_ptr<harness::PreparedMethod>> left = {};
-        DrawnAhead drawn_ahead = {};
         const scene::View* traced_view = nullptr;
         harness::TracedView traced = {};
     };

@@ -124,6 +124,11 @@ void fill_skips(const DrawTimes& times, const raster::SkipSet& allowed, Row& row
     if (times.failure.empty()) row.skips = times.skips;
 }
 
+std::size_t most_at_once(const scene::Scene& scene, std::size_t triangles_at_once) {
+    const std::size_t triangles = std::max<std::size_t>(1, scene::triangle_count(scene));
+    return std::max<std::size_t>(1, triangles_at_once / triangles);
+}
+
 PreparedMethod::PreparedMethod(const MethodConfig& config,
                                const scene::Scene& scene,
                                std::span<const std::unique_ptr<PreparedMethod>> others)

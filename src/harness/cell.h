@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,7 +39,7 @@ struct MeasureOptions {
 struct DrawTimes {
     std::vector<std::int64_t> draw_ns;
     std::string failure;            ///< why there are none, or ""
-    raster::SkipCounts skips = {};  ///< of the last timed drawing
+    raster::SkipCounts skips = {};  ///< of the last timed round
 };
 
 /// The tolerances at which every cell is scored, for the tolerance sweep: how near the lines lie.
@@ -111,12 +113,46 @@ class PreparedMethod {
     std::int64_t pose_ns_ = 0;
 };
 
-/// Draws `view` with every method in turns (A B C, A B C, ...), so that a machine that slows down
-/// slows all alike; the first round warms up, gives the images and is not counted.
+/// Triangles times methods that are ready together: a method prepares 600 bytes a triangle in the
+/// mean, and twice 1 GB beside the truths of large scenes keep a comparison of all methods below 4
+/// on two cores.
+inline constexpr std::size_t kTrianglesAtOnce = 1'500'000;
+
+/// How many methods may be ready for a scene at a time. At least 1.
+[[nodiscard]] std::size_t most_at_once(const scene::Scene& scene,
+                                       std::size_t triangles_at_once = kTrianglesAtOnce);
+
+/// A method that takes turns with others, and what it may skip.
+struct Turn {
+    PreparedMethod* method = nullptr;
+    raster::SkipSet skips;
+};
+
+/// What is drawn in a turn: a view, or frames of it in which the first instance moves.
+struct Shot {
+    const scene::View& view;
+    const scene::Scene* scene = nullptr;  ///< that the methods are ready for, if something moves
+    std::span<const glm::dmat4> poses = {};
+};
+
+/// Draws a shot turn by turn (A B C, B C A, ...), so that a machine that slows down slows all
+/// alike, and none always follows the same one; the first round warms up, gives the images and is
+/// not counted.
 ///
-/// `images[i]` and the result's [i] are method i's. A method that throws, or whose images
+/// `images[i]` and the result's [i] are of turn i. A method that throws, or whose images
 /// differ between rounds, gets a failure and is left out of later rounds; the others go on. A
-/// method from outside draws once, and its time is its own (OutsideMethod).
+/// method from outside draws once, and its time is its own (OutsideMethod). Of several frames the
+/// image is one below the other, and the first is not timed: it follows the last of another turn.
+[[nodiscard]] std::vector<DrawTimes> draw_in_turns(std::span<const Turn> turns,
+                                                   const Shot& shot,
+                                                   const MeasureOptions& options,
+                                                   std::vector<edge::EdgeImage>& images);
+
+/// A turn for each method, allowed what the options allow.
+[[nodiscard]] std::vector<Turn> turns_of(
+    const std::vector<std::unique_ptr<PreparedMethod>>& methods, const MeasureOptions& options);
+
+/// The same with each method on `view`.
 [[nodiscard]] std::vector<DrawTimes> draw_in_turns(
     std::vector<std::unique_ptr<PreparedMethod>>& methods,
     const scene::View& view,

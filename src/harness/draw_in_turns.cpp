@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "core/parallel.h"
@@ -11,31 +14,48 @@
 namespace ink::harness {
 namespace {
 
-/// The methods of a view while they take turns.
-class Turns {
+/// A turn of one round.
+struct Drawing {
+    std::vector<std::int64_t> draw_ns;  ///< of the frames that count
+    raster::SkipCounts skips = {};      ///< summed over them
+};
+
+void add(const raster::SkipCounts& counts, raster::SkipCounts& sums) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        sums[i].skipped += counts[i].skipped;
+        sums[i].of += counts[i].of;
+    }
+}
+
+/// Those who take turns, while they do.
+class Round {
   public:
-    Turns(std::vector<std::unique_ptr<PreparedMethod>>& methods,
-          const scene::View& view,
+    Round(std::span<const Turn> turns,
+          const Shot& shot,
           const MeasureOptions& options,
           std::vector<edge::EdgeImage>& images)
-        : methods_(methods),
+        : turns_(turns),
+          shot_(shot),
           options_(options),
-          frame_{view, options.threads, options.skips},
           images_(images),
-          times_(methods.size()),
-          spent_s_(methods.size(), 0),
-          is_done_(methods.size(), false),
-          again_(view.width_px, view.height_px) {
-        images_.assign(methods.size(), again_);
+          times_(turns.size()),
+          spent_s_(turns.size(), 0),
+          is_done_(turns.size(), false),
+          frame_image_(shot.view.width_px, shot.view.height_px),
+          again_(shot.view.width_px, shot.view.height_px * frame_count()) {
+        if (!shot.poses.empty()) posed_ = *shot.scene;
+        images_.assign(turns.size(), again_);
     }
 
     /// Each draws its image. Not timed but for what has a clock of its own.
     void begin() {
-        for (std::size_t i = 0; i < methods_.size(); ++i) {
+        for (std::size_t i = 0; i < turns_.size(); ++i) {
             if (i > 0) core::pause();
-            const auto* outside = dynamic_cast<OutsideMethod*>(&methods_[i]->method());
+            const auto* outside = dynamic_cast<OutsideMethod*>(&turns_[i].method->method());
             if (outside == nullptr) {
-                (void)draw(i, images_[i]);
+                const Drawing drawing = draw(i, images_[i]);
+                // Later rounds of a sequence follow other turns: the first says what it leaves out.
+                if (!shot_.poses.empty()) times_[i].skips = drawing.skips;
                 continue;
             }
             measure([&] { (void)draw(i, images_[i]); });
@@ -56,40 +76,79 @@ class Turns {
     [[nodiscard]] std::vector<DrawTimes> take_times() { return std::move(times_); }
 
   private:
+    [[nodiscard]] int frame_count() const {
+        return std::max(1, static_cast<int>(shot_.poses.size()));
+    }
+
     void measure(const std::function<void()>& work) const {
         options_.is_alone ? core::run_alone(work) : work();
     }
 
     void repeat_rounds() {
         for (int round = 1; round <= options_.max_repetitions && !is_done(); ++round) {
-            for (std::size_t i = 0; i < methods_.size(); ++i)
-                if (!is_done_[i]) repeat(i);
+            for (std::size_t turn = 0; turn < turns_.size(); ++turn) {
+                const std::size_t i = (static_cast<std::size_t>(round) + turn) % turns_.size();
+                if (!is_done_[i]) repeat(i, round);
+            }
         }
     }
 
-    void repeat(std::size_t i) {
-        const std::int64_t ns = draw(i, again_);
+    void repeat(std::size_t i, int round) {
+        const Drawing drawing = draw(i, again_);
         if (is_done_[i]) return;
         if (!(again_ == images_[i])) return fail(i, "failed: two drawings of one view differ");
         DrawTimes& times = times_[i];
-        times.draw_ns.push_back(ns);
-        times.skips = methods_[i]->method().skip_counts();
-        spent_s_[i] += static_cast<double>(ns) * 1e-9;
+        if (shot_.poses.empty()) times.skips = drawing.skips;
+        for (const std::int64_t ns : drawing.draw_ns) {
+            times.draw_ns.push_back(ns);
+            spent_s_[i] += static_cast<double>(ns) * 1e-9;
+        }
         is_done_[i] =
-            static_cast<int>(times.draw_ns.size()) >= options_.min_repetitions &&
+            round >= options_.min_repetitions &&
             (spent_s_[i] > options_.budget_s || is_median_known(times.draw_ns, options_.precision));
     }
 
-    /// Nanoseconds that a drawing takes; one that throws is the method's last.
-    std::int64_t draw(std::size_t i, edge::EdgeImage& out) {
-        std::int64_t ns = 0;
-        std::string failure = methods_[i]->failure();
+    /// A turn; one that throws is the method's last.
+    Drawing draw(std::size_t i, edge::EdgeImage& out) {
+        Drawing drawing;
+        std::string failure = turns_[i].method->failure();
         if (failure.empty()) {
-            failure =
-                failure_of([&] { ns = time_ns([&] { methods_[i]->method().draw(frame_, out); }); });
+            failure = failure_of([&] { drawing = draw_frames(turns_[i], out); });
         }
         if (!failure.empty()) fail(i, failure);
-        return ns;
+        return drawing;
+    }
+
+    Drawing draw_frames(const Turn& turn, edge::EdgeImage& out) {
+        Drawing drawing;
+        method::Method& method = turn.method->method();
+        const bool is_still = shot_.poses.empty();
+        edge::EdgeImage& image = is_still ? out : frame_image_;
+        for (int frame = 0; frame < frame_count(); ++frame) {
+            if (!is_still) {
+                posed_->instances.front().world_from_object =
+                    shot_.poses[static_cast<std::size_t>(frame)];
+                method.pose(*posed_);
+            }
+            const std::int64_t ns = time_ns([&] {
+                method.draw({shot_.view, options_.threads, turn.skips}, image);
+            });
+            check_size(image);
+            if (!is_still)
+                std::copy_n(image.data(), image.size(), out.row(frame * shot_.view.height_px));
+            if (frame == 0 && !is_still) continue;
+            drawing.draw_ns.push_back(ns);
+            add(method.skip_counts(), drawing.skips);
+        }
+        return drawing;
+    }
+
+    void check_size(edge::EdgeImage& image) const {
+        const int width_px = image.width_px();
+        const int height_px = image.height_px();
+        if (width_px == shot_.view.width_px && height_px == shot_.view.height_px) return;
+        image = edge::EdgeImage(shot_.view.width_px, shot_.view.height_px);
+        throw std::runtime_error(fmt::format("an image of {} x {} px", width_px, height_px));
     }
 
     void fail(std::size_t i, const std::string& failure) {
@@ -97,26 +156,43 @@ class Turns {
         is_done_[i] = true;
     }
 
-    std::vector<std::unique_ptr<PreparedMethod>>& methods_;
+    std::span<const Turn> turns_;
+    const Shot& shot_;
     const MeasureOptions& options_;
-    method::Frame frame_;
     std::vector<edge::EdgeImage>& images_;
     std::vector<DrawTimes> times_;
     std::vector<double> spent_s_;
     std::vector<bool> is_done_;
+    std::optional<scene::Scene> posed_;
+    edge::EdgeImage frame_image_;
     edge::EdgeImage again_;
 };
 
 }  // namespace
 
+std::vector<DrawTimes> draw_in_turns(std::span<const Turn> turns,
+                                     const Shot& shot,
+                                     const MeasureOptions& options,
+                                     std::vector<edge::EdgeImage>& images) {
+    Round round(turns, shot, options, images);
+    round.begin();
+    if (options.max_repetitions > 0 && !round.is_done()) round.repeat();
+    return round.take_times();
+}
+
 std::vector<DrawTimes> draw_in_turns(std::vector<std::unique_ptr<PreparedMethod>>& methods,
                                      const scene::View& view,
                                      const MeasureOptions& options,
                                      std::vector<edge::EdgeImage>& images) {
-    Turns turns(methods, view, options, images);
-    turns.begin();
-    if (options.max_repetitions > 0 && !turns.is_done()) turns.repeat();
-    return turns.take_times();
+    return draw_in_turns(turns_of(methods, options), {view}, options, images);
+}
+
+std::vector<Turn> turns_of(const std::vector<std::unique_ptr<PreparedMethod>>& methods,
+                           const MeasureOptions& options) {
+    std::vector<Turn> turns;
+    for (const auto& method : methods)
+        turns.push_back({method.get(), options.skips});
+    return turns;
 }
 
 }  // namespace ink::harness

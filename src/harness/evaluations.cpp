@@ -46,22 +46,29 @@ std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth) {
     return evaluations;
 }
 
-std::vector<Evaluation> method_evaluations(std::vector<std::unique_ptr<PreparedMethod>>& methods,
-                                           const scene::View& view,
+std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
+                                           const Shot& shot,
                                            const MeasureOptions& measure) {
     std::vector<edge::EdgeImage> images;
-    std::vector<DrawTimes> times = draw_in_turns(methods, view, measure, images);
-    std::vector<Evaluation> evaluations(methods.size());
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        evaluations[i].row = methods[i]->row();
+    std::vector<DrawTimes> times = draw_in_turns(turns, shot, measure, images);
+    std::vector<Evaluation> evaluations(turns.size());
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        PreparedMethod& method = *turns[i].method;
+        evaluations[i].row = method.row();
         evaluations[i].image = std::move(images[i]);
-        evaluations[i].threshold = methods[i]->threshold();
-        if (methods[i]->failure().empty()) evaluations[i].code = methods[i]->method().code();
+        evaluations[i].threshold = method.threshold();
+        if (method.failure().empty()) evaluations[i].code = method.method().code();
         if (!times[i].failure.empty()) evaluations[i].row.status = times[i].failure;
-        fill_skips(times[i], measure.skips, evaluations[i].row);
+        fill_skips(times[i], turns[i].skips, evaluations[i].row);
         fill_times(std::move(times[i].draw_ns), evaluations[i].row);
     }
     return evaluations;
+}
+
+std::vector<Evaluation> method_evaluations(std::vector<std::unique_ptr<PreparedMethod>>& methods,
+                                           const scene::View& view,
+                                           const MeasureOptions& measure) {
+    return method_evaluations(turns_of(methods, measure), {view}, measure);
 }
 
 void attribute_evaluations(const ViewTruth& truth,

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,13 @@ struct Evaluation {
 /// order.
 [[nodiscard]] std::vector<Evaluation> baseline_evaluations(const ViewTruth& truth);
 
-/// Draws and times every method on `view`, in turns. A method that fails is an evaluation whose row
-/// says so.
+inline constexpr int kBaselines = 4;
+
+/// Draws and times every turn of a shot. A method that fails is an evaluation whose row says so.
+[[nodiscard]] std::vector<Evaluation> method_evaluations(std::span<const Turn> turns,
+                                                         const Shot& shot,
+                                                         const MeasureOptions& measure);
+/// The same with each method on `view`.
 [[nodiscard]] std::vector<Evaluation> method_evaluations(
     std::vector<std::unique_ptr<PreparedMethod>>& methods,
     const scene::View& view,

@@ -21,12 +21,10 @@ void clear_times(Row& row) {
                        &row.draw_ns,
                        &row.draw_ns_q25,
                        &row.draw_ns_q75,
-                       &row.draw_ns_min,
-                       &row.predicted_ns}) {
+                       &row.draw_ns_min}) {
         time->reset();
     }
     row.draw_n = 0;
-    row.cost_residual.reset();
 }
 
 bool is_baseline(std::string_view method) {

@@ -25,6 +25,10 @@ namespace ink::harness {
 ///
 /// Empty optionals are written as empty fields, never as 0 or NaN.
 struct Row {
+    std::int64_t cell = 0;  ///< its number in rows.csv, as read back
+    int setting = 0;        ///< of a line of sweep.csv its number within the cell, from 1; else 0
+    std::string axis = {};  ///< of a study: what grows; "" where nothing does
+    std::optional<double> value = {};  ///< where on the axis; of named values the number
     std::string method;
     std::string scene;
     std::string view;
@@ -80,10 +84,7 @@ struct Row {
     /// Whose clock the times are by: inkbench, or own for a method from outside.
     std::string clock = "inkbench";
     std::optional<int> bytes_per_px;
-    std::optional<CostFacts> cost = {};  ///< what predicted_ns is made from
-    std::optional<std::int64_t> predicted_ns =
-        {};  ///< of draw_ns_min; see experiment/summary/cost_model.h
-    std::optional<double> cost_residual = {};  ///< draw_ns_min / predicted_ns - 1
+    std::optional<CostFacts> cost = {};  ///< what its time is predicted from
     /// What the last timed drawing left undone; nothing for baselines and cells that failed.
     std::optional<raster::SkipCounts> skips = {};
     std::string skips_off = {};  ///< skips that were not allowed, "a;b"

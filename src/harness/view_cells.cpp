@@ -117,6 +117,15 @@ void finish_briefly(const scene::Scene& scene,
     finish_settings(scene, view, traced, options, evaluations);
 }
 
+void finish_drawn(const scene::Scene& scene,
+                  const scene::View& view,
+                  const CellOptions& options,
+                  std::vector<Evaluation>& evaluations) {
+    for (Evaluation& evaluation : evaluations)
+        fill_place(scene, view, options, evaluation.row);
+    fill_image_hashes(evaluations);
+}
+
 void finish_settings(const scene::Scene& scene,
                      const scene::View& view,
                      const TracedView& traced,
@@ -141,6 +150,7 @@ void finish_settings(const scene::Scene& scene,
         if (firsts[i] != i) copy_score_2px(evaluations[firsts[i]].row, evaluations[i].row);
         fill_truth_facts(traced.truth, evaluations[i].row);
     }
+    if (options.scores_crowded && emptiness(traced.truth).empty()) return;
     note_crowded(traced.truth, evaluations);
 }
 

@@ -21,6 +21,9 @@ struct CellOptions {
     MeasureOptions measure = {};
     TraceOptions trace = {};
     std::uint64_t seed = 0;  ///< of random images
+    /// Views too crowded to score (harness/unscored_view.h) have a score, as long as there is a
+    /// true pixel that counts. In brief scores only.
+    bool scores_crowded = false;
 };
 
 /// A view with all that its rows say whatever the method.
@@ -46,8 +49,8 @@ void fill_place(const scene::Scene& scene,
                 const CellOptions& options,
                 Row& row);
 
-/// Scores drawn evaluations of a view and adds its baselines: rows come out complete but for
-/// predicted_ns. Without a truth every row, the baselines' too, says why.
+/// Scores drawn evaluations of a view and adds its baselines: rows come out complete. Without a
+/// truth every row, the baselines' too, says why.
 void finish_evaluations(const scene::Scene& scene,
                         const scene::View& view,
                         const TracedView& traced,
@@ -62,7 +65,13 @@ void finish_briefly(const scene::Scene& scene,
                     const CellOptions& options,
                     std::vector<Evaluation>& evaluations);
 
-/// The same without baselines. Equal images at equal thresholds are scored once.
+/// The same of images that are not scored: their place and their hash.
+void finish_drawn(const scene::Scene& scene,
+                  const scene::View& view,
+                  const CellOptions& options,
+                  std::vector<Evaluation>& evaluations);
+
+/// The same as finish_briefly without baselines. Equal images at equal thresholds are scored once.
 void finish_settings(const scene::Scene& scene,
                      const scene::View& view,
                      const TracedView& traced,

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
+#include <span>
+#include <utility>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -17,8 +18,6 @@
 
 namespace ink::tune {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Settings whose images are kept: the one in hand and the one before it.
 constexpr std::size_t kKeptImages = 2;
@@ -68,16 +67,21 @@ void TuneBench::draw_scene(const harness::MethodConfig& config,
                            std::size_t scene_index,
                            std::vector<edge::EdgeImage>& images,
                            std::vector<double>& times_ms) const {
-    const scene::Scene& scene = scenes_[scene_index].scene;
-    const auto method = config.info->make(config.settings);
-    method->prepare(scene);
-    method->pose(scene);
+    harness::PreparedMethod prepared(config, scenes_[scene_index].scene);
+    const harness::Turn turn{&prepared, harness::skips_of_repeated_drawings()};
+    harness::MeasureOptions measure;
+    if (!takes_times_) measure.max_repetitions = 0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
         if (views_[i].scene_index != scene_index) continue;
-        images[i] = edge::EdgeImage(views_[i].view.width_px, views_[i].view.height_px);
-        const auto start = Clock::now();
-        method->draw({views_[i].view, 1}, images[i]);
-        times_ms[i] = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        std::vector<edge::EdgeImage> drawn;
+        harness::DrawTimes times =
+            harness::draw_in_turns(std::span(&turn, 1), {views_[i].view}, measure, drawn).front();
+        if (!times.failure.empty())
+            throw core::Error(config.info->name, times.failure, "settings that it can draw with");
+        images[i] = std::move(drawn.front());
+        harness::Row row;
+        harness::fill_times(std::move(times.draw_ns), row);
+        times_ms[i] = 1e-6 * static_cast<double>(row.draw_ns.value_or(0));
     }
 }
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "experiment/summary/paired_differences.h"
 #include "methods/preset.h"
 #include "statistics/bootstrap.h"
+#include "summary/paired_differences.h"
 #include "tune/tune_folder.h"
 
 namespace ink::tune {
@@ -53,12 +53,12 @@ std::string error_line(const TunedSettings& each) {
 std::string paired_difference_line(const char* where,
                                    const std::vector<score::CurveCount>& a,
                                    const std::vector<score::CurveCount>& b) {
-    const experiment::PairedDifference paired{
+    const summary::PairedDifference paired{
         "", "", f_of(a) - f_of(b), statistics::paired_interval(a, b, {})};
     const char* verdict = "";
     if (paired.range) verdict = paired.is_significant() ? ": significant" : ": not significant";
     return fmt::format(
-        "  on {} scenes {}{}\n", where, experiment::format_paired_difference(paired), verdict);
+        "  on {} scenes {}{}\n", where, summary::format_paired_difference(paired), verdict);
 }
 
 /// What settings found so may score on a view like these, where no scene is held out.

@@ -6,37 +6,39 @@
 #include "core/error.h"
 #include "linear_code/bound_tables.h"
 #include "linear_code/cancellation_table.h"
-#include "studies/skips_table.h"
-#include "studies/stress_table.h"
+#include "studies/axis_tables.h"
 #include "tests/core/error_text.h"
 #include "tests/harness/random_rows.h"
 
 namespace ink::experiment {
 namespace {
 
-TEST(SkipsTable, ALineNamesTheSkipAndTheArm) {
-    studies::SkipTime time;
-    EXPECT_EQ(studies::skip_line(5, time), "5,,on\n");
-    time.skip = raster::Skip::flat_tiles;
-    time.arm = studies::SkipArm::one_off;
-    EXPECT_EQ(studies::skip_line(5, time), "5,flat_tiles,one_off\n");
+TEST(AxesTable, ALineSaysWhatAnAxisVaries) {
+    studies::Axis axis;
+    axis.name = "depth";
+    axis.title = "format, encoding";
+    axis.study = "own";
+    axis.scale = studies::AxisScale::named;
+    axis.value_names = {"z24", "z16"};
+    axis.sentence = "Whatever.";
+    EXPECT_EQ(studies::axis_line(axis),
+              "depth,own,\"format, encoding\",,false,Whatever.,z24;z16\n");
 }
 
-TEST(StressTable, ReadsAndWritesTheSameBytes) {
+TEST(FaultsTable, ReadsAndWritesTheSameBytes) {
     harness::RandomValues any(5);
     const std::vector<harness::RowRecord> rows = harness::random_rows(any, 40);
     std::string lines;
     for (const harness::RowRecord& row : rows) {
-        studies::StressRow stress{any.text(), any.real(), any.text(), row.row};
-        stress.counts = {any.count(), any.count(), any.small(), any.small()};
-        lines += studies::stress_line(row.cell, stress);
+        lines +=
+            studies::faults_line(row.cell, {any.count(), any.count(), any.small(), any.small()});
     }
-    const auto read = studies::read_stress(harness::file_of(studies::stress_table(), lines),
+    const auto read = studies::read_faults(harness::file_of(studies::faults_table(), lines),
                                            harness::RowIndex(rows));
     ASSERT_EQ(read.size(), rows.size());
     std::string again;
     for (std::size_t i = 0; i < read.size(); ++i) {
-        again += studies::stress_line(rows[i].cell, read[i]);
+        again += studies::faults_line(rows[i].cell, read[i].faults);
         EXPECT_EQ(read[i].row.scene, rows[i].row.scene);
     }
     EXPECT_EQ(again, lines);
@@ -89,8 +91,8 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
                    "rows.csv)") != std::string::npos;
     };
     EXPECT_TRUE(is_refused(core::error_text([&] {
-        (void)studies::read_stress(
-            harness::file_of(studies::stress_table(), studies::stress_line(9, {})), index);
+        (void)studies::read_faults(
+            harness::file_of(studies::faults_table(), studies::faults_line(9, {})), index);
     })));
     EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)linear_code::read_bounds(

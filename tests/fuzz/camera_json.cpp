@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "experiment/entrants/view_files.h"
+#include "entrants/view_files.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/scene/small_meshes.h"
 
@@ -93,8 +93,8 @@ void check_camera_json(Bytes bytes) {
     scene::fit_clip_range(view.camera, scene::bounding_sphere(scene));
     view.width_px = feed.whole(1, 16384);
     view.height_px = feed.whole(1, 16384);
-    const experiment::ViewFiles files{text(feed), text(feed), text(feed), text(feed)};
-    const std::string written = experiment::view_json(scene, view, files);
+    const entrants::ViewFiles files{text(feed), text(feed), text(feed), text(feed)};
+    const std::string written = entrants::view_json(scene, view, files);
     const Json json = Json::parse(written, nullptr, false);
     expect(!json.is_discarded(), "camera.json is JSON");
     expect(json.at("format") == "inkbench view 1", "it says what it is");

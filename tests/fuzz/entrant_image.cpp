@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "experiment/entrants/image_folder.h"
+#include "entrants/image_folder.h"
 #include "image_io/image_file.h"
 #include "score/polarity.h"
 #include "tests/fuzz/fuzz.h"
@@ -63,7 +63,7 @@ void check_entrant_image(Bytes bytes) {
         return;
     }
     try {
-        const edge::EdgeImage image = experiment::read_entrant_image(path, view);
+        const edge::EdgeImage image = entrants::read_entrant_image(path, view);
         expect(image.width_px() == view.width_px && image.height_px() == view.height_px,
                "the image has the size of the view");
         expect(!score::has_dark_lines(image), "lines are light on dark");
@@ -72,7 +72,7 @@ void check_entrant_image(Bytes bytes) {
     }
     ++view.width_px;
     try {
-        (void)experiment::read_entrant_image(path, view);
+        (void)entrants::read_entrant_image(path, view);
     } catch (const core::Error& error) {
         return expect_clear(error);
     }

@@ -1,7 +1,7 @@
 // Any text in the place of times.csv is read, or an Error.
 
 #include "core/error.h"
-#include "experiment/entrants/image_folder.h"
+#include "entrants/image_folder.h"
 #include "harness/tables/csv_table.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"
@@ -29,7 +29,7 @@ void check_entrant_times(Bytes bytes) {
     check_table({bytes.begin(), bytes.end()});
     const auto path = scratch_file("times.csv", bytes);
     try {
-        (void)experiment::image_folder_source(path.parent_path());
+        (void)entrants::image_folder_source(path.parent_path());
     } catch (const core::Error& error) {
         expect_clear(error);
     }

@@ -169,8 +169,10 @@ inline std::vector<RowRecord> random_rows(RandomValues& any, int count) {
     std::int64_t cell = 0;
     for (int i = 0; i < count; ++i) {
         cell += 1 + any.small();
-        const auto study = static_cast<Study>(any.below(kStudyNames.size()));
-        rows.push_back({cell, study, random_row(any)});
+        rows.push_back({cell, any.coin() ? Study::compare : Study::stress, random_row(any)});
+        if (!any.coin()) continue;
+        rows.back().row.axis = any.text();
+        rows.back().row.value = any.real();
     }
     return rows;
 }

@@ -198,14 +198,15 @@ TEST(RowTable, NamesLineColumnAndFieldOfWhatItCannotRead) {
     EXPECT_EQ(error_of(heading(rows_table()) + first + first),
               "rows.csv, line 4: column cell holds '1' (accepted: every cell once)");
     wrong = second;
-    wrong.replace(wrong.find("compare"), 7, "compile");
-    EXPECT_THAT(error_of(heading(rows_table()) + wrong),
-                testing::HasSubstr("line 2: column study holds 'compile' (accepted: compare, "));
+    wrong.replace(wrong.find("above_crease"), 5, "about");
+    EXPECT_THAT(
+        error_of(heading(rows_table()) + wrong),
+        testing::HasSubstr("line 2: column intersections holds 'about_crease' (accepted: "));
     EXPECT_EQ(error_of(heading(rows_table()) + second.substr(0, second.size() - 1)),
               "rows.csv, line 2: the file ends within a record (accepted: a file whose every line "
               "is ended)");
     EXPECT_THAT(error_of("cell,study,way\n"),
-                testing::HasSubstr("rows.csv, line 1: column 3 is 'way' (accepted: 'method'"));
+                testing::HasSubstr("rows.csv, line 1: column 3 is 'way' (accepted: 'axis'"));
     EXPECT_THAT(error_of(""), testing::HasSubstr("column 1 is missing"));
 }
 

@@ -31,12 +31,12 @@ TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     EXPECT_EQ(angles.size(), 6U) << "three creases, each twice a turn";
     for (const auto& line : angles)
         EXPECT_LT(std::abs(std::stod(line.at("error_deg"))), 2);
-    EXPECT_EQ(parse_csv(desk.read("out/roll.csv")).size(), 3U * 180U);
+    EXPECT_EQ(parse_csv(desk.read("out/creases.csv")).size(), 3U * 180U);
     EXPECT_GT(page_table(desk.read("out/report.html"), "motion.csv")["lines"], 0);
 
     words.back() = "--force";
     ASSERT_EQ(desk.run(words).exit_code, 0);
-    for (const char* file : {"out/motion.csv", "out/roll.csv", "out/vanishing.csv"})
+    for (const char* file : {"out/motion.csv", "out/creases.csv", "out/vanishing.csv"})
         EXPECT_EQ(desk.read(file), "") << "an older one must not pass for this run's";
     EXPECT_TRUE(page_table(desk.read("out/report.html"), "motion.csv").is_null());
 }

@@ -192,6 +192,12 @@ Table parse_csv(const std::string& text) {
     return table;
 }
 
+Table rows_of_study(const Desk& desk, const std::string& study) {
+    Table rows = parse_csv(desk.read("out/rows.csv"));
+    std::erase_if(rows, [&](const auto& row) { return row.at("study") != study; });
+    return rows;
+}
+
 Table table_of_run(const Desk& desk, const std::string& folder, const std::string& name) {
     std::map<std::string, std::map<std::string, std::string>> cells;
     for (auto& row : parse_csv(desk.read(folder + "/rows.csv"))) {

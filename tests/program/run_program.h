@@ -67,6 +67,9 @@ class Desk {
 using Table = std::vector<std::map<std::string, std::string>>;
 [[nodiscard]] Table parse_csv(const std::string& text);
 
+/// The rows of a study in rows.csv of the run in `out`.
+[[nodiscard]] Table rows_of_study(const Desk& desk, const std::string& study);
+
 /// The table `name` of the run in `folder`, each line with what rows.csv says of its cell; where
 /// both have a column, the table's own. Throws std::runtime_error for a cell that rows.csv has not.
 [[nodiscard]] Table table_of_run(const Desk& desk,

@@ -16,10 +16,11 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     words.emplace_back("--scaling");
     ASSERT_EQ(desk.run(words).exit_code, 0);
     std::map<std::string, std::set<double>> places;
-    for (const auto& line : table_of_run(desk, "out", "scaling.csv")) {
-        EXPECT_EQ(line.at("method"), "mote2");
-        EXPECT_GT(std::stoll(line.at("draw_ns_min")), 0);
-        places[line.at("axis")].insert(std::stod(line.at("x")));
+    for (const auto& row : rows_of_study(desk, "scaling")) {
+        EXPECT_EQ(row.at("method"), "mote2");
+        EXPECT_GT(std::stoll(row.at("draw_ns_min")), 0);
+        EXPECT_EQ(row.at("f_2px"), "") << "it is not scored";
+        places[row.at("axis")].insert(std::stod(row.at("value")));
     }
     ASSERT_EQ(places.size(), 3U);
     for (const auto& [axis, x] : places)
@@ -28,12 +29,13 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     EXPECT_EQ(*places["pixels"].rbegin(), 7680 * 4320);
     EXPECT_LT(*places["triangles"].begin(), 200);
     EXPECT_GE(*places["triangles"].rbegin(), 1e6);
-    EXPECT_GT(page_table(desk.read("out/report.html"), "scaling.csv")["lines"], 0);
+    EXPECT_EQ(page_table(desk.read("out/report.html"), "axes.csv")["lines"], 3);
 
     words.back() = "--force";
     ASSERT_EQ(desk.run(words).exit_code, 0);
-    EXPECT_EQ(desk.read("out/scaling.csv"), "") << "an older one must not pass for this run's";
-    EXPECT_TRUE(page_table(desk.read("out/report.html"), "scaling.csv").is_null());
+    EXPECT_TRUE(rows_of_study(desk, "scaling").empty());
+    EXPECT_EQ(desk.read("out/axes.csv"), "") << "an older one must not pass for this run's";
+    EXPECT_TRUE(page_table(desk.read("out/report.html"), "axes.csv").is_null());
 }
 
 TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
@@ -50,13 +52,19 @@ TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
                   .exit_code,
               0);
     std::set<std::string> methods;
+    std::size_t cells = 0;
     for (const char* name : {"cost.csv", "sweep.csv"}) {
         for (const auto& line : table_of_run(desk, "out", name)) {
-            EXPECT_NE(line.at("predicted_ns"), "") << line.at("method");
-            EXPECT_NE(line.at("cost_residual"), "") << line.at("method");
             EXPECT_GT(std::stod(line.at("frame_px")), 0) << line.at("method");
             methods.insert(line.at("method"));
+            ++cells;
         }
+    }
+    const Table predictions = table_of_run(desk, "out", "predictions.csv");
+    EXPECT_EQ(predictions.size(), cells) << "of every cell and setting";
+    for (const auto& line : predictions) {
+        EXPECT_NE(line.at("predicted_ns"), "") << line.at("method");
+        EXPECT_NE(line.at("cost_residual"), "") << line.at("method");
     }
     EXPECT_GT(methods.size(), 10U);
     for (const char* baseline : {"none", "sampled", "exact_corner", "oracle"})

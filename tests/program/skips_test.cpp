@@ -73,21 +73,22 @@ TEST(NoSkip, RefusesWhatIsNoSkip) {
 TEST(SkipStudy, WritesItsTableAndStandsInTheReport) {
     const Desk desk;
     (void)compared(desk, {"--skip-study"});
-    const Table study = table_of_run(desk, "out", "skips.csv");
+    const Table study = rows_of_study(desk, "skips");
     EXPECT_EQ(study.size(), 9U * 3 + 3 * 2) << "a line per scene and arm";
     std::map<std::string, std::string> hashes;
     for (const auto& line : study) {
         EXPECT_EQ(line.at("status"), "ok");
+        EXPECT_EQ(line.at("axis"), "skips_off");
         EXPECT_EQ(line.at("width"), "160");
         EXPECT_GT(std::stoll(line.at("draw_ns_min")), 0);
         const auto [first, is_new] = hashes.emplace(line.at("scene"), line.at("image_hash"));
         EXPECT_EQ(line.at("image_hash"), first->second) << line.at("scene");
     }
-    EXPECT_EQ(page_table(desk.read("out/report.html"), "skips.csv")["lines"], study.size());
+    EXPECT_EQ(page_table(desk.read("out/report.html"), "axes.csv")["lines"], 1);
     // A run without it leaves no older one's table behind.
     (void)compared(desk, {});
-    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out/skips.csv"));
-    EXPECT_TRUE(page_table(desk.read("out/report.html"), "skips.csv").is_null());
+    EXPECT_FALSE(std::filesystem::exists(desk.work() / "out/axes.csv"));
+    EXPECT_TRUE(rows_of_study(desk, "skips").empty());
 }
 
 }  // namespace

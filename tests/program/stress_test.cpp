@@ -41,18 +41,18 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
         if (row.at("axis") == "grazing") values.insert(row.at("value"));
     }
     EXPECT_EQ(values, (std::set<std::string>{"0.1", "2", "20"}));
-    EXPECT_EQ(parse_csv(desk.read("out/stress_summary.csv")).size(), 3U * 2 * 6);
-    EXPECT_EQ(parse_csv(desk.read("out/stress_axes.csv")).size(), 2U);
+    EXPECT_EQ(parse_csv(desk.read("out/axis_summary.csv")).size(), 3U * 2 * 6);
+    EXPECT_EQ(parse_csv(desk.read("out/axes.csv")).size(), 2U);
     const std::string page = desk.read("out/report.html");
     EXPECT_EQ(page_table(page, "stress.csv")["lines"], rows.size());
-    EXPECT_EQ(page_table(page, "stress_axes.csv")["lines"], 2);
+    EXPECT_EQ(page_table(page, "axes.csv")["lines"], 2);
 }
 
 TEST(Stress, GivesTheSameBytesAgain) {
     const Desk desk;
     ASSERT_EQ(desk.run(small_run("a")).exit_code, 0);
     ASSERT_EQ(desk.run(small_run("b")).exit_code, 0);
-    for (const char* file : {"/rows.csv", "/stress.csv", "/stress_summary.csv", "/stress_axes.csv"})
+    for (const char* file : {"/rows.csv", "/stress.csv", "/axis_summary.csv", "/axes.csv"})
         EXPECT_EQ(desk.read(std::string("a") + file), desk.read(std::string("b") + file)) << file;
 }
 

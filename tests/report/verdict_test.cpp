@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/text_table.h"
-#include "experiment/summary/paired_differences.h"
+#include "summary/paired_differences.h"
 #include "tests/report/made_up_rows.h"
 
 namespace ink::report {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "studies/skip_scenes.h"
-#include "studies/skip_study.h"
+#include "studies/axis_rows.h"
+#include "studies/skip_axes.h"
 
 namespace ink::studies {
 namespace {
@@ -22,41 +22,44 @@ class SkipCounts : public testing::TestWithParam<std::string> {
     }
     /// mote4 on the scene of the skip, with a quarter of its triangles on a quarter of the pixels:
     /// with every skip, without that one, without any.
-    std::vector<SkipTime> times(int threads = 1) const {
-        const SkipStudyOptions quick{.width_px = 640,
-                                     .height_px = 360,
-                                     .threads = threads,
-                                     .levels = kSkipSceneLevels - 1,
-                                     .min_rounds = 1,
-                                     .max_rounds = 1};
-        const auto configs = harness::make_configs("mote4", {});
-        return time_skips(configs.front(), skip_scene(skip(), quick.levels), quick);
+    std::vector<harness::Row> rows(int threads = 1) const {
+        Axis axis = skip_axes(kSkipSceneLevels - 1)[static_cast<std::size_t>(skip())];
+        axis.repetitions = 1;
+        harness::CellOptions options;
+        options.measure.threads = threads;
+        std::vector<harness::Row> rows;
+        for (const AxisRow& of : axis_rows(axis,
+                                           axis.cases(axis.values.front(), {640, 360}).front(),
+                                           harness::make_configs("mote4", {}),
+                                           options))
+            rows.push_back(of.row);
+        return rows;
     }
-    raster::SkipCount count(const SkipTime& time) const {
-        return time.counts[static_cast<std::size_t>(skip())];
+    raster::SkipCount count(const harness::Row& row) const {
+        return row.skips->at(static_cast<std::size_t>(skip()));
     }
 };
 
 TEST_P(SkipCounts, AreAboveZeroOnTheSceneMadeForThem) {
-    const auto timed = times();
+    const auto timed = rows();
     ASSERT_EQ(timed.front().status, "ok");
     EXPECT_GT(count(timed.front()).skipped, 0U);
     EXPECT_LE(count(timed.front()).skipped, count(timed.front()).of);
 }
 
 TEST_P(SkipCounts, AreZeroWhereTheSkipIsNotAllowed) {
-    const auto timed = times();
+    const auto timed = rows();
     ASSERT_EQ(timed.size(), 3U);
     EXPECT_EQ(count(timed[1]).skipped, 0U);
     for (const raster::SkipInfo& info : raster::skip_infos()) {
-        EXPECT_EQ(timed[2].counts[static_cast<std::size_t>(info.skip)].skipped, 0U)
+        EXPECT_EQ((*timed[2].skips)[static_cast<std::size_t>(info.skip)].skipped, 0U)
             << info.name << " with everything off";
     }
 }
 
 TEST_P(SkipCounts, DoNotDependOnTheNumberOfThreads) {
-    const auto one = times(1);
-    const auto two = times(2);
+    const auto one = rows(1);
+    const auto two = rows(2);
     EXPECT_EQ(count(one.front()).skipped, count(two.front()).skipped);
     EXPECT_EQ(count(one.front()).of, count(two.front()).of);
     EXPECT_EQ(one.front().image_hash, two.front().image_hash);

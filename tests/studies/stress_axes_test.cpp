@@ -14,11 +14,11 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr StressSize kSmall{96, 54};
+constexpr CaseSize kSmall{96, 54};
 
 TEST(StressAxes, HaveNamesOfTheirOwnAndWords) {
     std::set<std::string> names;
-    for (const StressAxis& axis : stress_axes()) {
+    for (const Axis& axis : stress_axes()) {
         EXPECT_TRUE(names.insert(axis.name).second) << axis.name;
         EXPECT_FALSE(axis.title.empty()) << axis.name;
         EXPECT_TRUE(axis.sentence.ends_with(".")) << axis.name;
@@ -28,7 +28,7 @@ TEST(StressAxes, HaveNamesOfTheirOwnAndWords) {
 }
 
 TEST(StressAxes, HaveEightValuesOrMoreThatAscend) {
-    for (const StressAxis& axis : stress_axes()) {
+    for (const Axis& axis : stress_axes()) {
         const std::size_t least =
             axis.name == "simd" ? std::min<std::size_t>(8, 2 * core::simd_targets().size()) : 8;
         EXPECT_GE(axis.values.size(), least) << axis.name;
@@ -44,7 +44,7 @@ TEST(StressAxes, HaveEightValuesOrMoreThatAscend) {
 
 TEST(StressAxes, ReachAsFarAsTheDesignSays) {
     const auto reach = [](const char* name) {
-        const StressAxis& axis = find_stress_axis(name);
+        const Axis& axis = find_stress_axis(name);
         return std::pair(axis.values.front(), axis.values.back());
     };
     EXPECT_EQ(reach("near_far"), std::pair(1e1, 1e9));
@@ -62,14 +62,14 @@ TEST(StressAxes, ReachAsFarAsTheDesignSays) {
 }
 
 TEST(StressAxes, HaveTwoCasesOrMoreOfTheSameScenesAtEveryValue) {
-    for (const StressAxis& axis : stress_axes()) {
+    for (const Axis& axis : stress_axes()) {
         std::set<std::string> views;
         std::vector<std::string> scenes;
         for (const double value : {axis.values.front(), axis.values[axis.values.size() / 2]}) {
             const auto cases = axis.cases(value, kSmall);
             EXPECT_GE(cases.size(), 2U) << axis.name;
             std::vector<std::string> names;
-            for (const StressCase& stress : cases) {
+            for (const Case& stress : cases) {
                 EXPECT_EQ(stress.axis, axis.name);
                 EXPECT_EQ(stress.value, value);
                 ASSERT_EQ(stress.scene_views.views.size(), 1U);
@@ -87,12 +87,12 @@ TEST(StressAxes, HaveTwoCasesOrMoreOfTheSameScenesAtEveryValue) {
 }
 
 TEST(StressValues, KeepsBothEnds) {
-    StressAxis axis;
+    Axis axis;
     axis.values = {1, 2, 3, 4, 5, 6, 7, 8, 9};
-    EXPECT_THAT(stress_values(axis, 2), ElementsAre(1, 9));
-    EXPECT_THAT(stress_values(axis, 3), ElementsAre(1, 5, 9));
-    EXPECT_THAT(stress_values(axis, 9), testing::SizeIs(9));
-    EXPECT_THAT(stress_values(axis, 50), testing::SizeIs(9));
+    EXPECT_THAT(axis_values(axis, 2), ElementsAre(1, 9));
+    EXPECT_THAT(axis_values(axis, 3), ElementsAre(1, 5, 9));
+    EXPECT_THAT(axis_values(axis, 9), testing::SizeIs(9));
+    EXPECT_THAT(axis_values(axis, 50), testing::SizeIs(9));
 }
 
 harness::MethodConfig config_of(const char* method) {
@@ -104,39 +104,39 @@ std::string parameter(const harness::MethodConfig& config, const char* name) {
 }
 
 TEST(UnderStress, SetsParametersOfThoseThatHaveThem) {
-    StressCase stress;
+    Case stress;
     stress.settings = {"depth_format=z16", "mote4.sky=7", "depth_encoding=linear"};
-    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "depth_format"), "z16");
-    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "sky"), "7");
-    EXPECT_EQ(parameter(under_stress(config_of("mote2"), stress), "sky"), "0");
-    EXPECT_EQ(parameter(under_stress(config_of("edge_list"), stress), "depth_format"), "z16");
+    EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "depth_format"), "z16");
+    EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "sky"), "7");
+    EXPECT_EQ(parameter(under_case(config_of("mote2"), stress), "sky"), "0");
+    EXPECT_EQ(parameter(under_case(config_of("edge_list"), stress), "depth_format"), "z16");
     // It knows the parameter, but not this value.
-    EXPECT_EQ(parameter(under_stress(config_of("auto"), stress), "depth_encoding"), "planned");
+    EXPECT_EQ(parameter(under_case(config_of("auto"), stress), "depth_encoding"), "planned");
 }
 
 TEST(UnderStress, GainTakesRangesAndThresholdAlong) {
-    StressCase stress;
+    Case stress;
     stress.code_gain = 2;
-    const harness::MethodConfig twice = under_stress(config_of("mote4"), stress);
+    const harness::MethodConfig twice = under_case(config_of("mote4"), stress);
     EXPECT_EQ(parameter(twice, "range_depth"), "126");
     EXPECT_EQ(parameter(twice, "range_nz"), "126");
     EXPECT_EQ(parameter(twice, "threshold"), "12");
     stress.code_gain = 100;
-    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "range_nx"), "255");
-    EXPECT_TRUE(under_stress(config_of("decaudin"), stress).settings.empty());
+    EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "range_nx"), "255");
+    EXPECT_TRUE(under_case(config_of("decaudin"), stress).settings.empty());
 }
 
 TEST(UnderStress, FewerBitsShiftTheResponseBack) {
-    StressCase stress;
+    Case stress;
     stress.code_bits = 6;
-    const harness::MethodConfig six = under_stress(config_of("mote4"), stress);
+    const harness::MethodConfig six = under_case(config_of("mote4"), stress);
     EXPECT_EQ(parameter(six, "range_depth"), "15");
     EXPECT_EQ(parameter(six, "scale_bits"), "2");
     EXPECT_EQ(parameter(six, "clip_bits"), "0");
     EXPECT_EQ(parameter(six, "threshold"), "6");
     stress.code_bits = 12;
-    EXPECT_EQ(parameter(under_stress(config_of("mote4"), stress), "range_depth"), "63");
-    const harness::MethodConfig twelve = under_stress(config_of("mote16"), stress);
+    EXPECT_EQ(parameter(under_case(config_of("mote4"), stress), "range_depth"), "63");
+    const harness::MethodConfig twelve = under_case(config_of("mote16"), stress);
     EXPECT_EQ(parameter(twelve, "range_depth"), "1023");
     EXPECT_EQ(parameter(twelve, "scale_bits"), "-2");
 }

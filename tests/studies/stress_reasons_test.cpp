@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "studies/stress/stress_rows.h"
+#include "studies/axis_rows.h"
+#include "studies/stress/stress_axes.h"
 
 // experiments/stress.md says why methods fail on an axis. Each reason is held here by something
 // that would come out otherwise if it were wrong: another axis, another setting, another method.
@@ -12,18 +13,19 @@
 namespace ink::studies {
 namespace {
 
-constexpr StressSize kSize{240, 135};
+constexpr CaseSize kSize{240, 135};
 
 /// E = 1 - F of all cases of a place on an axis, pooled; `settings` as `--set` takes them.
 double error_of(const std::string& axis,
                 double value,
                 const std::string& method,
                 const std::vector<std::string>& settings = {},
-                const StressSize& size = kSize) {
+                const CaseSize& size = kSize) {
     const auto configs = harness::make_configs(method == "sampled" ? "ids" : method, settings);
     score::CurveCount all;
-    for (const StressCase& stress : find_stress_axis(axis).cases(value, size)) {
-        for (const StressRow& row : stress_rows(stress, configs, {}, {})) {
+    const Axis& along = find_stress_axis(axis);
+    for (const Case& one : along.cases(value, size)) {
+        for (const AxisRow& row : axis_rows(along, one, configs, {})) {
             if (row.row.method != method) continue;
             // Far away a case may have no line that can be told from another.
             if (axis == "zoom" && row.row.status.starts_with("crowded")) continue;

@@ -2,40 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <numbers>
-
 #include "studies/motion_table.h"
-#include "studies/roll_table.h"
-#include "studies/scaling_table.h"
 
 namespace ink::studies {
 namespace {
 
 using testing::HasSubstr;
-
-TEST(RollTable, ALineHasAPredictionWhereTheMethodDeclaresACode) {
-    const double degree = std::numbers::pi / 180;
-    RollCurve curve{.method = "mote4", .params = "", .crease = 2};
-    curve.samples = {{2 * degree, 8, 6, 0, false}, {359 * degree, 4, 0, -1.5, true}};
-    EXPECT_EQ(roll_lines(3, curve), "3,2,2,8,6,,\n3,2,359,4,0,,\n");
-    curve.is_predicted = true;
-    EXPECT_EQ(roll_lines(3, curve), "3,2,2,8,6,0,false\n3,2,359,4,0,-1.5,true\n");
-}
-
-TEST(RollTable, TurnsTheShortWayFromPredictionToMeasurement) {
-    const double degree = std::numbers::pi / 180;
-    RollCurve curve{.method = "mote4", .params = "", .is_predicted = true};
-    curve.vanishing = {{359 * degree, 2 * degree, 0.25}, {10 * degree, std::nullopt, std::nullopt}};
-    EXPECT_EQ(vanishing_lines(7, curve), "7,0,359,2,3,0.25\n7,0,10,,,\n");
-}
-
-TEST(ScalingTable, NamesThePlaceByAxisAndValue) {
-    const ScalingPoint point{
-        .axis = ScalingAxis::pixels, .method = "mote4", .params = "", .x = 921600};
-    EXPECT_EQ(scaling_row(point).view, "pixels=921600");
-    EXPECT_EQ(scaling_line(2, point), "2,pixels,921600,0,\n") << "nothing timed, no noise";
-    EXPECT_FALSE(scaling_row(point).draw_ns_min);
-}
 
 MotionRow hand_made_motion() {
     MotionRow row{.scene = "torus", .path = "orbit", .method = "mote4", .params = "k=1"};

@@ -7,7 +7,7 @@
 #include "cli/commands/commands.h"
 #include "cli/options/method_options.h"
 #include "core/error.h"
-#include "experiment/entrants/entrant.h"
+#include "entrants/entrant.h"
 #include "experiment/experiment.h"
 #include "harness/cell.h"
 #include "harness/suite.h"
@@ -88,11 +88,11 @@ bool test_view(const harness::MethodConfig& config, const harness::SceneViews& s
 }
 
 void run_entrant_test(const EntrantTestArgs& args) {
-    const experiment::Entrant entrant = experiment::parse_entrant("entrant=" + args.program);
+    const entrants::Entrant entrant = entrants::parse_entrant("entrant=" + args.program);
     if (!entrant.is_program)
         throw core::Error("inkbench entrant-test", args.program + " is a folder", "a program");
     const harness::MethodConfig config =
-        experiment::entrant_config(entrant, {.wall_s = args.seconds});
+        entrants::entrant_config(entrant, {.wall_s = args.seconds});
     harness::ViewRequest request;
     const experiment::ImageSize size = experiment::parse_image_size(args.size, "--size");
     request.width_px = size.width_px;

@@ -11,7 +11,7 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "draw/exr_layers.h"
-#include "experiment/entrants/view_files.h"
+#include "entrants/view_files.h"
 #include "experiment/experiment_plan.h"
 #include "harness/out_folder.h"
 #include "harness/tables/csv.h"
@@ -61,12 +61,12 @@ std::string export_scene(const ExportArgs& args,
                          const harness::TraceOptions& trace) {
     const scene::Scene& scene = scene_views.scene;
     const fs::path folder = fs::path(args.out) / harness::file_name(scene.name);
-    const experiment::ViewFiles meshes = experiment::write_meshes(scene, folder);
+    const entrants::ViewFiles meshes = entrants::write_meshes(scene, folder);
     truth::SceneModel model(scene, trace.truth);
     std::string lines;
     for (const scene::View& view : scene_views.views) {
         const fs::path of_view = folder / harness::file_name(view.camera.name);
-        experiment::write_view(scene, view, meshes, trace.truth.crease_rad, of_view);
+        entrants::write_view(scene, view, meshes, trace.truth.crease_rad, of_view);
         if (wants_truth(args, scene))
             export_truth({scene, {view}}, model, trace, of_view / "truth.exr");
         lines += fmt::format("{},{},{},{},{}\n",

@@ -110,7 +110,7 @@ Json shadings_json() {
 
 Json axes_json() {
     Json list = Json::array();
-    for (const studies::StressAxis& axis : studies::stress_axes()) {
+    for (const studies::Axis& axis : studies::stress_axes()) {
         list.push_back({{"name", axis.name},
                         {"title", axis.title},
                         {"unit", axis.unit},

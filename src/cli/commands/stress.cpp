@@ -54,7 +54,7 @@ void add_stress_command(CLI::App& app) {
     add_cache_options(*command, args->cache);
     add_run_folder_options(*command, args->folder);
     command->footer(
-        "Writes rows.csv, stress.csv, stress_summary.csv, stress_axes.csv and report.html.\n"
+        "Writes rows.csv, stress.csv, axes.csv, axis_summary.csv and report.html.\n"
         "Example: inkbench stress --axes grazing,origin --methods mote4,decaudin\n"
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell has no result or "
         "images differ that must not; 2 bad input; 130 interrupted.");

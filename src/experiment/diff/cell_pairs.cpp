@@ -33,10 +33,10 @@ Rows pointers_to(const std::vector<harness::Row>& rows) {
 }
 
 /// Takes the pairs out of both: the only cell of a key in `a` with the only one in `b`.
-std::vector<RowPair> take_pairs(Rows& a, Rows& b, bool with_params) {
+std::vector<summary::RowPair> take_pairs(Rows& a, Rows& b, bool with_params) {
     const RowsByKey of_a = group(a, with_params);
     const RowsByKey of_b = group(b, with_params);
-    std::vector<RowPair> pairs;
+    std::vector<summary::RowPair> pairs;
     const auto partner = [&](const harness::Row& row) -> const harness::Row* {
         const Key key = key_of(row, with_params);
         const auto mine = of_a.find(key);
@@ -72,7 +72,7 @@ CellPairs pair_cells(const std::vector<harness::Row>& a, const std::vector<harne
     Rows left_b = pointers_to(b);
     CellPairs pairs;
     pairs.paired = take_pairs(left_a, left_b, true);
-    const std::vector<RowPair> other_settings = take_pairs(left_a, left_b, false);
+    const std::vector<summary::RowPair> other_settings = take_pairs(left_a, left_b, false);
     pairs.paired.insert(pairs.paired.end(), other_settings.begin(), other_settings.end());
     pairs.gone = std::move(left_a);
     pairs.added = std::move(left_b);

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "experiment/summary/row_pairs.h"
 #include "harness/row.h"
+#include "summary/row_pairs.h"
 
 namespace ink::experiment {
 
 /// The cells of two runs, paired: the same method on the same view.
 struct CellPairs {
-    std::vector<RowPair> paired;             ///< in the order of the first run
+    std::vector<summary::RowPair> paired;    ///< in the order of the first run
     std::vector<const harness::Row*> gone;   ///< of the first run alone
     std::vector<const harness::Row*> added;  ///< of the second run alone
 };

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/provenance.h"
-#include "experiment/summary/summary.h"
 #include "statistics/bootstrap.h"
+#include "summary/summary.h"
 
 namespace ink::experiment {
 namespace {
@@ -29,8 +29,8 @@ std::vector<std::pair<std::string, std::string>> conditions_of(const Row& row) {
             {"build", p.flags}};
 }
 
-std::string times_obstacle(const std::vector<RowPair>& pairs) {
-    for (const RowPair& pair : pairs) {
+std::string times_obstacle(const std::vector<summary::RowPair>& pairs) {
+    for (const summary::RowPair& pair : pairs) {
         if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
         const auto a = conditions_of(*pair.a);
         const auto b = conditions_of(*pair.b);
@@ -48,8 +48,10 @@ bool has_other_counts(const Row& a, const Row& b) {
 }
 
 /// F of both runs and the interval of their difference, scenes resampled for both together.
-void compare_scores(const std::vector<RowPair>& pairs, std::uint64_t seed, MethodDiff& diff) {
-    const PairedScenes scenes = paired_scenes(pairs);
+void compare_scores(const std::vector<summary::RowPair>& pairs,
+                    std::uint64_t seed,
+                    MethodDiff& diff) {
+    const summary::PairedScenes scenes = summary::paired_scenes(pairs);
     if (scenes.is_empty()) return;
     diff.f_a = scenes.f_a();
     diff.f_b = scenes.f_b();
@@ -57,10 +59,10 @@ void compare_scores(const std::vector<RowPair>& pairs, std::uint64_t seed, Metho
     diff.range = statistics::paired_interval(scenes.b, scenes.a, {.seed = seed});
 }
 
-std::optional<double> time_ratio(const std::vector<RowPair>& pairs) {
+std::optional<double> time_ratio(const std::vector<summary::RowPair>& pairs) {
     double sum = 0;
     int count = 0;
-    for (const RowPair& pair : pairs) {
+    for (const summary::RowPair& pair : pairs) {
         if (!pair.a->draw_ns_min || !pair.b->draw_ns_min) continue;
         if (*pair.a->draw_ns_min <= 0 || *pair.b->draw_ns_min <= 0) continue;
         sum += std::log(static_cast<double>(*pair.b->draw_ns_min) /
@@ -71,12 +73,14 @@ std::optional<double> time_ratio(const std::vector<RowPair>& pairs) {
     return std::exp(sum / count);
 }
 
-MethodDiff diff_of(const std::vector<RowPair>& pairs, bool times_compare, std::uint64_t seed) {
+MethodDiff diff_of(const std::vector<summary::RowPair>& pairs,
+                   bool times_compare,
+                   std::uint64_t seed) {
     MethodDiff diff;
     diff.method = pairs.front().a->method;
     diff.settings = changed_parameters(pairs.front().a->params, pairs.front().b->params);
     diff.cells = static_cast<int>(pairs.size());
-    for (const RowPair& pair : pairs) {
+    for (const summary::RowPair& pair : pairs) {
         diff.changed_images += pair.a->image_hash != pair.b->image_hash ? 1 : 0;
         diff.lost += pair.a->is_scored() && !pair.b->is_scored() ? 1 : 0;
         diff.won += !pair.a->is_scored() && pair.b->is_scored() ? 1 : 0;
@@ -88,9 +92,9 @@ MethodDiff diff_of(const std::vector<RowPair>& pairs, bool times_compare, std::u
     return diff;
 }
 
-int count_changed_truths(const std::vector<RowPair>& pairs) {
+int count_changed_truths(const std::vector<summary::RowPair>& pairs) {
     std::set<harness::Place> changed;
-    for (const RowPair& pair : pairs) {
+    for (const summary::RowPair& pair : pairs) {
         if (pair.a->is_scored() && pair.b->is_scored() && pair.a->truth_px != pair.b->truth_px)
             changed.insert(harness::place_of(*pair.a));
     }
@@ -135,10 +139,10 @@ RunDiff diff_runs(const RunData& a, const RunData& b, std::uint64_t seed) {
     diff.times_obstacle = times_obstacle(diff.cells.paired);
     diff.changed_truths = count_changed_truths(diff.cells.paired);
     std::vector<std::pair<std::string, std::string>> order;
-    std::map<std::pair<std::string, std::string>, std::vector<RowPair>> groups;
-    for (const RowPair& pair : diff.cells.paired) {
+    std::map<std::pair<std::string, std::string>, std::vector<summary::RowPair>> groups;
+    for (const summary::RowPair& pair : diff.cells.paired) {
         const std::pair key(pair.a->method, changed_parameters(pair.a->params, pair.b->params));
-        std::vector<RowPair>& group = groups[key];
+        std::vector<summary::RowPair>& group = groups[key];
         if (group.empty()) order.push_back(key);
         group.push_back(pair);
     }

@@ -44,19 +44,12 @@ void add_frame(const Facts& facts) {
 
 RowTable make_table() {
     RowTable table("cost.csv",
-                   "A line per cell of a method: what it declares of its work and what the view "
-                   "asks of it, and the time that the cost model predicts from that.");
+                   "A line per cell of a method: what it declares of its work, and what the view "
+                   "asks of it.");
     table.add({"cell", "", "of rows.csv"}, &RowRecord::cell);
-    const auto row = table.part(&RowRecord::row);
-    const auto facts = row.part(&Row::cost);
+    const auto facts = table.part(&RowRecord::row).part(&Row::cost);
     add_declared(facts);
     add_frame(facts);
-    row.add({"predicted_ns",
-             "ns",
-             "draw_ns_min by the cost model, fitted without this scene (or view)",
-             true},
-            &Row::predicted_ns);
-    row.add({"cost_residual", "", "draw_ns_min over that, less 1", true}, &Row::cost_residual);
     return table;
 }
 

@@ -8,14 +8,13 @@
 
 namespace ink::harness {
 
-/// The columns of cost.csv: cell, what the cost model is made from, then predicted_ns and
-/// cost_residual, which follow from the times of the whole run.
+/// The columns of cost.csv: cell, then what the cost model is made from.
 [[nodiscard]] const TableInfo& cost_table();
 
 /// The line of a cell, ended; "" if its row has no cost facts.
 [[nodiscard]] std::string cost_line(std::int64_t cell, const Row& row);
 
-/// Puts cost facts and predictions of cost.csv into their rows. Throws core::Error (file, line,
+/// Puts the cost facts of cost.csv into their rows. Throws core::Error (file, line,
 /// column, value) for another heading, a wrong field, or a cell that `rows` does not have.
 void join_costs(const CsvTable& csv, std::vector<RowRecord>& rows);
 

@@ -52,11 +52,15 @@ void add_choice(RowTable& table,
 
 void add_place(RowTable& table) {
     table.add({"cell", "", "number of the cell; side tables name it by this"}, &RowRecord::cell);
-    table.add_named(
-        {"study", "", fmt::format("what it was measured for: {}", fmt::join(kStudyNames, ", "))},
-        &RowRecord::study,
-        {kStudyNames.begin(), kStudyNames.end()});
+    table.add({"study",
+               "",
+               "what it was measured for: compare, stress, motion, roll, scaling, skips, bound, "
+               "tune"},
+              &RowRecord::study);
     const auto row = table.part(&RowRecord::row);
+    row.add({"axis", "", "of a study: what grows, as in axes.csv; empty where nothing does"},
+            &Row::axis);
+    row.add({"value", "of axis", "where on the axis; of named values the number"}, &Row::value);
     row.add({"method", "", "method, or baseline: none, sampled, exact_corner, oracle"},
             &Row::method);
     row.add({"scene", "", "built-in scene, or stem of the model file"}, &Row::scene);
@@ -214,7 +218,7 @@ const TableInfo& rows_table() {
     return row_fields().info();
 }
 
-std::string row_line(std::int64_t cell, Study study, const Row& row) {
+std::string row_line(std::int64_t cell, const std::string& study, const Row& row) {
     return row_fields().line({cell, study, row});
 }
 
@@ -225,6 +229,7 @@ std::vector<RowRecord> read_rows(const CsvTable& csv) {
     for (std::size_t i = 0; i < records.size(); ++i) {
         Row& row = records[i].row;
         if (row.random_baseline) row.random_baseline->n_truth = row.n_truth;
+        row.cell = records[i].cell;
         row.provenance = read_provenance(csv, i, known);
         if (!cells.emplace(records[i].cell, i).second)
             CsvField(csv, i, csv.find("cell")).refuse("every cell once");

@@ -15,18 +15,18 @@ namespace ink::harness {
 /// A line of rows.csv: a cell's number, what it was measured for, and all else that it says.
 struct RowRecord {
     std::int64_t cell = 0;  ///< what side tables name it by
-    Study study = Study::compare;
+    std::string study = Study::compare;
     Row row;
 };
 
-/// The columns of rows.csv: cell, study, then what the cell is, its scores, counts and sums, times,
-/// skips and provenance.
+/// The columns of rows.csv: cell, study, axis, value, then what the cell is, its scores, counts and
+/// sums, times, skips and provenance.
 [[nodiscard]] const TableInfo& rows_table();
 
 /// One line with its line break (RFC 4180 quoting). Numbers are in the shortest form that reads
 /// back to the same value, whatever the locale. Counts of a row without a score are empty, as its
 /// metrics are; so is draw_n where nothing was timed.
-[[nodiscard]] std::string row_line(std::int64_t cell, Study study, const Row& row);
+[[nodiscard]] std::string row_line(std::int64_t cell, const std::string& study, const Row& row);
 
 /// The rows of rows.csv: row_line of what is read gives the same bytes again. What other tables
 /// hold of a row (tolerances, bins, cost facts) is left out. Throws core::Error that names file,

@@ -101,6 +101,7 @@ SettingTable make_table(const std::vector<std::string>& swept) {
 /// What of a cell's row holds at every setting too.
 Row place_of_setting(const Row& own) {
     Row row;
+    row.cell = own.cell;
     row.method = own.method;
     row.scene = own.scene;
     row.view = own.view;
@@ -149,18 +150,19 @@ std::vector<std::string> swept_parameters(const CsvTable& csv) {
     return swept;
 }
 
-std::vector<SweepRecord> read_sweep(const CsvTable& csv, const RowIndex& rows) {
+std::vector<Row> read_sweep(const CsvTable& csv, const RowIndex& own) {
     const SettingTable table = make_table(swept_parameters(csv));
     check_columns(csv, table.info());
-    std::vector<SweepRecord> records;
+    std::vector<Row> rows;
     for (std::size_t i = 0; i < csv.records.size(); ++i) {
         Setting setting;
-        setting.row = place_of_setting(rows.find(CsvField(csv, i, 0)).row);
+        setting.row = place_of_setting(own.find(CsvField(csv, i, 0)).row);
         table.read_into(csv, i, setting);
         setting.row.truth_px = setting.row.n_truth;
-        records.push_back({setting.cell, setting.number, std::move(setting.row)});
+        setting.row.setting = setting.number;
+        rows.push_back(std::move(setting.row));
     }
-    return records;
+    return rows;
 }
 
 std::vector<std::pair<std::string, std::string>> split_params(const std::string& params) {

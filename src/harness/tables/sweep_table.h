@@ -20,21 +20,14 @@ namespace ink::harness {
                                      const std::vector<std::string>& swept,
                                      const Row& row);
 
-/// A setting of a cell.
-struct SweepRecord {
-    std::int64_t cell = 0;
-    int setting = 0;
-    Row row;  ///< as the cell's own row, but for params, status, and what sweep.csv holds
-};
-
 /// The parameters that a sweep.csv has columns of.
 [[nodiscard]] std::vector<std::string> swept_parameters(const CsvTable& csv);
 
-/// The settings of sweep.csv, in order; what is no column of it, and stays as it was with the
-/// settings (method, scene, view, size, threads, triangles ...), is that of the cell's row in
-/// rows.csv. Throws core::Error (file, line, column, value) for another heading, a wrong field or a
-/// cell that `rows` does not have.
-[[nodiscard]] std::vector<SweepRecord> read_sweep(const CsvTable& csv, const RowIndex& rows);
+/// The settings of sweep.csv, in order: each as the row of its cell, but for `setting`, params,
+/// status, and what else sweep.csv holds; what could change with the settings and is no column of
+/// it is empty. Throws core::Error (file, line, column, value) for another heading, a wrong field
+/// or a cell that `rows` does not have.
+[[nodiscard]] std::vector<Row> read_sweep(const CsvTable& csv, const RowIndex& own);
 
 /// "key=value;key=value" as pairs, in order.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> split_params(

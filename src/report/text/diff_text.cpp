@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/text_table.h"
-#include "experiment/summary/paired_differences.h"
+#include "summary/paired_differences.h"
 
 namespace ink::report {
 namespace {
@@ -43,7 +43,7 @@ std::string cells_line(const std::vector<const harness::Row*>& rows, const std::
 std::string difference_of(const MethodDiff& method) {
     if (!method.difference) return "-";
     if (method.changed_scores == 0) return "0";
-    return experiment::format_paired_difference(
+    return summary::format_paired_difference(
         {method.method, method.method, *method.difference, method.range});
 }
 

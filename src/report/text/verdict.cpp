@@ -9,15 +9,15 @@
 
 #include "core/text_table.h"
 #include "draw/crosscheck_report.h"
-#include "experiment/summary/paired_differences.h"
-#include "experiment/summary/summary.h"
 #include "harness/method_configs.h"
+#include "summary/paired_differences.h"
+#include "summary/summary.h"
 
 namespace ink::report {
 namespace {
 
 /// "36", or "35/36" where a cell failed.
-std::string views_of(const experiment::MethodSummary& s) {
+std::string views_of(const summary::MethodSummary& s) {
     const std::string views = fmt::format("{}", s.views);
     return s.failed == 0 ? views : fmt::format("{}/{}", views, s.views + s.failed);
 }
@@ -28,15 +28,15 @@ std::string format_range(const std::optional<statistics::Interval>& range) {
 }
 
 /// Whole, so that it can be copied.
-std::string name_of(const experiment::MethodSummary& s) {
+std::string name_of(const summary::MethodSummary& s) {
     if (s.is_baseline) return s.method + " *";
     return s.method + (s.has_own_clock ? " +" : "");
 }
 
-core::Cells cells_of(const std::vector<experiment::MethodSummary>& summaries) {
+core::Cells cells_of(const std::vector<summary::MethodSummary>& summaries) {
     core::Cells cells = {
         {"method", "F 2px", "95 %", "train", "held-out", "real", "draw ms", "B/px", "views"}};
-    for (const experiment::MethodSummary& s : summaries) {
+    for (const summary::MethodSummary& s : summaries) {
         cells.push_back({name_of(s),
                          core::format_share(s.f_2px),
                          format_range(s.f_2px_range),
@@ -51,7 +51,7 @@ core::Cells cells_of(const std::vector<experiment::MethodSummary>& summaries) {
 }
 
 /// What the marks behind names mean.
-std::string marks(const std::vector<experiment::MethodSummary>& summaries) {
+std::string marks(const std::vector<summary::MethodSummary>& summaries) {
     const bool has_own_clock = std::any_of(
         summaries.begin(), summaries.end(), [](const auto& s) { return s.has_own_clock; });
     return std::string("`*` a baseline, no method") +
@@ -60,9 +60,9 @@ std::string marks(const std::vector<experiment::MethodSummary>& summaries) {
 }
 
 /// ", 12.3 ms a frame, 4.1 times as long as the cheapest, mote2 (3.00 ms, F .803)."
-std::string cost_of(const experiment::Verdict& verdict) {
-    const experiment::MethodSummary& best = *verdict.best;
-    const experiment::MethodSummary* cheapest = verdict.cheapest;
+std::string cost_of(const summary::Verdict& verdict) {
+    const summary::MethodSummary& best = *verdict.best;
+    const summary::MethodSummary* cheapest = verdict.cheapest;
     if (!best.draw_ms) return "; no time was taken.";
     const std::string cost = fmt::format(", {} ms a frame", format_ms(best.draw_ms));
     if (verdict.runner_up == nullptr) return cost + ".";
@@ -78,11 +78,11 @@ std::string cost_of(const experiment::Verdict& verdict) {
 
 /// Whether the paired difference of the winner is significant; nothing where scenes are too few to
 /// tell.
-std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdict& verdict) {
+std::string doubt(const std::vector<harness::Row>& rows, const summary::Verdict& verdict) {
     if (verdict.runner_up == nullptr) return "";
-    const auto all = experiment::paired_differences_from(rows, verdict.best->method);
+    const auto all = summary::paired_differences_from(rows, verdict.best->method);
     const auto paired =
-        std::find_if(all.begin(), all.end(), [&](const experiment::PairedDifference& d) {
+        std::find_if(all.begin(), all.end(), [&](const summary::PairedDifference& d) {
             return d.b == verdict.runner_up->method;
         });
     if (paired == all.end() || !paired->range) return "";
@@ -93,7 +93,7 @@ std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdi
     if (paired->is_significant()) {
         return fmt::format(" Its paired difference to {} is {}{}: significant.",
                            other,
-                           experiment::format_paired_difference(*paired),
+                           summary::format_paired_difference(*paired),
                            of_all);
     }
     return fmt::format(
@@ -101,14 +101,14 @@ std::string doubt(const std::vector<harness::Row>& rows, const experiment::Verdi
         "interval "
         "holds 0.",
         other,
-        experiment::format_paired_difference(*paired),
+        summary::format_paired_difference(*paired),
         of_all);
 }
 
 /// On which parts of the suite the verdict holds: the best method of each part, or which the only
 /// part is.
-std::string by_part(const std::vector<experiment::MethodSummary>& summaries) {
-    using S = experiment::MethodSummary;
+std::string by_part(const std::vector<summary::MethodSummary>& summaries) {
+    using S = summary::MethodSummary;
     struct Part {
         const char* name;
         std::optional<double> S::*f;
@@ -134,9 +134,9 @@ std::string by_part(const std::vector<experiment::MethodSummary>& summaries) {
     return fmt::format(" Best by part: {}.", fmt::join(texts, ", "));
 }
 
-std::string failures(const std::vector<experiment::MethodSummary>& summaries) {
+std::string failures(const std::vector<summary::MethodSummary>& summaries) {
     int failed = 0;
-    for (const experiment::MethodSummary& s : summaries)
+    for (const summary::MethodSummary& s : summaries)
         failed += s.failed;
     if (failed == 0) return "";
     return fmt::format(" {} cell{} no score and no part in these numbers.",
@@ -160,14 +160,14 @@ const char* baseline_of(const std::string& method, const std::vector<harness::Ro
 /// between the samples shows in neither.
 std::string sample_warning(const char* baseline,
                            const std::vector<harness::Row>& rows,
-                           const std::vector<experiment::MethodSummary>& summaries) {
+                           const std::vector<summary::MethodSummary>& summaries) {
     const auto exact =
-        std::find_if(summaries.begin(), summaries.end(), [&](const experiment::MethodSummary& s) {
+        std::find_if(summaries.begin(), summaries.end(), [&](const summary::MethodSummary& s) {
             return s.method == baseline && s.f_2px;
         });
     if (exact == summaries.end()) return "";
     std::string better;
-    for (const experiment::MethodSummary& s : summaries) {
+    for (const summary::MethodSummary& s : summaries) {
         const bool is_better = s.f_2px && *s.f_2px > *exact->f_2px;
         if (s.is_baseline || !is_better || !harness::takes_one_sample(s.method)) continue;
         if (std::string_view(baseline_of(s.method, rows)) != baseline) continue;
@@ -204,7 +204,7 @@ std::string rounding_warning(const std::vector<harness::Row>& rows) {
 
 /// What stands below the verdict's sentence, each a line of its own.
 std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
-                                  const std::vector<experiment::MethodSummary>& summaries) {
+                                  const std::vector<summary::MethodSummary>& summaries) {
     std::vector<std::string> lines = {sample_warning("sampled", rows, summaries),
                                       sample_warning("exact_corner", rows, summaries),
                                       draw::crosscheck_sentence(rows),
@@ -216,11 +216,11 @@ std::vector<std::string> warnings(const std::vector<harness::Row>& rows,
 /// The winner's F, what it costs against the cheapest, whether its paired difference is
 /// significant, how many cells failed.
 std::string sentence_of(const std::vector<harness::Row>& rows,
-                        const std::vector<experiment::MethodSummary>& summaries) {
-    const experiment::Verdict verdict = experiment::find_verdict(summaries);
+                        const std::vector<summary::MethodSummary>& summaries) {
+    const summary::Verdict verdict = summary::find_verdict(summaries);
     if (verdict.best == nullptr)
         return "No method was scored on any view, so there is no verdict." + failures(summaries);
-    const experiment::MethodSummary& best = *verdict.best;
+    const summary::MethodSummary& best = *verdict.best;
     return fmt::format(
         "{}{}: F {} at 2 px over {} view{} pooled{}{}{}{}",
         best.method,
@@ -244,7 +244,7 @@ std::string format_ms(const std::optional<double>& ms) {
 }
 
 std::string verdict_table(const std::vector<harness::Row>& rows) {
-    const std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
     const std::string sentence = sentence_of(rows, summaries);
     if (summaries.empty()) return sentence;
     std::string text =
@@ -255,7 +255,7 @@ std::string verdict_table(const std::vector<harness::Row>& rows) {
 }
 
 std::string verdict_markdown(const std::vector<harness::Row>& rows) {
-    const std::vector<experiment::MethodSummary> summaries = experiment::summarise(rows);
+    const std::vector<summary::MethodSummary> summaries = summary::summarise(rows);
     const std::string sentence = sentence_of(rows, summaries);
     if (summaries.empty()) return sentence + "\n";
     std::string text = fmt::format(

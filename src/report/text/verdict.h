@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/row.h"
+#include "summary/summary.h"
 
 namespace ink::report {
 

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <utility>
 
+#include "core/error.h"
 #include "studies/stress/stress_axis_maker.h"
 
 namespace ink::studies {
@@ -20,7 +23,7 @@ std::vector<double> powers_of_two(int low, int high, int step) {
     return values;
 }
 
-void add_places(std::vector<StressAxis>& axes) {
+void add_places(std::vector<Axis>& axes) {
     axes.push_back(make_axis(
         {"near_far", "far distance over near distance"},
         decades(1, 9),
@@ -68,7 +71,7 @@ void add_places(std::vector<StressAxis>& axes) {
                              roll_cases));
 }
 
-void add_shapes(std::vector<StressAxis>& axes) {
+void add_shapes(std::vector<Axis>& axes) {
     axes.push_back(make_axis(
         {"gap", "distance between surfaces", "units"},
         {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1},
@@ -89,8 +92,8 @@ void add_shapes(std::vector<StressAxis>& axes) {
         facet_cases));
 }
 
-std::vector<StressAxis> make_axes() {
-    std::vector<StressAxis> axes;
+std::vector<Axis> make_axes() {
+    std::vector<Axis> axes;
     add_places(axes);
     add_shapes(axes);
     add_parameter_axes(axes);
@@ -100,18 +103,21 @@ std::vector<StressAxis> make_axes() {
 
 }  // namespace
 
-StressAxis make_axis(StressHeading heading,
-                     std::vector<double> values,
-                     std::string sentence,
-                     StressMaker make) {
-    StressAxis axis;
+Axis make_axis(StressHeading heading,
+               std::vector<double> values,
+               std::string sentence,
+               StressMaker make) {
+    Axis axis;
     axis.name = std::move(heading.name);
     axis.title = std::move(heading.title);
     axis.unit = std::move(heading.unit);
     axis.scale = heading.scale;
     axis.values = std::move(values);
     axis.sentence = std::move(sentence);
-    axis.cases = [name = axis.name, make](double value, const StressSize& size) {
+    axis.is_crosschecked = false;
+    axis.scores_crowded = true;
+    axis.counts_faults = true;
+    axis.cases = [name = axis.name, make](double value, const CaseSize& size) {
         return make({name, value, size});
     };
     return axis;
@@ -124,8 +130,18 @@ std::vector<double> evenly(double low, double high, double step) {
     return values;
 }
 
-const std::vector<StressAxis>& stress_axes() {
-    static const std::vector<StressAxis> axes = make_axes();
+const Axis& find_stress_axis(const std::string& name) {
+    std::vector<std::string> names;
+    for (const Axis& axis : stress_axes()) {
+        if (axis.name == name) return axis;
+        names.push_back(axis.name);
+    }
+    throw core::Error(
+        "--axes", fmt::format("there is no axis '{}'", name), core::known_names(names, name));
+}
+
+const std::vector<Axis>& stress_axes() {
+    static const std::vector<Axis> axes = make_axes();
     return axes;
 }
 

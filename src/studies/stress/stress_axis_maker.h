@@ -11,7 +11,7 @@
 namespace ink::studies {
 
 /// The cases of one value.
-using StressMaker = std::vector<StressCase> (*)(const StressPoint&);
+using StressMaker = std::vector<Case> (*)(const StressPoint&);
 
 /// What an axis is called and what its values are.
 struct StressHeading {
@@ -21,16 +21,16 @@ struct StressHeading {
     AxisScale scale = AxisScale::log;
 };
 
-[[nodiscard]] StressAxis make_axis(StressHeading heading,
-                                   std::vector<double> values,
-                                   std::string sentence,
-                                   StressMaker make);
+[[nodiscard]] Axis make_axis(StressHeading heading,
+                             std::vector<double> values,
+                             std::string sentence,
+                             StressMaker make);
 
 /// From `low` to `high`, both included.
 [[nodiscard]] std::vector<double> evenly(double low, double high, double step);
 
 // stress_axis_parameters.cpp: what methods and machine are set to, and what is wrong with triangles
-void add_parameter_axes(std::vector<StressAxis>& axes);
-void add_defect_axes(std::vector<StressAxis>& axes);
+void add_parameter_axes(std::vector<Axis>& axes);
+void add_defect_axes(std::vector<Axis>& axes);
 
 }  // namespace ink::studies

@@ -11,8 +11,8 @@ std::vector<double> shares() {
 
 }  // namespace
 
-void add_parameter_axes(std::vector<StressAxis>& axes) {
-    StressAxis depth = make_axis(
+void add_parameter_axes(std::vector<Axis>& axes) {
+    Axis depth = make_axis(
         {"depth", "encoding of depth, format of the depth test", "", AxisScale::named},
         {},
         "How a method writes depth (depth_encoding) and what the depth test stores "
@@ -41,13 +41,13 @@ void add_parameter_axes(std::vector<StressAxis>& axes) {
                              {0.25, 0.35, 0.5, 0.71, 1, 1.41, 2, 2.83, 4},
                              "The same, but codes wrap and are filtered modulo their range.",
                              wrap_cases));
-    StressAxis threads = make_axis({"threads", "threads", "", AxisScale::linear},
-                                   evenly(1, 8, 1),
-                                   "The same images by 1 to 8 threads.",
-                                   thread_cases);
+    Axis threads = make_axis({"threads", "threads", "", AxisScale::linear},
+                             evenly(1, 8, 1),
+                             "The same images by 1 to 8 threads.",
+                             thread_cases);
     threads.same_images = true;
     axes.push_back(std::move(threads));
-    StressAxis simd = make_axis(
+    Axis simd = make_axis(
         {"simd", "instruction set x threads", "", AxisScale::named},
         {},
         "The same images by every instruction set that the kernels were compiled for and this "
@@ -60,7 +60,7 @@ void add_parameter_axes(std::vector<StressAxis>& axes) {
     axes.push_back(std::move(simd));
 }
 
-void add_defect_axes(std::vector<StressAxis>& axes) {
+void add_defect_axes(std::vector<Axis>& axes) {
     const auto defect =
         [&](std::string name, std::string what, std::string sentence, StressMaker make) {
             axes.push_back(make_axis(

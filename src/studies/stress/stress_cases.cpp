@@ -42,23 +42,23 @@ void add_face(scene::Mesh& mesh, const std::vector<double>& cuts, int axis, bool
 
 }  // namespace
 
-StressCase make_case(const StressPoint& point, scene::Scene scene, const scene::Camera& camera) {
-    StressCase stress{std::string(point.axis), point.value, {std::move(scene), {}}};
+Case make_case(const StressPoint& point, scene::Scene scene, const scene::Camera& camera) {
+    Case stress{std::string(point.axis), point.value, {std::move(scene), {}}};
     stress.scene_views.views.push_back({camera, point.size.width_px, point.size.height_px});
     stress.scene_views.views.front().camera.name = fmt::format("{}={:g}", point.axis, point.value);
     return stress;
 }
 
-StressCase make_case(const StressPoint& point, scene::Scene scene, const StressLook& look) {
+Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& look) {
     scene::Camera camera =
         scene::look_at(look.eye_world, look.target_world, {0, 1, 0}, glm::radians(look.fov_deg));
     scene::fit_clip_range(camera, scene::bounding_sphere(scene));
     return make_case(point, std::move(scene), camera);
 }
 
-std::vector<StressCase> catalogue_cases(const StressPoint& point,
-                                        std::initializer_list<const char*> scenes) {
-    std::vector<StressCase> cases;
+std::vector<Case> catalogue_cases(const StressPoint& point,
+                                  std::initializer_list<const char*> scenes) {
+    std::vector<Case> cases;
     for (const char* name : scenes) {
         scene::Scene scene = catalogue::make_catalogue_scene(name);
         scene.animation = nullptr;
@@ -68,7 +68,7 @@ std::vector<StressCase> catalogue_cases(const StressPoint& point,
     return cases;
 }
 
-std::vector<StressCase> base_cases(const StressPoint& point) {
+std::vector<Case> base_cases(const StressPoint& point) {
     return catalogue_cases(point, {"blocks", "gear", "torus", "rocket"});
 }
 

@@ -17,13 +17,13 @@ namespace ink::studies {
 struct StressPoint {
     std::string_view axis;
     double value = 0;
-    StressSize size;
+    CaseSize size;
 };
 
 /// A case of `scene` seen by `camera`, named as stress_axes.h says.
-[[nodiscard]] StressCase make_case(const StressPoint& point,
-                                   scene::Scene scene,
-                                   const scene::Camera& camera);
+[[nodiscard]] Case make_case(const StressPoint& point,
+                             scene::Scene scene,
+                             const scene::Camera& camera);
 
 /// A scene of its own: near and far fitted, seen from `eye_world`.
 struct StressLook {
@@ -31,15 +31,13 @@ struct StressLook {
     glm::dvec3 target_world{0};
     double fov_deg = 30;
 };
-[[nodiscard]] StressCase make_case(const StressPoint& point,
-                                   scene::Scene scene,
-                                   const StressLook& look);
+[[nodiscard]] Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& look);
 
 /// Catalogue scenes, each from its first view, at rest.
-[[nodiscard]] std::vector<StressCase> catalogue_cases(const StressPoint& point,
-                                                      std::initializer_list<const char*> scenes);
+[[nodiscard]] std::vector<Case> catalogue_cases(const StressPoint& point,
+                                                std::initializer_list<const char*> scenes);
 /// What most axes are tried on: five boxes driven through each other, gears, a ring, a rocket.
-[[nodiscard]] std::vector<StressCase> base_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> base_cases(const StressPoint& point);
 
 /// A mesh as a scene, placed by `world_from_object`.
 [[nodiscard]] scene::Scene scene_of(std::string name,
@@ -50,37 +48,37 @@ struct StressLook {
 [[nodiscard]] scene::Mesh cut_cube(const std::vector<double>& cuts);
 
 // stress_places.cpp: where the eye is, and where numbers run out
-[[nodiscard]] std::vector<StressCase> near_far_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> grazing_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> grazing_linear_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> origin_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> fp32_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> scale_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> zoom_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> roll_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> near_far_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> grazing_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> grazing_linear_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> origin_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> fp32_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> scale_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> zoom_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> roll_cases(const StressPoint& point);
 
 // stress_shapes.cpp: what the triangles are like
-[[nodiscard]] std::vector<StressCase> gap_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> sliver_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> facet_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> gap_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> sliver_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> facet_cases(const StressPoint& point);
 
 // stress_defects.cpp: a share of the triangles, in percent, is not as it should be
-[[nodiscard]] std::vector<StressCase> duplicate_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> t_junction_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> crack_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> orientation_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> soup_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> duplicate_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> t_junction_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> crack_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> orientation_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> soup_cases(const StressPoint& point);
 
 // stress_parameters.cpp: what the methods and the machine are set to
 /// Names of the depth axis' values, from 1.
 [[nodiscard]] std::vector<std::string> depth_names();
-[[nodiscard]] std::vector<StressCase> depth_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> code_bits_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> saturate_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> wrap_cases(const StressPoint& point);
-[[nodiscard]] std::vector<StressCase> thread_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> depth_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> code_bits_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> saturate_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> wrap_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> thread_cases(const StressPoint& point);
 /// Names of this machine's SIMD targets, each on one thread and on four, from 1.
 [[nodiscard]] std::vector<std::string> simd_names();
-[[nodiscard]] std::vector<StressCase> simd_cases(const StressPoint& point);
+[[nodiscard]] std::vector<Case> simd_cases(const StressPoint& point);
 
 }  // namespace ink::studies

@@ -56,9 +56,9 @@ class PlaneCheck : public raster::TileSink {
 };
 
 /// The planes of a full buffer with depth in one encoding.
-StressCounts count_planes(const scene::Scene& scene,
-                          const scene::View& view,
-                          raster::DepthEncoding encoding) {
+CaseFaults count_planes(const scene::Scene& scene,
+                        const scene::View& view,
+                        raster::DepthEncoding encoding) {
     buffers::InputParams params;
     params.depth_encoding = encoding;
     buffers::FullBuffers buffers(params, 0);
@@ -70,7 +70,7 @@ StressCounts count_planes(const scene::Scene& scene,
     PlaneCheck check(carrier);
     edge::EdgeImage out(view.width_px, view.height_px);
     (void)buffers.draw(frame, carrier, PlaneCheck::kSky, check, out);
-    StressCounts counts;
+    CaseFaults counts;
     counts.non_finite = check.non_finite;
     counts.overflow = check.overflow;
     return counts;
@@ -97,8 +97,8 @@ const method::Layer* find_packed(const std::vector<method::Layer>& layers) {
 
 }  // namespace
 
-StressCounts count_inputs(const scene::Scene& scene, const scene::View& view) {
-    StressCounts counts;
+CaseFaults count_inputs(const scene::Scene& scene, const scene::View& view) {
+    CaseFaults counts;
     const scene::Projection projection(view);
     const scene::Surface surface =
         scene::flatten(scene, scene::NormalSource::patch, truth::TruthOptions{}.crease_rad);

@@ -4,7 +4,7 @@
 
 #include "method/method.h"
 #include "scene/scene.h"
-#include "studies/stress/stress_rows.h"
+#include "studies/axis.h"
 #include "truth/truth.h"
 
 namespace ink::studies {
@@ -14,7 +14,7 @@ namespace ink::studies {
 ///
 /// Normals may be a little longer than 1: where a triangle is thinner than the grid by which pixels
 /// are covered, its planes are read beyond its sides.
-[[nodiscard]] StressCounts count_inputs(const scene::Scene& scene, const scene::View& view);
+[[nodiscard]] CaseFaults count_inputs(const scene::Scene& scene, const scene::View& view);
 
 /// Numbers of a truth that are not finite (what lies behind a line may be infinitely far).
 [[nodiscard]] std::int64_t count_non_finite(const truth::Truth& truth);

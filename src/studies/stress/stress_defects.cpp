@@ -30,7 +30,7 @@ class Chosen {
 /// Closed solids with even triangles: smooth, creased, and both. `spoil` makes of each what the
 /// axis is about.
 template <class Spoil>
-std::vector<StressCase> spoiled(const StressPoint& point, Spoil spoil) {
+std::vector<Case> spoiled(const StressPoint& point, Spoil spoil) {
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1), 0.5, glm::dvec3(1, 0.25, 0));
     const StressLook look{{1.75, 2.25, 4}, {0, 0, 0}, 34};
     const Chosen chosen(point.value);
@@ -41,7 +41,7 @@ std::vector<StressCase> spoiled(const StressPoint& point, Spoil spoil) {
     for (glm::vec3& p : drum.positions)
         p.y -= 0.875F;
     solids.emplace_back("drum", std::move(drum));
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     for (auto& [name, mesh] : solids)
         cases.push_back(make_case(point, scene_of(name, spoil(mesh, chosen), turn), look));
     return cases;
@@ -59,7 +59,7 @@ scene::Triangle with_own_vertices(scene::Mesh& mesh, const scene::Triangle& tria
 
 }  // namespace
 
-std::vector<StressCase> duplicate_cases(const StressPoint& point) {
+std::vector<Case> duplicate_cases(const StressPoint& point) {
     return spoiled(point, [](scene::Mesh mesh, const Chosen& chosen) {
         const std::size_t count = mesh.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
@@ -69,7 +69,7 @@ std::vector<StressCase> duplicate_cases(const StressPoint& point) {
     });
 }
 
-std::vector<StressCase> t_junction_cases(const StressPoint& point) {
+std::vector<Case> t_junction_cases(const StressPoint& point) {
     return spoiled(point, [](scene::Mesh mesh, const Chosen& chosen) {
         const std::size_t count = mesh.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
@@ -84,7 +84,7 @@ std::vector<StressCase> t_junction_cases(const StressPoint& point) {
     });
 }
 
-std::vector<StressCase> crack_cases(const StressPoint& point) {
+std::vector<Case> crack_cases(const StressPoint& point) {
     return spoiled(point, [](scene::Mesh mesh, const Chosen& chosen) {
         constexpr float kStep = 1.0F / (1 << 20);
         const std::size_t count = mesh.triangles.size();
@@ -102,7 +102,7 @@ std::vector<StressCase> crack_cases(const StressPoint& point) {
     });
 }
 
-std::vector<StressCase> orientation_cases(const StressPoint& point) {
+std::vector<Case> orientation_cases(const StressPoint& point) {
     return spoiled(point, [](scene::Mesh mesh, const Chosen& chosen) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             if (chosen.has(t)) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
@@ -111,7 +111,7 @@ std::vector<StressCase> orientation_cases(const StressPoint& point) {
     });
 }
 
-std::vector<StressCase> soup_cases(const StressPoint& point) {
+std::vector<Case> soup_cases(const StressPoint& point) {
     return spoiled(point, [](scene::Mesh mesh, const Chosen& chosen) {
         std::vector<scene::Triangle> kept;
         std::vector<std::pair<std::uint32_t, scene::Triangle>> loose;

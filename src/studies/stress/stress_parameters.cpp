@@ -35,9 +35,9 @@ std::size_t place_of(const StressPoint& point) {
     return static_cast<std::size_t>(std::lround(point.value)) - 1;
 }
 
-std::vector<StressCase> with_gain(const StressPoint& point, const char* overflow) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases) {
+std::vector<Case> with_gain(const StressPoint& point, const char* overflow) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases) {
         stress.code_gain = point.value;
         stress.settings = {std::string("overflow=") + overflow};
     }
@@ -53,11 +53,10 @@ std::vector<std::string> depth_names() {
     return names;
 }
 
-std::vector<StressCase> depth_cases(const StressPoint& point) {
+std::vector<Case> depth_cases(const StressPoint& point) {
     const DepthChoice& depth = kDepths.at(place_of(point));
-    std::vector<StressCase> cases =
-        catalogue_cases(point, {"room", "horizon", "staircase", "fence"});
-    for (StressCase& stress : cases) {
+    std::vector<Case> cases = catalogue_cases(point, {"room", "horizon", "staircase", "fence"});
+    for (Case& stress : cases) {
         scene::Camera& camera = stress.scene_views.views.front().camera;
         camera.near = std::min(camera.near, camera.far / kFarOverNear);
         stress.settings = {"depth_range=camera",
@@ -67,24 +66,24 @@ std::vector<StressCase> depth_cases(const StressPoint& point) {
     return cases;
 }
 
-std::vector<StressCase> code_bits_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases)
+std::vector<Case> code_bits_cases(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases)
         stress.code_bits = static_cast<int>(std::lround(point.value));
     return cases;
 }
 
-std::vector<StressCase> saturate_cases(const StressPoint& point) {
+std::vector<Case> saturate_cases(const StressPoint& point) {
     return with_gain(point, "saturate");
 }
 
-std::vector<StressCase> wrap_cases(const StressPoint& point) {
+std::vector<Case> wrap_cases(const StressPoint& point) {
     return with_gain(point, "wrap");
 }
 
-std::vector<StressCase> thread_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases)
+std::vector<Case> thread_cases(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases)
         stress.threads = static_cast<int>(std::lround(point.value));
     return cases;
 }
@@ -98,10 +97,10 @@ std::vector<std::string> simd_names() {
     return names;
 }
 
-std::vector<StressCase> simd_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
+std::vector<Case> simd_cases(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
     const std::size_t place = place_of(point);
-    for (StressCase& stress : cases) {
+    for (Case& stress : cases) {
         stress.simd_target = core::simd_targets().at(place / kSimdThreads.size()).name;
         stress.threads = kSimdThreads[place % kSimdThreads.size()];
     }

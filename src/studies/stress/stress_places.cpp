@@ -7,14 +7,14 @@
 
 #include "catalogue/shapes.h"
 #include "scene/camera_path.h"
-#include "studies/roll_study.h"
+#include "studies/roll_axis.h"
 #include "studies/stress/stress_cases.h"
 
 namespace ink::studies {
 namespace {
 
 /// Moves scene, cameras and lights by a matrix that only moves and scales evenly.
-void transform(StressCase& stress, const glm::dmat4& moved, double scale) {
+void transform(Case& stress, const glm::dmat4& moved, double scale) {
     for (scene::Instance& instance : stress.scene_views.scene.instances)
         instance.world_from_object = moved * instance.world_from_object;
     scene::Camera& camera = stress.scene_views.views.front().camera;
@@ -28,9 +28,9 @@ void transform(StressCase& stress, const glm::dmat4& moved, double scale) {
 /// A way from the origin that is about 1 long, in sixteenths: whole distances along it are exact.
 constexpr glm::dvec3 kAway{0.75, 0.5, 0.4375};
 
-std::vector<StressCase> moved_away(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases)
+std::vector<Case> moved_away(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases)
         transform(stress, glm::translate(glm::dmat4(1), kAway * point.value), 1);
     return cases;
 }
@@ -99,20 +99,16 @@ glm::dvec3 nearest_vertex(const scene::Scene& scene, const glm::dvec3& eye_world
     return nearest;
 }
 
-StressCase rolled(const StressPoint& point, scene::Scene scene) {
-    RollOptions options;
-    options.frame_count = 360;
-    scene::CameraPath path = roll_path(scene, options);
-    path.turn_rad = glm::radians(point.value);
-    const scene::Camera camera = scene::frame_at(path, 1).view.camera;
+Case rolled(const StressPoint& point, scene::Scene scene) {
+    const scene::Camera camera = rolled_camera(scene, point.value);
     return make_case(point, std::move(scene), camera);
 }
 
 }  // namespace
 
-std::vector<StressCase> near_far_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases) {
+std::vector<Case> near_far_cases(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases) {
         scene::Camera& camera = stress.scene_views.views.front().camera;
         camera.near = camera.far / point.value;
         add_near_thing(stress.scene_views.scene, camera);
@@ -121,7 +117,7 @@ std::vector<StressCase> near_far_cases(const StressPoint& point) {
     return cases;
 }
 
-std::vector<StressCase> grazing_cases(const StressPoint& point) {
+std::vector<Case> grazing_cases(const StressPoint& point) {
     const double angle_rad = glm::radians(point.value);
     const StressLook look{
         1000.0 * glm::dvec3(0, std::sin(angle_rad), std::cos(angle_rad)), glm::dvec3(0), 0.2};
@@ -136,42 +132,41 @@ std::vector<StressCase> grazing_cases(const StressPoint& point) {
     put(balls, catalogue::make_sphere(0.5, 48, 24), {-1.5, 0.25, 0}, 0);
     put(balls, catalogue::make_cylinder(0.5, 0.75, 32), {0.125, -0.125, -2}, 0);
     put(balls, catalogue::make_cone(0.625, 1, 24), {1.75, -0.125, 1}, 0);
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     for (scene::Scene* scene : {&boxes, &steps, &balls})
         cases.push_back(make_case(point, std::move(*scene), look));
     return cases;
 }
 
-std::vector<StressCase> grazing_linear_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = grazing_cases(point);
-    for (StressCase& stress : cases)
+std::vector<Case> grazing_linear_cases(const StressPoint& point) {
+    std::vector<Case> cases = grazing_cases(point);
+    for (Case& stress : cases)
         stress.settings = {"depth_encoding=linear", "guard=none"};
     return cases;
 }
 
-std::vector<StressCase> origin_cases(const StressPoint& point) {
+std::vector<Case> origin_cases(const StressPoint& point) {
     return moved_away(point);
 }
 
-std::vector<StressCase> fp32_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = moved_away(point);
-    for (StressCase& stress : cases)
+std::vector<Case> fp32_cases(const StressPoint& point) {
+    std::vector<Case> cases = moved_away(point);
+    for (Case& stress : cases)
         stress.drawn = in_floats(stress.scene_views.scene);
     return cases;
 }
 
-std::vector<StressCase> scale_cases(const StressPoint& point) {
-    std::vector<StressCase> cases = base_cases(point);
-    for (StressCase& stress : cases) {
+std::vector<Case> scale_cases(const StressPoint& point) {
+    std::vector<Case> cases = base_cases(point);
+    for (Case& stress : cases) {
         transform(stress, glm::scale(glm::dmat4(1), glm::dvec3(point.value)), point.value);
     }
     return cases;
 }
 
-std::vector<StressCase> zoom_cases(const StressPoint& point) {
-    std::vector<StressCase> cases =
-        catalogue_cases(point, {"blocks", "gear", "rocket", "crystals"});
-    for (StressCase& stress : cases) {
+std::vector<Case> zoom_cases(const StressPoint& point) {
+    std::vector<Case> cases = catalogue_cases(point, {"blocks", "gear", "rocket", "crystals"});
+    for (Case& stress : cases) {
         scene::Camera& camera = stress.scene_views.views.front().camera;
         const double slope = std::tan(camera.fov_y_rad / 2) / point.value;
         scene::Camera aimed =
@@ -186,9 +181,9 @@ std::vector<StressCase> zoom_cases(const StressPoint& point) {
     return cases;
 }
 
-std::vector<StressCase> roll_cases(const StressPoint& point) {
+std::vector<Case> roll_cases(const StressPoint& point) {
     const std::vector<glm::dvec2> wedge = {{-1, -1}, {1.25, -1}, {-0.25, 1}};
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     cases.push_back(rolled(point, roll_scene()));
     cases.push_back(rolled(point, scene_of("wedge", catalogue::extrude(wedge, {-1, 1}))));
     cases.push_back(rolled(point, scene_of("twenty_faces", catalogue::make_icosphere(1.5, 0))));

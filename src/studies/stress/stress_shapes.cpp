@@ -101,7 +101,7 @@ int rounded(double x) {
 
 }  // namespace
 
-std::vector<StressCase> gap_cases(const StressPoint& point) {
+std::vector<Case> gap_cases(const StressPoint& point) {
     const double gap = point.value;
     ExactScene leaf("leaf");
     leaf.place(leaf.mesh(square(1.25)), glm::dvec3(0));
@@ -120,15 +120,15 @@ std::vector<StressCase> gap_cases(const StressPoint& point) {
     ExactScene plate("plate");
     plate.place(plate.mesh(catalogue::make_box({-1.25, 0, -1}, {1.25, 1, 1})),
                 glm::scale(glm::dmat4(1), glm::dvec3(1, gap, 1)));
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     for (ExactScene* scene : {&leaf, &slits, &step, &plate})
         cases.push_back(make_case(point, scene->take(), kThreeQuarter));
     return cases;
 }
 
-std::vector<StressCase> sliver_cases(const StressPoint& point) {
+std::vector<Case> sliver_cases(const StressPoint& point) {
     const double width = 1 / point.value;
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     cases.push_back(make_case(point,
                               scene_of("cut_cube", cut_cube({-1, 0, width, 1.25}), turned(14, 33)),
                               kThreeQuarter));
@@ -142,14 +142,14 @@ std::vector<StressCase> sliver_cases(const StressPoint& point) {
     return cases;
 }
 
-std::vector<StressCase> facet_cases(const StressPoint& point) {
+std::vector<Case> facet_cases(const StressPoint& point) {
     const double facets = point.value;
     // 2 * segments * (stacks - 1) triangles with segments = 2 * stacks; 2 a b round a ring; 2 n n.
     const int stacks = std::max(2, rounded(std::sqrt(facets / 4 + 0.25) + 0.5));
     const int round_tube = std::max(3, rounded(std::sqrt(facets / 4)));
     const int round_ring = std::max(3, rounded(facets / 2 / round_tube));
     const int quads = std::max(2, rounded(std::sqrt(facets / 2)));
-    std::vector<StressCase> cases;
+    std::vector<Case> cases;
     cases.push_back(make_case(
         point, scene_of("ball", catalogue::make_sphere(1.25, 2 * stacks, stacks)), kThreeQuarter));
     cases.push_back(make_case(

@@ -19,9 +19,12 @@ addSection({
     },
 });
 
-/// Lines of cost.csv that declare something, with the fields of their cells.
+/// Lines of cost.csv that declare something, with the fields of their cells and what is predicted of them.
 function costLines(view) {
-    return view.lines('cost.csv').filter(line => line.passes > 0 && line.study === 'compare');
+    const predicted = new Map(view.run.table('predictions.csv').lines.filter(line => line.setting === null)
+        .map(line => [line.cell, line]));
+    return view.lines('cost.csv').filter(line => line.passes > 0 && line.study === 'compare')
+        .map(line => Object.assign(Object.create(line), predicted.get(line.cell)));
 }
 
 function costMethods(view) {

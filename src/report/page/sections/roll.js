@@ -13,7 +13,7 @@ addSection({
         'which a method’s declared weights make both sides of a crease equal, computed from weights and geometry ' +
         'alone. Shaded: angles at which the change is too small for the threshold. Dots: recall in a frame at ' +
         'exactly such an angle; what shows there is the kink of the depth.',
-    isThere: view => view.run.has('roll.csv'),
+    isThere: view => view.run.has('creases.csv'),
     uses: ['roll.*', 'sort.roll*'],
     isFolded: true,
     draw(root, view) {
@@ -35,15 +35,15 @@ addSection({
 
 /// Per method its curves: {crease, isPredicted, samples: [{deg, recall, isBlind}], vanishing}.
 function rollCurves(view) {
-    const vanishing = groupBy(view.run.joined('vanishing.csv'), line => `${line.cell} ${line.crease}`);
-    const lines = view.run.joined('roll.csv').filter(line => view.isMethodShown(line.method));
+    const vanishing = groupBy(view.run.joined('vanishing.csv'), line => `${line.method} ${line.crease}`);
+    const lines = view.run.joined('creases.csv').filter(line => view.isMethodShown(line.method));
     return byMethod(view.run, lines).map(method => ({
         ...method,
-        curves: [...groupBy(method.lines, line => `${line.cell} ${line.crease}`)].map(([key, ofCrease]) => ({
+        curves: [...groupBy(method.lines, line => `${line.method} ${line.crease}`)].map(([key, ofCrease]) => ({
             crease: ofCrease[0].crease,
             isPredicted: isNumber(ofCrease[0].predicted_step),
             samples: ofCrease.map(line => ({
-                deg: line.roll_deg, recall: line.length_px > 0 ? line.covered_px / line.length_px : 0,
+                deg: line.value, recall: line.length_px > 0 ? line.covered_px / line.length_px : 0,
                 isBlind: line.predicted_blind === true || line.predicted_blind === 'true',
             })),
             vanishing: vanishing.get(key) || [],

@@ -8,7 +8,7 @@ addSection({
     title: 'Skips',
     intro: 'Work that was left out because the image does not need it: the share over all views, below it the ' +
         'largest share of one view and where that was. A skip never changes a bit of an image.',
-    isThere: view => view.run.has('skips.csv') ||
+    isThere: view => skipCells(view).length > 0 ||
         skipKinds(view.run).some(kind => view.rows.some(row => isNumber(row[kind.of]))),
     uses: ['sort.skips*'],
     isFolded: true,
@@ -78,8 +78,23 @@ function skipForbidden(root, rows) {
 
 // ---- What each skip is worth --------------------------------------------------------------
 
+/// Values of the axis skips_off.
+const SKIP_ARMS = {1: 'on', 2: 'one_off', 3: 'all_off'};
+
+/// The cells of the study, with `arm` and with the `skip` that their scene was made for: the one that is
+/// off where only that is.
+function skipCells(view) {
+    const rows = view.run.table('rows.csv').lines.filter(row => row.study === 'skips' && view.isMethodShown(row.method));
+    const off = (scene, value) => (rows.find(row => row.scene === scene && row.value === value) || {skips_off: null})
+        .skips_off;
+    const names = text => (text || '').split(';').filter(Boolean);
+    const skips = new Map(distinct(rows, row => row.scene).map(scene => [scene,
+        names(off(scene, 2)).find(name => !names(off(scene, 1)).includes(name)) || '']));
+    return rows.map(row => Object.assign(Object.create(row), {arm: SKIP_ARMS[row.value], skip: skips.get(row.scene)}));
+}
+
 function skipStudy(root, view) {
-    const lines = view.run.joined('skips.csv').filter(line => view.isMethodShown(line.method));
+    const lines = skipCells(view);
     if (lines.length === 0) {
         root.append(element('p', {class: 'note'}, 'What each skip saves in time was not measured: the option ',
             element('code', {}, '--skip-study'), ' does that.'));

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/method_configs.h"
+
+namespace ink::entrants {
+
+/// A method from outside that takes part: a folder of images, or a program that draws them.
+struct Entrant {
+    std::string name;  ///< as rows call it
+    std::filesystem::path path;
+    bool is_program = false;
+};
+
+/// What a program from outside may use up for one view.
+struct EntrantLimits {
+    double wall_s = 60;
+    std::uint64_t memory_bytes = 8ULL << 30;  ///< of memory that it may write to, each process
+};
+
+/// "NAME=PATH" as an entrant: a folder, or a file that can be executed.
+///
+/// Throws core::Error (where = "--entrant") for text without "=", a name that is not of letters,
+/// digits, _ and -, a name of a registered method or a baseline, and a path that is neither.
+[[nodiscard]] Entrant parse_entrant(const std::string& text);
+
+/// The entrant as a method configuration.
+///
+/// Images of a folder are `path/<scene>/<view>.png`, 8-bit, dark lines on light or light on dark
+/// (score/polarity.h); `path/times.csv` (scene, view, draw_ms) says how long they took. A program
+/// is called as `path view.json out.png` once a view (view_json()); its time is what it prints as
+/// "draw_ms NUMBER", else that of the whole call. A missing image, one of another size, and a
+/// program that fails, hangs or writes nothing is an error of that view alone. Parameters are
+/// `threshold` (128), and for the record `entrant` (the path) and `content` (a hash of the images
+/// or the program).
+[[nodiscard]] harness::MethodConfig entrant_config(const Entrant& entrant,
+                                                   const EntrantLimits& limits = {});
+
+}  // namespace ink::entrants

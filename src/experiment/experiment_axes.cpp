@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "core/interrupt.h"
+#include "core/parallel.h"
+#include "experiment/experiment_plan.h"
+#include "harness/skip_switches.h"
+#include "harness/tables/row_table.h"
+#include "studies/axis_rows.h"
+#include "studies/axis_tables.h"
+#include "studies/stress/stress_axes.h"
+
+namespace ink::experiment {
+namespace {
+
+/// What the blocks of an axis share.
+struct Stage {
+    studies::Axis axis;
+    std::vector<harness::MethodConfig> configs;
+    harness::CellOptions options;
+    studies::CaseSize size;
+};
+
+/// Why the whole run would be invalid, in words; "" if it is not.
+std::string fault_of(const studies::Axis& axis, const studies::AxisRow& of) {
+    const harness::Row& row = of.row;
+    if (of.faults.is_clean()) return "";
+    if (!axis.counts_faults) {
+        return of.faults.differing == 0 ? ""
+                                        : fmt::format("{} on {}, {} {}: {}",
+                                                      row.method,
+                                                      row.scene,
+                                                      row.axis,
+                                                      *row.value,
+                                                      row.status);
+    }
+    return fmt::format(
+        "{} on {} {}: {} numbers not finite, {} overflows, {} cells lost, {} images differ",
+        row.method,
+        row.axis,
+        *row.value,
+        of.faults.non_finite,
+        of.faults.overflow,
+        of.faults.lost,
+        of.faults.differing);
+}
+
+/// Every case of some values of an axis; `first_cell` is the number of its first row.
+BlockResult run_values(const Stage& stage,
+                       const std::vector<double>& values,
+                       std::int64_t first_cell) {
+    const studies::Axis& axis = stage.axis;
+    const auto witness = axis.witness ? axis.witness() : nullptr;
+    std::vector<studies::AxisRow> rows;
+    for (const double value : values) {
+        for (const studies::Case& one : axis.cases(value, stage.size)) {
+            if (core::is_interrupted()) return {};
+            const auto cell = first_cell + static_cast<std::int64_t>(rows.size());
+            auto more =
+                studies::axis_rows(axis, one, stage.configs, stage.options, witness.get(), cell);
+            std::move(more.begin(), more.end(), std::back_inserter(rows));
+        }
+        if (axis.allowed) break;  // its cells are of every value
+    }
+    studies::note_differences(axis, rows);
+    BlockResult result;
+    if (witness) result.lines = witness->lines();
+    std::int64_t cell = first_cell;
+    for (const studies::AxisRow& of : rows) {
+        result.lines["rows.csv"] += harness::row_line(cell, axis.study, of.row);
+        if (axis.counts_faults) {
+            result.lines[studies::faults_table().file] += studies::faults_line(cell, of.faults);
+        }
+        ++cell;
+        if (std::string fault = fault_of(axis, of); !fault.empty())
+            result.faults.push_back(std::move(fault));
+    }
+    return result;
+}
+
+/// Values that are looked at together, and others alone.
+std::vector<std::vector<double>> value_groups(const studies::Axis& axis, int points) {
+    const std::vector<double> values =
+        points > 0 ? studies::axis_values(axis, points) : axis.values;
+    if (axis.is_whole()) return {values};
+    std::vector<std::vector<double>> groups;
+    for (const double value : values)
+        groups.push_back({value});
+    return groups;
+}
+
+/// The cases of the first value stand for all: those of the last may be large.
+int cases_of_value(const Stage& stage) {
+    if (stage.axis.cases_of_value > 0) return stage.axis.cases_of_value;
+    return static_cast<int>(stage.axis.cases(stage.axis.values.front(), stage.size).size());
+}
+
+void plan_axis(const std::shared_ptr<Stage>& stage, int points, Plan& plan) {
+    const studies::Axis& axis = stage->axis;
+    plan.add_table(harness::rows_table());
+    if (axis.counts_faults) plan.add_table(studies::faults_table());
+    for (const harness::TableInfo& table : axis.tables)
+        plan.add_table(table);
+    const double mpx = 1e-6 * stage->size.width_px * stage->size.height_px;
+    const double cell_s = 0.01 + 0.05 * mpx + (axis.repetitions > 0 ? axis.budget_s / 2 : 0);
+    const int rows = studies::rows_of_case(axis, stage->configs.size()) * cases_of_value(*stage);
+    for (const std::vector<double>& values : value_groups(axis, points)) {
+        const int cells = axis.allowed ? rows : rows * static_cast<int>(values.size());
+        const std::int64_t first_cell = plan.take_cells(cells);
+        const std::string of = axis.scene.empty() ? "" : " " + axis.scene;
+        plan.blocks.push_back(
+            {values.size() < 20 ? fmt::format("{}{} {}", axis.name, of, fmt::join(values, " "))
+                                : fmt::format("{}{}", axis.name, of),
+             cells,
+             cells * cell_s,
+             true,
+             [stage, values, first_cell] { return run_values(*stage, values, first_cell); }});
+    }
+}
+
+}  // namespace
+
+void plan_axes(const std::vector<studies::Axis>& axes,
+               const Experiment& experiment,
+               const harness::TraceOptions& trace,
+               Plan& plan) {
+    for (const studies::Axis& axis : axes) {
+        const auto stage = std::make_shared<Stage>();
+        stage->axis = axis;
+        if (!experiment.times) stage->axis.repetitions = 0;
+        stage->configs = axis.repetitions > 0 || axis.witness ? timed_configs_of(experiment)
+                                                              : configs_of(experiment);
+        stage->options = {{}, trace, experiment.seed};
+        stage->options.trace.truth.threads = core::hardware_threads();
+        stage->options.trace.crosscheck = experiment.crosscheck;
+        stage->options.measure.threads = experiment.threads.front();
+        stage->options.measure.skips =
+            harness::without_skips(harness::skips_of_repeated_drawings(),
+                                   fmt::format("{}", fmt::join(experiment.skips_off, ",")));
+        stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
+        plan.add_axis(axis);
+        plan_axis(stage, experiment.points, plan);
+    }
+}
+
+void plan_stress(const Experiment& experiment, const harness::TraceOptions& trace, Plan& plan) {
+    std::vector<studies::Axis> axes;
+    for (const std::string& name : experiment.axes)
+        axes.push_back(studies::find_stress_axis(name));
+    if (axes.empty() && experiment.own_axes.empty()) axes = studies::stress_axes();
+    axes.insert(axes.end(), experiment.own_axes.begin(), experiment.own_axes.end());
+    plan_axes(axes, experiment, trace, plan);
+}
+
+}  // namespace ink::experiment

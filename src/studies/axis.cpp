@@ -1,0 +1,129 @@
+#include "studies/axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+
+namespace ink::studies {
+namespace {
+
+const core::Param* find_param(const method::MethodInfo& info, std::string_view name) {
+    for (const core::Param& param : info.params) {
+        if (param.name == name) return &param;
+    }
+    return nullptr;
+}
+
+double value_of(const core::Param& param, const core::ParamValues& all) {
+    return core::parse_param(param, all.at(param.name), "a study");
+}
+
+/// Sets a parameter to `value`, or as near to it as the parameter goes.
+void set_nearest(const core::Param& param, double value, core::ParamValues& settings) {
+    double near = std::clamp(value, param.min, param.max);
+    if (param.kind == core::ParamKind::integer) near = std::round(near);
+    settings[param.name] = core::format_param(param, near);
+}
+
+/// Of a packed code: those of its parameters that say how many codes a channel spans.
+std::vector<const core::Param*> code_ranges(const method::MethodInfo& info) {
+    std::vector<const core::Param*> ranges;
+    if (find_param(info, "overflow") == nullptr && find_param(info, "scale_bits") == nullptr)
+        return ranges;
+    for (const core::Param& param : info.params) {
+        if (param.name.starts_with("range_")) ranges.push_back(&param);
+    }
+    return ranges;
+}
+
+void apply_text(const std::string& text, harness::MethodConfig& config) {
+    const auto equals = text.find('=');
+    assert(equals != std::string::npos);
+    std::string key = text.substr(0, equals);
+    const std::string value = text.substr(equals + 1);
+    if (const auto dot = key.find('.'); dot != std::string::npos) {
+        if (key.substr(0, dot) != config.info->name) return;
+        key = key.substr(dot + 1);
+    }
+    const core::Param* param = find_param(*config.info, key);
+    if (param == nullptr) return;
+    const bool is_choice = param->kind == core::ParamKind::choice;
+    const auto& known = param->choices;
+    if (is_choice && std::find(known.begin(), known.end(), value) == known.end()) return;
+    config.settings[key] = value;
+}
+
+void apply_gain(double gain, harness::MethodConfig& config) {
+    const std::vector<const core::Param*> ranges = code_ranges(*config.info);
+    if (ranges.empty() || gain == 1) return;
+    const core::ParamValues all = config.info->complete(config.settings);
+    for (const core::Param* range : ranges)
+        set_nearest(*range, value_of(*range, all) * gain, config.settings);
+    const core::Param* threshold = find_param(*config.info, "threshold");
+    set_nearest(*threshold, value_of(*threshold, all) * gain, config.settings);
+}
+
+/// Fewer bits: the same lines at the same edge responses, from coarser codes.
+void apply_bits(int bits, harness::MethodConfig& config) {
+    const std::vector<const core::Param*> ranges = code_ranges(*config.info);
+    const core::Param* scale = find_param(*config.info, "scale_bits");
+    if (ranges.empty() || scale == nullptr) return;
+    const core::ParamValues all = config.info->complete(config.settings);
+    const double most = ranges.front()->max;  // of a code: 255 or 65535
+    const int own_bits = static_cast<int>(std::lround(std::log2(most + 1)));
+    const int fewer = std::max(0, own_bits - bits);
+    for (const core::Param* range : ranges) {
+        const double value = value_of(*range, all);
+        set_nearest(*range, std::floor(std::ldexp(value, -fewer)), config.settings);
+    }
+    set_nearest(*scale, value_of(*scale, all) + fewer, config.settings);
+    if (const core::Param* clip = find_param(*config.info, "clip_bits"))
+        set_nearest(*clip, value_of(*clip, all) - fewer, config.settings);
+}
+
+}  // namespace
+
+harness::MethodConfig under_case(const harness::MethodConfig& config, const Case& one) {
+    harness::MethodConfig result = config;
+    for (const std::string& text : one.settings)
+        apply_text(text, result);
+    apply_gain(one.code_gain, result);
+    if (one.code_bits) apply_bits(*one.code_bits, result);
+    return result;
+}
+
+std::vector<double> axis_values(const Axis& axis, int count) {
+    assert(count >= 2);
+    const auto all = static_cast<int>(axis.values.size());
+    if (count >= all) return axis.values;
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        const auto at = std::lround(static_cast<double>(i) * (all - 1) / (count - 1));
+        values.push_back(axis.values[static_cast<std::size_t>(at)]);
+    }
+    return values;
+}
+
+std::string format_value(const Axis& axis, double value) {
+    for (std::size_t i = 0; i < axis.value_names.size(); ++i) {
+        if (axis.values[i] == value) return axis.value_names[i];
+    }
+    const bool is_plain = value == 0 || (value >= 1e-3 && value < 1e5);
+    const std::string text = is_plain ? fmt::format("{:.4g}", value) : fmt::format("{:.1e}", value);
+    if (axis.unit.empty()) return text;
+    if (axis.unit == "%") return text + " %";
+    if (axis.unit == "deg") return text + "°";
+    return text + " " + axis.unit;
+}
+
+void CaseFaults::add(const CaseFaults& more) {
+    non_finite += more.non_finite;
+    overflow += more.overflow;
+    lost += more.lost;
+    differing += more.differing;
+}
+
+}  // namespace ink::studies

@@ -1,0 +1,210 @@
+#include "studies/axis_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/text_table.h"
+#include "harness/tables/table_of.h"
+#include "statistics/bootstrap.h"
+#include "studies/stress/stress_axes.h"
+
+namespace ink::studies {
+namespace {
+
+/// An error that moves by less than this is called level.
+constexpr double kLevel = 0.02;
+
+/// ".123": an error or a share, without its 0.
+std::string share(double value) {
+    std::string text = fmt::format("{:.2f}", value);
+    return text.starts_with("0") ? text.substr(1) : text;
+}
+
+void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, AxisPoint& point) {
+    std::vector<score::CurveCount> clusters;
+    score::CurveCount all{};
+    for (const AxisRow* row : rows) {
+        point.faults.add(row->faults);
+        if (!row->row.is_ok()) continue;
+        const score::CurveCount counts{row->row.k_2px, row->row.n_pred, row->row.n_truth};
+        clusters.push_back(counts);
+        all.k += counts.k;
+        all.n_pred += counts.n_pred;
+        all.n_truth += counts.n_truth;
+    }
+    point.cases = static_cast<int>(clusters.size());
+    if (clusters.empty()) return;
+    point.f = all.f();
+    point.f_range = statistics::f_interval(clusters, {.seed = seed});
+    const auto k = static_cast<double>(all.k);
+    if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
+    if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
+    point.truth_px = all.n_truth;
+}
+
+using P = AxisPoint;
+
+harness::TableOf<P> make_points_table() {
+    harness::TableOf<P> table(
+        "axis_summary.csv",
+        "A line per axis, value and method, over its cases: a point of a curve.");
+    table.add_derived({"axis", "", "what grows"}, &P::axis);
+    table.add_derived({"value", "of axis", "where on the axis"}, &P::value);
+    table.add_derived({"method", "", "as in rows.csv"}, &P::method);
+    table.add_derived({"cases", "", "that have a score"}, &P::cases);
+    table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
+    const auto range = table.part(&P::f_range);
+    range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+                      &statistics::Interval::low);
+    range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
+    table.add_derived({"error", "0..1", "1 - f"}, &P::error);
+    table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
+    table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
+    table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
+    using C = CaseFaults;
+    const auto counts = table.part(&P::faults);
+    counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
+    counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
+    counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
+    counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
+                       &C::differing);
+    return table;
+}
+
+const harness::TableOf<P>& points_table() {
+    static const harness::TableOf<P> kTable = make_points_table();
+    return kTable;
+}
+
+/// Axes with a score, or with a fault.
+std::set<std::string> axes_to_tell(const std::vector<AxisRow>& rows) {
+    std::set<std::string> axes;
+    for (const AxisRow& of : rows)
+        if (of.row.is_scored() || !of.faults.is_clean()) axes.insert(of.row.axis);
+    return axes;
+}
+
+}  // namespace
+
+std::optional<double> AxisPoint::error() const {
+    if (!f) return std::nullopt;
+    return 1 - *f;
+}
+
+std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows) {
+    using Key = std::tuple<std::string, double, std::string>;
+    std::map<Key, std::vector<const AxisRow*>> groups;
+    std::vector<Key> order;
+    const std::set<std::string> told = axes_to_tell(rows);
+    for (const AxisRow& row : rows) {
+        if (!told.contains(row.row.axis)) continue;
+        const Key key{row.row.axis, *row.row.value, row.row.method};
+        auto& group = groups[key];
+        if (group.empty()) order.push_back(key);
+        group.push_back(&row);
+    }
+    std::vector<AxisPoint> points;
+    for (const Key& key : order) {
+        const std::vector<const AxisRow*>& group = groups[key];
+        AxisPoint point;
+        std::tie(point.axis, point.value, point.method) = key;
+        add_scores(group, rows.front().row.seed, point);
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+const harness::TableInfo& axis_summary_table() {
+    return points_table().info();
+}
+
+std::string axis_summary_csv(const std::vector<AxisPoint>& points) {
+    return points_table().file(points);
+}
+
+const AxisPoint* AxisCurve::best() const {
+    const AxisPoint* found = nullptr;
+    for (const AxisPoint& point : points) {
+        if (point.f && (found == nullptr || *point.f > *found->f)) found = &point;
+    }
+    return found;
+}
+
+const AxisPoint* AxisCurve::worst() const {
+    const AxisPoint* found = nullptr;
+    for (const AxisPoint& point : points) {
+        if (point.f && (found == nullptr || *point.f < *found->f)) found = &point;
+    }
+    return found;
+}
+
+double AxisCurve::loss() const {
+    return best() == nullptr ? 0 : *best()->f - *worst()->f;
+}
+
+std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points, const std::string& axis) {
+    std::vector<AxisCurve> curves;
+    for (const AxisPoint& point : points) {
+        if (point.axis != axis) continue;
+        auto at = std::find_if(curves.begin(), curves.end(), [&](const AxisCurve& curve) {
+            return curve.method == point.method;
+        });
+        if (at == curves.end()) {
+            curves.push_back({point.method, {}});
+            at = curves.end() - 1;
+        }
+        at->points.push_back(point);
+    }
+    for (AxisCurve& curve : curves) {
+        std::stable_sort(curve.points.begin(), curve.points.end(), [](auto& a, auto& b) {
+            return a.value < b.value;
+        });
+    }
+    return curves;
+}
+
+std::string stress_table(const std::vector<AxisPoint>& points) {
+    core::Cells cells = {{"axis",
+                          "points",
+                          "loses most",
+                          "from",
+                          "to",
+                          "at",
+                          "level",
+                          "non-finite",
+                          "overflow",
+                          "lost",
+                          "differing"}};
+    for (const Axis& axis : stress_axes()) {
+        const std::vector<AxisCurve> curves = axis_curves(points, axis.name);
+        if (curves.empty()) continue;
+        const AxisCurve* worst = nullptr;
+        CaseFaults faults;
+        int level = 0;
+        for (const AxisCurve& curve : curves) {
+            for (const AxisPoint& point : curve.points)
+                faults.add(point.faults);
+            if (harness::is_baseline(curve.method) || curve.best() == nullptr) continue;
+            level += curve.loss() < kLevel ? 1 : 0;
+            if (worst == nullptr || curve.loss() > worst->loss()) worst = &curve;
+        }
+        cells.push_back({axis.name,
+                         std::to_string(curves.front().points.size()),
+                         worst == nullptr ? "–" : worst->method,
+                         worst == nullptr ? "–" : share(*worst->best()->error()),
+                         worst == nullptr ? "–" : share(*worst->worst()->error()),
+                         worst == nullptr ? "–" : format_value(axis, worst->worst()->value),
+                         std::to_string(level),
+                         std::to_string(faults.non_finite),
+                         std::to_string(faults.overflow),
+                         std::to_string(faults.lost),
+                         std::to_string(faults.differing)});
+    }
+    return cells.size() == 1 ? "" : core::aligned(cells);
+}
+
+}  // namespace ink::studies

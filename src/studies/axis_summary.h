@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/tables/table.h"
+#include "statistics/spread.h"
+#include "studies/axis_rows.h"
+
+namespace ink::studies {
+
+/// One method at one value of one axis, over its cases: a point of a curve.
+struct AxisPoint {
+    std::string axis;
+    double value = 0;
+    std::string method;
+    int cases = 0;                                     ///< without failure
+    std::optional<double> f;                           ///< at 2 px, of the counts pooled over cases
+    std::optional<statistics::Interval> f_range = {};  ///< 95 %, cases resampled; two at least
+    std::optional<double> precision = {};
+    std::optional<double> recall = {};
+    std::int64_t truth_px = 0;
+    CaseFaults faults = {};
+
+    [[nodiscard]] std::optional<double> error() const;
+};
+
+/// A point per axis, value and method, in the order of the rows, of the axes that have a score or a
+/// fault. Intervals are of the first row's seed.
+[[nodiscard]] std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows);
+
+/// The columns of axis_summary.csv.
+[[nodiscard]] const harness::TableInfo& axis_summary_table();
+
+/// axis_summary.csv, heading and line breaks included.
+[[nodiscard]] std::string axis_summary_csv(const std::vector<AxisPoint>& points);
+
+/// The points of one method on one axis, by value.
+struct AxisCurve {
+    std::string method;
+    std::vector<AxisPoint> points;
+
+    /// By how much its error differs between its best and its worst point; 0 with fewer than two.
+    [[nodiscard]] double loss() const;
+    [[nodiscard]] const AxisPoint* best() const;   ///< null without a point
+    [[nodiscard]] const AxisPoint* worst() const;  ///< null without a point
+};
+
+/// The curves of an axis in the order of their methods, baselines among them.
+[[nodiscard]] std::vector<AxisCurve> axis_curves(const std::vector<AxisPoint>& points,
+                                                 const std::string& axis);
+
+/// For a terminal: a line per axis with the method that loses most, and the counts; "" without
+/// stress.
+[[nodiscard]] std::string stress_table(const std::vector<AxisPoint>& points);
+
+}  // namespace ink::studies

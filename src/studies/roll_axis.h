@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "harness/method_configs.h"
+#include "studies/axis.h"
+
+namespace ink::studies {
+
+/// A crease of the rolling cube in one image.
+struct RollSample {
+    double roll_rad = 0;
+    double length_px = 0;   ///< visible
+    double covered_px = 0;  ///< of that, with a drawn pixel within 2 px
+    double step = 0;        ///< of the code across it, as predicted; 0 without a prediction
+    bool is_blind = false;  ///< predicted: the code cannot show it
+
+    [[nodiscard]] double recall() const { return length_px > 0 ? covered_px / length_px : 0; }
+};
+
+/// An angle at which a code has no step across a crease, and where the crease was lost.
+struct Vanishing {
+    double predicted_rad = 0;
+    /// The middle of the angles at which less than half of the crease was drawn; nothing if there
+    /// are none near the prediction.
+    std::optional<double> measured_rad = {};
+    /// Recall in a frame at the very angle: what else than the step shows there, such as depth's
+    /// kink; nothing if it was not drawn.
+    std::optional<double> recall_there = {};
+};
+
+/// The cube, and the camera before it (or another scene of its size) after a roll.
+[[nodiscard]] scene::Scene roll_scene();
+[[nodiscard]] scene::Camera rolled_camera(const scene::Scene& scene, double roll_deg);
+
+/// How the cube is rolled.
+struct RollOptions {
+    int angles = 180;   ///< over one whole turn
+    int size_px = 320;  ///< of the square image
+};
+
+/// The cube roll: a cube whose three seen faces turn round the view direction, at even angles and
+/// at those at which the code that a method declares has no step across a crease.
+///
+/// Its witness writes creases.csv and vanishing.csv. Predictions come from declared codes and the
+/// cube's geometry alone (linear_code/roll_prediction.h).
+[[nodiscard]] Axis roll_axis(const std::vector<harness::MethodConfig>& configs,
+                             const RollOptions& options = {});
+
+/// Where a crease vanished near `predicted_rad`: the middle of the samples in a row, round the
+/// turn, whose recall is below one half, of those rows that come within 15 degrees the nearest.
+[[nodiscard]] std::optional<double> measured_vanishing(const std::vector<RollSample>& samples,
+                                                       double predicted_rad);
+
+/// creases.csv: how a cell draws a crease. `is_predicted`: the method declares a code.
+[[nodiscard]] const harness::TableInfo& creases_table();
+[[nodiscard]] std::string crease_line(std::int64_t cell,
+                                      int crease,
+                                      const RollSample& sample,
+                                      bool is_predicted);
+/// vanishing.csv: the cell is the method's at the angle.
+[[nodiscard]] const harness::TableInfo& vanishing_table();
+[[nodiscard]] std::string vanishing_line(std::int64_t cell, int crease, const Vanishing& at);
+
+}  // namespace ink::studies

@@ -1,0 +1,192 @@
+#include "summary/paired_differences.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/text_table.h"
+#include "harness/tables/csv.h"
+#include "statistics/bootstrap.h"
+#include "statistics/simultaneous.h"
+#include "summary/row_pairs.h"
+#include "summary/summary.h"
+
+namespace ink::summary {
+namespace {
+
+constexpr int kDigits = 3;
+
+/// ".012" with the sign before it.
+std::string format_signed(double value, int digits) {
+    const std::string share = fmt::format("{:.{}f}", std::abs(value), digits);
+    return fmt::format("{}{}", value < 0 ? '-' : '+', share[0] == '0' ? share.substr(1) : share);
+}
+
+/// Both ends as two fields of a line, empty without an interval.
+std::string range_fields(const std::optional<statistics::Interval>& range) {
+    return range ? fmt::format("{},{}", range->low, range->high) : ",";
+}
+
+/// Whether an interval that ends near 0 still says, so rounded, on which side of 0 it lies.
+bool says_side(const statistics::Interval& range, int digits) {
+    const double least = 0.5 * std::pow(10.0, -digits);
+    return std::abs(range.low) >= least && std::abs(range.high) >= least;
+}
+
+std::map<harness::Place, const harness::Row*> rows_by_place(const std::vector<harness::Row>& rows,
+                                                            const std::string& method) {
+    std::map<harness::Place, const harness::Row*> found;
+    for (const harness::Row& row : rows) {
+        if (row.method == method && row.is_scored()) found.emplace(harness::place_of(row), &row);
+    }
+    return found;
+}
+
+/// The rows of two methods, view by view.
+PairedScenes pair_up(const std::vector<harness::Row>& rows,
+                     const std::string& a,
+                     const std::string& b) {
+    const auto of_b = rows_by_place(rows, b);
+    std::vector<RowPair> pairs;
+    for (const auto& [where, row] : rows_by_place(rows, a)) {
+        const auto other = of_b.find(where);
+        if (other != of_b.end()) pairs.push_back({row, other->second});
+    }
+    return paired_scenes(pairs);
+}
+
+PairedDifference difference_of(const std::string& a,
+                               const std::string& b,
+                               const PairedScenes& scenes,
+                               std::uint64_t seed) {
+    return {a,
+            b,
+            scenes.f_a() - scenes.f_b(),
+            statistics::paired_interval(scenes.a, scenes.b, {.seed = seed})};
+}
+
+/// Sets the intervals that hold together. `scenes` has the scenes of each difference.
+void add_ranges_of_all(std::vector<PairedScenes>& scenes,
+                       std::uint64_t seed,
+                       std::vector<PairedDifference>& differences) {
+    std::map<std::string, std::size_t> index;
+    for (const PairedScenes& paired : scenes)
+        for (const std::string& name : paired.names)
+            index.try_emplace(name);
+    std::size_t count = 0;
+    for (auto& [name, i] : index)
+        i = count++;
+    std::vector<statistics::PairedCounts> pairs;
+    for (PairedScenes& paired : scenes) {
+        std::vector<std::size_t> clusters;
+        for (const std::string& name : paired.names)
+            clusters.push_back(index.at(name));
+        pairs.push_back({std::move(paired.a), std::move(paired.b), std::move(clusters)});
+    }
+    const auto ranges = statistics::simultaneous_intervals(pairs, count, {.seed = seed});
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        differences[i].range_of_all = ranges[i];
+}
+
+/// Methods with a score, without baselines.
+std::vector<std::string> methods_best_first(const std::vector<harness::Row>& rows) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    std::erase_if(summaries, [](const MethodSummary& s) { return s.is_baseline || !s.f_2px; });
+    std::stable_sort(summaries.begin(), summaries.end(), [](const auto& a, const auto& b) {
+        return *a.f_2px > *b.f_2px;
+    });
+    std::vector<std::string> names;
+    for (const MethodSummary& summary : summaries)
+        names.push_back(summary.method);
+    return names;
+}
+
+std::vector<PairedDifference> differences_between(const std::vector<harness::Row>& rows,
+                                                  const std::vector<std::string>& all_a,
+                                                  const std::vector<std::string>& all_b) {
+    std::vector<PairedDifference> differences;
+    std::vector<PairedScenes> scenes;
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const std::string& a : all_a) {
+        for (const std::string& b : all_b) {
+            if (a == b) continue;
+            PairedScenes paired = pair_up(rows, a, b);
+            if (paired.is_empty()) continue;
+            differences.push_back(difference_of(a, b, paired, rows.front().seed));
+            scenes.push_back(std::move(paired));
+            pairs.insert(std::minmax(a, b));
+        }
+    }
+    if (pairs.size() > 1) add_ranges_of_all(scenes, rows.front().seed, differences);
+    return differences;
+}
+
+}  // namespace
+
+std::optional<PairedDifference> paired_difference_of(const std::vector<harness::Row>& rows,
+                                                     const std::string& a,
+                                                     const std::string& b) {
+    const PairedScenes scenes = pair_up(rows, a, b);
+    if (scenes.is_empty()) return std::nullopt;
+    return difference_of(a, b, scenes, rows.front().seed);
+}
+
+std::vector<PairedDifference> paired_differences_from(const std::vector<harness::Row>& rows,
+                                                      const std::string& a) {
+    return differences_between(rows, {a}, methods_best_first(rows));
+}
+
+std::vector<PairedDifference> all_paired_differences(const std::vector<harness::Row>& rows) {
+    const std::vector<std::string> methods = methods_best_first(rows);
+    return differences_between(rows, methods, methods);
+}
+
+const harness::TableInfo& differences_table() {
+    static const harness::TableInfo kTable = {
+        "differences.csv",
+        "A line per ordered pair of methods with a view in common, the best method first: by how "
+        "much the pooled F of one exceeds that of the other.",
+        {{"method", "", "as in rows.csv"},
+         {"other", "", "the method it is compared with"},
+         {"difference", "-1..1", "F within 2 px of `method` less that of `other`"},
+         {"lo",
+          "-1..1",
+          "lower end of its 95 % interval, scenes resampled for both together; empty with one "
+          "scene"},
+         {"hi", "-1..1", "upper end"},
+         {"lo_of_all",
+          "-1..1",
+          "lower end of the interval that holds with 95 % together with those of all other lines; "
+          "empty with two methods"},
+         {"hi_of_all", "-1..1", "upper end"}}};
+    return kTable;
+}
+
+std::string differences_csv(const std::vector<PairedDifference>& differences) {
+    std::string text = harness::heading(differences_table());
+    for (const PairedDifference& each : differences) {
+        text += fmt::format("{},{},{},{},{}\n",
+                            harness::csv_field(each.a),
+                            harness::csv_field(each.b),
+                            each.difference,
+                            range_fields(each.range),
+                            range_fields(each.range_of_all));
+    }
+    return text;
+}
+
+std::string format_paired_difference(const PairedDifference& paired) {
+    const auto& range = paired.range_of_all ? paired.range_of_all : paired.range;
+    if (!range) return format_signed(paired.difference, kDigits);
+    const int digits = says_side(*range, kDigits) ? kDigits : kDigits + 1;
+    return fmt::format("{} [{}, {}]",
+                       format_signed(paired.difference, digits),
+                       format_signed(range->low, digits),
+                       format_signed(range->high, digits));
+}
+
+}  // namespace ink::summary

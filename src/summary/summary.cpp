@@ -1,0 +1,204 @@
+#include "summary/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "statistics/bootstrap.h"
+
+namespace ink::summary {
+namespace {
+
+using Counts = score::CurveCount;
+
+std::optional<double> share(std::int64_t part, std::int64_t whole) {
+    if (whole == 0) return std::nullopt;
+    return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+using Rows = std::vector<const harness::Row*>;
+
+template <class CountsOf>
+std::optional<double> pooled(const Rows& rows, CountsOf counts_of) {
+    if (rows.empty()) return std::nullopt;
+    Counts sum;
+    for (const harness::Row* row : rows)
+        sum += counts_of(*row);
+    return sum.f();
+}
+
+Rows of_split(const Rows& rows, std::string_view split) {
+    Rows kept;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const harness::Row* row) {
+        return row->split == split;
+    });
+    return kept;
+}
+
+std::optional<double> macro_f(const std::vector<Counts>& scenes) {
+    std::vector<double> values;
+    for (const Counts& scene : scenes)
+        values.push_back(scene.f());
+    return statistics::mean(values);
+}
+
+/// Over the rows that were scored at 1 px, too.
+std::optional<double> f_1px(const Rows& rows) {
+    Rows kept;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [](const harness::Row* row) {
+        return row->k_1px && row->n_pred_1px;
+    });
+    return pooled(kept, [](const harness::Row& row) {
+        return Counts{*row.k_1px, *row.n_pred_1px, row.n_truth};
+    });
+}
+
+/// Recalls weighed by the truth pixels they are shares of. Counts of a class come back from its
+/// recall exactly: they are far below 2^53.
+std::map<std::string, double> pooled_recalls(const Rows& rows) {
+    std::map<std::string, std::pair<double, double>> found_of;
+    for (const harness::Row* row : rows) {
+        for (const auto& [name, recall] : row->recall_by_class) {
+            const auto truth_px = row->truth_px_by_class.find(name);
+            if (truth_px == row->truth_px_by_class.end() || truth_px->second == 0) continue;
+            const auto n = static_cast<double>(truth_px->second);
+            found_of[name].first += std::round(recall * n);
+            found_of[name].second += n;
+        }
+    }
+    std::map<std::string, double> recalls;
+    for (const auto& [name, found] : found_of)
+        recalls[name] = found.first / found.second;
+    return recalls;
+}
+
+void summarise_scores(const Rows& rows, MethodSummary& summary) {
+    Counts sum;
+    for (const harness::Row* row : rows)
+        sum += counts_2px(*row);
+    const std::vector<Counts> scenes = counts_by_scene(rows);
+    summary.scenes = static_cast<int>(scenes.size());
+    summary.f_2px = pooled(rows, counts_2px);
+    if (!rows.empty())
+        summary.f_2px_range = statistics::f_interval(scenes, {.seed = rows.front()->seed});
+    summary.f_train = pooled(of_split(rows, "train"), counts_2px);
+    summary.f_heldout = pooled(of_split(rows, "heldout"), counts_2px);
+    summary.f_real = pooled(of_split(rows, "real"), counts_2px);
+    summary.f_macro = macro_f(scenes);
+    summary.f_1px = f_1px(rows);
+    summary.precision = share(sum.k, sum.n_pred);
+    summary.recall = share(sum.k, sum.n_truth);
+    summary.recall_by_class = pooled_recalls(rows);
+}
+
+void summarise_costs(const Rows& rows, MethodSummary& summary) {
+    summary.has_own_clock = std::any_of(
+        rows.begin(), rows.end(), [](const harness::Row* row) { return row->clock == "own"; });
+    std::vector<double> draw_ms;
+    for (const harness::Row* row : rows)
+        if (row->draw_ns) draw_ms.push_back(static_cast<double>(*row->draw_ns) * 1e-6);
+    summary.draw_ms = statistics::quantile(draw_ms, 0.5);
+    if (draw_ms.size() > 1) {
+        summary.draw_ms_quartiles = statistics::Interval{*statistics::quantile(draw_ms, 0.25),
+                                                         *statistics::quantile(draw_ms, 0.75)};
+    }
+    for (const harness::Row* row : rows) {
+        if (!row->bytes_per_px) continue;
+        summary.bytes_per_px = std::max(summary.bytes_per_px.value_or(0), *row->bytes_per_px);
+    }
+}
+
+/// Rows that did not fail, of one method.
+Rows good_rows(const std::vector<harness::Row>& rows, const std::string& method) {
+    Rows good;
+    for (const harness::Row& row : rows) {
+        if (row.method == method && row.is_ok() && row.f_2px) good.push_back(&row);
+    }
+    return good;
+}
+
+}  // namespace
+
+Counts counts_2px(const harness::Row& row) {
+    return {row.k_2px, row.n_pred, row.n_truth};
+}
+
+std::vector<Counts> counts_by_scene(const std::vector<const harness::Row*>& rows) {
+    std::vector<std::string> scenes;
+    std::vector<Counts> sums;
+    for (const harness::Row* row : rows) {
+        auto known = std::find(scenes.begin(), scenes.end(), row->scene);
+        if (known == scenes.end()) {
+            known = scenes.insert(known, row->scene);
+            sums.emplace_back();
+        }
+        sums[static_cast<std::size_t>(known - scenes.begin())] += counts_2px(*row);
+    }
+    return sums;
+}
+
+void add_curves(const std::vector<statistics::CellCurve>& curves,
+                std::vector<MethodSummary>& summaries) {
+    for (statistics::CurveSummary& curve : statistics::summarise_curves(curves)) {
+        for (MethodSummary& summary : summaries) {
+            if (summary.method == curve.ods.method) summary.curve = curve;
+        }
+    }
+}
+
+std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows) {
+    Rows good;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(good), [](const harness::Row* row) {
+        return row->is_ok() && row->f_2px;
+    });
+    return pooled(good, counts_2px);
+}
+
+Verdict find_verdict(const std::vector<MethodSummary>& summaries) {
+    Verdict verdict;
+    for (const MethodSummary& s : summaries) {
+        if (s.is_baseline || !s.f_2px) continue;
+        if (verdict.best == nullptr || *s.f_2px > *verdict.best->f_2px) {
+            verdict.runner_up = verdict.best;
+            verdict.best = &s;
+        } else if (verdict.runner_up == nullptr || *s.f_2px > *verdict.runner_up->f_2px) {
+            verdict.runner_up = &s;
+        }
+        if (s.has_own_clock) continue;
+        const bool is_cheaper =
+            verdict.cheapest == nullptr || s.draw_ms < verdict.cheapest->draw_ms;
+        if (s.draw_ms && is_cheaper) verdict.cheapest = &s;
+    }
+    return verdict;
+}
+
+std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows) {
+    std::vector<MethodSummary> summaries;
+    for (const harness::Row& row : rows) {
+        const auto known = std::find_if(summaries.begin(), summaries.end(), [&](const auto& s) {
+            return s.method == row.method;
+        });
+        if (known != summaries.end()) continue;
+        MethodSummary summary;
+        summary.method = row.method;
+        summary.is_baseline = harness::is_baseline(row.method);
+        summaries.push_back(summary);
+    }
+    for (MethodSummary& summary : summaries) {
+        const Rows good = good_rows(rows, summary.method);
+        const auto all = std::count_if(rows.begin(), rows.end(), [&](const harness::Row& row) {
+            return row.method == summary.method;
+        });
+        summary.views = static_cast<int>(good.size());
+        summary.failed = static_cast<int>(all) - summary.views;
+        summarise_scores(good, summary);
+        summarise_costs(good, summary);
+    }
+    std::stable_partition(
+        summaries.begin(), summaries.end(), [](const MethodSummary& s) { return !s.is_baseline; });
+    return summaries;
+}
+
+}  // namespace ink::summary

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "harness/row.h"
+#include "statistics/ods.h"
+#include "statistics/spread.h"
+
+namespace ink::summary {
+
+/// What all rows of one method say together. A row that failed counts in `failed` and nowhere else;
+/// an empty value never enters a mean.
+struct MethodSummary {
+    std::string method;
+    bool is_baseline = false;
+    bool has_own_clock = false;   ///< from outside: its times are not measured here
+    int views = 0;                ///< rows without failure
+    int failed = 0;               ///< rows with one
+    std::optional<double> f_2px;  ///< of the counts pooled over its views
+    int scenes = 0;               ///< that those are of
+    std::optional<statistics::Interval>
+        f_2px_range;                  ///< 95 %, cluster bootstrap; two scenes at least
+    std::optional<double> f_train;    ///< pooled over the views of training scenes
+    std::optional<double> f_heldout;  ///< pooled over those of held-out scenes
+    std::optional<double> f_real;     ///< pooled over those of model files
+    std::optional<double> f_macro;    ///< mean over scenes of F pooled over each one's views
+    std::optional<statistics::CurveSummary>
+        curve;                        ///< over thresholds, all its views; see add_curves
+    std::optional<double> f_1px;      ///< pooled
+    std::optional<double> precision;  ///< pooled, 2 px
+    std::optional<double> recall;
+    std::map<std::string, double> recall_by_class;          ///< pooled, classes present only
+    std::optional<double> draw_ms;                          ///< median over views
+    std::optional<statistics::Interval> draw_ms_quartiles;  ///< over views
+    std::optional<int> bytes_per_px;                        ///< the largest
+};
+
+/// One summary per method, in order of first appearance, the baselines last.
+[[nodiscard]] std::vector<MethodSummary> summarise(const std::vector<harness::Row>& rows);
+
+/// F of the counts of all of `rows` that did not fail, pooled; nothing if there is none. 1 where
+/// neither a pixel is drawn nor one is there.
+[[nodiscard]] std::optional<double> pooled_f(const std::vector<const harness::Row*>& rows);
+
+/// Writes what the curves say into the summaries of their methods.
+void add_curves(const std::vector<statistics::CellCurve>& curves,
+                std::vector<MethodSummary>& summaries);
+
+/// The counts at 2 px of a row.
+[[nodiscard]] score::CurveCount counts_2px(const harness::Row& row);
+
+/// Counts at 2 px summed over the views of each scene, in order of first appearance.
+[[nodiscard]] std::vector<score::CurveCount> counts_by_scene(
+    const std::vector<const harness::Row*>& rows);
+
+/// Which method wins and which is cheapest, of those that are no baselines; null if none was scored
+/// (or, for `cheapest`, timed by this program's clock). They point into the summaries.
+struct Verdict {
+    const MethodSummary* best = nullptr;
+    const MethodSummary* runner_up = nullptr;
+    const MethodSummary* cheapest = nullptr;
+};
+
+[[nodiscard]] Verdict find_verdict(const std::vector<MethodSummary>& summaries);
+
+}  // namespace ink::summary

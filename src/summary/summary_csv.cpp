@@ -1,0 +1,114 @@
+#include "summary/summary_csv.h"
+
+#include <map>
+#include <optional>
+
+#include "core/vocabulary.h"
+#include "harness/tables/table_of.h"
+#include "summary/class_recalls.h"
+#include "summary/summary.h"
+
+namespace ink::summary {
+namespace {
+
+/// What a line is made from.
+struct Line {
+    const MethodSummary& summary;
+    std::map<std::string, statistics::Interval> recall_ranges;
+};
+using SummaryTable = harness::TableOf<Line>;
+
+std::optional<double> low_of(const std::optional<statistics::Interval>& range) {
+    return range ? std::optional(range->low) : std::nullopt;
+}
+
+std::optional<double> high_of(const std::optional<statistics::Interval>& range) {
+    return range ? std::optional(range->high) : std::nullopt;
+}
+
+template <class T>
+std::optional<T> find_in(const std::map<std::string, T>& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+void add_recalls(SummaryTable& table) {
+    for (const core::Term& group : core::vocabulary().recall_groups) {
+        const std::string name(group.name);
+        const std::string key = "recall_" + name;
+        table.add_derived(
+            {key, "0..1", "recall of this class, pooled over views"},
+            [name](const Line& line) { return find_in(line.summary.recall_by_class, name); });
+        table.add_derived(
+            {key + "_lo", "0..1", "lower end of its 95 % interval"},
+            [name](const Line& line) { return low_of(find_in(line.recall_ranges, name)); });
+        table.add_derived({key + "_hi", "0..1", "upper end"}, [name](const Line& line) {
+            return high_of(find_in(line.recall_ranges, name));
+        });
+    }
+}
+
+template <class Summary>
+void add_f(const Summary& summary) {
+    using S = MethodSummary;
+    summary.add_derived({"f_2px", "0..1", "F within 2 px of the counts of all views"}, &S::f_2px);
+    summary.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, scenes resampled"},
+                        [](const S& s) { return low_of(s.f_2px_range); });
+    summary.add_derived({"f_hi", "0..1", "upper end"},
+                        [](const S& s) { return high_of(s.f_2px_range); });
+    summary.add_derived({"f_train", "0..1", "the same over training scenes"}, &S::f_train);
+    summary.add_derived({"f_heldout", "0..1", "the same over held-out scenes"}, &S::f_heldout);
+    summary.add_derived({"f_real", "0..1", "the same over model files"}, &S::f_real);
+    summary.add_derived({"f_macro", "0..1", "mean of the scenes' own F"}, &S::f_macro);
+    summary.add_derived({"f_1px", "0..1", "F within 1 px of the counts of all views"}, &S::f_1px);
+    summary.add_derived({"precision", "0..1", "pooled, within 2 px"}, &S::precision);
+    summary.add_derived({"recall", "0..1", "pooled, within 2 px"}, &S::recall);
+    summary.add_derived(
+        {"ap", "0..1", "area under the precision envelope of the pooled curves"},
+        [](const S& s) { return s.curve ? std::optional(s.curve->ap) : std::nullopt; });
+}
+
+SummaryTable make_table() {
+    using S = MethodSummary;
+    SummaryTable table("summary.csv", "A line per method, over all cells of study `compare`.");
+    const auto summary = table.part([](auto& line) -> auto& { return line.summary; });
+    summary.add_derived({"method", "", "as in rows.csv"}, &S::method);
+    summary.add_derived({"kind", "", "method or baseline"},
+                        [](const S& s) { return s.is_baseline ? "baseline" : "method"; });
+    summary.add_derived({"views", "", "on which it was scored"}, &S::views);
+    summary.add_derived({"scenes", "", "of these views"}, &S::scenes);
+    summary.add_derived({"failed", "", "cells without a score"}, &S::failed);
+    add_f(summary);
+    summary.add_derived({"draw_ms", "ms", "median over views of draw_ns", true}, &S::draw_ms);
+    summary.add_derived({"draw_ms_lo", "ms", "lower quartile", true},
+                        [](const S& s) { return low_of(s.draw_ms_quartiles); });
+    summary.add_derived({"draw_ms_hi", "ms", "upper quartile", true},
+                        [](const S& s) { return high_of(s.draw_ms_quartiles); });
+    summary.add_derived({"bytes_per_px", "B/px", "of the method's buffers, depth included"},
+                        &S::bytes_per_px);
+    add_recalls(table);
+    return table;
+}
+
+const SummaryTable& table() {
+    static const SummaryTable kTable = make_table();
+    return kTable;
+}
+
+}  // namespace
+
+const harness::TableInfo& summary_table() {
+    return table().info();
+}
+
+std::string summary_csv(const std::vector<harness::Row>& rows,
+                        const std::vector<statistics::CellCurve>& curves) {
+    std::vector<MethodSummary> summaries = summarise(rows);
+    add_curves(curves, summaries);
+    std::vector<Line> lines;
+    for (const MethodSummary& summary : summaries)
+        lines.push_back({summary, class_recall_intervals(rows_of_method(rows, summary.method))});
+    return table().file(lines);
+}
+
+}  // namespace ink::summary

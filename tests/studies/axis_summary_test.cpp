@@ -1,0 +1,89 @@
+#include "studies/axis_summary.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "method/family.h"
+#include "tests/report/markup.h"
+
+namespace ink::studies {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+AxisRow row_of(const std::string& method, double value, const std::string& scene, int k) {
+    AxisRow row;
+    row.row.axis = "grazing";
+    row.row.value = value;
+    row.row.seed = 1;
+    row.row.method = method;
+    row.row.scene = scene;
+    row.row.k_2px = k;
+    row.row.n_pred = 100;
+    row.row.n_truth = 100;
+    row.row.f_2px = k / 100.0;
+    return row;
+}
+
+std::vector<AxisRow> some_rows() {
+    std::vector<AxisRow> rows;
+    for (const char* scene : {"a", "b"}) {
+        rows.push_back(row_of("sampled", 0.1, scene, 99));
+        rows.push_back(row_of("steady", 0.1, scene, 90));
+        rows.push_back(row_of("mote4", 0.1, scene, *scene == 'a' ? 30 : 50));
+        rows.push_back(row_of("sampled", 20, scene, 99));
+        rows.push_back(row_of("steady", 20, scene, 91));
+        rows.push_back(row_of("mote4", 20, scene, 80));
+    }
+    return rows;
+}
+
+TEST(AxisSummary, PoolsTheCasesOfAPoint) {
+    const auto points = summarise_axes(some_rows());
+    ASSERT_EQ(points.size(), 6U);
+    EXPECT_EQ(points[2].method, "mote4");
+    EXPECT_EQ(points[2].value, 0.1);
+    EXPECT_EQ(points[2].cases, 2);
+    EXPECT_DOUBLE_EQ(points[2].f.value(), 0.4);
+    EXPECT_DOUBLE_EQ(points[2].error().value(), 0.6);
+    EXPECT_EQ(points[2].truth_px, 200);
+    ASSERT_TRUE(points[2].f_range);
+    EXPECT_DOUBLE_EQ(points[2].f_range->low, 0.3);  // both times the worse scene
+    EXPECT_DOUBLE_EQ(points[2].f_range->high, 0.5);
+}
+
+TEST(AxisSummary, ALostCellIsCountedAndNotScored) {
+    auto rows = some_rows();
+    rows[2].row.status = "failed: no ink";
+    rows[2].faults.lost = 1;
+    const auto points = summarise_axes(rows);
+    EXPECT_EQ(points[2].cases, 1);
+    EXPECT_DOUBLE_EQ(points[2].f.value(), 0.5);
+    EXPECT_FALSE(points[2].f_range);
+    EXPECT_EQ(points[2].faults.lost, 1);
+    EXPECT_THAT(axis_summary_csv(points), HasSubstr("grazing,0.1,mote4,1,0.5,,,0.5,"));
+}
+
+TEST(AxisCurves, KnowTheirBestAndWorstPoint) {
+    const auto curves = axis_curves(summarise_axes(some_rows()), "grazing");
+    ASSERT_EQ(curves.size(), 3U);
+    EXPECT_NEAR(curves[2].loss(), 0.4, 1e-12);
+}
+
+TEST(AxisSummary, LeavesOutWhatHasNeitherScoreNorFault) {
+    auto rows = some_rows();
+    for (AxisRow& of : rows)
+        of.row.f_2px.reset();
+    EXPECT_TRUE(summarise_axes(rows).empty()) << "such as times";
+}
+
+TEST(StressTable, HasALinePerAxisThatRan) {
+    const std::string table = stress_table(summarise_axes(some_rows()));
+    EXPECT_THAT(table, HasSubstr("grazing"));
+    EXPECT_THAT(table, HasSubstr("mote4"));
+    EXPECT_THAT(table, Not(HasSubstr("cube_roll")));
+}
+
+}  // namespace
+}  // namespace ink::studies

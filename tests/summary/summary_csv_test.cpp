@@ -1,0 +1,139 @@
+#include "summary/summary_csv.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <sstream>
+#include <utility>
+
+namespace ink::summary {
+namespace {
+
+/// Lines of plain fields, split at commas.
+std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
+    std::vector<std::vector<std::string>> lines;
+    std::istringstream stream(csv);
+    for (std::string line; std::getline(stream, line);) {
+        lines.emplace_back();
+        std::string field;
+        for (const char c : line + ",") {
+            if (c == ',')
+                lines.back().push_back(std::exchange(field, ""));
+            else
+                field += c;
+        }
+    }
+    return lines;
+}
+
+/// The second line of the table, by its columns.
+std::map<std::string, std::string> line_of(const std::string& csv, std::size_t at) {
+    const auto lines = fields_of(csv);
+    std::map<std::string, std::string> line;
+    for (std::size_t i = 0; i < lines.at(0).size(); ++i)
+        line[lines[0][i]] = lines.at(at).at(i);
+    return line;
+}
+
+/// `k` of 100 true pixels found and 100 drawn, in 2 ms.
+harness::Row scored_row(const std::string& method, const std::string& scene, std::int64_t k) {
+    harness::Row row;
+    row.method = method;
+    row.scene = scene;
+    row.view = "front";
+    row.split = scene == "cube" ? "train" : "heldout";
+    row.k_2px = k;
+    row.n_pred = row.n_truth = 100;
+    row.f_2px = static_cast<double>(k) / 100;
+    row.recall_by_class = {{"crease", static_cast<double>(k) / 100}};
+    row.truth_px_by_class = {{"crease", 100}};
+    row.draw_ns = 2'000'000;
+    row.bytes_per_px = 5;
+    return row;
+}
+
+TEST(SummaryCsv, WithoutRowsIsTheHeading) {
+    EXPECT_EQ(summary_csv({}, {}),
+              "method,kind,views,scenes,failed,f_2px,f_lo,f_hi,f_train,f_heldout,f_real,f_macro,f_"
+              "1px,precision,"
+              "recall,ap,draw_ms,draw_ms_lo,draw_ms_hi,bytes_per_px,"
+              "recall_contour,recall_contour_lo,recall_contour_hi,"
+              "recall_boundary,recall_boundary_lo,recall_boundary_hi,"
+              "recall_crease,recall_crease_lo,recall_crease_hi,"
+              "recall_intersection,recall_intersection_lo,recall_intersection_hi,"
+              "recall_seam,recall_seam_lo,recall_seam_hi,"
+              "recall_intersection_above_crease,recall_intersection_above_crease_lo,"
+              "recall_intersection_above_crease_hi,"
+              "recall_intersection_below_crease,recall_intersection_below_crease_lo,"
+              "recall_intersection_below_crease_hi\n");
+}
+
+TEST(SummaryCsv, PoolsTheRowsOfAMethod) {
+    harness::Row slow = scored_row("a", "torus", 75);
+    slow.draw_ns = 4'000'000;
+    const auto line = line_of(summary_csv({scored_row("a", "cube", 25), slow}, {}), 1);
+    EXPECT_EQ(line.at("method"), "a");
+    EXPECT_EQ(line.at("kind"), "method");
+    EXPECT_EQ(line.at("views"), "2");
+    EXPECT_EQ(line.at("scenes"), "2");
+    EXPECT_EQ(line.at("failed"), "0");
+    EXPECT_EQ(line.at("f_2px"), "0.5");  // 2 * 100 / 400
+    EXPECT_EQ(line.at("f_train"), "0.25");
+    EXPECT_EQ(line.at("f_heldout"), "0.75");
+    EXPECT_EQ(line.at("precision"), "0.5");
+    EXPECT_EQ(line.at("recall"), "0.5");
+    EXPECT_EQ(line.at("draw_ms"), "3");
+    EXPECT_EQ(line.at("draw_ms_lo"), "2.5");
+    EXPECT_EQ(line.at("draw_ms_hi"), "3.5");
+    EXPECT_EQ(line.at("bytes_per_px"), "5");
+    EXPECT_EQ(line.at("recall_crease"), "0.5");
+    // Two scenes drawn twice: both the worse in a quarter of the draws, far more than 2.5 %.
+    EXPECT_EQ(line.at("f_lo"), "0.25");
+    EXPECT_EQ(line.at("f_hi"), "0.75");
+    EXPECT_EQ(line.at("recall_crease_lo"), "0.25");
+    EXPECT_EQ(line.at("recall_crease_hi"), "0.75");
+}
+
+TEST(SummaryCsv, IsEmptyWhereThereIsNothing) {
+    harness::Row failed = scored_row("a", "cube", 1);
+    failed.status = "failed: no ink";
+    failed.f_2px.reset();
+    const auto line = line_of(summary_csv({failed}, {}), 1);
+    EXPECT_EQ(line.at("failed"), "1");
+    EXPECT_EQ(line.at("views"), "0");
+    for (const auto& [column, field] : line) {
+        const bool is_known = column == "method" || column == "kind" || column == "views" ||
+                              column == "scenes" || column == "failed";
+        EXPECT_EQ(field.empty(), !is_known) << column << " = " << field;
+    }
+}
+
+TEST(SummaryCsv, AClassOfOneSceneHasNoInterval) {
+    harness::Row other = scored_row("a", "torus", 75);
+    other.recall_by_class.clear();
+    other.truth_px_by_class.clear();
+    const auto line = line_of(summary_csv({scored_row("a", "cube", 25), other}, {}), 1);
+    EXPECT_EQ(line.at("recall_crease"), "0.25");
+    EXPECT_EQ(line.at("recall_crease_lo"), "");
+    EXPECT_NE(line.at("f_lo"), "");
+}
+
+TEST(SummaryCsv, BaselinesComeLastAndCurvesGiveAveragePrecision) {
+    statistics::CellCurve curve{.method = "a", .is_training = true};
+    curve.counts.fill({50, 50, 100});  // precision 1 up to recall 0.5, nothing beyond
+    const std::string csv =
+        summary_csv({scored_row("oracle", "cube", 100), scored_row("a", "cube", 50)}, {curve});
+    EXPECT_EQ(line_of(csv, 1).at("method"), "a");
+    EXPECT_EQ(line_of(csv, 1).at("ap"), "0.5");
+    EXPECT_EQ(line_of(csv, 2).at("method"), "oracle");
+    EXPECT_EQ(line_of(csv, 2).at("kind"), "baseline");
+    EXPECT_EQ(line_of(csv, 2).at("ap"), "");
+}
+
+TEST(SummaryCsv, AMethodsNameIsQuotedWhereItMustBe) {
+    const std::string csv = summary_csv({scored_row("a,\"b\"", "cube", 50)}, {});
+    EXPECT_NE(csv.find("\n\"a,\"\"b\"\"\",method,1,"), std::string::npos) << csv;
+}
+
+}  // namespace
+}  // namespace ink::summary

@@ -1,0 +1,141 @@
+#include "summary/summary.h"
+
+#include <gmock/gmock.h>
+
+namespace ink::summary {
+namespace {
+
+/// A row with these counts at 2 px; as many pixels drawn as there are true ones.
+harness::Row counted_row(const std::string& method,
+                         const std::string& view,
+                         std::int64_t k,
+                         std::int64_t n) {
+    harness::Row row;
+    row.method = method;
+    row.scene = "cube";
+    row.view = view;
+    row.split = "train";
+    row.k_2px = k;
+    row.n_pred = row.n_truth = n;
+    row.f_2px = static_cast<double>(k) / static_cast<double>(n);
+    return row;
+}
+
+/// A scene of one view: `f` of `n` true pixels found, as many drawn.
+harness::Row scene_row(const std::string& scene, std::int64_t k, std::int64_t n) {
+    harness::Row row = counted_row("a", "front", k, n);
+    row.scene = scene;
+    return row;
+}
+
+std::vector<harness::Row> two_views() {
+    harness::Row small = counted_row("a", "front", 50, 100);
+    small.k_1px = 40;
+    small.n_pred_1px = 100;
+    small.recall_by_class = {{"crease", 0.5}};
+    small.truth_px_by_class = {{"crease", 100}};
+    small.draw_ns = 2'000'000;
+    small.bytes_per_px = 5;
+    harness::Row large = counted_row("a", "back", 300, 300);
+    large.split = "heldout";
+    large.k_1px = 200;
+    large.n_pred_1px = 300;
+    large.recall_by_class = {{"crease", 1.0}, {"seam", 0.25}};
+    large.truth_px_by_class = {{"crease", 300}, {"seam", 4}};
+    large.draw_ns = 4'000'000;
+    large.bytes_per_px = 5;
+    return {small, large};
+}
+
+TEST(Summarise, PoolsCountsAndTakesMeansApart) {
+    const auto summaries = summarise(two_views());
+    ASSERT_EQ(summaries.size(), 1U);
+    const MethodSummary& s = summaries[0];
+    EXPECT_EQ(s.views, 2);
+    EXPECT_EQ(s.failed, 0);
+    EXPECT_DOUBLE_EQ(*s.f_2px, 0.875);  // 2 * 350 / 800
+    EXPECT_DOUBLE_EQ(*s.f_macro, 0.875) << "one scene";
+    EXPECT_DOUBLE_EQ(*s.f_1px, 0.6);  // 2 * 240 / 800
+    EXPECT_DOUBLE_EQ(*s.f_train, 0.5);
+    EXPECT_DOUBLE_EQ(*s.f_heldout, 1.0);
+    EXPECT_FALSE(s.f_real) << "no row is of a model";
+    EXPECT_DOUBLE_EQ(*s.precision, 0.875);
+    EXPECT_DOUBLE_EQ(s.recall_by_class.at("crease"), 0.875);  // 350 of 400
+    EXPECT_DOUBLE_EQ(s.recall_by_class.at("seam"), 0.25);
+    EXPECT_EQ(s.recall_by_class.count("contour"), 0U);
+    EXPECT_DOUBLE_EQ(*s.draw_ms, 3.0);
+    EXPECT_EQ(s.bytes_per_px, 5);
+}
+
+TEST(Summarise, AFailedRowIsCountedAndNothingElse) {
+    std::vector<harness::Row> rows = two_views();
+    rows[1].status = "failed: out of ink";
+    const MethodSummary s = summarise(rows)[0];
+    EXPECT_EQ(s.views, 1);
+    EXPECT_EQ(s.failed, 1);
+    EXPECT_DOUBLE_EQ(*s.f_2px, 0.5);
+    EXPECT_FALSE(s.f_heldout);
+    EXPECT_DOUBLE_EQ(*s.draw_ms, 2.0);
+    EXPECT_FALSE(s.f_2px_range) << "one view has no spread";
+}
+
+TEST(Summarise, PutsBaselinesLast) {
+    const auto summaries = summarise({counted_row("none", "front", 0, 9),
+                                      counted_row("b", "front", 1, 9),
+                                      counted_row("a", "front", 1, 9)});
+    ASSERT_EQ(summaries.size(), 3U);
+    EXPECT_EQ(summaries[0].method, "b");
+    EXPECT_EQ(summaries[1].method, "a");
+    EXPECT_EQ(summaries[2].method, "none");
+    EXPECT_TRUE(summaries[2].is_baseline);
+}
+
+TEST(Summarise, TheIntervalHoldsThePooledValueAndRepeats) {
+    std::vector<harness::Row> rows;
+    for (int i = 0; i < 20; ++i)
+        rows.push_back(scene_row(std::to_string(i), 50 + i, 100));
+    const MethodSummary s = summarise(rows)[0];
+    ASSERT_TRUE(s.f_2px_range);
+    EXPECT_LT(s.f_2px_range->low, *s.f_2px);
+    EXPECT_GT(s.f_2px_range->high, *s.f_2px);
+    EXPECT_DOUBLE_EQ(s.f_2px_range->low, summarise(rows)[0].f_2px_range->low);
+}
+
+TEST(Summarise, MacroCountsScenesAlikeAndMicroPixels) {
+    // A scene of 900 true pixels at F .9, in two views, and one of 100 at F .5.
+    const auto s = summarise({scene_row("large", 360, 400),
+                              scene_row("large", 450, 500),
+                              scene_row("small", 50, 100)})[0];
+    EXPECT_EQ(s.scenes, 2);
+    EXPECT_DOUBLE_EQ(*s.f_2px, 0.86);   // 2 * 860 / 2000
+    EXPECT_DOUBLE_EQ(*s.f_macro, 0.7);  // (.9 + .5) / 2
+}
+
+TEST(AddCurves, GivesEachSummaryItsMethodsCurve) {
+    auto summaries = summarise({counted_row("b", "front", 1, 9), counted_row("a", "front", 1, 9)});
+    statistics::CellCurve curve{"a", false, {}};
+    curve.counts.fill({5, 10, 10});
+    add_curves({curve}, summaries);
+    EXPECT_FALSE(summaries[0].curve);
+    ASSERT_TRUE(summaries[1].curve);
+    EXPECT_DOUBLE_EQ(summaries[1].curve->ois, 0.5);
+}
+
+TEST(FindVerdict, NamesWinnerRunnerUpAndCheapestOfMethodsOnly) {
+    harness::Row fast = counted_row("fast", "front", 40, 100);
+    fast.draw_ns = 1'000'000;
+    harness::Row good = counted_row("good", "front", 90, 100);
+    good.draw_ns = 9'000'000;
+    harness::Row middling = counted_row("middling", "front", 60, 100);
+    const auto summaries =
+        summarise({fast, counted_row("oracle", "front", 100, 100), good, middling});
+    const Verdict verdict = find_verdict(summaries);
+    ASSERT_NE(verdict.best, nullptr);
+    EXPECT_EQ(verdict.best->method, "good");
+    EXPECT_EQ(verdict.runner_up->method, "middling");
+    EXPECT_EQ(verdict.cheapest->method, "fast");
+    EXPECT_EQ(find_verdict({}).best, nullptr);
+}
+
+}  // namespace
+}  // namespace ink::summary
