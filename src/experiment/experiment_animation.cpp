@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/param.h"
 #include "experiment/experiment_plan.h"
-#include "harness/evaluations.h"
+#include "harness/tables/row_table.h"
 #include "studies/motion_study.h"
 #include "studies/motion_table.h"
 #include "studies/roll_axis.h"
@@ -54,9 +54,7 @@ BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t 
     BlockResult result;
     std::int64_t cell = first_cell;
     for (const studies::MotionRow& row : rows) {
-        harness::Row shared = studies::motion_row(row);
-        harness::fill_truth_settings(stage.trace, shared);
-        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::motion, shared);
+        result.lines["rows.csv"] += harness::row_line(cell, harness::Study::motion, row);
         result.lines["motion.csv"] += studies::motion_line(cell, row);
         result.lines["lives.csv"] += studies::life_lines(cell, row);
         ++cell;

@@ -14,6 +14,7 @@
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "harness/view_cells.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
 #include "truth/truth_cache.h"
@@ -144,16 +145,13 @@ class Run {
 
     [[nodiscard]] MotionRow place() const {
         const scene::CameraPath& path = sequence_.path;
-        return {.scene = sequence_.scene.name,
-                .path = std::string(scene::name(path.kind)),
-                .width_px = path.start.width_px,
-                .height_px = path.start.height_px,
-                .threads = options_.measure.threads,
-                .frames = path.frame_count,
-                .frames_per_s = path.frames_per_s,
-                .step_px = sequence_.step_px,
-                .split = std::string(scene::split_name(sequence_.scene.split)),
-                .triangles = static_cast<std::int64_t>(scene::triangle_count(sequence_.scene))};
+        MotionRow row;
+        harness::fill_place(sequence_.scene, path.start, {options_.measure, options_.trace}, row);
+        row.view = scene::name(path.kind);
+        row.frames = path.frame_count;
+        row.frames_per_s = path.frames_per_s;
+        row.step_px = sequence_.step_px;
+        return row;
     }
 
     static void fill(const Record& record, MotionRow& row) {
@@ -167,7 +165,7 @@ class Run {
         row.lives = score::life_counts(lines);
         row.lives_cut =
             std::count_if(lines.begin(), lines.end(), [](const auto& line) { return line.is_cut; });
-        row.images_hash = record.images.hex();
+        row.image_hash = record.images.hex();
     }
 
     Sequence& sequence_;

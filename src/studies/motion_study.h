@@ -9,7 +9,7 @@
 #include "harness/tracing.h"
 #include "scene/camera_path.h"
 #include "scene/scene.h"
-#include "studies/motion_rows.h"
+#include "studies/motion_table.h"
 
 namespace ink::studies {
 

@@ -1,11 +1,17 @@
 #include "studies/motion_table.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 #include "harness/tables/side_table.h"
 
 namespace ink::studies {
 namespace {
+
+std::int64_t total(const std::vector<std::int64_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
+}
 
 /// Counts that a cell has if it did not fail.
 template <class Counts>
@@ -36,9 +42,8 @@ void add_pops(const Counts& counts) {
 
 template <class Counts>
 void add_false_lines(const Counts& counts) {
-    counts.add_derived({"false_lines", "", "lines drawn where none is"}, [](const MotionRow& m) {
-        return std::accumulate(m.lives.begin(), m.lives.end(), std::int64_t{0});
-    });
+    counts.add_derived({"false_lines", "", "lines drawn where none is"},
+                       [](const MotionRow& m) { return total(m.lives); });
     counts.add({"false_lines_cut", "", "of them, in the first or last frame: they may live longer"},
                &MotionRow::lives_cut);
     counts.add_derived({"median_life_frames", "frames", "median life of these; lives.csv has all"},
@@ -83,22 +88,6 @@ const harness::SideTable<Life>& lives() {
 
 }  // namespace
 
-harness::Row motion_row(const MotionRow& of) {
-    harness::Row row;
-    row.method = of.method;
-    row.scene = of.scene;
-    row.view = of.path;
-    row.split = of.split;
-    row.width = of.width_px;
-    row.height = of.height_px;
-    row.threads = of.threads;
-    row.params = of.params;
-    row.status = of.status;
-    row.image_hash = of.images_hash;
-    row.triangles = of.triangles;
-    return row;
-}
-
 const harness::TableInfo& motion_table() {
     return motion().info();
 }
@@ -117,6 +106,25 @@ std::string life_lines(std::int64_t cell, const MotionRow& of) {
         if (of.lives[i] != 0) lines += lives().line(cell, {static_cast<int>(i + 1), of.lives[i]});
     }
     return lines;
+}
+
+std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows) {
+    std::vector<std::string> faults;
+    for (const MotionRow& row : rows) {
+        if (row.method != "oracle" || !row.is_ok()) continue;
+        const bool is_perfect = row.flicker.appeared + row.flicker.disappeared == 0 &&
+                                row.pops.pops == 0 && row.lives.empty();
+        if (is_perfect) continue;
+        faults.push_back(
+            fmt::format("the truth itself has {} px of flicker, {} pops and {} false lines on {}, "
+                        "path {}",
+                        row.flicker.appeared + row.flicker.disappeared,
+                        row.pops.pops,
+                        total(row.lives),
+                        row.scene,
+                        row.view));
+    }
+    return faults;
 }
 
 }  // namespace ink::studies

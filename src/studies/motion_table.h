@@ -4,14 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/row_table.h"
-#include "studies/motion_rows.h"
+#include "harness/row.h"
+#include "harness/tables/table.h"
+#include "score/motion.h"
 
 namespace ink::studies {
 
-/// The row of rows.csv of one method on one sequence: its view is the path, its image_hash that of
-/// all its images; it has no scores and no times.
-[[nodiscard]] harness::Row motion_row(const MotionRow& of);
+/// How one method's lines behave on one sequence: a row whose view is the camera's path and whose
+/// hash is of all its images, and a line of motion.csv.
+struct MotionRow : harness::Row {
+    int frames = 0;
+    double frames_per_s = 60;
+    double step_px = 0;  ///< by which the image moves a frame
+    score::Flicker flicker = {};
+    score::PopCount pops = {};
+    std::vector<std::int64_t> lives = {};  ///< of false lines: entry i lived i + 1 frames
+    std::int64_t lives_cut = 0;            ///< of them those that may live longer than was seen
+};
+
+/// A sentence for each sequence on which the truth itself flickers, pops or has false lines: a run
+/// with one is invalid.
+[[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);
 
 /// The columns of motion.csv: cell, the sequence, then flicker, pops and false lines.
 [[nodiscard]] const harness::TableInfo& motion_table();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <glm/geometric.hpp>
 #include <map>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "edge/thin.h"
 #include "edge/threshold.h"
 #include "harness/cell.h"
+#include "harness/timing.h"
 #include "raster/mesh/mesh_pass.h"
 #include "scene/animation.h"
 #include "scene/camera_path.h"
@@ -26,17 +26,10 @@
 namespace ink::studies {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using harness::time_ns;
 
 constexpr double kPenWidth_px = 2;  // as `draw --hand-drawn` has it
 constexpr double kStep_px = 3;      // a frame: fast enough to see, slow enough for 60 frames
-
-template <class Work>
-std::int64_t time_ns(Work work) {
-    const auto start = Clock::now();
-    work();
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count();
-}
 
 /// The model in one tone: what a frame costs before anybody draws lines or light.
 class PlainFill : public raster::TileSink {

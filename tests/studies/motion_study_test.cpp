@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "catalogue/catalogue.h"
+#include "harness/tables/row_table.h"
 #include "studies/motion_table.h"
 
 namespace ink::studies {
@@ -62,7 +63,7 @@ TEST(StudySequence, ScoresEveryConfigAndTheBaselines) {
     EXPECT_EQ(rows[0].method, "good");
     EXPECT_EQ(rows[0].params, "threshold=100");
     EXPECT_EQ(rows[0].scene, "torus");
-    EXPECT_EQ(rows[0].path, "orbit");
+    EXPECT_EQ(rows[0].view, "orbit");
     EXPECT_EQ(rows[0].frames, 5);
     // Twelve pixels, less what thinning takes, come and go in each of four steps: all of them.
     EXPECT_EQ(rows[0].flicker.share(), 1.0);
@@ -106,8 +107,8 @@ TEST(StudySequence, PosesTheSceneForMethodsAndTruth) {
     };
     const auto at_rest = study_sequence(configs, still, {});
     const auto moved = study_sequence(configs, moving, {});
-    EXPECT_NE(moved[0].images_hash, at_rest[0].images_hash);
-    EXPECT_NE(moved.back().images_hash, at_rest.back().images_hash) << "the oracle";
+    EXPECT_NE(moved[0].image_hash, at_rest[0].image_hash);
+    EXPECT_NE(moved.back().image_hash, at_rest.back().image_hash) << "the oracle";
     EXPECT_EQ(at_rest[0].flicker.share(), 0.0);
     // Excused is what comes and goes with the truth: nothing would be if one of the two stood
     // still.
@@ -131,7 +132,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
     ASSERT_EQ(turning.size(), standing.size());
     for (std::size_t i = 0; i < turning.size(); ++i) {
         SCOPED_TRACE(turning[i].method);
-        EXPECT_NE(turning[i].images_hash, standing[i].images_hash);
+        EXPECT_NE(turning[i].image_hash, standing[i].image_hash);
         EXPECT_EQ(standing[i].flicker.share(), 0.0);
         EXPECT_EQ(standing[i].flicker.excused, 0);
     }
@@ -159,8 +160,8 @@ TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             EXPECT_EQ(motion_line(1, again[i]), motion_line(1, rows[i]));
             EXPECT_EQ(life_lines(1, again[i]), life_lines(1, rows[i]));
-            EXPECT_EQ(harness::row_line(1, harness::Study::motion, motion_row(again[i])),
-                      harness::row_line(1, harness::Study::motion, motion_row(rows[i])));
+            EXPECT_EQ(harness::row_line(1, harness::Study::motion, again[i]),
+                      harness::row_line(1, harness::Study::motion, rows[i]));
         }
     }
 }

@@ -10,16 +10,15 @@ namespace {
 using testing::HasSubstr;
 
 MotionRow hand_made_motion() {
-    MotionRow row{.scene = "torus", .path = "orbit", .method = "mote4", .params = "k=1"};
-    row.width_px = 640;
-    row.height_px = 360;
+    MotionRow row;
+    row.method = "mote4";
+    row.scene = "torus";
     row.frames = 10;
     row.step_px = 0.25;
     row.flicker = {.appeared = 30, .disappeared = 20, .excused = 7, .n_counted = 10'000};
     row.pops = {.pops = 2, .runs = 5, .steps = 60};
     row.lives = {4, 0, 1, 1};
     row.lives_cut = 2;
-    row.images_hash = "abc";
     return row;
 }
 
