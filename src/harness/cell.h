@@ -39,7 +39,7 @@ struct MeasureOptions {
 struct DrawTimes {
     std::vector<std::int64_t> draw_ns;
     std::string failure;            ///< why there are none, or ""
-    raster::SkipCounts skips = {};  ///< of the last timed round
+    raster::SkipCounts skips = {};  ///< of the last timed drawing; of frames, of the first round
 };
 
 /// The tolerances at which every cell is scored, for the tolerance sweep: how near the lines lie.
