@@ -97,8 +97,8 @@ inline CostFacts random_cost(RandomValues& any) {
     cost.declared.interpolants = any.small();
     cost.declared.values_per_vertex = any.small();
     cost.declared.shares_vertices = any.coin();
-    cost.declared.fill = {any.real(), any.real(), any.real()};
-    cost.declared.filter = {any.real(), any.real(), any.real()};
+    cost.declared.fill = {any.real(), any.real()};
+    cost.declared.filter = {any.real(), any.real()};
     cost.declared.buffer_bytes_per_px = any.small();
     cost.frame = {any.real(), any.real(), any.real(), any.real()};
     return cost;

@@ -84,7 +84,7 @@ TEST(DrawInTurns, AllowsWhatTheOptionsAllowAndCountsTheLastDrawing) {
     EXPECT_EQ(field(row, "skip_frustum_culling"), "20");
     EXPECT_EQ(field(row, "skip_frustum_culling_of"), "100");
     EXPECT_EQ(field(row, "skip_back_face_culling"), "0") << "not allowed";
-    EXPECT_EQ(field(row, "skip_temporal_reuse"), "90");
+    EXPECT_EQ(field(row, "skip_temporal_reuse"), "80");
     EXPECT_EQ(field(row, "skip_temporal_reuse_of"), "100");
 }
 

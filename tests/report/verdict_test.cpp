@@ -195,14 +195,14 @@ TEST(VerdictMarkdown, IsTheSameTableAndVerdict) {
 }
 
 TEST(FormatPairedDifference, HasTheIntervalIfThereIsOne) {
-    EXPECT_EQ(experiment::format_paired_difference(
-                  {"a", "b", 0.0123, statistics::Interval{-0.002, 0.021}}),
-              "+.012 [-.002, +.021]");
+    EXPECT_EQ(
+        summary::format_paired_difference({"a", "b", 0.0123, statistics::Interval{-0.002, 0.021}}),
+        "+.012 [-.002, +.021]");
     // With three digits nobody could tell on which side of 0 it ends.
-    EXPECT_EQ(experiment::format_paired_difference(
+    EXPECT_EQ(summary::format_paired_difference(
                   {"a", "b", 0.0011, statistics::Interval{-0.0002, 0.0018}}),
               "+.0011 [-.0002, +.0018]");
-    EXPECT_EQ(experiment::format_paired_difference({"a", "b", -0.5, std::nullopt}), "-.500");
+    EXPECT_EQ(summary::format_paired_difference({"a", "b", -0.5, std::nullopt}), "-.500");
 }
 
 TEST(FormatShare, DropsTheZeroBeforeThePoint) {

@@ -137,7 +137,7 @@ TEST(SkipAxes, OfASequencePoseEveryFrameAndLeaveTheFirstUntimed) {
     EXPECT_EQ(script.poses.size(), 1 + script.frames.size()) << "one to begin with";
     EXPECT_EQ(rows[0].row.draw_n, 2 * 3);
     const auto still = static_cast<std::size_t>(Skip::temporal_reuse);
-    EXPECT_EQ((*rows[0].row.skips)[still].skipped, 3 * 90U) << "over the timed frames of a round";
+    EXPECT_EQ((*rows[0].row.skips)[still].skipped, 3 * 80U) << "over the timed frames of a round";
     EXPECT_EQ((*rows[0].row.skips)[still].of, 3 * 100U);
     // Only the first instance moves, and it does.
     for (std::size_t i = 1; i <= 4; ++i) {
@@ -186,7 +186,7 @@ TEST(SkipAxes, AreOnePerSkipAndThreeViews) {
         cells += rows_of_case(axis, 1);
         scenes.insert(axis.scene);
     }
-    EXPECT_EQ(cells, 9 * 3 + 3 * 2);
+    EXPECT_EQ(cells, 8 * 3 + 3 * 2);
     EXPECT_EQ(scenes.size(), raster::kSkipCount + 3);
 }
 
