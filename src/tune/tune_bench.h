@@ -70,8 +70,8 @@ class TuneBench {
     /// Planes held against the method that draws the same.
     [[nodiscard]] PlaneAgreement agreement(const harness::MethodConfig& config);
 
-    /// Median over the views of the milliseconds that a drawing takes on one thread, by the clock of
-    /// every comparison (harness::draw_in_turns), when this was last asked to draw.
+    /// Median over the views of the milliseconds that a drawing takes on one thread, by the clock
+    /// of every comparison (harness::draw_in_turns), when this was last asked to draw.
     [[nodiscard]] double draw_ms() const { return draw_ms_; }
     /// From now on draws without threads and takes times.
     void take_times() { takes_times_ = true; }

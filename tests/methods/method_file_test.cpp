@@ -32,16 +32,17 @@ method::MethodInfo code() {
 TEST(MethodFile, FillsInWhatIsNoCode) {
     const method::MethodInfo info =
         described(code(),
-                  kHead + "# why\nsweep = [\n{},\n{range_depth = 120.50, fatten = true}\n]\n"
-                          "sum_limits = [{params = [\"range_depth\", \"range_normal\"], limit = 9}]\n"
-                          "[tunables]\nthreshold = \"all\"\nrange_depth = [1, 64.5]\n",
+                  kHead +
+                      "# why\nsweep = [\n{},\n{range_depth = 120.50, fatten = true}\n]\n"
+                      "sum_limits = [{params = [\"range_depth\", \"range_normal\"], limit = 9}]\n"
+                      "[tunables]\nthreshold = \"all\"\nrange_depth = [1, 64.5]\n",
                   "dots.toml");
     EXPECT_EQ(info.source, "me");
     EXPECT_EQ(info.summary, "dots");
     EXPECT_EQ(info.family, method::Family::ids);
     EXPECT_EQ(info.marker, method::Marker::plus);
-    const std::vector<core::ParamValues> sweep = {
-        {}, {{"range_depth", "120.5"}, {"fatten", "true"}}};
+    const std::vector<core::ParamValues> sweep = {{},
+                                                  {{"range_depth", "120.5"}, {"fatten", "true"}}};
     EXPECT_EQ(info.sweep, sweep);
     ASSERT_EQ(info.sum_limits.size(), 1U);
     EXPECT_EQ(info.sum_limits[0].limit, 9);
