@@ -76,28 +76,27 @@ toml::array grids_of(const Experiment& experiment) {
 /// Adds the value of an option; one that is out of its range, such as no limit, is not asked for.
 void add_option(const Experiment& experiment, std::size_t row, toml::table& asked) {
     const core::Param& param = option_table().param(row);
-    const std::vector<std::string> texts = option_table().rows.get(experiment, row);
-    const auto dot = param.name.find('.');
-    const std::string key = param.name.substr(dot + 1);  // all of it where there is no dot
-    toml::table* table = &asked;
-    if (dot != std::string::npos)
-        table = asked.emplace<toml::table>(param.name.substr(0, dot)).first->second.as_table();
-    const bool is_number =
-        param.kind == core::ParamKind::integer || param.kind == core::ParamKind::real;
+    const std::vector<std::string> texts = option_table().texts(experiment, row);
+    const auto [of, key] = place_of(param);
+    toml::table* table =
+        of.empty() ? &asked : asked.emplace<toml::table>(of).first->second.as_table();
     if (param.kind == core::ParamKind::list) {
         table->insert(key, array_of(texts));
-    } else if (is_number) {
-        const double value = std::stod(texts.front());
-        if (value < param.min || value > param.max) return;
-        if (param.kind == core::ParamKind::integer) {
-            table->insert(key, static_cast<std::int64_t>(value));
-        } else {
-            table->insert(key, value);
-        }
-    } else if (param.kind == core::ParamKind::flag) {
-        table->insert(key, texts.front() == "true");
-    } else {
-        table->insert(key, texts.front());
+        return;
+    }
+    if (texts.empty()) return;
+    switch (param.kind) {
+        case core::ParamKind::integer:
+            table->insert(key, static_cast<std::int64_t>(std::stod(texts.front())));
+            break;
+        case core::ParamKind::real:
+            table->insert(key, std::stod(texts.front()));
+            break;
+        case core::ParamKind::flag:
+            table->insert(key, texts.front() == "true");
+            break;
+        default:
+            table->insert(key, texts.front());
     }
 }
 

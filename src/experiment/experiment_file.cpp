@@ -37,10 +37,8 @@ void read_options(TomlReader& table,
     std::vector<std::string> known = others;
     for (std::size_t row = 0; row < all.options.size(); ++row) {
         const core::Param& param = all.param(row);
-        const auto dot = param.name.find('.');
-        const std::string of = dot == std::string::npos ? "" : param.name.substr(0, dot);
+        const auto [of, key] = place_of(param);
         if (of != name || !all.has_kind(row, experiment.kind)) continue;
-        const std::string key = param.name.substr(dot + 1);
         known.push_back(key);
         if (table.has(key))
             all.rows.set(experiment, row, given_texts(table, key, param), param.name);

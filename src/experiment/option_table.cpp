@@ -183,6 +183,7 @@ OptionTable make_table() {
         {.name = "grid.threads", .kind = Kind::list, .unit = "N",
          .doc = "Threads a method may use while it is timed"},
         read_threads, threads_text);
+    table.options.back().is_once = true;
     in(kCompare | kAnimation | kBound).choice(
         [](auto& e) -> auto& { return e.view_request.model.material_seams; },
         "grid.seams", {"objects", "materials"},
@@ -277,6 +278,21 @@ std::size_t OptionTable::row(std::string_view name) const {
         params.begin(), params.end(), [&](const core::Param& p) { return p.name == name; });
     if (found == params.end()) throw std::out_of_range(std::string(name));
     return static_cast<std::size_t>(found - params.begin());
+}
+
+std::vector<std::string> OptionTable::texts(const Experiment& experiment, std::size_t row) const {
+    std::vector<std::string> texts = rows.get(experiment, row);
+    if (param(row).kind == Kind::integer || param(row).kind == Kind::real) {
+        const double value = std::stod(texts.front());
+        if (value < param(row).min || value > param(row).max) return {};
+    }
+    return texts;
+}
+
+OptionPlace place_of(const core::Param& param) {
+    const auto dot = param.name.find('.');
+    if (dot == std::string::npos) return {"", param.name};
+    return {param.name.substr(0, dot), param.name.substr(dot + 1)};
 }
 
 const OptionTable& option_table() {

@@ -13,10 +13,18 @@ namespace ink::experiment {
 
 /// An option of an experiment beside its row: where it is given.
 struct Option {
-    std::string flag;    ///< on the command line, "--crease"; "" if only files have it
-    std::string noun;    ///< of a list with choices: what one of them is, "axis"; else ""
-    unsigned kinds = 0;  ///< of experiments that have it: a bit for each ExperimentKind
+    std::string flag;      ///< on the command line, "--crease"; "" if only files have it
+    std::string noun;      ///< of a list with choices: what one of them is, "axis"; else ""
+    unsigned kinds = 0;    ///< of experiments that have it: a bit for each ExperimentKind
+    bool is_once = false;  ///< a list of which a command takes one text
 };
+
+/// Where a row stands in a file and in what run.toml records.
+struct OptionPlace {
+    std::string table;  ///< "measure"; "" is the top
+    std::string key;    ///< "times"
+};
+[[nodiscard]] OptionPlace place_of(const core::Param& param);
 
 /// All options of an experiment. A row's name is its table and key in a file ("measure.times"), and
 /// its place in what run.toml records as asked; its sentence is the help of the command line. A
@@ -28,6 +36,10 @@ struct OptionTable {
     /// The row of that name. Throws std::out_of_range if there is none: the caller's mistake.
     [[nodiscard]] std::size_t row(std::string_view name) const;
     [[nodiscard]] const core::Param& param(std::size_t row) const { return rows.params()[row]; }
+    /// What an experiment has of a row, as texts: none for a number out of its range, such as 0 for
+    /// no limit.
+    [[nodiscard]] std::vector<std::string> texts(const Experiment& experiment,
+                                                 std::size_t row) const;
     [[nodiscard]] bool has_kind(std::size_t row, ExperimentKind kind) const {
         return (options[row].kinds >> static_cast<unsigned>(kind) & 1U) != 0;
     }

@@ -11,16 +11,10 @@ std::string first_spelling(const std::string& flag) {
     return flag.substr(0, flag.find(','));
 }
 
-/// As help has it: a number or word as it is, nothing for a list or a value out of range.
+/// As help has it; nothing for what has no value.
 std::string usual_text(const experiment::Experiment& usual, std::size_t row) {
-    const core::Param& param = experiment::option_table().param(row);
-    const std::vector<std::string> texts = experiment::option_table().rows.get(usual, row);
-    const bool is_list = param.kind == core::ParamKind::list;
-    if (texts.size() != 1 || (is_list && !param.choices.empty())) return "";
-    const bool is_number =
-        param.kind == core::ParamKind::integer || param.kind == core::ParamKind::real;
-    if (is_number && std::stod(texts.front()) < param.min) return "";
-    return texts.front();
+    const std::vector<std::string> texts = experiment::option_table().texts(usual, row);
+    return texts.size() == 1 ? texts.front() : "";
 }
 
 std::string type_of(const core::Param& param) {
@@ -47,7 +41,7 @@ void ExperimentOptions::add_to(CLI::App& command,
             const std::string value = flag.starts_with("--no-") ? "false" : "true";
             command.add_flag_callback(
                 flag, [&given, value] { given = {value}; }, help);
-        } else if (param.kind == core::ParamKind::list && name != "grid.threads") {
+        } else if (param.kind == core::ParamKind::list && !table.options[row].is_once) {
             add_repeatable_option(command, flag, given, help, type_of(param));
         } else {
             command.add_option(flag, given, help)
