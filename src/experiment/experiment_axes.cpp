@@ -54,21 +54,21 @@ BlockResult run_values(const Stage& stage,
                        const std::vector<double>& values,
                        std::int64_t first_cell) {
     const studies::Axis& axis = stage.axis;
-    const auto witness = axis.witness ? axis.witness() : nullptr;
+    const auto observer = axis.observer ? axis.observer() : nullptr;
     std::vector<studies::AxisRow> rows;
     for (const double value : values) {
         for (const studies::Case& one : axis.cases(value, stage.size)) {
             if (core::is_interrupted()) return {};
             const auto cell = first_cell + static_cast<std::int64_t>(rows.size());
             auto more =
-                studies::axis_rows(axis, one, stage.configs, stage.options, witness.get(), cell);
+                studies::axis_rows(axis, one, stage.configs, stage.options, observer.get(), cell);
             std::move(more.begin(), more.end(), std::back_inserter(rows));
         }
         if (axis.allowed) break;  // its cells are of every value
     }
     studies::note_differences(axis, rows);
     BlockResult result;
-    if (witness) result.lines = witness->lines();
+    if (observer) result.lines = observer->lines();
     std::int64_t cell = first_cell;
     for (const studies::AxisRow& of : rows) {
         result.lines["rows.csv"] += harness::row_line(cell, axis.study, of.row);
@@ -132,8 +132,8 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         const auto stage = std::make_shared<Stage>();
         stage->axis = axis;
         if (!experiment.times) stage->axis.repetitions = 0;
-        stage->configs = axis.repetitions > 0 || axis.witness ? timed_configs_of(experiment)
-                                                              : configs_of(experiment);
+        stage->configs = axis.repetitions > 0 || axis.observer ? timed_configs_of(experiment)
+                                                               : configs_of(experiment);
         stage->options = {{}, trace, experiment.seed};
         stage->options.trace.truth.threads = core::hardware_threads();
         stage->options.trace.crosscheck = experiment.crosscheck;

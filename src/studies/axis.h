@@ -85,12 +85,12 @@ struct CaseFaults {
 using Lines = std::map<std::string, std::string>;
 
 /// Sees the images of an axis, and writes side tables about them.
-class Witness {
+class AxisObserver {
   public:
-    Witness() = default;
-    virtual ~Witness() = default;
-    Witness(const Witness&) = delete;
-    Witness& operator=(const Witness&) = delete;
+    AxisObserver() = default;
+    virtual ~AxisObserver() = default;
+    AxisObserver(const AxisObserver&) = delete;
+    AxisObserver& operator=(const AxisObserver&) = delete;
 
     /// What was drawn of a case, scored; [i] is cell `first_cell` + i.
     virtual void see(const Case& one,
@@ -129,12 +129,12 @@ struct Axis {
     /// What methods may skip at a value, where the axis is just that: the cases of the first value
     /// are then drawn for every value, a method's cells in turns.
     std::function<raster::SkipSet(double value)> allowed = {};
-    /// Who sees all images of the axis, if anybody does, and the tables that it writes.
-    std::function<std::unique_ptr<Witness>()> witness = {};
+    /// Makes what sees all images of the axis, if it has one, and the tables that this writes.
+    std::function<std::unique_ptr<AxisObserver>()> observer = {};
     std::vector<harness::TableInfo> tables = {};
 
     /// Whether its values are looked at together.
-    [[nodiscard]] bool is_whole() const { return same_images || allowed || witness; }
+    [[nodiscard]] bool is_whole() const { return same_images || allowed || observer; }
 };
 
 /// At most `count` (two at least) of an axis' values, evenly taken, first and last among them.

@@ -158,7 +158,7 @@ std::vector<AxisRow> axis_rows(const Axis& axis,
                                const Case& one,
                                const std::vector<harness::MethodConfig>& configs,
                                const harness::CellOptions& options,
-                               Witness* witness,
+                               AxisObserver* observer,
                                std::int64_t first_cell) {
     std::optional<core::ForcedSimdTarget> forced;
     for (const core::SimdTarget& target : core::simd_targets()) {
@@ -168,7 +168,7 @@ std::vector<AxisRow> axis_rows(const Axis& axis,
     work.trace();
     work.draw(configs);
     work.finish();
-    if (witness != nullptr) witness->see(one, work.traced(), work.evaluations(), first_cell);
+    if (observer != nullptr) observer->see(one, work.traced(), work.evaluations(), first_cell);
     return work.rows();
 }
 

@@ -154,9 +154,9 @@ std::vector<RollSample> see_creases(const harness::Evaluation& drawn,
     return samples;
 }
 
-class RollWitness final : public Witness {
+class RollObserver final : public AxisObserver {
   public:
-    explicit RollWitness(std::shared_ptr<const Cube> cube)
+    explicit RollObserver(std::shared_ptr<const Cube> cube)
         : cube_(std::move(cube)),
           even_deg_(cube_->even_angles_deg()),
           seen_(cube_->predictions.size()) {}
@@ -306,7 +306,7 @@ Axis roll_axis(const std::vector<harness::MethodConfig>& configs, const RollOpti
         one.scene_views.views.front().camera.name = fmt::format("roll={}", value);
         return std::vector<Case>{std::move(one)};
     };
-    axis.witness = [cube] { return std::make_unique<RollWitness>(cube); };
+    axis.observer = [cube] { return std::make_unique<RollObserver>(cube); };
     axis.tables = {creases_table(), vanishing_table()};
     return axis;
 }

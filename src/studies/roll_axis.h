@@ -43,7 +43,7 @@ struct RollOptions {
 /// The cube roll: a cube whose three seen faces turn round the view direction, at even angles and
 /// at those at which the code that a method declares has no step across a crease.
 ///
-/// Its witness writes creases.csv and vanishing.csv. Predictions come from declared codes and the
+/// Its observer writes creases.csv and vanishing.csv. Predictions come from declared codes and the
 /// cube's geometry alone (linear_code/roll_prediction.h).
 [[nodiscard]] Axis roll_axis(const std::vector<harness::MethodConfig>& configs,
                              const RollOptions& options = {});

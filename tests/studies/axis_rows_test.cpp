@@ -207,12 +207,12 @@ TEST(StressFp32, RoundsWhatMethodsAreGivenAndNotTheTruth) {
 TEST(StressRoll, Mote4IsWorseAtItsBlindAngles) {
     const auto configs = harness::make_configs("mote4", {});
     const Axis turn = roll_axis(configs, {.angles = 36});
-    const auto witness = turn.witness();
+    const auto observer = turn.observer();
     std::map<std::int64_t, bool> is_blind;  // by angle
     for (int step = 0; step < 36; ++step)
         (void)axis_rows(
-            turn, turn.cases(10 * step, {}).front(), configs, {}, witness.get(), 10 * step);
-    for (const RollSampleLine& line : creases_in(witness->lines()))
+            turn, turn.cases(10 * step, {}).front(), configs, {}, observer.get(), 10 * step);
+    for (const RollSampleLine& line : creases_in(observer->lines()))
         is_blind[line.cell] = is_blind[line.cell] || line.is_blind;
     double blind = 0;
     double seeing = 0;

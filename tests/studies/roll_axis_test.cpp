@@ -63,14 +63,14 @@ Lines turn_round(const std::vector<harness::MethodConfig>& configs,
     harness::CellOptions cells;
     cells.trace.crosscheck = false;
     cells.measure.threads = threads;
-    const auto witness = axis.witness();
+    const auto observer = axis.observer();
     std::int64_t cell = 0;
     for (const double value : axis.values) {
         for (const Case& one : axis.cases(value, {}))
             cell += static_cast<std::int64_t>(
-                axis_rows(axis, one, configs, cells, witness.get(), cell).size());
+                axis_rows(axis, one, configs, cells, observer.get(), cell).size());
     }
-    return witness->lines();
+    return observer->lines();
 }
 
 /// The claim itself: two angles per crease, each within two degrees of where mote4 loses it.
