@@ -37,21 +37,15 @@ class PlaneDistance : public buffers::FullBufferMethod {
     };
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
-        table
-            .number(&Params::plane_step,
-                    "plane_step",
-                    {1e-4, 10},
-                    "",
-                    "Least step of the planes' distance that is a line, as a share of the nearer "
-                    "pixel's "
-                    "distance.")
-            .number(
-                &Params::normal_step,
-                "normal_step",
-                {1e-3, 2},
-                "",
-                "Least change of the normal that is a line: 2 sin(a/2) for a crease of angle a.");
-        return method::add_threshold(buffers::add_surface_params(table));
+        table.number(&Params::plane_step,
+                     "plane_step",
+                     {1e-4, 10},
+                     "",
+                     "Least step of the planes' distance that is a line, as a share of the nearer "
+                     "pixel's "
+                     "distance.");
+        return method::add_threshold(
+            buffers::add_surface_params(buffers::add_normal_step_param(table)));
     }
     explicit PlaneDistance(const Params& params)
         : FullBufferMethod(buffers::with_distances(params), 1), params_(params) {}

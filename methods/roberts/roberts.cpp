@@ -32,18 +32,13 @@ class Roberts : public buffers::FullBufferMethod {
     };
     static core::ParamTable<Params> table() {
         core::ParamTable<Params> table;
+        buffers::add_normal_step_param(
+            table.number(&Params::depth_step,
+                         "depth_step",
+                         {1e-4, 1},
+                         "",
+                         "Least step of 1/distance that is a line, as a share of the nearer's."));
         table
-            .number(&Params::depth_step,
-                    "depth_step",
-                    {1e-4, 1},
-                    "",
-                    "Least step of 1/distance that is a line, as a share of the nearer's.")
-            .number(
-                &Params::normal_step,
-                "normal_step",
-                {1e-3, 2},
-                "",
-                "Least change of the normal that is a line: 2 sin(a/2) for a crease of angle a.")
             .choice(
                 &Params::guard,
                 "guard",

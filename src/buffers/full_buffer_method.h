@@ -23,6 +23,17 @@ core::ParamTable<P>& add_sky_depth_param(core::ParamTable<P>& table) {
                         "Depth of empty pixels; -1 stands for infinity, a whole range beyond far.");
 }
 
+/// Appends the row `normal_step`, of write_cross.
+template <class P>
+core::ParamTable<P>& add_normal_step_param(core::ParamTable<P>& table) {
+    return table.number(
+        &P::normal_step,
+        "normal_step",
+        {1e-3, 2},
+        "",
+        "Least change of the normal that is a line: 2 sin(a/2) for a crease of angle a.");
+}
+
 /// A method that filters depth and view-space normals as floats: all but the filter itself.
 class FullBufferMethod : public SurfaceMethod<FullBuffers> {
   public:
