@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "methods/settings_toml.h"
+#include "methods/toml_reader.h"
 
 namespace ink::methods {
 namespace {
@@ -33,22 +33,11 @@ std::vector<std::string> names_of(const std::vector<method::MethodInfo>& bases) 
     return names;
 }
 
-/// The table behind `key`; nothing if there is none.
-const toml::table* table_of(const toml::table& file, const char* key, const std::string& where) {
-    const toml::node* node = file.get(key);
-    if (node != nullptr && !node->is_table()) {
-        throw core::Error(place_of(*node, where),
-                          fmt::format("'{}' is no table", key),
-                          fmt::format("[{}] and a line per key", key));
-    }
-    return node == nullptr ? nullptr : node->as_table();
-}
-
-void check_name(const toml::table& file, const std::string& name, const std::string& where) {
+void check_name(const std::string& name, const std::string& where) {
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
     const bool is_name = !name.empty() && name.find_first_not_of(kLetters) == std::string::npos;
     if (is_name) return;
-    throw core::Error(place_of(*file.get("name"), where),
+    throw core::Error(where,
                       fmt::format("'{}' cannot be the name of a method", name),
                       "small letters, digits and underscores");
 }
@@ -114,27 +103,24 @@ std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
 Preset parse_preset(std::string_view text,
                     const std::string& where,
                     const std::vector<method::MethodInfo>& bases) {
-    const toml::table file = parse_toml(text, where, "a preset");
-    refuse_unknown_keys(file, {"name", "method", "settings", "provenance"}, "a preset", where);
+    const toml::table root = parse_toml(text, where);
+    TomlReader file(root, where, "");
+    file.refuse_unknown({"name", "method", "settings", "provenance"});
     Preset preset;
-    preset.name = text_of(file, "name", where, kNeeded);
-    check_name(file, preset.name, where);
-    preset.method = text_of(file, "method", where, kNeeded);
+    preset.name = file.needed_text("name", kNeeded);
+    check_name(preset.name, file.where("name"));
+    preset.method = file.needed_text("method", kNeeded);
     const method::MethodInfo* base = find_base(bases, preset.method);
     if (base == nullptr) {
-        throw core::Error(place_of(*file.get("method"), where),
+        throw core::Error(file.where("method"),
                           fmt::format("there is no method '{}'", preset.method),
                           core::known_names(names_of(bases), preset.method));
     }
-    const toml::table* settings = table_of(file, "settings", where);
-    if (settings == nullptr) {
-        throw core::Error(where, "there is no [settings]", kNeeded);
-    }
-    preset.settings = read_settings(*settings, base->params, where);
-    const toml::table* provenance = table_of(file, "provenance", where);
-    if (provenance != nullptr && provenance->contains("command")) {
-        preset.command = text_of(*provenance, "command", where, "command");
-    }
+    auto settings = file.table("settings");
+    if (!settings) throw core::Error(where, "there is no [settings]", kNeeded);
+    preset.settings = settings->settings(base->params);
+    if (auto provenance = file.table("provenance"))
+        preset.command = provenance->text("command").value_or("");
     return preset;
 }
 

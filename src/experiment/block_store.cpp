@@ -11,8 +11,8 @@
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/whole_file.h"
-#include "experiment/toml_reader.h"
 #include "harness/out_folder.h"
+#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
@@ -103,7 +103,7 @@ std::optional<KeptBlock> BlockStore::read(std::size_t index) const {
     const fs::path file = place_of(index) / kRecord;
     const auto text = core::read_whole_file(file);
     if (!text) return std::nullopt;
-    const toml::table root = parse_toml(*text, file);
+    const toml::table root = methods::parse_toml(*text, file);
     if (!has_tables(root, place_of(index))) return std::nullopt;
     KeptBlock block;
     block.key = root["key"].value_or(std::string());

@@ -7,19 +7,19 @@
 #include "core/whole_file.h"
 #include "experiment/experiment.h"
 #include "experiment/option_table.h"
-#include "experiment/toml_reader.h"
+#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
 
 /// The texts of a key, of the type that the option has, each with its line.
-std::vector<core::GivenText> given_texts(TomlReader& table,
+std::vector<core::GivenText> given_texts(methods::TomlReader& table,
                                          const std::string& key,
                                          const core::Param& param) {
     std::vector<core::GivenText> given;
     if (param.kind == core::ParamKind::list) {
         const auto texts = table.texts(key);
-        for (const TomlText& text : *texts)
+        for (const methods::TomlText& text : *texts)
             given.push_back({text.text, table.where_line(text.line)});
     } else {
         given.push_back({table.scalar(key, param), table.where(key)});
@@ -29,7 +29,7 @@ std::vector<core::GivenText> given_texts(TomlReader& table,
 
 /// Reads the options of a table, "" for the top of the file, in the order of the option table.
 /// `others` are keys that are read elsewhere.
-void read_options(TomlReader& table,
+void read_options(methods::TomlReader& table,
                   const std::string& name,
                   const std::vector<std::string>& others,
                   Experiment& experiment) {
@@ -46,7 +46,7 @@ void read_options(TomlReader& table,
     table.refuse_unknown(known);
 }
 
-std::string one_text(TomlReader& reader, const std::string& key) {
+std::string one_text(methods::TomlReader& reader, const std::string& key) {
     const auto texts = reader.texts(key);
     if (texts->size() == 1) return texts->front().text;
     throw core::Error(reader.where(key),
@@ -58,13 +58,14 @@ std::string all_methods(const Experiment& experiment) {
     return fmt::format("{}", fmt::join(experiment.methods, ","));
 }
 
-void read_settings(TomlReader& settings, Experiment& experiment) {
-    const auto add = [&](TomlReader& table, const std::string& prefix, const std::string& key) {
-        const std::string text = prefix + key + "=" + one_text(table, key);
-        at_place(table.where(key),
-                 [&] { (void)harness::make_configs(all_methods(experiment), {text}); });
-        experiment.settings.push_back(text);
-    };
+void read_settings(methods::TomlReader& settings, Experiment& experiment) {
+    const auto add =
+        [&](methods::TomlReader& table, const std::string& prefix, const std::string& key) {
+            const std::string text = prefix + key + "=" + one_text(table, key);
+            at_place(table.where(key),
+                     [&] { (void)harness::make_configs(all_methods(experiment), {text}); });
+            experiment.settings.push_back(text);
+        };
     for (const std::string& key : settings.keys()) {
         if (!settings.is_table(key)) {
             add(settings, "", key);
@@ -76,12 +77,12 @@ void read_settings(TomlReader& settings, Experiment& experiment) {
     }
 }
 
-SettingGrid read_setting_grid(TomlReader& table, const std::string& method) {
+SettingGrid read_setting_grid(methods::TomlReader& table, const std::string& method) {
     SettingGrid grid{method, {}};
     for (const std::string& key : table.keys()) {
         std::vector<std::string> values;
         const auto texts = table.texts(key);
-        for (const TomlText& value : *texts) {
+        for (const methods::TomlText& value : *texts) {
             at_place(table.where_line(value.line), [&] {
                 (void)harness::make_configs(method, {method + "." + key + "=" + value.text});
             });
@@ -93,7 +94,7 @@ SettingGrid read_setting_grid(TomlReader& table, const std::string& method) {
 }
 
 /// The grids of methods; the table's own keys are options.
-void read_sweep(TomlReader& sweep, Experiment& experiment) {
+void read_sweep(methods::TomlReader& sweep, Experiment& experiment) {
     if (experiment.kind != ExperimentKind::compare) {
         throw core::Error(sweep.where(), "this kind of experiment has no sweep", "kind = compare");
     }
@@ -106,7 +107,7 @@ void read_sweep(TomlReader& sweep, Experiment& experiment) {
     read_options(sweep, "sweep", experiment.methods, experiment);
 }
 
-ExperimentKind read_kind(TomlReader& file) {
+ExperimentKind read_kind(methods::TomlReader& file) {
     const std::string kind = file.text("kind").value_or("");
     if (kind == "compare") return ExperimentKind::compare;
     if (kind == "stress") return ExperimentKind::stress;
@@ -116,7 +117,7 @@ ExperimentKind read_kind(TomlReader& file) {
                       "compare | stress | animation");
 }
 
-std::string read_name(TomlReader& file) {
+std::string read_name(methods::TomlReader& file) {
     const std::string name = file.text("name").value_or("");
     const bool is_good = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
@@ -133,8 +134,8 @@ std::string read_name(TomlReader& file) {
 }  // namespace
 
 Experiment parse_experiment(const std::string& text, const std::filesystem::path& file) {
-    const toml::table root = parse_toml(text, file);
-    TomlReader reader(root, file, "");
+    const toml::table root = methods::parse_toml(text, file);
+    methods::TomlReader reader(root, file, "");
     Experiment experiment;
     experiment.where = file.string();
     experiment.name = read_name(reader);
@@ -146,16 +147,16 @@ Experiment parse_experiment(const std::string& text, const std::filesystem::path
     read_options(reader, "", tables, experiment);
     const toml::table none;
     const auto part = [&](const char* name) {
-        return reader.table(name).value_or(TomlReader(none, file, name));
+        return reader.table(name).value_or(methods::TomlReader(none, file, name));
     };
     for (const char* name : {"grid", "measure", "study"}) {
-        TomlReader table = part(name);
+        methods::TomlReader table = part(name);
         read_options(table, name, {}, experiment);
     }
     if (experiment.methods.empty())
         option_table().rows.set(
             experiment, option_table().row("grid.methods"), {{"all", file.string()}}, "");
-    TomlReader settings = part("settings");
+    methods::TomlReader settings = part("settings");
     read_settings(settings, experiment);
     if (auto sweep = reader.table("sweep")) read_sweep(*sweep, experiment);
     return experiment;

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "core/provenance.h"
 #include "core/whole_file.h"
-#include "experiment/toml_reader.h"
+#include "methods/toml_reader.h"
 
 namespace ink::experiment {
 namespace {
@@ -145,7 +145,7 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
     const fs::path file = folder / kFile;
     const auto text = core::read_whole_file(file);
     if (!text) return std::nullopt;
-    const toml::table root = parse_toml(*text, file);
+    const toml::table root = methods::parse_toml(*text, file);
     RunRecord record;
     record.name = root["name"].value_or(std::string());
     record.kind = root["kind"].value_or(std::string());
@@ -197,7 +197,7 @@ void write_record(const RunRecord& record, const fs::path& folder) {
                      {"built", built()},
                      {"machine", machine()},
                      {"tables", toml::table{{"names", names}, {"headings", headings}}},
-                     {"asked", parse_toml(record.asked, folder / kFile)}};
+                     {"asked", methods::parse_toml(record.asked, folder / kFile)}};
     if (!record.models.empty()) root.insert("models", tables_of(record.models));
     std::ostringstream text;
     text << "# What was asked of this run, and what answered. Written and read by inkbench.\n"

@@ -68,7 +68,7 @@ TEST(MethodFile, NamesFileAndLineOfWhatItRefuses) {
         return AllOf(HasSubstr(std::string("dots.toml:") + line), HasSubstr(what));
     };
     EXPECT_THAT(refusal("sweeps = []\n"), says("5", "sweep"));
-    EXPECT_THAT(refusal("sweep = 3\n"), says("5", "'sweep' is no list of tables"));
+    EXPECT_THAT(refusal("sweep = 3\n"), says("5", "a list of tables"));
     EXPECT_THAT(refusal("sweep = [\n{},\n{range = 3}]\n"), says("7", "range_depth"));
     EXPECT_THAT(refusal("sweep = [\n{},\n{threshold = 999}]\n"), says("7", "1..255"));
     EXPECT_THAT(refusal("sum_limits = [{params = [\"range\"], limit = 3}]\n"), says("5", "range"));
@@ -77,7 +77,7 @@ TEST(MethodFile, NamesFileAndLineOfWhatItRefuses) {
     EXPECT_THAT(refusal("[tunables]\nrange = \"all\"\n"), says("6", "range_depth"));
     EXPECT_THAT(refusal("[tunables]\nthreshold = [0, 64]\n"), says("6", "1..255"));
     EXPECT_THAT(refusal("[tunables]\nthreshold = [64, 1]\n"), says("6", "'threshold'"));
-    EXPECT_THAT(refusal("[tunables\n"), says("5", "as TOML"));
+    EXPECT_THAT(refusal("[tunables\n"), says("5", "no TOML"));
     EXPECT_EQ(refusal(""), "") << "settings and tunables may be left out";
 }
 
@@ -91,7 +91,8 @@ TEST(MethodFile, MustSayWhoFamilyAndMarker) {
         return std::string();
     };
     EXPECT_THAT(message("source = \"me\"\n"), HasSubstr("there is no 'summary'"));
-    EXPECT_THAT(message("source = 3\n"), AllOf(HasSubstr("dots.toml:1"), HasSubstr("no text")));
+    EXPECT_THAT(message("source = 3\n"),
+                AllOf(HasSubstr("dots.toml:1"), HasSubstr("a text in quotes")));
     EXPECT_THAT(message("source = \"a\"\nsummary = \"b\"\nfamily = \"idz\"\n"),
                 AllOf(HasSubstr("dots.toml:3"), HasSubstr("idz"), HasSubstr("ids")));
 }

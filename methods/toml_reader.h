@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/param.h"
 
-namespace ink::experiment {
+namespace ink::methods {
 
 /// A value of a TOML file as text, with its line.
 struct TomlText {
@@ -24,14 +25,22 @@ class TomlReader {
     TomlReader(const toml::table& table, std::filesystem::path file, std::string name);
 
     [[nodiscard]] std::optional<std::string> text(const std::string& key);
+    /// The same of a key that must be there; `needed` names those that must.
+    [[nodiscard]] std::string needed_text(const std::string& key, const std::string& needed);
     /// The value of a key that is there, as the command line would spell it; one of another type
     /// than `param` has is refused.
     [[nodiscard]] std::string scalar(const std::string& key, const core::Param& param);
     /// One value, or an array of them, each as the command line would spell it: "true", "63",
     /// "0.5", "inside". Nothing if the key is not there; an empty array is an error.
     [[nodiscard]] std::optional<std::vector<TomlText>> texts(const std::string& key);
+    /// A number, or the numbers of an array; empty for anything else.
+    [[nodiscard]] std::vector<double> numbers(const std::string& key) const;
     /// A table inside; nothing if the key is not there.
     [[nodiscard]] std::optional<TomlReader> table(const std::string& key);
+    /// An array of tables; empty if the key is not there.
+    [[nodiscard]] std::vector<TomlReader> tables(const std::string& key);
+    /// All keys as settings of a method that has these parameters, as the command line spells them.
+    [[nodiscard]] core::ParamValues settings(const std::vector<core::Param>& params);
 
     [[nodiscard]] std::vector<std::string> keys() const;  ///< in the order of the file
     [[nodiscard]] bool has(const std::string& key) const { return find(key) != nullptr; }
@@ -53,7 +62,12 @@ class TomlReader {
     std::string name_;
 };
 
-/// Parses a file's text. Throws core::Error (where = file and line) if it is no TOML.
-[[nodiscard]] toml::table parse_toml(const std::string& text, const std::filesystem::path& file);
+/// The parameter called `name`. Throws core::Error (where = place) if there is none.
+[[nodiscard]] const core::Param& param_of(const std::vector<core::Param>& params,
+                                          const std::string& name,
+                                          const std::string& place);
 
-}  // namespace ink::experiment
+/// Parses a file's text. Throws core::Error (where = file and line) if it is no TOML.
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace ink::methods

@@ -1,13 +1,12 @@
-#include "experiment/toml_reader.h"
+#include "methods/toml_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/param.h"
 
-namespace ink::experiment {
+namespace ink::methods {
 namespace {
 
 /// A value as the file spells it, for messages and settings; numbers in their shortest form.
@@ -65,6 +64,11 @@ std::optional<std::string> TomlReader::text(const std::string& key) {
     return node->as_string()->get();
 }
 
+std::string TomlReader::needed_text(const std::string& key, const std::string& needed) {
+    if (auto found = text(key)) return *found;
+    throw core::Error(where(), fmt::format("there is no '{}'", key), needed);
+}
+
 std::string TomlReader::scalar(const std::string& key, const core::Param& param) {
     const toml::node& node = *find(key);
     const auto is_right = [&] {
@@ -110,11 +114,50 @@ std::optional<std::vector<TomlText>> TomlReader::texts(const std::string& key) {
     return texts;
 }
 
+std::vector<double> TomlReader::numbers(const std::string& key) const {
+    const toml::node* node = find(key);
+    if (node == nullptr) return {};
+    std::vector<double> numbers;
+    const auto add = [&](const toml::node& each) {
+        if (each.is_number()) numbers.push_back(*each.value<double>());
+        return each.is_number();
+    };
+    if (const toml::array* array = node->as_array()) {
+        if (!std::all_of(array->begin(), array->end(), add)) return {};
+    } else {
+        (void)add(*node);
+    }
+    return numbers;
+}
+
 std::optional<TomlReader> TomlReader::table(const std::string& key) {
     const toml::node* node = find(key);
     if (node == nullptr) return std::nullopt;
     if (!node->is_table()) refuse(key, fmt::format("a table, [{}]", full_name(key)));
     return TomlReader(*node->as_table(), file_, full_name(key));
+}
+
+std::vector<TomlReader> TomlReader::tables(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return {};
+    std::vector<TomlReader> tables;
+    const std::string accepted = "a list of tables, [{...}, {...}]";
+    if (!node->is_array()) refuse(key, accepted);
+    for (const toml::node& each : *node->as_array()) {
+        if (!each.is_table()) refuse(key, accepted);
+        tables.emplace_back(*each.as_table(), file_, full_name(key));
+    }
+    return tables;
+}
+
+core::ParamValues TomlReader::settings(const std::vector<core::Param>& params) {
+    core::ParamValues values;
+    for (const std::string& key : keys()) {
+        const core::Param& param = param_of(params, key, where(key));
+        values[key] =
+            core::format_param(param, core::parse_param(param, scalar(key, param), where(key)));
+    }
+    return values;
 }
 
 std::vector<std::string> TomlReader::keys() const {
@@ -143,7 +186,15 @@ void TomlReader::refuse_unknown(const std::vector<std::string>& known) const {
     }
 }
 
-toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+const core::Param& param_of(const std::vector<core::Param>& params,
+                            const std::string& name,
+                            const std::string& place) {
+    core::check_known_params(params, {{name, ""}}, place);
+    return *std::find_if(
+        params.begin(), params.end(), [&](const auto& each) { return each.name == name; });
+}
+
+toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
     try {
         return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
@@ -153,4 +204,4 @@ toml::table parse_toml(const std::string& text, const std::filesystem::path& fil
     }
 }
 
-}  // namespace ink::experiment
+}  // namespace ink::methods
