@@ -86,9 +86,7 @@ std::vector<core::ParamValues> sweep_of(const method::MethodInfo& tuned,
         if (!touches(line, changed)) add(line);
     }
     for (const core::Param& param : tuned.params) {
-        const bool is_number =
-            param.kind == core::ParamKind::real || param.kind == core::ParamKind::integer;
-        if (!is_number || changed.count(param.name) == 0) continue;
+        if (!param.is_number() || changed.count(param.name) == 0) continue;
         for (const double step : kSweepSteps) {
             double value = std::clamp(param.default_value * step, param.min, param.max);
             if (param.kind == core::ParamKind::integer) value = std::round(value);

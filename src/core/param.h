@@ -29,6 +29,10 @@ struct Param {
     std::vector<std::string> choices = {};  ///< spellings, for `choice`; names, for some lists
     std::string unit = {};                  ///< "px", "deg", ... or "" where there is none
     std::string doc = {};                   ///< one sentence
+
+    [[nodiscard]] bool is_number() const {
+        return kind == ParamKind::real || kind == ParamKind::integer;
+    }
 };
 
 /// Settings as the user spells them: name to text. Ordered, so that it prints the same everywhere.

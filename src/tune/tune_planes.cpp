@@ -61,15 +61,13 @@ bool TunePlanes::can_draw(const harness::MethodConfig& config) const {
 }
 
 bool TunePlanes::can_search(const harness::MethodConfig& config, const TuneSpace& space) const {
-    return can_draw(config) &&
-           std::all_of(space.parameters().begin(),
-                       space.parameters().end(),
-                       [&](const TunedParameter& parameter) {
-                           const bool is_number = parameter.param.kind == core::ParamKind::real ||
-                                                  parameter.param.kind == core::ParamKind::integer;
-                           return !is_number || key_at(config, parameter, parameter.low) ==
-                                                    key_at(config, parameter, parameter.high);
-                       });
+    return can_draw(config) && std::all_of(space.parameters().begin(),
+                                           space.parameters().end(),
+                                           [&](const TunedParameter& parameter) {
+                                               return !parameter.param.is_number() ||
+                                                      key_at(config, parameter, parameter.low) ==
+                                                          key_at(config, parameter, parameter.high);
+                                           });
 }
 
 const TunePlanes::PlaneSet& TunePlanes::planes_of(const method::LinearCode& code, int threads) {

@@ -33,10 +33,6 @@ std::optional<double> parse_number(std::string_view text) {
     return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-bool is_number(const core::Param& param) {
-    return param.kind == core::ParamKind::real || param.kind == core::ParamKind::integer;
-}
-
 /// "low..high" into the parameter.
 void narrow(const std::string& range, TunedParameter& parameter) {
     const auto dots = range.find("..");
@@ -47,11 +43,11 @@ void narrow(const std::string& range, TunedParameter& parameter) {
         high = parse_number(std::string_view(range).substr(dots + 2));
     }
     const core::Param& param = parameter.param;
-    if (!is_number(param) || !low || !high || !(*low < *high) || *low < param.min ||
+    if (!param.is_number() || !low || !high || !(*low < *high) || *low < param.min ||
         *high > param.max) {
         throw core::Error("--params",
                           fmt::format("'{}' is no range of {}", range, param.name),
-                          is_number(param)
+                          param.is_number()
                               ? fmt::format("low..high within {}..{}", param.min, param.max)
                               : "the name alone: every choice is tried");
     }
@@ -60,7 +56,7 @@ void narrow(const std::string& range, TunedParameter& parameter) {
 }
 
 ParameterScale scale_of(const TunedParameter& parameter, bool is_limited) {
-    if (!is_number(parameter.param) || is_limited) return ParameterScale::linear;
+    if (!parameter.param.is_number() || is_limited) return ParameterScale::linear;
     if (parameter.low > 0 && parameter.high / parameter.low >= kLogFactor)
         return ParameterScale::log;
     const bool has_zero = parameter.low <= 0 && parameter.high >= 0;
@@ -94,7 +90,7 @@ double rounded(double value, bool is_down) {
 
 double value_at(const TunedParameter& parameter, double at) {
     const double t = std::clamp(at, 0.0, 1.0);
-    if (!is_number(parameter.param)) {
+    if (!parameter.param.is_number()) {
         return std::floor(std::min(t, kAlmostOne) * (parameter.param.max + 1));
     }
     const double low = bent(parameter.scale, parameter.low);
@@ -106,7 +102,7 @@ double value_at(const TunedParameter& parameter, double at) {
 }
 
 double point_at(const TunedParameter& parameter, double value) {
-    if (!is_number(parameter.param)) return (value + 0.5) / (parameter.param.max + 1);
+    if (!parameter.param.is_number()) return (value + 0.5) / (parameter.param.max + 1);
     const double low = bent(parameter.scale, parameter.low);
     const double high = bent(parameter.scale, parameter.high);
     const double at = bent(parameter.scale, std::clamp(value, parameter.low, parameter.high));

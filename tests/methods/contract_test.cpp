@@ -292,8 +292,7 @@ TEST_P(Contract, TunablesAreItsOwnAndTheSearchCanStartAtTheirDefaults) {
         const core::Param* param = find_param(info(), tunable.param);
         ASSERT_NE(param, nullptr);
         if (!tunable.range) continue;
-        EXPECT_TRUE(param->kind == core::ParamKind::real ||
-                    param->kind == core::ParamKind::integer);
+        EXPECT_TRUE(param->is_number());
         EXPECT_GE(tunable.range->first, param->min);
         EXPECT_LE(tunable.range->second, param->max);
         EXPECT_LE(tunable.range->first, param->default_value);
