@@ -24,6 +24,10 @@ add_library(ink_opencv INTERFACE)
 target_include_directories(ink_opencv SYSTEM INTERFACE ${INK_OPENCV_INCLUDE})
 target_link_libraries(ink_opencv INTERFACE ${INK_OPENCV_CORE} ${INK_OPENCV_IMGPROC})
 
+# XXH3: a library without a CMake package.
+find_path(INK_XXHASH_INCLUDE xxhash.h REQUIRED)
+find_library(INK_XXHASH xxhash REQUIRED)
+
 # The Python module: an option, on where these are found (Debian: pybind11-dev, python3-dev, python3-numpy).
 set(PYBIND11_FINDPYTHON ON)
 set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is for")

@@ -2,22 +2,21 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "core/image.h"
 
 namespace ink::core {
 
-/// A running 64-bit hash of bytes: names results and cache files; not for secrets.
+/// A running 64-bit hash of what is added, one thing after the other: names results and cache
+/// files; not for secrets.
 ///
-/// The same bytes in the same order give the same value on every machine and in every version (the
-/// golden hashes of the tests rest on it). Reads eight bytes a step; each step is
-/// multiply-xorshift, the finaliser of MurmurHash3 (Appleby, public domain description).
+/// Each thing is hashed by XXH3 with the hash of what came before as its seed, so the same things
+/// in the same order give the same value on every machine and in every version (the golden hashes
+/// of the tests rest on it). Of one run of bytes it is what `xxhsum -H3` says.
 class Hasher {
   public:
     Hasher& bytes(const void* data, std::size_t size);
@@ -38,22 +37,12 @@ class Hasher {
         return value(v.size()).bytes(v.data(), v.size_bytes());
     }
 
-    /// How many bytes_beside hashes at a time.
-    static constexpr std::size_t kBeside = 4;
-
-    /// Does hashers[i].bytes(data[i], size) for every i, kBeside at a time: a hash waits for each
-    /// of its steps, so four take little longer than one. As many hashers as data.
-    static void bytes_beside(std::span<Hasher> hashers,
-                             std::span<const void* const> data,
-                             std::size_t size);
-
     [[nodiscard]] std::uint64_t result() const { return state_; }
     /// Sixteen lower-case hexadecimal digits.
     [[nodiscard]] std::string hex() const;
 
   private:
-    void step(std::uint64_t word);
-    std::uint64_t state_ = 0x9e3779b97f4a7c15ULL;
+    std::uint64_t state_ = 0;
 };
 
 /// The hash of an image: its size and its pixels.
@@ -63,29 +52,6 @@ template <class T>
     hasher.value(image.width_px()).value(image.height_px());
     hasher.bytes(image.data(), image.size() * sizeof(T));
     return hasher.hex();
-}
-
-/// The hash of each image, as image_hash has it; of images of one size in a third of the time.
-template <class T>
-[[nodiscard]] std::vector<std::string> image_hashes(std::span<const Image<T>* const> images) {
-    std::vector<std::string> hashes;
-    for (std::size_t begin = 0; begin < images.size();) {
-        const Image<T>& first = *images[begin];
-        std::vector<Hasher> hashers;
-        std::vector<const void*> data;
-        for (std::size_t i = begin; i < images.size(); ++i) {
-            const Image<T>& image = *images[i];
-            if (image.width_px() != first.width_px() || image.height_px() != first.height_px())
-                break;
-            hashers.push_back(Hasher().value(image.width_px()).value(image.height_px()));
-            data.push_back(image.data());
-        }
-        Hasher::bytes_beside(hashers, data, first.size() * sizeof(T));
-        for (const Hasher& hasher : hashers)
-            hashes.push_back(hasher.hex());
-        begin += hashers.size();
-    }
-    return hashes;
 }
 
 }  // namespace ink::core

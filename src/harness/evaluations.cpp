@@ -125,21 +125,9 @@ void score_evaluations(const ViewTruth& truth, std::vector<Evaluation>& evaluati
 }
 
 void fill_image_hashes(std::vector<Evaluation>& evaluations) {
-    // So many are hashed in a third of the time that they would take one by one.
-    constexpr std::size_t kBeside = core::Hasher::kBeside;
-    std::vector<Evaluation*> good;
-    for (Evaluation& evaluation : evaluations)
-        if (evaluation.row.is_ok()) good.push_back(&evaluation);
-    const std::size_t groups = (good.size() + kBeside - 1) / kBeside;
-    core::parallel_for(groups, core::hardware_threads(), [&](std::size_t group) {
-        const auto part = std::span(good).subspan(group * kBeside,
-                                                  std::min(kBeside, good.size() - group * kBeside));
-        std::vector<const edge::EdgeImage*> images;
-        for (const Evaluation* evaluation : part)
-            images.push_back(&evaluation->image);
-        const std::vector<std::string> hashes = core::image_hashes<std::uint8_t>(images);
-        for (std::size_t i = 0; i < part.size(); ++i)
-            part[i]->row.image_hash = hashes[i];
+    core::parallel_for(evaluations.size(), core::hardware_threads(), [&](std::size_t i) {
+        Evaluation& evaluation = evaluations[i];
+        if (evaluation.row.is_ok()) evaluation.row.image_hash = core::image_hash(evaluation.image);
     });
 }
 

@@ -23,6 +23,7 @@ LIBRARIES = {
     "OpenCV": ("opencv2/", ("src/score/", "src/draw/", "methods/", "tests/", "bench/"), 0),
     "CLI11": ("CLI/", ("src/cli/",), 0),
     "pybind11": ("pybind11/", ("src/python/",), 0),
+    "xxHash": ("xxhash.h", (), 1),
     "NLopt": ("nlopt", ("src/tune/",), 0),
     "toml++": ("toml++/", ("src/experiment/", "src/tune/", "methods/", "tests/"), 0),
 }
