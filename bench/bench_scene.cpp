@@ -15,7 +15,7 @@ namespace {
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 std::filesystem::path model_path(const char* name) {
-    return std::filesystem::path(INK_SHARED_DIR) / "models" / name;
+    return std::filesystem::path(INK_MODELS_DIR) / name;
 }
 
 /// What add_model was given.
