@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/image.h"
 
 namespace ink::edge {
@@ -12,23 +10,15 @@ namespace ink::edge {
 /// Source: T. Saito and T. Takahashi, "Comprehensible rendering of 3-D shapes", SIGGRAPH 1990.
 enum class Differential {
     first,   ///< (|A + 2B + C - F - 2G - H| + |C + 2E + H - A - 2D - F|) / 8: Sobel's
-    second,  ///< |8X - A - B - C - D - E - F - G - H| / 3, cut to the type's largest value
+    second,  ///< |8X - A - B - C - D - E - F - G - H| / 3
 };
 
-/// One differential of every pixel; whole numbers are divided with what is over dropped, floats
-/// added in the order row by row (see the plain reference in tests/edge).
+/// One differential of every pixel, added in the order row by row (see the plain reference in
+/// tests/edge).
 ///
 /// Both images have one size; one pixel round `values` must be readable and counts as neighbour.
 /// `out` overlaps no input. Rows are shared among `threads`; the same bits on every SIMD target and
 /// number of threads, for finite values. An empty image writes nothing.
-void sobel(const core::ImageView<const std::uint8_t>& values,
-           Differential differential,
-           const core::ImageView<std::uint8_t>& out,
-           int threads = 1);
-void sobel(const core::ImageView<const std::uint16_t>& values,
-           Differential differential,
-           const core::ImageView<std::uint16_t>& out,
-           int threads = 1);
 void sobel(const core::ImageView<const float>& values,
            Differential differential,
            const core::ImageView<float>& out,

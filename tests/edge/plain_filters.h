@@ -124,41 +124,25 @@ T blurred_at(const T* at, std::ptrdiff_t stride, int code_bits) {
     return static_cast<T>(code_bits > 0 ? value & (modulus - 1) : value);
 }
 
-/// Sums of whole numbers are exact in `Sum` = long; those of floats are made in the kernels' order.
-template <class T>
-using Sum = std::conditional_t<std::is_floating_point_v<T>, T, long>;
-
-template <class T>
-T cut(Sum<T> value) {
-    if constexpr (std::is_floating_point_v<T>) {
-        return value;
-    } else {
-        return static_cast<T>(std::min<long>(value, static_cast<T>(~T{0})));
-    }
+inline float roberts_at(const float* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return at[dy * stride + dx]; };
+    return std::abs(v(0, 0) - v(1, 1)) + std::abs(v(1, 0) - v(0, 1));
 }
 
-template <class T>
-T roberts_at(const T* at, std::ptrdiff_t stride) {
-    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
-    return cut<T>(std::abs(v(0, 0) - v(1, 1)) + std::abs(v(1, 0) - v(0, 1)));
+inline float sobel_first_at(const float* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return at[dy * stride + dx]; };
+    const float above = v(-1, -1) + 2 * v(0, -1) + v(1, -1);
+    const float below = v(-1, 1) + 2 * v(0, 1) + v(1, 1);
+    const float right = v(1, -1) + 2 * v(1, 0) + v(1, 1);
+    const float left = v(-1, -1) + 2 * v(-1, 0) + v(-1, 1);
+    return (std::abs(above - below) + std::abs(right - left)) / 8;
 }
 
-template <class T>
-T sobel_first_at(const T* at, std::ptrdiff_t stride) {
-    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
-    const Sum<T> above = v(-1, -1) + 2 * v(0, -1) + v(1, -1);
-    const Sum<T> below = v(-1, 1) + 2 * v(0, 1) + v(1, 1);
-    const Sum<T> right = v(1, -1) + 2 * v(1, 0) + v(1, 1);
-    const Sum<T> left = v(-1, -1) + 2 * v(-1, 0) + v(-1, 1);
-    return cut<T>((std::abs(above - below) + std::abs(right - left)) / 8);
-}
-
-template <class T>
-T sobel_second_at(const T* at, std::ptrdiff_t stride) {
-    const auto v = [&](int dx, int dy) { return static_cast<Sum<T>>(at[dy * stride + dx]); };
-    const Sum<T> sum =
+inline float sobel_second_at(const float* at, std::ptrdiff_t stride) {
+    const auto v = [&](int dx, int dy) { return at[dy * stride + dx]; };
+    const float sum =
         v(-1, -1) + v(0, -1) + v(1, -1) + v(-1, 0) + v(1, 0) + v(-1, 1) + v(0, 1) + v(1, 1);
-    return cut<T>(std::abs(8 * v(0, 0) - sum) / 3);
+    return std::abs(8 * v(0, 0) - sum) / 3;
 }
 
 }  // namespace ink::edge::plain
