@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
@@ -56,20 +57,64 @@ Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& l
     return make_case(point, std::move(scene), camera);
 }
 
-std::vector<Case> catalogue_cases(const StressPoint& point,
-                                  std::initializer_list<const char*> scenes) {
-    std::vector<Case> cases;
-    for (const char* name : scenes) {
-        scene::Scene scene = catalogue::make_catalogue_scene(name);
-        scene.animation = nullptr;
-        const scene::Camera camera = scene.cameras.front();
-        cases.push_back(make_case(point, std::move(scene), camera));
-    }
-    return cases;
+StressMaker catalogue_cases(std::vector<std::string> scenes) {
+    return [scenes = std::move(scenes)](const StressPoint& point) {
+        std::vector<Case> cases;
+        for (const std::string& name : scenes) {
+            scene::Scene scene = catalogue::make_catalogue_scene(name);
+            scene.animation = nullptr;
+            const scene::Camera camera = scene.cameras.front();
+            cases.push_back(make_case(point, std::move(scene), camera));
+        }
+        return cases;
+    };
 }
 
-std::vector<Case> base_cases(const StressPoint& point) {
-    return catalogue_cases(point, {"blocks", "gear", "torus", "rocket"});
+StressMaker base_cases() {
+    return catalogue_cases({"blocks", "gear", "torus", "rocket"});
+}
+
+StressMaker changed(StressMaker make, CaseChange change) {
+    return [make = std::move(make), change = std::move(change)](const StressPoint& point) {
+        std::vector<Case> cases = make(point);
+        for (Case& stress : cases)
+            change(point, stress);
+        return cases;
+    };
+}
+
+Axis make_axis(StressHeading heading,
+               std::vector<double> values,
+               std::string sentence,
+               StressMaker make) {
+    Axis axis;
+    axis.name = std::move(heading.name);
+    axis.title = std::move(heading.title);
+    axis.unit = std::move(heading.unit);
+    axis.scale = heading.scale;
+    axis.values = std::move(values);
+    axis.sentence = std::move(sentence);
+    axis.is_crosschecked = false;
+    axis.scores_crowded = true;
+    axis.counts_faults = true;
+    axis.cases = [name = axis.name, make = std::move(make)](double value, const CaseSize& size) {
+        return make({name, value, size});
+    };
+    return axis;
+}
+
+std::vector<double> evenly(double low, double high, double step) {
+    std::vector<double> values;
+    for (int i = 0; low + i * step <= high; ++i)
+        values.push_back(low + i * step);
+    return values;
+}
+
+std::vector<double> decades(int low, int high) {
+    std::vector<double> values;
+    for (int exponent = low; exponent <= high; ++exponent)
+        values.push_back(std::pow(10, exponent));
+    return values;
 }
 
 scene::Scene scene_of(std::string name, scene::Mesh mesh, const glm::dmat4& world_from_object) {

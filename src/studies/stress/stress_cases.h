@@ -1,7 +1,7 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,7 +9,7 @@
 #include "scene/mesh.h"
 #include "studies/stress/stress_axes.h"
 
-// The makers behind `stress_axes()`: each returns the cases of one value of its axis.
+// What `stress_axes()` is put together from.
 
 namespace ink::studies {
 
@@ -33,11 +33,33 @@ struct StressLook {
 };
 [[nodiscard]] Case make_case(const StressPoint& point, scene::Scene scene, const StressLook& look);
 
+/// The cases of one value.
+using StressMaker = std::function<std::vector<Case>(const StressPoint&)>;
+
 /// Catalogue scenes, each from its first view, at rest.
-[[nodiscard]] std::vector<Case> catalogue_cases(const StressPoint& point,
-                                                std::initializer_list<const char*> scenes);
+[[nodiscard]] StressMaker catalogue_cases(std::vector<std::string> scenes);
 /// What most axes are tried on: five boxes driven through each other, gears, a ring, a rocket.
-[[nodiscard]] std::vector<Case> base_cases(const StressPoint& point);
+[[nodiscard]] StressMaker base_cases();
+/// The cases of `make`, each changed as the value asks.
+using CaseChange = std::function<void(const StressPoint&, Case&)>;
+[[nodiscard]] StressMaker changed(StressMaker make, CaseChange change);
+
+/// What an axis is called and what its values are.
+struct StressHeading {
+    std::string name;
+    std::string title;
+    std::string unit = "";
+    AxisScale scale = AxisScale::log;
+};
+[[nodiscard]] Axis make_axis(StressHeading heading,
+                             std::vector<double> values,
+                             std::string sentence,
+                             StressMaker make);
+
+/// From `low` to `high`, both included.
+[[nodiscard]] std::vector<double> evenly(double low, double high, double step);
+/// The powers of ten from 10^low to 10^high.
+[[nodiscard]] std::vector<double> decades(int low, int high);
 
 /// A mesh as a scene, placed by `world_from_object`.
 [[nodiscard]] scene::Scene scene_of(std::string name,
@@ -47,38 +69,13 @@ struct StressLook {
 /// face has vertices of its own. Positions are the cuts as floats, not snapped.
 [[nodiscard]] scene::Mesh cut_cube(const std::vector<double>& cuts);
 
-// stress_places.cpp: where the eye is, and where numbers run out
-[[nodiscard]] std::vector<Case> near_far_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> grazing_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> grazing_linear_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> origin_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> fp32_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> scale_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> zoom_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> roll_cases(const StressPoint& point);
-
-// stress_shapes.cpp: what the triangles are like
-[[nodiscard]] std::vector<Case> gap_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> sliver_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> facet_cases(const StressPoint& point);
-
-// stress_defects.cpp: a share of the triangles, in percent, is not as it should be
-[[nodiscard]] std::vector<Case> duplicate_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> t_junction_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> crack_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> orientation_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> soup_cases(const StressPoint& point);
-
-// stress_parameters.cpp: what the methods and the machine are set to
-/// Names of the depth axis' values, from 1.
-[[nodiscard]] std::vector<std::string> depth_names();
-[[nodiscard]] std::vector<Case> depth_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> code_bits_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> saturate_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> wrap_cases(const StressPoint& point);
-[[nodiscard]] std::vector<Case> thread_cases(const StressPoint& point);
-/// Names of this machine's SIMD targets, each on one thread and on four, from 1.
-[[nodiscard]] std::vector<std::string> simd_names();
-[[nodiscard]] std::vector<Case> simd_cases(const StressPoint& point);
+/// stress_places.cpp: where the eye is, and where numbers run out.
+void add_place_axes(std::vector<Axis>& axes);
+/// stress_shapes.cpp: what the triangles are like.
+void add_shape_axes(std::vector<Axis>& axes);
+/// stress_parameters.cpp: what the methods and the machine are set to.
+void add_parameter_axes(std::vector<Axis>& axes);
+/// stress_defects.cpp: a share of the triangles, in percent, is not as it should be.
+void add_defect_axes(std::vector<Axis>& axes);
 
 }  // namespace ink::studies

@@ -28,11 +28,8 @@ void transform(Case& stress, const glm::dmat4& moved, double scale) {
 /// A way from the origin that is about 1 long, in sixteenths: whole distances along it are exact.
 constexpr glm::dvec3 kAway{0.75, 0.5, 0.4375};
 
-std::vector<Case> moved_away(const StressPoint& point) {
-    std::vector<Case> cases = base_cases(point);
-    for (Case& stress : cases)
-        transform(stress, glm::translate(glm::dmat4(1), kAway * point.value), 1);
-    return cases;
+void move_away(const StressPoint& point, Case& stress) {
+    transform(stress, glm::translate(glm::dmat4(1), kAway * point.value), 1);
 }
 
 /// The scene with world positions in floats, as a renderer holds it that knows no others.
@@ -104,17 +101,11 @@ Case rolled(const StressPoint& point, scene::Scene scene) {
     return make_case(point, std::move(scene), camera);
 }
 
-}  // namespace
-
-std::vector<Case> near_far_cases(const StressPoint& point) {
-    std::vector<Case> cases = base_cases(point);
-    for (Case& stress : cases) {
-        scene::Camera& camera = stress.scene_views.views.front().camera;
-        camera.near = camera.far / point.value;
-        add_near_thing(stress.scene_views.scene, camera);
-        stress.settings = {"depth_range=camera"};
-    }
-    return cases;
+void move_near(const StressPoint& point, Case& stress) {
+    scene::Camera& camera = stress.scene_views.views.front().camera;
+    camera.near = camera.far / point.value;
+    add_near_thing(stress.scene_views.scene, camera);
+    stress.settings = {"depth_range=camera"};
 }
 
 std::vector<Case> grazing_cases(const StressPoint& point) {
@@ -138,47 +129,16 @@ std::vector<Case> grazing_cases(const StressPoint& point) {
     return cases;
 }
 
-std::vector<Case> grazing_linear_cases(const StressPoint& point) {
-    std::vector<Case> cases = grazing_cases(point);
-    for (Case& stress : cases)
-        stress.settings = {"depth_encoding=linear", "guard=none"};
-    return cases;
-}
-
-std::vector<Case> origin_cases(const StressPoint& point) {
-    return moved_away(point);
-}
-
-std::vector<Case> fp32_cases(const StressPoint& point) {
-    std::vector<Case> cases = moved_away(point);
-    for (Case& stress : cases)
-        stress.drawn = in_floats(stress.scene_views.scene);
-    return cases;
-}
-
-std::vector<Case> scale_cases(const StressPoint& point) {
-    std::vector<Case> cases = base_cases(point);
-    for (Case& stress : cases) {
-        transform(stress, glm::scale(glm::dmat4(1), glm::dvec3(point.value)), point.value);
-    }
-    return cases;
-}
-
-std::vector<Case> zoom_cases(const StressPoint& point) {
-    std::vector<Case> cases = catalogue_cases(point, {"blocks", "gear", "rocket", "crystals"});
-    for (Case& stress : cases) {
-        scene::Camera& camera = stress.scene_views.views.front().camera;
-        const double slope = std::tan(camera.fov_y_rad / 2) / point.value;
-        scene::Camera aimed =
-            scene::look_at(camera.eye_world,
-                           nearest_vertex(stress.scene_views.scene, camera.eye_world),
-                           {0, 1, 0},
-                           2 * std::atan(slope));
-        aimed.name = camera.name;
-        scene::fit_clip_range(aimed, scene::bounding_sphere(stress.scene_views.scene));
-        camera = aimed;
-    }
-    return cases;
+void zoom(const StressPoint& point, Case& stress) {
+    scene::Camera& camera = stress.scene_views.views.front().camera;
+    const double slope = std::tan(camera.fov_y_rad / 2) / point.value;
+    scene::Camera aimed = scene::look_at(camera.eye_world,
+                                         nearest_vertex(stress.scene_views.scene, camera.eye_world),
+                                         {0, 1, 0},
+                                         2 * std::atan(slope));
+    aimed.name = camera.name;
+    scene::fit_clip_range(aimed, scene::bounding_sphere(stress.scene_views.scene));
+    camera = aimed;
 }
 
 std::vector<Case> roll_cases(const StressPoint& point) {
@@ -189,6 +149,72 @@ std::vector<Case> roll_cases(const StressPoint& point) {
     cases.push_back(rolled(point, scene_of("twenty_faces", catalogue::make_icosphere(1.5, 0))));
     cases.front().scene_views.scene.name = "cube";
     return cases;
+}
+
+std::vector<double> powers_of_two(int low, int high, int step) {
+    std::vector<double> values;
+    for (int exponent = low; exponent <= high; exponent += step)
+        values.push_back(std::ldexp(1, exponent));
+    return values;
+}
+
+}  // namespace
+
+void add_place_axes(std::vector<Axis>& axes) {
+    axes.push_back(make_axis(
+        {"near_far", "far distance over near distance"},
+        decades(1, 9),
+        "The camera's near plane moves towards the eye while far stays behind the scene; a small "
+        "pyramid is 2.5 near distances before the eye, so that the range is used, and depth is "
+        "scaled to near and far (depth_range = camera).",
+        changed(base_cases(), move_near)));
+    axes.push_back(make_axis(
+        {"grazing", "angle at which the view direction meets a floor", "deg"},
+        {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
+        "A flat floor fills the frame of a long lens (0.2 degrees, 1000 units away); things stand "
+        "on it. The eye sinks; below 0.2 degrees the floor's far end comes into the image.",
+        grazing_cases));
+    axes.push_back(make_axis(
+        {"grazing_linear", "angle at which the view direction meets a floor", "deg"},
+        {0.1, 0.2, 0.5, 1, 2, 5, 10, 20},
+        "The same floor, but depth is written as distance itself (depth_encoding = linear) and "
+        "nothing guards against slopes (guard = none), for methods that have these parameters.",
+        changed(grazing_cases, [](const StressPoint&, Case& stress) {
+            stress.settings = {"depth_encoding=linear", "guard=none"};
+        })));
+    axes.push_back(
+        make_axis({"origin", "distance of scene and camera from the origin", "units"},
+                  decades(0, 8),
+                  "Scene and camera move together away from the origin, by transforms in double.",
+                  changed(base_cases(), move_away)));
+    axes.push_back(
+        make_axis({"fp32", "distance of scene and camera from the origin", "units"},
+                  decades(0, 8),
+                  "As the axis before, but methods are given world positions rounded to floats, as "
+                  "in a renderer that works in fp32 throughout; the truth is of the exact scene.",
+                  changed(base_cases(), [](const StressPoint& point, Case& stress) {
+                      move_away(point, stress);
+                      stress.drawn = in_floats(stress.scene_views.scene);
+                  })));
+    axes.push_back(
+        make_axis({"scale", "size of the model over its own"},
+                  powers_of_two(-30, 30, 6),
+                  "Scene, camera, near and far grow together by powers of two, 9e-10 to 1e9.",
+                  changed(base_cases(), [](const StressPoint& point, Case& stress) {
+                      const glm::dmat4 grown = glm::scale(glm::dmat4(1), glm::dvec3(point.value));
+                      transform(stress, grown, point.value);
+                  })));
+    axes.push_back(
+        make_axis({"zoom", "magnification"},
+                  powers_of_two(-5, 6, 1),
+                  "The focal length grows, aimed at the vertex nearest the eye: from a "
+                  "scene of a few pixels to one of its corners.",
+                  changed(catalogue_cases({"blocks", "gear", "rocket", "crystals"}), zoom)));
+    axes.push_back(make_axis({"cube_roll", "roll of the camera", "deg", AxisScale::linear},
+                             evenly(0, 350, 10),
+                             "The camera turns about its view direction before a cube, a wedge and "
+                             "a solid of twenty faces.",
+                             roll_cases));
 }
 
 }  // namespace ink::studies

@@ -99,8 +99,6 @@ int rounded(double x) {
     return static_cast<int>(std::lround(x));
 }
 
-}  // namespace
-
 std::vector<Case> gap_cases(const StressPoint& point) {
     const double gap = point.value;
     ExactScene leaf("leaf");
@@ -159,6 +157,29 @@ std::vector<Case> facet_cases(const StressPoint& point) {
         kThreeQuarter));
     cases.push_back(make_case(point, scene_of("waves", hills(quads)), kThreeQuarter));
     return cases;
+}
+
+}  // namespace
+
+void add_shape_axes(std::vector<Axis>& axes) {
+    axes.push_back(make_axis(
+        {"gap", "distance between surfaces", "units"},
+        {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1},
+        "Coplanar things come apart by a gap: a sheet above another, slits between tiles, a step "
+        "between two boxes, the thickness of a plate; each about 2 units wide, 5 units away.",
+        gap_cases));
+    axes.push_back(make_axis(
+        {"sliver", "length over width of the thinnest triangles"},
+        decades(0, 7),
+        "A cube cut by thin strips, a ring each of whose triangles has one sliver, and free "
+        "needles.",
+        sliver_cases));
+    axes.push_back(make_axis(
+        {"facets", "triangles"},
+        {8, 32, 128, 512, 2048, 8192, 32768, 131072, 1048576},
+        "A ball, a ring and a rolling sheet from a handful of triangles to a million, far below a "
+        "pixel.",
+        facet_cases));
 }
 
 }  // namespace ink::studies
