@@ -13,13 +13,13 @@
 #include "catalogue/shapes.h"
 #include "core/parallel.h"
 #include "harness/cell.h"
-#include "linear_code/roll_prediction.h"
 #include "scene/camera_path.h"
 #include "scene/surface.h"
 #include "scene/topology.h"
 #include "score/drawing.h"
 #include "score/motion.h"
 #include "studies/motion_study.h"
+#include "studies/roll_prediction.h"
 
 namespace ink::studies {
 namespace {
@@ -35,7 +35,7 @@ struct Crease {
 };
 
 /// What a method makes of each crease, as its code foretells.
-using Predictions = std::vector<std::optional<linear_code::RollPrediction>>;
+using Predictions = std::vector<std::optional<RollPrediction>>;
 
 scene::View view_at(const scene::Scene& cube, double roll_deg, int size_px) {
     return {rolled_camera(cube, roll_deg), size_px, size_px};
@@ -88,7 +88,7 @@ Predictions predict(const harness::MethodConfig& config,
     for (std::size_t i = 0; i < creases.size(); ++i) {
         const auto n0 = flat_normal(surface, creases[i].triangle0, start);
         const auto n1 = flat_normal(surface, creases[i].triangle1, start);
-        if (n0 && n1) predictions[i].emplace(*code, linear_code::CreaseNormals{*n0, *n1});
+        if (n0 && n1) predictions[i].emplace(*code, CreaseNormals{*n0, *n1});
     }
     return predictions;
 }
@@ -214,9 +214,7 @@ class RollObserver final : public AxisObserver {
         if (!samples.empty()) seen_[m][roll_deg] = {cell, std::move(samples)};
     }
 
-    void add_vanishing(const Turn& turn,
-                       std::size_t crease,
-                       const linear_code::RollPrediction& prediction) {
+    void add_vanishing(const Turn& turn, std::size_t crease, const RollPrediction& prediction) {
         std::vector<RollSample> even;
         for (const double angle_deg : even_deg_) {
             const auto at = turn.find(angle_deg);

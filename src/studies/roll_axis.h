@@ -44,7 +44,7 @@ struct RollOptions {
 /// at those at which the code that a method declares has no step across a crease.
 ///
 /// Its observer writes creases.csv and vanishing.csv. Predictions come from declared codes and the
-/// cube's geometry alone (linear_code/roll_prediction.h).
+/// cube's geometry alone (studies/roll_prediction.h).
 [[nodiscard]] Axis roll_axis(const std::vector<harness::MethodConfig>& configs,
                              const RollOptions& options = {});
 

@@ -5,7 +5,7 @@
 
 #include "method/method.h"
 
-namespace ink::linear_code {
+namespace ink::studies {
 
 /// The normals of the two faces at a crease, as a camera that has not rolled yet sees them: view
 /// space, unit, towards the eye.
@@ -53,4 +53,4 @@ class RollPrediction {
     edge::LaplacianResponse response_;
 };
 
-}  // namespace ink::linear_code
+}  // namespace ink::studies

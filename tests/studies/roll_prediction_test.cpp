@@ -1,4 +1,4 @@
-#include "linear_code/roll_prediction.h"
+#include "studies/roll_prediction.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "scene/camera_path.h"
 
-namespace ink::linear_code {
+namespace ink::studies {
 namespace {
 
 constexpr double kDegree_rad = std::numbers::pi / 180;
@@ -106,4 +106,4 @@ TEST(RollPrediction, IsWhatTheRolledCameraSees) {
 }
 
 }  // namespace
-}  // namespace ink::linear_code
+}  // namespace ink::studies

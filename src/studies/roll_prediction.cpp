@@ -1,4 +1,4 @@
-#include "linear_code/roll_prediction.h"
+#include "studies/roll_prediction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "edge/laplacian.h"
 
-namespace ink::linear_code {
+namespace ink::studies {
 namespace {
 
 constexpr double kTurn_rad = 2 * std::numbers::pi;
@@ -58,4 +58,4 @@ bool RollPrediction::is_blind(double roll_rad, int threshold) const {
            std::max(edge_response(twice / 2), edge_response(-(twice / 2))) < threshold;
 }
 
-}  // namespace ink::linear_code
+}  // namespace ink::studies
