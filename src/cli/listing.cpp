@@ -82,7 +82,7 @@ std::string list_shadings() {
 std::string list_metrics() {
     std::string text;
     text += fmt::format("columns of rows.csv\n");
-    for (const harness::Column& column : harness::rows_table().columns)
+    for (const harness::Column& column : harness::rows_table().info().columns)
         text += fmt::format("  {:<22} {:<10} {}\n", column.name, column.unit, column.doc);
     return text;
 }

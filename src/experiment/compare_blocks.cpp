@@ -79,8 +79,8 @@ void explain(ViewBench& bench,
             std::find_if(evaluations.begin(), evaluations.end(), [&](const harness::Evaluation& s) {
                 return s.row.method == row.method;
             });
-        result.lines["cancellation.csv"] +=
-            linear_code::cancellation_line(at.first_cell + (evaluation - evaluations.begin()), row);
+        result.lines["cancellation.csv"] += linear_code::cancellation_table().line(
+            at.first_cell + (evaluation - evaluations.begin()), row);
     }
 }
 

@@ -55,7 +55,7 @@ BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t 
     std::int64_t cell = first_cell;
     for (const studies::MotionRow& row : rows) {
         result.lines["rows.csv"] += harness::row_line(cell, harness::Study::motion, row);
-        result.lines["motion.csv"] += studies::motion_line(cell, row);
+        result.lines["motion.csv"] += studies::motion_table().line(cell, row);
         result.lines["lives.csv"] += studies::life_lines(cell, row);
         ++cell;
     }

@@ -73,7 +73,7 @@ BlockResult run_values(const Stage& stage,
     for (const studies::AxisRow& of : rows) {
         result.lines["rows.csv"] += harness::row_line(cell, axis.study, of.row);
         if (axis.counts_faults) {
-            result.lines[studies::faults_table().file] += studies::faults_line(cell, of.faults);
+            result.lines["stress.csv"] += studies::faults_table().line(cell, of);
         }
         ++cell;
         if (std::string fault = fault_of(axis, of); !fault.empty())

@@ -23,7 +23,7 @@ BlockResult run_bounds(const std::vector<harness::SceneViews>& scenes,
         harness::Row row = linear_code::bound_row(bound, options, view.width_px, view.height_px);
         row.seed = seed;
         result.lines["rows.csv"] += harness::row_line(cell, harness::Study::bound, row);
-        result.lines["bound.csv"] += linear_code::bound_line(cell, bound);
+        result.lines["bound.csv"] += linear_code::bound_table().line(cell, bound);
         ++cell;
     }
     return result;

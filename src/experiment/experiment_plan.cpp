@@ -73,10 +73,10 @@ void Plan::add_table(const harness::TableInfo& table) {
 }
 
 void Plan::add_axis(const studies::Axis& axis) {
-    std::string& text = files[studies::axes_table().file];
+    std::string& text = files["axes.csv"];
     if (text.empty()) text = harness::heading(studies::axes_table());
     if (text.find(fmt::format("\n{},", axis.name)) == std::string::npos)
-        text += studies::axis_line(axis);
+        text += studies::axes_table().line(axis);
 }
 
 void Plan::add_model(const scene::Scene& scene) {

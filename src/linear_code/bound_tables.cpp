@@ -2,7 +2,6 @@
 
 #include "harness/cell.h"
 #include "harness/evaluations.h"
-#include "harness/tables/side_table.h"
 
 namespace ink::linear_code {
 namespace {
@@ -57,7 +56,9 @@ void add_bound(BoundTable& table) {
     }
 }
 
-const BoundTable& table() {
+}  // namespace
+
+const BoundTable& bound_table() {
     static const BoundTable kTable = [] {
         BoundTable table(
             "bound.csv",
@@ -70,8 +71,6 @@ const BoundTable& table() {
     }();
     return kTable;
 }
-
-}  // namespace
 
 harness::Row bound_row(const BoundRow& of,
                        const BoundStudyOptions& options,
@@ -90,16 +89,8 @@ harness::Row bound_row(const BoundRow& of,
     return row;
 }
 
-const harness::TableInfo& bound_table() {
-    return table().info();
-}
-
-std::string bound_line(std::int64_t cell, const BoundRow& row) {
-    return table().line(cell, row);
-}
-
 std::vector<BoundRow> read_bounds(const harness::CsvTable& csv, const harness::RowIndex& rows) {
-    return table().read_with_rows(csv, rows, [](BoundRow& bound, const harness::Row& row) {
+    return bound_table().read_with_rows(csv, rows, [](BoundRow& bound, const harness::Row& row) {
         bound.scene = row.scene;
         bound.split = row.split;
     });

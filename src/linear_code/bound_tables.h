@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/row_table.h"
+#include "harness/tables/side_table.h"
 #include "linear_code/linear_bound_study.h"
 
 namespace ink::linear_code {
@@ -18,10 +18,7 @@ namespace ink::linear_code {
 
 /// The columns of bound.csv: cell, views, what the method scored, what its weights and the best
 /// ones found come to by the bound's own reckoning, the bound, and the weights found.
-[[nodiscard]] const harness::TableInfo& bound_table();
-
-/// The line of a cell, ended.
-[[nodiscard]] std::string bound_line(std::int64_t cell, const BoundRow& row);
+[[nodiscard]] const harness::SideTable<BoundRow>& bound_table();
 
 /// The lines of bound.csv with what rows.csv says of their cells. Throws core::Error (file, line,
 /// column, value) for another heading, a wrong field or an unknown cell.

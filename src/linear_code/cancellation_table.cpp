@@ -1,7 +1,5 @@
 #include "linear_code/cancellation_table.h"
 
-#include "harness/tables/side_table.h"
-
 namespace ink::linear_code {
 namespace {
 
@@ -20,7 +18,9 @@ void add_kind(CancellationTable& table) {
     });
 }
 
-const CancellationTable& table() {
+}  // namespace
+
+const CancellationTable& cancellation_table() {
     static const CancellationTable kTable = [] {
         CancellationTable table("cancellation.csv",
                                 "A line per cell of a method with a declared code, class of line "
@@ -45,16 +45,6 @@ const CancellationTable& table() {
         return table;
     }();
     return kTable;
-}
-
-}  // namespace
-
-const harness::TableInfo& cancellation_table() {
-    return table().info();
-}
-
-std::string cancellation_line(std::int64_t cell, const CancellationRow& row) {
-    return table().line(cell, row);
 }
 
 }  // namespace ink::linear_code

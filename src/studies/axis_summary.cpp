@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "core/text_table.h"
-#include "harness/tables/table_of.h"
 #include "statistics/bootstrap.h"
 #include "studies/stress/stress_axes.h"
 
@@ -44,40 +43,6 @@ void add_scores(const std::vector<const AxisRow*>& rows, std::uint64_t seed, Axi
     if (all.n_pred > 0) point.precision = k / static_cast<double>(all.n_pred);
     if (all.n_truth > 0) point.recall = k / static_cast<double>(all.n_truth);
     point.truth_px = all.n_truth;
-}
-
-using P = AxisPoint;
-
-harness::TableOf<P> make_points_table() {
-    harness::TableOf<P> table(
-        "axis_summary.csv",
-        "A line per axis, value and method, over its cases: a point of a curve.");
-    table.add_derived({"axis", "", "what grows"}, &P::axis);
-    table.add_derived({"value", "of axis", "where on the axis"}, &P::value);
-    table.add_derived({"method", "", "as in rows.csv"}, &P::method);
-    table.add_derived({"cases", "", "that have a score"}, &P::cases);
-    table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
-    const auto range = table.part(&P::f_range);
-    range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
-                      &statistics::Interval::low);
-    range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
-    table.add_derived({"error", "0..1", "1 - f"}, &P::error);
-    table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
-    table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
-    table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
-    using C = CaseFaults;
-    const auto counts = table.part(&P::faults);
-    counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
-    counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
-    counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
-    counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
-                       &C::differing);
-    return table;
-}
-
-const harness::TableOf<P>& points_table() {
-    static const harness::TableOf<P> kTable = make_points_table();
-    return kTable;
 }
 
 /// Axes with a score, or with a fault.
@@ -118,12 +83,35 @@ std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows) {
     return points;
 }
 
-const harness::TableInfo& axis_summary_table() {
-    return points_table().info();
-}
-
-std::string axis_summary_csv(const std::vector<AxisPoint>& points) {
-    return points_table().file(points);
+const harness::TableOf<AxisPoint>& axis_summary_table() {
+    static const auto kTable = [] {
+        using P = AxisPoint;
+        harness::TableOf<P> table(
+            "axis_summary.csv",
+            "A line per axis, value and method, over its cases: a point of a curve.");
+        table.add_derived({"axis", "", "what grows"}, &P::axis);
+        table.add_derived({"value", "of axis", "where on the axis"}, &P::value);
+        table.add_derived({"method", "", "as in rows.csv"}, &P::method);
+        table.add_derived({"cases", "", "that have a score"}, &P::cases);
+        table.add_derived({"f", "0..1", "F within 2 px of the counts of all cases"}, &P::f);
+        const auto range = table.part(&P::f_range);
+        range.add_derived({"f_lo", "0..1", "lower end of its 95 % interval, cases resampled"},
+                          &statistics::Interval::low);
+        range.add_derived({"f_hi", "0..1", "upper end"}, &statistics::Interval::high);
+        table.add_derived({"error", "0..1", "1 - f"}, &P::error);
+        table.add_derived({"precision", "0..1", "pooled, within 2 px"}, &P::precision);
+        table.add_derived({"recall", "0..1", "pooled, within 2 px"}, &P::recall);
+        table.add_derived({"truth_px", "px", "true pixels of all cases"}, &P::truth_px);
+        using C = CaseFaults;
+        const auto counts = table.part(&P::faults);
+        counts.add_derived({"non_finite", "", "numbers that are NaN or infinite"}, &C::non_finite);
+        counts.add_derived({"overflow", "", "codes that overflowed"}, &C::overflow);
+        counts.add_derived({"lost_cells", "", "cases without a result"}, &C::lost);
+        counts.add_derived({"differing", "", "images that differ where the axis allows none to"},
+                           &C::differing);
+        return table;
+    }();
+    return kTable;
 }
 
 const AxisPoint* AxisCurve::best() const {

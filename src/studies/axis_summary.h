@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/tables/table.h"
+#include "harness/tables/table_of.h"
 #include "statistics/spread.h"
 #include "studies/axis_rows.h"
 
@@ -31,11 +31,8 @@ struct AxisPoint {
 /// fault. Intervals are of the first row's seed.
 [[nodiscard]] std::vector<AxisPoint> summarise_axes(const std::vector<AxisRow>& rows);
 
-/// The columns of axis_summary.csv.
-[[nodiscard]] const harness::TableInfo& axis_summary_table();
-
-/// axis_summary.csv, heading and line breaks included.
-[[nodiscard]] std::string axis_summary_csv(const std::vector<AxisPoint>& points);
+/// axis_summary.csv.
+[[nodiscard]] const harness::TableOf<AxisPoint>& axis_summary_table();
 
 /// The points of one method on one axis, by value.
 struct AxisCurve {

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "harness/tables/side_table.h"
-
 namespace ink::studies {
-namespace {
 
-const harness::SideTable<AxisRow>& table() {
+const harness::SideTable<AxisRow>& faults_table() {
     static const auto kTable = [] {
         harness::SideTable<AxisRow> table("stress.csv",
                                           "A line per cell of study `stress`: what went wrong; its "
@@ -28,48 +25,28 @@ const harness::SideTable<AxisRow>& table() {
     return kTable;
 }
 
-harness::TableOf<Axis> make_axes_table() {
-    harness::TableOf<Axis> table("axes.csv",
-                                 "A line per axis of the run's studies: what it varies.");
-    table.add_derived({"axis", "", "as in rows.csv"}, &Axis::name);
-    table.add_derived({"study", "", "that it belongs to"}, &Axis::study);
-    table.add_derived({"title", "", "what its values are"}, &Axis::title);
-    table.add_derived({"unit", "", "of its values; empty for a pure number"}, &Axis::unit);
-    table.add_derived({"is_log", "", "true: values lie on a logarithmic scale"},
-                      [](const Axis& axis) { return axis.scale == AxisScale::log; });
-    table.add_derived({"sentence", "", "what is varied, and what stays"}, &Axis::sentence);
-    table.add_derived(
-        {"value_names", "", "of named values 1, 2, 3 and so on, a;b;c; empty for numbers"},
-        [](const Axis& axis) { return fmt::format("{}", fmt::join(axis.value_names, ";")); });
-    return table;
-}
-
-const harness::TableOf<Axis>& axes() {
-    static const harness::TableOf<Axis> kTable = make_axes_table();
-    return kTable;
-}
-
-}  // namespace
-
-const harness::TableInfo& faults_table() {
-    return table().info();
-}
-
-std::string faults_line(std::int64_t cell, const CaseFaults& faults) {
-    return table().line(cell, {{}, faults});
-}
-
 std::vector<AxisRow> read_faults(const harness::CsvTable& csv, const harness::RowIndex& rows) {
-    return table().read_with_rows(
+    return faults_table().read_with_rows(
         csv, rows, [](AxisRow& of, const harness::Row& row) { of.row = row; });
 }
 
-const harness::TableInfo& axes_table() {
-    return axes().info();
-}
-
-std::string axis_line(const Axis& axis) {
-    return axes().line(axis);
+const harness::TableOf<Axis>& axes_table() {
+    static const auto kTable = [] {
+        harness::TableOf<Axis> table("axes.csv",
+                                     "A line per axis of the run's studies: what it varies.");
+        table.add_derived({"axis", "", "as in rows.csv"}, &Axis::name);
+        table.add_derived({"study", "", "that it belongs to"}, &Axis::study);
+        table.add_derived({"title", "", "what its values are"}, &Axis::title);
+        table.add_derived({"unit", "", "of its values; empty for a pure number"}, &Axis::unit);
+        table.add_derived({"is_log", "", "true: values lie on a logarithmic scale"},
+                          [](const Axis& axis) { return axis.scale == AxisScale::log; });
+        table.add_derived({"sentence", "", "what is varied, and what stays"}, &Axis::sentence);
+        table.add_derived(
+            {"value_names", "", "of named values 1, 2, 3 and so on, a;b;c; empty for numbers"},
+            [](const Axis& axis) { return fmt::format("{}", fmt::join(axis.value_names, ";")); });
+        return table;
+    }();
+    return kTable;
 }
 
 }  // namespace ink::studies

@@ -4,8 +4,6 @@
 
 #include <numeric>
 
-#include "harness/tables/side_table.h"
-
 namespace ink::studies {
 namespace {
 
@@ -50,7 +48,9 @@ void add_false_lines(const Counts& counts) {
                        [](const MotionRow& m) { return score::median_life(m.lives); });
 }
 
-const harness::SideTable<MotionRow>& motion() {
+}  // namespace
+
+const harness::SideTable<MotionRow>& motion_table() {
     static const auto kTable = [] {
         harness::SideTable<MotionRow> table(
             "motion.csv",
@@ -68,13 +68,7 @@ const harness::SideTable<MotionRow>& motion() {
     return kTable;
 }
 
-/// How many false lines of a cell lived so long.
-struct Life {
-    int frames = 0;
-    std::int64_t count = 0;
-};
-
-const harness::SideTable<Life>& lives() {
+const harness::SideTable<Life>& lives_table() {
     static const auto kTable = [] {
         harness::SideTable<Life> table(
             "lives.csv",
@@ -86,24 +80,11 @@ const harness::SideTable<Life>& lives() {
     return kTable;
 }
 
-}  // namespace
-
-const harness::TableInfo& motion_table() {
-    return motion().info();
-}
-
-std::string motion_line(std::int64_t cell, const MotionRow& of) {
-    return motion().line(cell, of);
-}
-
-const harness::TableInfo& lives_table() {
-    return lives().info();
-}
-
 std::string life_lines(std::int64_t cell, const MotionRow& of) {
     std::string lines;
     for (std::size_t i = 0; i < of.lives.size(); ++i) {
-        if (of.lives[i] != 0) lines += lives().line(cell, {static_cast<int>(i + 1), of.lives[i]});
+        if (of.lives[i] != 0)
+            lines += lives_table().line(cell, {static_cast<int>(i + 1), of.lives[i]});
     }
     return lines;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/row.h"
-#include "harness/tables/table.h"
+#include "harness/tables/side_table.h"
 #include "score/motion.h"
 
 namespace ink::studies {
@@ -27,13 +27,17 @@ struct MotionRow : harness::Row {
 [[nodiscard]] std::vector<std::string> motion_faults(const std::vector<MotionRow>& rows);
 
 /// The columns of motion.csv: cell, the sequence, then flicker, pops and false lines.
-[[nodiscard]] const harness::TableInfo& motion_table();
+/// Scores are empty if it failed.
+[[nodiscard]] const harness::SideTable<MotionRow>& motion_table();
 
-/// The line of a cell, ended; its scores are empty if it failed.
-[[nodiscard]] std::string motion_line(std::int64_t cell, const MotionRow& of);
+/// How many false lines of a cell lived so long.
+struct Life {
+    int frames = 0;
+    std::int64_t count = 0;
+};
 
 /// The columns of lives.csv: cell, frames, count.
-[[nodiscard]] const harness::TableInfo& lives_table();
+[[nodiscard]] const harness::SideTable<Life>& lives_table();
 
 /// A line per length of life that a false line of the cell had, each ended; "" without any.
 [[nodiscard]] std::string life_lines(std::int64_t cell, const MotionRow& of);

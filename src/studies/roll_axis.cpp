@@ -202,14 +202,15 @@ class RollObserver final : public AxisObserver {
         for (std::size_t crease = 0; crease < samples.size(); ++crease) {
             RollSample& sample = samples[crease];
             const auto& prediction = cube_->predictions[m][crease];
+            sample.crease = static_cast<int>(crease);
+            sample.is_predicted = prediction.has_value();
             sample.roll_rad = roll_deg * kRadPerDeg;
             if (prediction) {
                 sample.step = prediction->step(sample.roll_rad);
                 sample.is_blind = prediction->is_blind(sample.roll_rad, drawn.threshold);
             }
             if (!is_even) continue;
-            lines_[creases_table().file] +=
-                crease_line(cell, static_cast<int>(crease), sample, prediction.has_value());
+            lines_["creases.csv"] += creases_table().line(cell, sample);
         }
         if (!samples.empty()) seen_[m][roll_deg] = {cell, std::move(samples)};
     }
@@ -223,11 +224,12 @@ class RollObserver final : public AxisObserver {
         for (const double angle_rad : prediction.vanishing_rad()) {
             const auto at = turn.find(degrees_of(angle_rad));
             if (at == turn.end()) continue;
-            lines_[vanishing_table().file] += vanishing_line(at->second.cell,
-                                                             static_cast<int>(crease),
-                                                             {angle_rad,
-                                                              measured_vanishing(even, angle_rad),
-                                                              at->second.samples[crease].recall()});
+            lines_["vanishing.csv"] +=
+                vanishing_table().line(at->second.cell,
+                                       {static_cast<int>(crease),
+                                        angle_rad,
+                                        measured_vanishing(even, angle_rad),
+                                        at->second.samples[crease].recall()});
         }
     }
 

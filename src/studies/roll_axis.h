@@ -4,12 +4,15 @@
 #include <vector>
 
 #include "harness/method_configs.h"
+#include "harness/tables/side_table.h"
 #include "studies/axis.h"
 
 namespace ink::studies {
 
 /// A crease of the rolling cube in one image.
 struct RollSample {
+    int crease = 0;             ///< by the number of its edge
+    bool is_predicted = false;  ///< the method declares a code
     double roll_rad = 0;
     double length_px = 0;   ///< visible
     double covered_px = 0;  ///< of that, with a drawn pixel within 2 px
@@ -21,6 +24,7 @@ struct RollSample {
 
 /// An angle at which a code has no step across a crease, and where the crease was lost.
 struct Vanishing {
+    int crease = 0;  ///< by the number of its edge
     double predicted_rad = 0;
     /// The middle of the angles at which less than half of the crease was drawn; nothing if there
     /// are none near the prediction.
@@ -53,14 +57,9 @@ struct RollOptions {
 [[nodiscard]] std::optional<double> measured_vanishing(const std::vector<RollSample>& samples,
                                                        double predicted_rad);
 
-/// creases.csv: how a cell draws a crease. `is_predicted`: the method declares a code.
-[[nodiscard]] const harness::TableInfo& creases_table();
-[[nodiscard]] std::string crease_line(std::int64_t cell,
-                                      int crease,
-                                      const RollSample& sample,
-                                      bool is_predicted);
+/// creases.csv: how a cell draws a crease.
+[[nodiscard]] const harness::SideTable<RollSample>& creases_table();
 /// vanishing.csv: the cell is the method's at the angle.
-[[nodiscard]] const harness::TableInfo& vanishing_table();
-[[nodiscard]] std::string vanishing_line(std::int64_t cell, int crease, const Vanishing& at);
+[[nodiscard]] const harness::SideTable<Vanishing>& vanishing_table();
 
 }  // namespace ink::studies

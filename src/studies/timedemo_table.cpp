@@ -86,46 +86,48 @@ struct FrameLine {
     const DemoFrame& frame;
 };
 
-harness::TableOf<FrameLine> make_frames_table() {
-    harness::TableOf<FrameLine> table(
-        "timedemo.csv",
-        "A line per frame, pass, path and method of `inkbench timedemo`, which "
-        "writes this file alone.");
-    const auto add = [&table](harness::Column column, auto value_of) {
-        table.add_derived(std::move(column), value_of);
-    };
-    const auto add_time = [&table](std::string name, std::int64_t DemoFrame::*ns, std::string doc) {
-        table.add_derived({std::move(name), "ns", std::move(doc), true},
-                          [ns](const FrameLine& l) { return l.frame.*ns; });
-    };
-    using L = FrameLine;
-    add({"scene", "", "that moves"}, [](const L& l) { return l.scene_views.scene.name; });
-    add({"width", "px", "of the image"},
-        [](const L& l) { return l.scene_views.views.front().width_px; });
-    add({"height", "px", "of the image"},
-        [](const L& l) { return l.scene_views.views.front().height_px; });
-    add({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
-        [](const L& l) { return l.frame.path; });
-    add({"method", "", "as registered"}, [](const L& l) { return l.frame.method; });
-    add({"pass", "", "0: every frame for the first time"}, [](const L& l) { return l.frame.pass; });
-    add({"frame", "", "of the path, from 0"}, [](const L& l) { return l.frame.frame; });
-    add({"time_s", "s", "of the animation"}, [](const L& l) { return l.frame.time_s; });
-    add_time("fill_ns", &DemoFrame::fill_ns, "the surface moved and filled with one tone");
-    add_time("shade_ns", &DemoFrame::shade_ns, "shading, its own rasterization included");
-    add_time("toon_ns", &DemoFrame::toon_ns, "the same by the toon table");
-    add_time("strokes_ns", &DemoFrame::strokes_ns, "the same by strokes");
-    add_time("pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
-    add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
-    add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
-    add_time("hand_ns",
-             &DemoFrame::hand_ns,
-             "the lines thinned instead, drawn again by hand and put over the strokes");
-    add({"image_hash", "", "of the edge responses"}, [](const L& l) { return l.frame.image_hash; });
-    return table;
-}
-
 const harness::TableOf<FrameLine>& frames_table() {
-    static const harness::TableOf<FrameLine> kTable = make_frames_table();
+    static const auto kTable = [] {
+        harness::TableOf<FrameLine> table(
+            "timedemo.csv",
+            "A line per frame, pass, path and method of `inkbench timedemo`, which "
+            "writes this file alone.");
+        const auto add = [&table](harness::Column column, auto value_of) {
+            table.add_derived(std::move(column), value_of);
+        };
+        const auto add_time = [&table](
+                                  std::string name, std::int64_t DemoFrame::*ns, std::string doc) {
+            table.add_derived({std::move(name), "ns", std::move(doc), true},
+                              [ns](const FrameLine& l) { return l.frame.*ns; });
+        };
+        using L = FrameLine;
+        add({"scene", "", "that moves"}, [](const L& l) { return l.scene_views.scene.name; });
+        add({"width", "px", "of the image"},
+            [](const L& l) { return l.scene_views.views.front().width_px; });
+        add({"height", "px", "of the image"},
+            [](const L& l) { return l.scene_views.views.front().height_px; });
+        add({"path", "", "how the camera moves: orbit, dolly, shake, pan, roll, own"},
+            [](const L& l) { return l.frame.path; });
+        add({"method", "", "as registered"}, [](const L& l) { return l.frame.method; });
+        add({"pass", "", "0: every frame for the first time"},
+            [](const L& l) { return l.frame.pass; });
+        add({"frame", "", "of the path, from 0"}, [](const L& l) { return l.frame.frame; });
+        add({"time_s", "s", "of the animation"}, [](const L& l) { return l.frame.time_s; });
+        add_time("fill_ns", &DemoFrame::fill_ns, "the surface moved and filled with one tone");
+        add_time("shade_ns", &DemoFrame::shade_ns, "shading, its own rasterization included");
+        add_time("toon_ns", &DemoFrame::toon_ns, "the same by the toon table");
+        add_time("strokes_ns", &DemoFrame::strokes_ns, "the same by strokes");
+        add_time(
+            "pose_ns", &DemoFrame::pose_ns, "of the method; with its prepare in the first frame");
+        add_time("draw_ns", &DemoFrame::draw_ns, "of the method");
+        add_time("compose_ns", &DemoFrame::compose_ns, "the lines put over the shading");
+        add_time("hand_ns",
+                 &DemoFrame::hand_ns,
+                 "the lines thinned instead, drawn again by hand and put over the strokes");
+        add({"image_hash", "", "of the edge responses"},
+            [](const L& l) { return l.frame.image_hash; });
+        return table;
+    }();
     return kTable;
 }
 

@@ -21,7 +21,7 @@ TEST(AxesTable, ALineSaysWhatAnAxisVaries) {
     axis.scale = studies::AxisScale::named;
     axis.value_names = {"z24", "z16"};
     axis.sentence = "Whatever.";
-    EXPECT_EQ(studies::axis_line(axis),
+    EXPECT_EQ(studies::axes_table().line(axis),
               "depth,own,\"format, encoding\",,false,Whatever.,z24;z16\n");
 }
 
@@ -30,15 +30,15 @@ TEST(FaultsTable, ReadsAndWritesTheSameBytes) {
     const std::vector<harness::RowRecord> rows = harness::random_rows(any, 40);
     std::string lines;
     for (const harness::RowRecord& row : rows) {
-        lines +=
-            studies::faults_line(row.cell, {any.count(), any.count(), any.small(), any.small()});
+        lines += studies::faults_table().line(
+            row.cell, {{}, {any.count(), any.count(), any.small(), any.small()}});
     }
     const auto read = studies::read_faults(harness::file_of(studies::faults_table(), lines),
                                            harness::RowIndex(rows));
     ASSERT_EQ(read.size(), rows.size());
     std::string again;
     for (std::size_t i = 0; i < read.size(); ++i) {
-        again += studies::faults_line(rows[i].cell, read[i].faults);
+        again += studies::faults_table().line(rows[i].cell, read[i]);
         EXPECT_EQ(read[i].row.scene, rows[i].row.scene);
     }
     EXPECT_EQ(again, lines);
@@ -49,9 +49,9 @@ TEST(CancellationTable, ALineHasTheKindAndItsCounts) {
     row.silent_deg = 9.5;
     row.kind = {truth::LineClass::crease, 40};
     row.count = {60, 5, 4, 3, 2, 1};
-    EXPECT_EQ(linear_code::cancellation_line(2, row), "2,9.5,crease,40,50,60,5,4,3,2,1\n");
+    EXPECT_EQ(linear_code::cancellation_table().line(2, row), "2,9.5,crease,40,50,60,5,4,3,2,1\n");
     row.kind = {truth::LineClass::boundary, std::nullopt};
-    EXPECT_EQ(linear_code::cancellation_line(2, row), "2,9.5,boundary,,,60,5,4,3,2,1\n");
+    EXPECT_EQ(linear_code::cancellation_table().line(2, row), "2,9.5,boundary,,,60,5,4,3,2,1\n");
 }
 
 TEST(BoundTable, ReadsAndWritesTheSameBytes) {
@@ -69,14 +69,14 @@ TEST(BoundTable, ReadsAndWritesTheSameBytes) {
             weight = any.real();
         bound.bound.count = {any.small(), any.small(), any.small()};
         bound.bound.boxes = any.count();
-        lines += linear_code::bound_line(row.cell, bound);
+        lines += linear_code::bound_table().line(row.cell, bound);
     }
     const auto read = linear_code::read_bounds(harness::file_of(linear_code::bound_table(), lines),
                                                harness::RowIndex(rows));
     ASSERT_EQ(read.size(), rows.size());
     std::string again;
     for (std::size_t i = 0; i < read.size(); ++i) {
-        again += linear_code::bound_line(rows[i].cell, read[i]);
+        again += linear_code::bound_table().line(rows[i].cell, read[i]);
         EXPECT_EQ(read[i].scene, rows[i].row.scene);
     }
     EXPECT_EQ(again, lines);
@@ -92,11 +92,12 @@ TEST(StudyTables, RefuseACellThatRowsDoNotHave) {
     };
     EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)studies::read_faults(
-            harness::file_of(studies::faults_table(), studies::faults_line(9, {})), index);
+            harness::file_of(studies::faults_table(), studies::faults_table().line(9, {})), index);
     })));
     EXPECT_TRUE(is_refused(core::error_text([&] {
         (void)linear_code::read_bounds(
-            harness::file_of(linear_code::bound_table(), linear_code::bound_line(9, {})), index);
+            harness::file_of(linear_code::bound_table(), linear_code::bound_table().line(9, {})),
+            index);
     })));
 }
 

@@ -18,7 +18,7 @@ struct Case {
 /// Columns that hold an F of the row's own image; a random image stands beside it.
 std::vector<std::size_t> columns_of_f() {
     std::vector<std::size_t> columns;
-    const auto& all = rows_table().columns;
+    const auto& all = rows_table().info().columns;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].name.starts_with("f_") && all[i].name != "f_random_2px") columns.push_back(i);
     }
@@ -43,7 +43,7 @@ std::vector<std::string> fields_of(const Row& row) {
 class Oracle : public testing::TestWithParam<Case> {};
 
 TEST_P(Oracle, IsOneInEveryColumnThatIsAnFAndNoneIsZero) {
-    const auto& all = rows_table().columns;
+    const auto& all = rows_table().info().columns;
     const Case& of = GetParam();
     EXPECT_GE(columns_of_f().size(), 5U);
     for (const bool is_full : {true, false}) {

@@ -29,12 +29,12 @@ std::string error_of(const std::string& text) {
 
 TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {
     std::set<std::string> names;
-    for (const Column& column : rows_table().columns) {
+    for (const Column& column : rows_table().info().columns) {
         EXPECT_TRUE(names.insert(column.name).second) << column.name << " is there twice";
         EXPECT_FALSE(column.doc.empty()) << column.name;
     }
-    EXPECT_EQ(rows_table().columns[0].name, "cell");
-    EXPECT_EQ(rows_table().columns[1].name, "study");
+    EXPECT_EQ(rows_table().info().columns[0].name, "cell");
+    EXPECT_EQ(rows_table().info().columns[1].name, "study");
     for (const char* name : {"method",
                              "scene",
                              "view",
@@ -160,7 +160,7 @@ TEST(RowTable, WithoutTimesDiffersInColumnsOfTimesAlone) {
     clear_times(row);
     const CsvTable cleared = file_of(rows_table(), row_line(1, Study::compare, row));
     for (std::size_t i = 0; i < timed.columns.size(); ++i) {
-        const bool is_time = rows_table().columns[i].is_time;
+        const bool is_time = rows_table().info().columns[i].is_time;
         EXPECT_EQ(cleared.records[0][i], is_time ? "" : timed.records[0][i]) << timed.columns[i];
         if (!is_time) continue;
         EXPECT_NE(timed.records[0][i], "") << timed.columns[i];

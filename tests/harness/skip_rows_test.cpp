@@ -98,7 +98,7 @@ TEST(DrawInTurns, AMethodThatFailedCountsNothing) {
 }
 
 TEST(RowTable, HasTwoColumnsForEverySkipWithTheirUnit) {
-    const auto& columns = rows_table().columns;
+    const auto& columns = rows_table().info().columns;
     for (const raster::SkipInfo& info : raster::skip_infos()) {
         const std::string name = "skip_" + std::string(info.name);
         const auto has = [&](const std::string& column) {

@@ -218,10 +218,11 @@ CancellationRow made_up_row(const std::string& method, LineKind kind, std::int64
 }
 
 TEST(CancellationTable, HasNoBinForBoundaries) {
-    EXPECT_EQ(cancellation_line(3, made_up_row("mote4", {LineClass::crease, 40}, 9)),
+    EXPECT_EQ(cancellation_table().line(3, made_up_row("mote4", {LineClass::crease, 40}, 9)),
               "3,7.25,crease,40,50,9,3,2,2,1,1\n");
-    EXPECT_EQ(cancellation_line(3, made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
-              "3,7.25,boundary,,,9,3,2,2,1,1\n");
+    EXPECT_EQ(
+        cancellation_table().line(3, made_up_row("mote4", {LineClass::boundary, std::nullopt}, 9)),
+        "3,7.25,boundary,,,9,3,2,2,1,1\n");
 }
 
 TEST(CancellationTotals, PoolViewsByKindAndByClass) {

@@ -100,7 +100,7 @@ TEST(StressRows, HoldNoTimesAndTellTheirPlace) {
     EXPECT_FALSE(rows[0].row.draw_ns);
     EXPECT_FALSE(rows[0].row.prepare_ns);
     EXPECT_EQ(rows[0].row.draw_n, 0);
-    EXPECT_EQ(faults_line(7, rows[0].faults), "7,0,0,0,0\n");
+    EXPECT_EQ(faults_table().line(7, rows[0]), "7,0,0,0,0\n");
 }
 
 TEST(StressRows, AMethodThatThrowsIsLost) {

@@ -158,7 +158,7 @@ TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
             row.threads = 1;
         ASSERT_EQ(again.size(), rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            EXPECT_EQ(motion_line(1, again[i]), motion_line(1, rows[i]));
+            EXPECT_EQ(motion_table().line(1, again[i]), motion_table().line(1, rows[i]));
             EXPECT_EQ(life_lines(1, again[i]), life_lines(1, rows[i]));
             EXPECT_EQ(harness::row_line(1, harness::Study::motion, again[i]),
                       harness::row_line(1, harness::Study::motion, rows[i]));

@@ -123,15 +123,17 @@ TEST(RollAxis, AMethodThatFailsHasNoLines) {
 }
 
 TEST(RollTables, ALineHasAPredictionWhereTheMethodDeclaresACode) {
-    const RollSample sample{.length_px = 8, .covered_px = 6, .step = -1.5, .is_blind = true};
-    EXPECT_EQ(crease_line(3, 2, sample, false), "3,2,8,6,,\n");
-    EXPECT_EQ(crease_line(3, 2, sample, true), "3,2,8,6,-1.5,true\n");
+    RollSample sample{.crease = 2, .length_px = 8, .covered_px = 6, .step = -1.5, .is_blind = true};
+    EXPECT_EQ(creases_table().line(3, sample), "3,2,8,6,,\n");
+    sample.is_predicted = true;
+    EXPECT_EQ(creases_table().line(3, sample), "3,2,8,6,-1.5,true\n");
 }
 
 TEST(RollTables, TurnTheShortWayFromPredictionToMeasurement) {
-    EXPECT_EQ(vanishing_line(7, 0, {359 * kDegree_rad, 2 * kDegree_rad, 0.25}),
+    EXPECT_EQ(vanishing_table().line(7, {0, 359 * kDegree_rad, 2 * kDegree_rad, 0.25}),
               "7,0,359,2,3,0.25\n");
-    EXPECT_EQ(vanishing_line(7, 0, {10 * kDegree_rad, std::nullopt, std::nullopt}), "7,0,10,,,\n");
+    EXPECT_EQ(vanishing_table().line(7, {0, 10 * kDegree_rad, std::nullopt, std::nullopt}),
+              "7,0,10,,,\n");
 }
 
 }  // namespace

@@ -55,26 +55,22 @@ RowTable make_table() {
 
 }  // namespace
 
-const RowTable& cost_fields() {
+const RowTable& cost_table() {
     static const RowTable kTable = make_table();
     return kTable;
 }
 
-const TableInfo& cost_table() {
-    return cost_fields().info();
-}
-
 std::string cost_line(std::int64_t cell, const Row& row) {
-    return row.cost ? cost_fields().line({cell, Study::compare, row}) : "";
+    return row.cost ? cost_table().line({cell, Study::compare, row}) : "";
 }
 
 void join_costs(const CsvTable& csv, std::vector<RowRecord>& rows) {
     check_columns(csv, cost_table());
-    const RowsByCell cells = by_cell(rows);
+    const IndexOf<RowRecord> cells(rows);
     for (std::size_t i = 0; i < csv.records.size(); ++i) {
-        RowRecord& record = row_of(csv, i, cells);
+        RowRecord& record = cells.find(CsvField(csv, i, 0));
         if (record.row.cost) CsvField(csv, i, 0).refuse("every cell once");
-        cost_fields().read_into(csv, i, record);
+        cost_table().read_into(csv, i, record);
     }
 }
 

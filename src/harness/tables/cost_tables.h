@@ -9,7 +9,7 @@
 namespace ink::harness {
 
 /// The columns of cost.csv: cell, then what the cost model is made from.
-[[nodiscard]] const TableInfo& cost_table();
+[[nodiscard]] const TableOf<RowRecord>& cost_table();
 
 /// The line of a cell, ended; "" if its row has no cost facts.
 [[nodiscard]] std::string cost_line(std::int64_t cell, const Row& row);

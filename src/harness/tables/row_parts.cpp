@@ -183,18 +183,4 @@ std::shared_ptr<const core::Provenance> read_provenance(
     return found->second;
 }
 
-RowsByCell by_cell(std::vector<RowRecord>& rows) {
-    RowsByCell found;
-    for (RowRecord& row : rows)
-        found.emplace(row.cell, &row);
-    return found;
-}
-
-RowRecord& row_of(const CsvTable& csv, std::size_t i, const RowsByCell& rows) {
-    const CsvField field(csv, i, 0);
-    const auto found = rows.find(field.as<std::int64_t>());
-    if (found == rows.end()) field.refuse("the number of a cell of rows.csv");
-    return *found->second;
-}
-
 }  // namespace ink::harness

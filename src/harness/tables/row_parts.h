@@ -6,19 +6,11 @@
 #include <vector>
 
 #include "harness/tables/row_table.h"
-#include "harness/tables/table_of.h"
 
 namespace ink::harness {
 
 /// The table of rows while it is put together.
 using RowTable = TableOf<RowRecord>;
-
-/// The whole table of rows.
-[[nodiscard]] const RowTable& row_fields();
-
-/// cost.csv: what the cost model is made from and what it says; all but `cell` stands in sweep.csv
-/// too.
-[[nodiscard]] const RowTable& cost_fields();
 
 /// Adds cracks, place and width of lines, with the counts and sums that they are made from.
 void add_line_columns(RowTable& table);
@@ -38,12 +30,5 @@ void add_provenance_columns(RowTable& table);
     const CsvTable& table,
     std::size_t i,
     std::map<std::string, std::shared_ptr<const core::Provenance>>& known);
-
-/// Rows by their cells, to put into them what side tables hold.
-using RowsByCell = std::map<std::int64_t, RowRecord*>;
-[[nodiscard]] RowsByCell by_cell(std::vector<RowRecord>& rows);
-
-/// The row that record `i` of a side table names; a cell that `rows` does not have is refused.
-[[nodiscard]] RowRecord& row_of(const CsvTable& csv, std::size_t i, const RowsByCell& rows);
 
 }  // namespace ink::harness

@@ -209,21 +209,17 @@ RowTable make_table() {
 
 }  // namespace
 
-const RowTable& row_fields() {
+const RowTable& rows_table() {
     static const RowTable kTable = make_table();
     return kTable;
 }
 
-const TableInfo& rows_table() {
-    return row_fields().info();
-}
-
 std::string row_line(std::int64_t cell, const std::string& study, const Row& row) {
-    return row_fields().line({cell, study, row});
+    return rows_table().line({cell, study, row});
 }
 
 std::vector<RowRecord> read_rows(const CsvTable& csv) {
-    std::vector<RowRecord> records = row_fields().read(csv);
+    std::vector<RowRecord> records = rows_table().read(csv);
     std::map<std::string, std::shared_ptr<const core::Provenance>> known;
     std::map<std::int64_t, std::size_t> cells;
     for (std::size_t i = 0; i < records.size(); ++i) {
@@ -235,22 +231,6 @@ std::vector<RowRecord> read_rows(const CsvTable& csv) {
             CsvField(csv, i, csv.find("cell")).refuse("every cell once");
     }
     return records;
-}
-
-RowIndex::RowIndex(const std::vector<RowRecord>& rows) {
-    for (const RowRecord& row : rows)
-        by_cell_.emplace(row.cell, &row);
-}
-
-const RowRecord* RowIndex::find(std::int64_t cell) const {
-    const auto found = by_cell_.find(cell);
-    return found == by_cell_.end() ? nullptr : found->second;
-}
-
-const RowRecord& RowIndex::find(const CsvField& cell) const {
-    const RowRecord* found = find(cell.as<std::int64_t>());
-    if (found == nullptr) cell.refuse("the number of a cell of rows.csv");
-    return *found;
 }
 
 }  // namespace ink::harness

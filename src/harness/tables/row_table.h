@@ -8,7 +8,7 @@
 #include "harness/row.h"
 #include "harness/tables/csv_table.h"
 #include "harness/tables/study.h"
-#include "harness/tables/table.h"
+#include "harness/tables/table_of.h"
 
 namespace ink::harness {
 
@@ -21,7 +21,7 @@ struct RowRecord {
 
 /// The columns of rows.csv: cell, study, axis, value, then what the cell is, its scores, counts and
 /// sums, times, skips and provenance.
-[[nodiscard]] const TableInfo& rows_table();
+[[nodiscard]] const TableOf<RowRecord>& rows_table();
 
 /// One line with its line break (RFC 4180 quoting). Numbers are in the shortest form that reads
 /// back to the same value, whatever the locale. Counts of a row without a score are empty, as its
@@ -33,18 +33,31 @@ struct RowRecord {
 /// line, column and value for another heading, a wrong field, or a cell that is there twice.
 [[nodiscard]] std::vector<RowRecord> read_rows(const CsvTable& table);
 
-/// The rows of a run by their cell.
-class RowIndex {
+/// The rows of a run by their cell; `Record` is RowRecord, constant or not.
+template <class Record>
+class IndexOf {
   public:
     /// Borrows `rows`.
-    explicit RowIndex(const std::vector<RowRecord>& rows);
+    template <class Rows>
+    explicit IndexOf(Rows& rows) {
+        for (Record& row : rows)
+            by_cell_.emplace(row.cell, &row);
+    }
     /// The record that a field of a side table names; another number is refused.
-    [[nodiscard]] const RowRecord& find(const CsvField& cell) const;
+    [[nodiscard]] Record& find(const CsvField& cell) const {
+        Record* found = find(cell.as<std::int64_t>());
+        if (found == nullptr) cell.refuse("the number of a cell of rows.csv");
+        return *found;
+    }
     /// The record of a cell, or null.
-    [[nodiscard]] const RowRecord* find(std::int64_t cell) const;
+    [[nodiscard]] Record* find(std::int64_t cell) const {
+        const auto found = by_cell_.find(cell);
+        return found == by_cell_.end() ? nullptr : found->second;
+    }
 
   private:
-    std::map<std::int64_t, const RowRecord*> by_cell_;
+    std::map<std::int64_t, Record*> by_cell_;
 };
+using RowIndex = IndexOf<const RowRecord>;
 
 }  // namespace ink::harness

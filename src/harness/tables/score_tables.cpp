@@ -115,10 +115,10 @@ std::string tolerance_lines(std::int64_t cell, const std::vector<score::CurveCou
 }
 
 void join_tolerances(const CsvTable& csv, std::vector<RowRecord>& rows) {
-    const RowsByCell cells = by_cell(rows);
+    const IndexOf<RowRecord> cells(rows);
     const auto read = tolerances().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
-        Row& row = row_of(csv, i, cells).row;
+        Row& row = cells.find(CsvField(csv, i, 0)).row;
         if (row.tolerance_sweep.size() == kTolerances_px.size())
             CsvField(csv, i, 0).refuse("every tolerance once");
         const double wanted_px = kTolerances_px[row.tolerance_sweep.size()];
@@ -141,10 +141,10 @@ std::string bin_lines(std::int64_t cell, const std::vector<BinCount>& counts) {
 }
 
 void join_bins(const CsvTable& csv, std::vector<RowRecord>& rows) {
-    const RowsByCell cells = by_cell(rows);
+    const IndexOf<RowRecord> cells(rows);
     const auto read = bins().read(csv);
     for (std::size_t i = 0; i < read.size(); ++i) {
-        Row& row = row_of(csv, i, cells).row;
+        Row& row = cells.find(CsvField(csv, i, 0)).row;
         if (!row.lines) CsvField(csv, i, 0).refuse("a cell whose row has line scores");
         row.lines->bins.push_back(read[i]);
     }

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "harness/tables/cost_tables.h"
 #include "harness/tables/row_parts.h"
 
 namespace ink::harness {
@@ -81,13 +82,13 @@ SettingTable make_table(const std::vector<std::string>& swept) {
     table.add({"cell", "", "of rows.csv: this method at its own settings on this view"},
               &Setting::cell);
     table.add({"setting", "", "counted from 1 within the cell"}, &Setting::number);
-    table.add_like(row_fields(), "status");
+    table.add_like(rows_table(), "status");
     for (const std::string& key : swept)
         add_parameter(table, key);
     for (const char* name : kNumbers)
-        table.add_like(row_fields(), name);
-    for (const Column& column : cost_fields().info().columns)
-        if (column.name != "cell") table.add_like(cost_fields(), column.name);
+        table.add_like(rows_table(), name);
+    for (const Column& column : cost_table().info().columns)
+        if (column.name != "cell") table.add_like(cost_table(), column.name);
     std::set<std::string> names;
     for (const Column& column : table.info().columns) {
         if (names.insert(column.name).second) continue;

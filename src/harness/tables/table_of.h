@@ -194,6 +194,7 @@ class TableOf {
     }
 
     [[nodiscard]] const TableInfo& info() const { return info_; }
+    operator const TableInfo&() const { return info_; }  // what plans and dictionaries take
 
     /// One line with its line break.
     [[nodiscard]] std::string line(const Record& record) const {
