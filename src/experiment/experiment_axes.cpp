@@ -139,8 +139,7 @@ void plan_axes(const std::vector<studies::Axis>& axes,
         stage->options.trace.crosscheck = experiment.crosscheck;
         stage->options.measure.threads = experiment.threads.front();
         stage->options.measure.skips =
-            harness::without_skips(harness::skips_of_repeated_drawings(),
-                                   fmt::format("{}", fmt::join(experiment.skips_off, ",")));
+            harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
         stage->size = {experiment.sizes.front().width_px, experiment.sizes.front().height_px};
         plan.add_axis(axis);
         plan_axis(stage, experiment.points, plan);

@@ -1,8 +1,5 @@
 #include "experiment/view_bench.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -35,8 +32,7 @@ ViewBench::ViewBench(const Experiment& experiment,
       triangles_at_once_(triangles_at_once),
       desks_(static_cast<std::size_t>(core::hardware_threads())) {
     trace_.crosscheck = experiment.crosscheck;
-    skips_ = harness::without_skips(harness::skips_of_repeated_drawings(),
-                                    fmt::format("{}", fmt::join(experiment.skips_off, ",")));
+    skips_ = harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
     for (const ImageSize& size : experiment.sizes) {
         harness::ViewRequest request = experiment.view_request;
         request.width_px = size.width_px;

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "core/error.h"
 #include "core/param.h"
-#include "harness/method_configs.h"
 
 namespace ink::harness {
 
@@ -15,9 +13,9 @@ raster::SkipSet skips_of_repeated_drawings() {
     return raster::SkipSet().set(raster::Skip::temporal_reuse, false);
 }
 
-raster::SkipSet without_skips(raster::SkipSet allowed, const std::string& names) {
+raster::SkipSet without_skips(raster::SkipSet allowed, const std::vector<std::string>& names) {
     const auto& infos = raster::skip_infos();
-    for (const std::string& name : split_list(names)) {
+    for (const std::string& name : names) {
         if (name == "all") {
             allowed = raster::SkipSet::none();
             continue;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "raster/skips.h"
 
@@ -11,9 +12,10 @@ namespace ink::harness {
 /// method's time for that view; what it saves is measured on a sequence (studies/skip_axes.h).
 [[nodiscard]] raster::SkipSet skips_of_repeated_drawings();
 
-/// `allowed` without the skips of a comma list; "all" is every one, an empty list none. Throws
-/// core::Error (where = "--no-skip") that lists the names if one is unknown.
-[[nodiscard]] raster::SkipSet without_skips(raster::SkipSet allowed, const std::string& names);
+/// `allowed` without the skips of these names; "all" is every one. Throws core::Error
+/// (where = "--no-skip") that lists the names if one is unknown.
+[[nodiscard]] raster::SkipSet without_skips(raster::SkipSet allowed,
+                                            const std::vector<std::string>& names);
 
 /// The skips that `allowed` forbids: names joined by ';' in the order of the table, "" if none.
 [[nodiscard]] std::string forbidden_skips(const raster::SkipSet& allowed);

@@ -12,7 +12,7 @@ namespace ink::studies {
 /// views have none); 3: none. An image that a skip changes is a fault.
 ///
 /// Where nothing moves, `temporal_reuse` is off at every value (skips_of_repeated_drawings).
-/// Nothing is scored. Scenes are made of `levels` (skip_scene).
+/// Nothing is scored. Scenes are made of `levels` (SkipScene).
 [[nodiscard]] std::vector<Axis> skip_axes(int levels = kSkipSceneLevels);
 
 }  // namespace ink::studies

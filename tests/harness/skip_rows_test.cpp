@@ -26,23 +26,24 @@ std::string field(const Row& row, const std::string& column) {
 }
 
 TEST(WithoutSkips, TakesNamesAwayAndAllTakesEverything) {
-    EXPECT_EQ(without_skips({}, ""), SkipSet());
-    EXPECT_EQ(without_skips({}, "occlusion_culling,back_face_culling"),
+    EXPECT_EQ(without_skips({}, {}), SkipSet());
+    EXPECT_EQ(without_skips({}, {"occlusion_culling", "back_face_culling"}),
               SkipSet().set(Skip::occlusion_culling, false).set(Skip::back_face_culling, false));
-    EXPECT_EQ(without_skips({}, "all"), SkipSet::none());
-    EXPECT_EQ(without_skips(SkipSet::none(), "occlusion_culling"), SkipSet::none());
+    EXPECT_EQ(without_skips({}, {"all"}), SkipSet::none());
+    EXPECT_EQ(without_skips(SkipSet::none(), {"occlusion_culling"}), SkipSet::none());
 }
 
 TEST(WithoutSkips, AnUnknownNameIsAnErrorThatListsThem) {
-    EXPECT_THAT(
-        core::error_text([] { return without_skips({}, "back_face_culling,oclusion_culling"); }),
-        testing::ContainsRegex("^--no-skip: .*'oclusion_culling'.*attributes.*"
-                               "temporal_reuse.*all.*did you mean occlusion_culling"));
+    EXPECT_THAT(core::error_text([] {
+                    return without_skips({}, {"back_face_culling", "oclusion_culling"});
+                }),
+                testing::ContainsRegex("^--no-skip: .*'oclusion_culling'.*attributes.*"
+                                       "temporal_reuse.*all.*did you mean occlusion_culling"));
 }
 
 TEST(ForbiddenSkips, AreNamedInTheOrderOfTheTable) {
     EXPECT_EQ(forbidden_skips({}), "");
-    EXPECT_EQ(forbidden_skips(without_skips({}, "occlusion_culling,frustum_culling")),
+    EXPECT_EQ(forbidden_skips(without_skips({}, {"occlusion_culling", "frustum_culling"})),
               "frustum_culling;occlusion_culling");
     EXPECT_EQ(forbidden_skips(SkipSet::none()),
               "attributes;frustum_culling;back_face_culling;no_sample;occlusion_culling;empty_"
@@ -74,7 +75,7 @@ struct Stage {
 TEST(DrawInTurns, AllowsWhatTheOptionsAllowAndCountsTheLastDrawing) {
     Stage stage;
     MeasureOptions options{1, 2, 2, 1000};
-    options.skips = without_skips({}, "back_face_culling");
+    options.skips = without_skips({}, {"back_face_culling"});
     const Row row = stage.timed(options);
     ASSERT_EQ(stage.script.frames.size(), 3U);
     for (const method::Frame& frame : stage.script.frames)

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <span>
 
 #include "harness/skip_switches.h"
 #include "methods/registry.h"
@@ -17,6 +18,10 @@ using raster::Skip;
 using testing::ElementsAre;
 
 constexpr CaseSize kSize{16, 9};
+
+Case case_for(Skip skip, int levels) {
+    return skip_scenes()[static_cast<std::size_t>(skip)].make(levels);
+}
 
 Axis axis_for(Skip skip) {
     return skip_axes(2)[static_cast<std::size_t>(skip)];
@@ -43,43 +48,48 @@ std::vector<std::string> forbidden_in(const std::vector<method::Frame>& frames) 
 
 TEST(SkipScenes, AreOnePerSkipAndThreeViewsWithOneCameraEach) {
     std::set<std::string> names;
-    for (const raster::SkipInfo& info : raster::skip_infos()) {
-        const SkipScene made = skip_scene(info.skip, 3);
-        EXPECT_EQ(made.skip, info.skip);
-        EXPECT_EQ(made.poses.empty(), info.skip != Skip::temporal_reuse) << info.name;
-        names.insert(made.name);
-        EXPECT_NO_THROW(scene::check_scene(made.scene)) << made.name;
-        ASSERT_EQ(made.scene.cameras.size(), 1U) << made.name;
-        EXPECT_EQ(made.scene.cameras[0].name, made.name);
+    std::set<std::uint64_t> objects;
+    const auto& scenes = skip_scenes();
+    ASSERT_EQ(scenes.size(), raster::kSkipCount + 3);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const Case made = scenes[i].make(3);
+        const scene::Scene& scene = made.scene_views.scene;
+        EXPECT_EQ(made.poses.empty(), scenes[i].skip != Skip::temporal_reuse) << scene.name;
+        names.insert(scene.name);
+        EXPECT_NO_THROW(scene::check_scene(scene)) << scene.name;
+        ASSERT_EQ(scene.cameras.size(), 1U) << scene.name;
+        EXPECT_EQ(scene.cameras[0].name, scene.name);
+        if (i < raster::kSkipCount) {
+            EXPECT_EQ(scenes[i].skip, raster::skip_infos()[i].skip);
+        } else {
+            EXPECT_FALSE(scenes[i].skip);
+            objects.insert(scene::scene_hash(scene));
+        }
     }
-    const auto views = skip_views(3);
-    ASSERT_EQ(views.size(), 3U);
-    for (const SkipScene& view : views) {
-        names.insert(view.name);
-        EXPECT_FALSE(view.skip);
-        EXPECT_EQ(scene::scene_hash(view.scene), scene::scene_hash(views[0].scene));
-    }
-    EXPECT_EQ(names.size(), raster::kSkipCount + 3);
+    EXPECT_EQ(names.size(), scenes.size());
+    EXPECT_EQ(objects.size(), 1U) << "one object from three places";
 }
 
 TEST(SkipScenes, TheDensestHasAMillionTriangles) {
-    EXPECT_EQ(scene::triangle_count(skip_scene(Skip::no_sample, 4).scene), 20U << (2 * 4));
+    EXPECT_EQ(scene::triangle_count(case_for(Skip::no_sample, 4).scene_views.scene),
+              20U << (2 * 4));
     static_assert(20 << (2 * kSkipSceneLevels) > 1'000'000);
 }
 
 /// The pixels that hold something.
-int drawn_px(const SkipScene& scene) {
+int drawn_px(const SkipScene& of) {
+    const scene::Scene scene = of.make(6).scene_views.scene;
     edge::EdgeImage out(160, 90);
     const auto method = methods::find_method("mote4").make({});
-    method->prepare(scene.scene);
-    method->pose(scene.scene);
-    method->draw({{scene.scene.cameras[0], 160, 90}, 1}, out);
+    method->prepare(scene);
+    method->pose(scene);
+    method->draw({{scene.cameras[0], 160, 90}, 1}, out);
     return static_cast<int>(
         std::count_if(out.data(), out.data() + out.size(), [](auto s) { return s > 0; }));
 }
 
 TEST(SkipViews, AreEmptySmallAndFull) {
-    const auto views = skip_views(6);
+    const auto views = std::span(skip_scenes()).last(3);
     EXPECT_EQ(drawn_px(views[0]), 0);
     EXPECT_GT(drawn_px(views[1]), 0);
     EXPECT_LT(drawn_px(views[1]), 160 * 90 / 50);
@@ -127,8 +137,8 @@ TEST(SkipAxes, OfAViewCompareEverythingWithNothing) {
 TEST(SkipAxes, OfASequencePoseEveryFrameAndLeaveTheFirstUntimed) {
     harness::SkipScript script{.counts = harness::made_up_counts()};
     const auto info = harness::skipping_info(script);
-    const SkipScene scene = skip_scene(Skip::temporal_reuse, 2);
-    ASSERT_EQ(scene.poses.size(), 4U);
+    const Case sequence = case_for(Skip::temporal_reuse, 2);
+    ASSERT_EQ(sequence.poses.size(), 4U);
     const auto rows = rows_on(axis_for(Skip::temporal_reuse), {&info, {}});
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows[0].row.skips_off, "");
@@ -142,10 +152,11 @@ TEST(SkipAxes, OfASequencePoseEveryFrameAndLeaveTheFirstUntimed) {
     // Only the first instance moves, and it does.
     for (std::size_t i = 1; i <= 4; ++i) {
         const auto& instances = script.poses[i].instances;
-        EXPECT_EQ(instances[0].world_from_object, scene.poses[i - 1]);
-        EXPECT_EQ(instances[1].world_from_object, scene.scene.instances[1].world_from_object);
+        EXPECT_EQ(instances[0].world_from_object, sequence.poses[i - 1]);
+        EXPECT_EQ(instances[1].world_from_object,
+                  sequence.scene_views.scene.instances[1].world_from_object);
     }
-    EXPECT_NE(scene.poses[0], scene.poses[1]);
+    EXPECT_NE(sequence.poses[0], sequence.poses[1]);
 }
 
 TEST(SkipAxes, GiveASceneItsSettingsWhereTheMethodKnowsThem) {

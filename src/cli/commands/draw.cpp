@@ -75,7 +75,7 @@ void run_draw(const DrawArgs& args) {
     const experiment::Experiment asked = args.options.read();
     draw::DrawOptions options = drawing_looks(args.looks);
     const harness::MethodConfig config = config_of(args, asked.presets);
-    options.skips = harness::without_skips({}, fmt::format("{}", fmt::join(asked.skips_off, ",")));
+    options.skips = harness::without_skips({}, asked.skips_off);
     options.threads = asked.threads.front();
     check_output_path(args.file, {".png", ".exr"});
     const std::filesystem::path path = args.file;

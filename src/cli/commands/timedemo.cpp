@@ -62,7 +62,7 @@ void run_timedemo(const TimedemoArgs& args) {
     studies::TimedemoOptions options;
     options.configs = harness::make_configs(method_list(args.methods), args.settings);
     options.threads = asked.threads.front();
-    options.skips = harness::without_skips({}, fmt::format("{}", fmt::join(asked.skips_off, ",")));
+    options.skips = harness::without_skips({}, asked.skips_off);
     options.seed = asked.seed;
     options.frames = args.frames;
     options.lamps = shade::lamp_source(args.lights);
