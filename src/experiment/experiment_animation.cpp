@@ -46,9 +46,7 @@ struct Stage {
 };
 
 BlockResult run_sequence(Stage& stage, std::size_t n, int threads, std::int64_t first_cell) {
-    studies::MotionOptions options;
-    options.measure.threads = threads;
-    options.trace = stage.trace;
+    harness::CellOptions options{{.threads = threads}, stage.trace};
     const std::vector<studies::MotionRow> rows =
         studies::study_sequence(stage.configs, stage.sequences[n], options);
     BlockResult result;

@@ -1,57 +1,52 @@
 #include "studies/motion_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <memory>
-#include <new>
 
 #include "catalogue/catalogue.h"
 #include "core/hash.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "harness/timing.h"
 #include "harness/view_cells.h"
 #include "scene/animation.h"
 #include "score/drawing.h"
-#include "truth/truth_cache.h"
 
 namespace ink::studies {
 namespace {
 
 constexpr double kStep_px = 0.25;
 
-constexpr std::array kBaselines = {"sampled", "exact_corner", "oracle"};
-
-/// One method's images of a sequence as they are scored.
+/// One method's images of a sequence as they are scored, and the row that they come to.
 struct Record {
+    MotionRow row;
     std::vector<score::MotionFrame> frames;
     std::vector<std::vector<score::FeatureSight>> sights;
     core::Hasher images;
-    std::string failure;
 };
 
-/// One image of one frame, to be thinned and listed.
-struct Image {
-    const edge::EdgeImage& edge_response;
-    int threshold;
-    Record& record;
-};
-
-void take(const Image& image,
+void take(const harness::Evaluation& drawn,
           const std::vector<truth::Curve>& curves,
-          const score::ScoringTruth& scoring) {
-    const score::ScoreOptions options = harness::score_options(image.threshold);
-    const score::Strokes strokes =
-        score::make_strokes(image.edge_response, image.threshold, options);
-    Record& record = image.record;
+          const score::ScoringTruth& scoring,
+          Record& record) {
+    const score::ScoreOptions options = harness::score_options(drawn.threshold);
+    const score::Strokes strokes = score::make_strokes(drawn.image, drawn.threshold, options);
     const edge::Mask thinned = strokes.thinned.bytes();
     record.frames.push_back(score::motion_frame(thinned, scoring, options));
     record.sights.push_back(score::see_features(curves, thinned, scoring, options));
-    record.images.bytes(image.edge_response.data(), image.edge_response.size());
+    record.images.bytes(drawn.image.data(), drawn.image.size());
+}
+
+/// The baselines of a frame; the oracle is the truth as motion is scored against.
+std::vector<harness::Evaluation> baselines_of(const harness::ViewTruth& truth,
+                                              const score::ScoringTruth& scoring) {
+    std::vector<harness::Evaluation> baselines = harness::baseline_evaluations(truth);
+    std::erase_if(baselines, [](const auto& drawn) { return drawn.row.method == "none"; });
+    baselines.back().image = scoring.labels;
+    baselines.back().threshold = 1;
+    return baselines;
 }
 
 /// A sequence under way: methods made ready, records that grow frame by frame.
@@ -59,16 +54,22 @@ class Run {
   public:
     Run(const std::vector<harness::MethodConfig>& configs,
         Sequence& sequence,
-        const MotionOptions& options)
-        : sequence_(sequence), options_(options), records_(configs.size() + kBaselines.size()) {
+        const harness::CellOptions& options)
+        : sequence_(sequence), options_(options) {
         options_.measure.max_repetitions = 0;  // the first round draws, and is not timed
-        for (const harness::MethodConfig& config : configs)
+        options_.trace.crosscheck = false;
+        for (const harness::MethodConfig& config : configs) {
             methods_.push_back(std::make_unique<harness::PreparedMethod>(config, sequence.scene));
+            const harness::Row row = methods_.back()->row();
+            add_record(row.method, row.params);
+        }
+        for (const char* baseline : {"sampled", "exact_corner", "oracle"})
+            add_record(baseline, "");
     }
 
     void draw_all() {
         for (int frame = 0; frame < sequence_.path.frame_count; ++frame) {
-            if (core::is_interrupted() || !records_.back().failure.empty()) return;
+            if (core::is_interrupted() || !records_.back().row.is_ok()) return;
             const scene::PathFrame at = scene::frame_at(sequence_.path, frame);
             if (frame == 0 || sequence_.pose) model_.reset();
             if (sequence_.pose) pose(at.time_s);
@@ -77,88 +78,70 @@ class Run {
         }
     }
 
-    [[nodiscard]] std::vector<MotionRow> rows() const {
+    [[nodiscard]] std::vector<MotionRow> rows() {
         std::vector<MotionRow> rows;
-        for (std::size_t i = 0; i < records_.size(); ++i) {
-            MotionRow row = place();
-            if (i < methods_.size()) {
-                const harness::Row of_cell = methods_[i]->row();
-                row.method = of_cell.method;
-                row.params = of_cell.params;
-            } else {
-                row.method = kBaselines[i - methods_.size()];
-            }
-            fill(records_[i], row);
-            rows.push_back(std::move(row));
+        for (Record& record : records_) {
+            if (record.row.is_ok()) fill(record);
+            rows.push_back(std::move(record.row));
         }
         return rows;
     }
 
   private:
-    void pose(double time_s) {
-        sequence_.pose(sequence_.scene, time_s);
-        for (std::size_t i = 0; i < methods_.size(); ++i) {
-            if (!methods_[i]->failure().empty() || !records_[i].failure.empty()) continue;
-            try {
-                methods_[i]->method().pose(sequence_.scene);
-            } catch (const std::exception& error) {
-                records_[i].failure = error.what();
-            }
-        }
-    }
-
-    void draw(const scene::View& view) {
-        truth::Truth traced;
-        try {
-            traced = truth::cached_truth(*model_, view, options_.trace.cache);
-        } catch (const truth::TooLarge& reason) {
-            fail(fmt::format("too_large: {}", reason.what()));
-            return;
-        } catch (const std::bad_alloc&) {
-            fail("too_large: no memory to trace the truth");
-            return;
-        }
-        const score::ScoringTruth scoring = unbanded_truth(traced, options_.trace.intersections);
-        const std::vector<truth::Curve> curves = score::counted_curves(
-            traced.curves, options_.trace.truth.crease_rad, options_.trace.intersections);
-        std::vector<edge::EdgeImage> drawn;
-        const std::vector<harness::DrawTimes> times =
-            harness::draw_in_turns(methods_, view, options_.measure, drawn);
-        std::vector<Image> images;
-        for (std::size_t i = 0; i < methods_.size(); ++i) {
-            if (!times[i].failure.empty()) records_[i].failure = times[i].failure;
-            images.push_back({drawn[i], methods_[i]->threshold(), records_[i]});
-        }
-        images.push_back({traced.sampled, 128, records_[methods_.size()]});
-        images.push_back({traced.exact_corner, 128, records_[methods_.size() + 1]});
-        images.push_back({scoring.labels, 1, records_.back()});
-        core::parallel_for(images.size(), core::hardware_threads(), [&](std::size_t i) {
-            if (images[i].record.failure.empty()) take(images[i], curves, scoring);
-        });
-    }
-
-    void fail(const std::string& reason) {
-        for (Record& record : records_) {
-            if (record.failure.empty()) record.failure = reason;
-        }
-    }
-
-    [[nodiscard]] MotionRow place() const {
+    void add_record(std::string method, std::string params) {
         const scene::CameraPath& path = sequence_.path;
-        MotionRow row;
-        harness::fill_place(sequence_.scene, path.start, {options_.measure, options_.trace}, row);
+        MotionRow& row = records_.emplace_back().row;
+        harness::fill_place(sequence_.scene, path.start, options_, row);
+        row.method = std::move(method);
+        row.params = std::move(params);
         row.view = scene::name(path.kind);
         row.frames = path.frame_count;
         row.frames_per_s = path.frames_per_s;
         row.step_px = sequence_.step_px;
-        return row;
     }
 
-    static void fill(const Record& record, MotionRow& row) {
-        if (!record.failure.empty()) {
-            row.status = record.failure;
+    void pose(double time_s) {
+        sequence_.pose(sequence_.scene, time_s);
+        for (std::size_t i = 0; i < methods_.size(); ++i) {
+            if (!methods_[i]->failure().empty() || !records_[i].row.is_ok()) continue;
+            const std::string failure =
+                harness::failure_of([&] { methods_[i]->method().pose(sequence_.scene); });
+            fail(records_[i], failure);
+        }
+    }
+
+    void draw(const scene::View& view) {
+        const harness::TracedView traced =
+            harness::trace_with_facts(*model_, sequence_.scene, view, options_.trace);
+        if (!traced.has_truth()) {
+            for (Record& record : records_)
+                fail(record, traced.failure);
             return;
         }
+        const score::ScoringTruth scoring =
+            unbanded_truth(traced.truth.traced, options_.trace.intersections);
+        const std::vector<truth::Curve> curves =
+            score::counted_curves(traced.truth.traced.curves,
+                                  options_.trace.truth.crease_rad,
+                                  options_.trace.intersections);
+        std::vector<harness::Evaluation> drawn =
+            harness::method_evaluations(methods_, view, options_.measure);
+        for (std::size_t i = 0; i < methods_.size(); ++i)
+            if (!drawn[i].row.is_ok()) fail(records_[i], drawn[i].row.status);
+        for (harness::Evaluation& baseline : baselines_of(traced.truth, scoring))
+            drawn.push_back(std::move(baseline));
+        core::parallel_for(drawn.size(), core::hardware_threads(), [&](std::size_t i) {
+            if (records_[i].row.is_ok()) take(drawn[i], curves, scoring, records_[i]);
+        });
+    }
+
+    /// The first failure of a method is what its row says.
+    static void fail(Record& record, const std::string& failure) {
+        if (record.row.is_ok() && !failure.empty()) record.row.status = failure;
+    }
+
+    static void fill(Record& record) {
+        MotionRow& row = record.row;
         const auto lines = score::false_lines(record.frames, harness::kTolerance_px);
         row.flicker = score::flicker(record.frames, harness::kTolerance_px);
         row.pops = score::count_pops(record.sights);
@@ -169,9 +152,9 @@ class Run {
     }
 
     Sequence& sequence_;
-    MotionOptions options_;
+    harness::CellOptions options_;
     std::vector<std::unique_ptr<harness::PreparedMethod>> methods_;
-    std::vector<Record> records_;  ///< the methods', then those of kBaselines
+    std::vector<Record> records_;  ///< the methods', then those of the baselines
     std::optional<truth::SceneModel> model_;
 };
 
@@ -233,7 +216,7 @@ score::ScoringTruth unbanded_truth(const truth::Truth& traced, score::Intersecti
 
 std::vector<MotionRow> study_sequence(const std::vector<harness::MethodConfig>& configs,
                                       Sequence& sequence,
-                                      const MotionOptions& options) {
+                                      const harness::CellOptions& options) {
     Run run(configs, sequence, options);
     run.draw_all();
     return core::is_interrupted() ? std::vector<MotionRow>{} : run.rows();

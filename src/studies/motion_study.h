@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/cell.h"
 #include "harness/method_configs.h"
-#include "harness/tracing.h"
+#include "harness/view_cells.h"
 #include "scene/camera_path.h"
 #include "scene/scene.h"
 #include "studies/motion_table.h"
@@ -22,12 +21,6 @@ struct Sequence {
     std::function<void(scene::Scene&, double time_s)> pose = {};
 };
 
-/// How a sequence is drawn and traced.
-struct MotionOptions {
-    harness::MeasureOptions measure;  ///< threads and skips of the methods; nothing is timed
-    harness::TraceOptions trace;      ///< truths go through the cache like those of any view
-};
-
 /// A truth as motion is scored against: ignored pixels taken out and thinned again as everywhere,
 /// but with no band (see score::motion_frame).
 [[nodiscard]] score::ScoringTruth unbanded_truth(const truth::Truth& traced,
@@ -35,14 +28,15 @@ struct MotionOptions {
 
 /// Draws every frame of a sequence with every configuration and scores them against their truths
 /// and each other (score/motion.h), 2 px, the band and the ignored pixels as everywhere: a row per
-/// configuration, then the baselines `sampled`, `exact_corner` and `oracle`.
+/// configuration, then the baselines `sampled`, `exact_corner` and `oracle`. Nothing is timed, and
+/// no truth is held against the cross-check.
 ///
 /// A method that throws in a frame is a row that says so. A frame whose truth is too large ends the
 /// sequence: every row says so. On Ctrl-C there are no rows.
 [[nodiscard]] std::vector<MotionRow> study_sequence(
     const std::vector<harness::MethodConfig>& configs,
     Sequence& sequence,
-    const MotionOptions& options);
+    const harness::CellOptions& options);
 
 /// The sequences of the study: scenes of the catalogue, `frame_count` frames, each path a quarter
 /// of a pixel a frame, so that lines pass slowly over the pixel grid; last the gears, which turn as

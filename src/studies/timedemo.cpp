@@ -103,25 +103,12 @@ shade::Colors paper_colors() {
 
 /// A method under way along one path.
 struct Player {
-    const harness::MethodConfig* config = nullptr;
-    std::unique_ptr<method::Method> method;
-    int threshold = 128;
-    edge::EdgeImage edge_responses;
-    std::vector<std::string> hashes;  ///< of its frames, as first drawn
+    harness::MethodConfig config;
+    int threshold = harness::threshold_of(config);
+    std::unique_ptr<method::Method> method = config.info->make(config.settings);
+    edge::EdgeImage edge_responses = {};
+    std::vector<std::string> hashes = {};  ///< of its frames, as first drawn
 };
-
-std::vector<Player> make_players(const TimedemoOptions& options, const scene::View& view) {
-    std::vector<Player> players;
-    for (const harness::MethodConfig& config : options.configs) {
-        Player player;
-        player.config = &config;
-        player.method = config.info->make(config.settings);
-        player.threshold = harness::threshold_of(config);
-        player.edge_responses = edge::EdgeImage(view.width_px, view.height_px);
-        players.push_back(std::move(player));
-    }
-    return players;
-}
 
 /// Stored frames are shown whole, as games of their time showed them; keys at even steps.
 double demo_time_s(const scene::Scene& scene, int frame, int frames) {
@@ -140,24 +127,6 @@ scene::Sphere bounds_of_demo(const scene::Scene& scene, int frames) {
     return scene::bounds_of_poses(scene, times_s);
 }
 
-/// Three paths from the view; who stands inside the scene looks about instead of going round it.
-std::vector<scene::CameraPath> demo_paths(const scene::View& start,
-                                          const scene::Sphere& bounds,
-                                          const TimedemoOptions& options) {
-    using enum scene::PathKind;
-    const glm::dvec3 away = start.camera.eye_world - bounds.center_world;
-    const bool is_outside = glm::length(away) > 1.01 * bounds.radius &&
-                            glm::length(glm::dvec2(away.x, away.z)) > 0.01 * bounds.radius;
-    std::vector<scene::CameraPath> paths;
-    for (const scene::PathKind kind :
-         {is_outside ? orbit : pan, is_outside ? dolly : roll, shake}) {
-        paths.push_back(scene::make_path(kind, start, bounds, kStep_px));
-        paths.back().frame_count = options.frames;
-        paths.back().seed = options.seed;
-    }
-    return paths;
-}
-
 /// Which of the scene's cameras a view is, if the animation moves that one.
 std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene::View& view) {
     const std::size_t count = scene.animation ? scene.animation->cameras.size() : 0;
@@ -169,59 +138,86 @@ std::optional<std::size_t> moving_camera(const scene::Scene& scene, const scene:
     return std::nullopt;
 }
 
+/// How the camera moves: along a path, or as that of the scene's own does.
+struct DemoPath {
+    scene::CameraPath path;
+    std::optional<std::size_t> camera = {};
+
+    [[nodiscard]] std::string name() const {
+        return std::string(camera ? "own" : scene::name(path.kind));
+    }
+};
+
+/// The camera's own way, if it has one, then three paths from the view; who stands inside the scene
+/// looks about instead of going round it.
+std::vector<DemoPath> demo_paths(const scene::Scene& scene,
+                                 const scene::View& start,
+                                 const TimedemoOptions& options) {
+    using enum scene::PathKind;
+    const scene::Sphere bounds = bounds_of_demo(scene, options.frames);
+    const glm::dvec3 away = start.camera.eye_world - bounds.center_world;
+    const bool is_outside = glm::length(away) > 1.01 * bounds.radius &&
+                            glm::length(glm::dvec2(away.x, away.z)) > 0.01 * bounds.radius;
+    std::vector<DemoPath> paths;
+    if (const auto camera = moving_camera(scene, start))
+        paths.push_back({scene::make_path(still, start, bounds, 0), camera});
+    for (const scene::PathKind kind :
+         {is_outside ? orbit : pan, is_outside ? dolly : roll, shake}) {
+        paths.push_back({scene::make_path(kind, start, bounds, kStep_px)});
+        paths.back().path.frame_count = options.frames;
+        paths.back().path.seed = options.seed;
+    }
+    return paths;
+}
+
 /// One path with all methods in turns.
 class Demo {
   public:
-    /// `camera` is that of the scene which is followed instead of the path.
-    Demo(const harness::SceneViews& scene_views,
-         const scene::CameraPath& path,
-         std::optional<std::size_t> camera,
+    Demo(const scene::Scene& scene,
+         const DemoPath& path,
          const TimedemoOptions& options,
          core::Progress& progress)
-        : scene_(scene_views.scene),
-          path_(path),
-          camera_(camera),
-          options_(options),
-          progress_(progress),
-          players_(make_players(options, path.start)) {}
+        : scene_(scene), path_(path), options_(options), progress_(progress) {
+        for (const harness::MethodConfig& config : options.configs) {
+            players_.push_back({config});
+            players_.back().edge_responses =
+                edge::EdgeImage(path.path.start.width_px, path.path.start.height_px);
+        }
+    }
 
     /// `done` frames, of this path and those before, are counted on.
     void play(std::vector<DemoFrame>& out, int& done) {
         for (int pass = 0; pass <= options_.cached_passes; ++pass) {
             for (int f = 0; f < options_.frames && !core::is_interrupted(); ++f) {
-                progress_.report(done++, fmt::format("{}, frame {}", path_name(), f));
+                progress_.report(done++, fmt::format("{}, frame {}", path_.name(), f));
                 play_frame(pass, f, out);
             }
         }
     }
 
   private:
-    [[nodiscard]] std::string path_name() const {
-        return std::string(camera_ ? "own" : scene::name(path_.kind));
-    }
-
     /// What is seen in a frame, the scene being posed.
     [[nodiscard]] scene::View view_of(int f) const {
-        if (!camera_) return scene::frame_at(path_, f).view;
-        scene::View view = path_.start;
-        view.camera = scene_.cameras[*camera_];
-        scene::fit_clip_range(view.camera, path_.bounds);
+        if (!path_.camera) return scene::frame_at(path_.path, f).view;
+        scene::View view = path_.path.start;
+        view.camera = scene_.cameras[*path_.camera];
+        scene::fit_clip_range(view.camera, path_.path.bounds);
         return view;
     }
 
     void play_frame(int pass, int f, std::vector<DemoFrame>& out) {
         DemoFrame line;
-        line.path = path_name();
+        line.path = path_.name();
         line.pass = pass;
         line.frame = f;
         line.time_s = demo_time_s(scene_, f, options_.frames);
         scene::pose_scene(scene_, line.time_s);
         const scene::View view = view_of(f);
+        const bool is_moved = scene_.animation || is_new_;
         line.fill_ns = time_ns([&] {
-            if (scene_.animation || is_new_) fill_.pose(scene_);
+            if (is_moved) fill_.pose(scene_);
             fill_.draw(view, options_.threads);
         });
-        const bool is_moved = scene_.animation || is_new_;
         line.shade_ns = plain_.draw(scene_, is_moved, view, options_);
         line.toon_ns = toon_.draw(scene_, is_moved, view, options_);
         line.strokes_ns = strokes_.draw(scene_, is_moved, view, options_);
@@ -245,7 +241,7 @@ class Demo {
 
     void draw(Player& player, const scene::View& view, DemoFrame& line) {
         method::Method& method = *player.method;
-        line.method = player.config->info->name;
+        line.method = player.config.info->name;
         line.pose_ns = time_ns([&] {
             if (is_new_) method.prepare(scene_);
             if (scene_.animation || is_new_) method.pose(scene_);
@@ -269,8 +265,7 @@ class Demo {
     }
 
     scene::Scene scene_;
-    const scene::CameraPath& path_;
-    std::optional<std::size_t> camera_;
+    const DemoPath& path_;
     const TimedemoOptions& options_;
     core::Progress& progress_;
     std::vector<Player> players_;
@@ -286,20 +281,14 @@ class Demo {
 
 std::vector<DemoFrame> run_timedemo(const harness::SceneViews& scene_views,
                                     const TimedemoOptions& options) {
-    const scene::View& start = scene_views.views.front();
-    const scene::Sphere bounds = bounds_of_demo(scene_views.scene, options.frames);
+    const std::vector<DemoPath> paths =
+        demo_paths(scene_views.scene, scene_views.views.front(), options);
+    core::Progress progress(
+        "timedemo", static_cast<int>(paths.size()) * (options.cached_passes + 1) * options.frames);
     std::vector<DemoFrame> frames;
-    const auto camera = moving_camera(scene_views.scene, start);
-    const std::vector<scene::CameraPath> paths = demo_paths(start, bounds, options);
-    const auto path_count = static_cast<int>(paths.size()) + (camera ? 1 : 0);
-    core::Progress progress("timedemo", path_count * (options.cached_passes + 1) * options.frames);
     int done = 0;
-    if (camera) {
-        const auto own = scene::make_path(scene::PathKind::still, start, bounds, 0);
-        Demo(scene_views, own, camera, options, progress).play(frames, done);
-    }
-    for (const scene::CameraPath& path : paths)
-        Demo(scene_views, path, std::nullopt, options, progress).play(frames, done);
+    for (const DemoPath& path : paths)
+        Demo(scene_views.scene, path, options, progress).play(frames, done);
     if (core::is_interrupted()) return {};
     return frames;
 }

@@ -69,17 +69,6 @@ std::optional<DemoRate> rate_of(const std::vector<DemoFrame>& frames,
     return found;
 }
 
-/// "142 [138, 147]" frames a second, "-" where there is no such rate.
-std::string rate_text(const std::vector<DemoRate>& rates, const DemoRate& of) {
-    for (const DemoRate& rate : rates) {
-        if (rate.path == of.path && rate.method == of.method && rate.drawn == of.drawn &&
-            rate.is_cached == of.is_cached) {
-            return fmt::format("{:.0f} [{:.0f}, {:.0f}]", rate.fps, rate.low_fps, rate.high_fps);
-        }
-    }
-    return "-";
-}
-
 /// A frame and what it is of.
 struct FrameLine {
     const harness::SceneViews& scene_views;
@@ -166,29 +155,26 @@ std::vector<DemoRate> timedemo_rates(const std::vector<DemoFrame>& frames) {
 
 std::string timedemo_table(const std::vector<DemoFrame>& frames) {
     if (frames.empty()) return "";
-    const std::vector<DemoRate> rates = timedemo_rates(frames);
     const auto paths = seen(frames, &DemoFrame::path);
-    core::Cells cells(1);
-    cells[0] = {"method", "drawn"};
+    core::Cells cells = {{"method", "drawn"}};
     for (const std::string& path : paths) {
         cells[0].push_back(path + ", first");
         cells[0].push_back(path + ", cached");
     }
-    const auto add = [&](const DemoRow& row, const std::string& method) {
-        std::vector<std::string>& line = cells.emplace_back();
-        line = {row.is_of_method ? method : "-", row.name};
-        for (const std::string& path : paths) {
-            for (const bool is_cached : {false, true})
-                line.push_back(rate_text(rates, {path, method, row.name, is_cached}));
+    // "142 [138, 147]" frames a second where there is such a rate, in the line of its kind.
+    for (const DemoRate& rate : timedemo_rates(frames)) {
+        const std::string method = rate.method.empty() ? "-" : rate.method;
+        auto line = std::find_if(cells.begin(), cells.end(), [&](const auto& cell) {
+            return cell[0] == method && cell[1] == rate.drawn;
+        });
+        if (line == cells.end()) {
+            line = cells.insert(line, std::vector<std::string>(cells[0].size(), "-"));
+            line->front() = method;
+            line->at(1) = rate.drawn;
         }
-    };
-    for (const DemoRow& row : kRows) {
-        if (!row.is_of_method) add(row, "");
-    }
-    for (const std::string& method : seen(frames, &DemoFrame::method)) {
-        for (const DemoRow& row : kRows) {
-            if (row.is_of_method) add(row, method);
-        }
+        const auto path = std::find(paths.begin(), paths.end(), rate.path) - paths.begin();
+        line->at(2 + 2 * static_cast<std::size_t>(path) + (rate.is_cached ? 1 : 0)) =
+            fmt::format("{:.0f} [{:.0f}, {:.0f}]", rate.fps, rate.low_fps, rate.high_fps);
     }
     return core::aligned(cells);
 }

@@ -90,7 +90,7 @@ TEST(StudySequence, AMethodThatFailsSaysSoAndTheOthersGoOn) {
 TEST(StudySequence, ATruthThatIsTooLargeIsTheStatusOfAll) {
     const method::MethodInfo good = puppet("good", false);
     Sequence sequence = torus(3);
-    MotionOptions options;
+    harness::CellOptions options;
     options.trace.truth.limits.samples = 10;
     for (const MotionRow& row : study_sequence({{&good, {}}}, sequence, options))
         EXPECT_THAT(row.status, HasSubstr("too_large"));
@@ -145,7 +145,7 @@ TEST(StudySequences, TheGearsTurnBeforeACameraThatStands) {
 }
 
 TEST(StudySequences, TheTruthIsPerfectOnAllAndThreadsChangeNothing) {
-    MotionOptions options;
+    harness::CellOptions options;
     const auto configs = harness::make_configs("mote4", {});
     for (Sequence& sequence : study_sequences(160, 90, 3)) {
         SCOPED_TRACE(sequence.scene.name);
