@@ -44,19 +44,6 @@ harness::TableInfo run_record() {
          {"asked", "", "every option and, under methods, every parameter of every method"}}};
 }
 
-/// Its parameters differ from run to run: one stands here for all that are searched.
-harness::TableInfo evaluations() {
-    return {
-        "evaluations.csv",
-        "A line per evaluation of the tuner, in the order in which they were made.",
-        {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
-         {"phase", "", "start, global, local or random"},
-         {"PARAMETER", "", "one column per searched parameter, under its own name"},
-         {"e_train", "0..1", "what the search lowers, over training views"},
-         {"drawn_by", "", "method, or planes: drawn from planes made once per view"},
-         {"draw_ms", "ms", "median, where there is a time budget", true}}};
-}
-
 /// Its columns differ from run to run: one stands here for all swept parameters.
 harness::TableInfo sweep() {
     harness::TableInfo table = harness::sweep_table({"PARAMETER"});
@@ -70,6 +57,22 @@ harness::TableInfo sweep() {
 }
 
 }  // namespace
+
+harness::TableInfo evaluations_table(const std::vector<std::string>& searched) {
+    harness::TableInfo table{
+        "evaluations.csv",
+        "A line per evaluation of the tuner, in the order in which they were made.",
+        {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
+         {"phase", "", "start, global, local or random"}}};
+    for (const std::string& name : searched)
+        table.columns.push_back(
+            {name, "", "one column per searched parameter, under its own name"});
+    table.columns.push_back({"e_train", "0..1", "what the search lowers, over training views"});
+    table.columns.push_back(
+        {"drawn_by", "", "method, or planes: drawn from planes made once per view"});
+    table.columns.push_back({"draw_ms", "ms", "median, where there is a time budget", true});
+    return table;
+}
 
 std::vector<harness::TableInfo> dictionary() {
     return {run_record(),
@@ -94,7 +97,7 @@ std::vector<harness::TableInfo> dictionary() {
             studies::creases_table(),
             studies::vanishing_table(),
             linear_code::bound_table(),
-            evaluations(),
+            evaluations_table({"PARAMETER"}),  // one stands here for all that are searched
             studies::timedemo_frames_table()};
 }
 

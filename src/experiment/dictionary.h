@@ -7,6 +7,9 @@
 
 namespace ink::experiment {
 
+/// evaluations.csv of a tuner that searches parameters of these names.
+[[nodiscard]] harness::TableInfo evaluations_table(const std::vector<std::string>& searched);
+
 /// Every table that a run folder may hold, and its run.toml (whose keys stand as columns), in the
 /// order in which a reader meets them.
 [[nodiscard]] std::vector<harness::TableInfo> dictionary();

@@ -21,11 +21,6 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
-std::string build_text() {
-    const core::Provenance& p = core::provenance();
-    return fmt::format("{} {}{}", p.version, p.commit, p.dirty ? ", changed" : "");
-}
-
 /// A model file may change while its name stays.
 void add_file(const std::string& scene, core::Hasher& hasher) {
     if (const auto bytes = core::read_whole_file(scene)) hasher.text(*bytes);
@@ -38,7 +33,7 @@ std::string identity_of(const Experiment& experiment, const Plan& plan) {
     hasher.text(plan.name).text(plan.kind).text(plan.asked);
     for (const std::string& scene : experiment.scenes)
         add_file(scene, hasher);
-    for (const PlannedTable& table : plan.tables)
+    for (const RecordedTable& table : plan.tables)
         hasher.text(table.name).text(table.heading);
     for (const Block& block : plan.blocks)
         hasher.text(block.key).value(block.cells);
@@ -46,6 +41,11 @@ std::string identity_of(const Experiment& experiment, const Plan& plan) {
 }
 
 }  // namespace
+
+std::string build_text() {
+    const core::Provenance& p = core::provenance();
+    return fmt::format("{} {}{}", p.version, p.commit, p.dirty ? ", changed" : "");
+}
 
 harness::TraceOptions trace_of(const Experiment& experiment, const std::filesystem::path& cache) {
     harness::TraceOptions trace;
@@ -63,9 +63,9 @@ int Plan::cells() const {
     });
 }
 
-void Plan::add_table(const harness::TableInfo& table) {
+void RunHead::add_table(const harness::TableInfo& table) {
     const bool is_there = std::any_of(
-        tables.begin(), tables.end(), [&](const PlannedTable& t) { return t.name == table.file; });
+        tables.begin(), tables.end(), [&](const RecordedTable& t) { return t.name == table.file; });
     if (is_there) return;
     std::string columns = harness::heading(table);
     columns.pop_back();  // its line break
@@ -79,7 +79,7 @@ void Plan::add_axis(const studies::Axis& axis) {
         text += studies::axes_table().line(axis);
 }
 
-void Plan::add_model(const scene::Scene& scene) {
+void RunHead::add_model(const scene::Scene& scene) {
     if (scene.file.notes.empty() && scene.origin == glm::dvec3(0)) return;
     models.push_back({scene.name, scene.origin, scene.file.notes});
 }
@@ -94,7 +94,6 @@ Plan make_plan(const Experiment& experiment, const std::filesystem::path& cache)
     plan.name = experiment.name;
     plan.kind = name(experiment.kind);
     plan.command = experiment.command;
-    plan.build = build_text();
     plan.asked = asked_text(experiment);
     plan.times = experiment.times;
     plan.one_place = experiment.sizes.size() == 1 && experiment.threads.size() == 1;

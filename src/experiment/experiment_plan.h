@@ -15,10 +15,12 @@
 
 namespace ink::experiment {
 
-/// A table that a run writes.
-struct PlannedTable {
+/// A table of a run folder.
+struct RecordedTable {
     std::string name;     ///< "rows.csv"
     std::string heading;  ///< the columns, joined by commas
+
+    friend bool operator==(const RecordedTable&, const RecordedTable&) = default;
 };
 
 /// What a block came to.
@@ -52,30 +54,38 @@ struct ModelFacts {
     friend bool operator==(const ModelFacts&, const ModelFacts&) = default;
 };
 
-/// An experiment taken apart: the order of blocks is the order of lines in every table.
-struct Plan {
+/// Version and commit of this program, for messages.
+[[nodiscard]] std::string build_text();
+
+/// What was asked of a run, and which build answers.
+struct RunHead {
     std::string name;
-    std::string kind;
-    std::string command;   ///< as the user typed it; may be ""
+    std::string kind;      ///< "compare", "stress", "animation", "bound", "tune"
+    std::string command;   ///< as the user typed it, less what says where results go; may be ""
     std::string identity;  ///< hash of all that rows depend on, the build included
-    std::string build;     ///< version and commit, for messages
-    std::string asked;     ///< TOML: what is asked, down to every parameter
+    std::string build = build_text();
+    std::string asked;  ///< a TOML document: every option, method and parameter
     bool times = true;
     bool one_place = true;  ///< one size and one number of threads: summaries mean something
-    int timed_threads = 1;  ///< the most that a timed drawing of a group uses
-    std::vector<PlannedTable> tables;
+    std::vector<RecordedTable> tables;
+    std::vector<ModelFacts> models;  ///< of which there is something to say
+
+    void add_table(const harness::TableInfo& table);
+    /// Notes in `models` what there is to say of the scene.
+    void add_model(const scene::Scene& scene);
+};
+
+/// An experiment taken apart: the order of blocks is the order of lines in every table.
+struct Plan : RunHead {
+    int timed_threads = 1;                     ///< the most that a timed drawing of a group uses
     std::map<std::string, std::string> files;  ///< known before any block: methods.csv, axes.csv
-    std::vector<ModelFacts> models;            ///< of which there is something to say
     std::vector<Block> blocks;
     std::int64_t rows = 0;  ///< lines of rows.csv that the blocks so far will have
 
     [[nodiscard]] int cells() const;
 
-    void add_table(const harness::TableInfo& table);
     /// Puts what an axis varies into axes.csv, once.
     void add_axis(const studies::Axis& axis);
-    /// Notes in `models` what there is to say of the scene.
-    void add_model(const scene::Scene& scene);
     /// The first of `count` new numbers for the column `cell` of rows.csv.
     [[nodiscard]] std::int64_t take_cells(std::int64_t count);
 };

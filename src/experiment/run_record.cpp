@@ -124,18 +124,7 @@ std::string_view name(RunState state) {
 }
 
 RunRecord record_of(const Plan& plan) {
-    RunRecord record;
-    record.name = plan.name;
-    record.kind = plan.kind;
-    record.command = plan.command;
-    record.identity = plan.identity;
-    record.build = plan.build;
-    record.asked = plan.asked;
-    record.times = plan.times;
-    record.one_place = plan.one_place;
-    for (const PlannedTable& table : plan.tables)
-        record.tables.push_back({table.name, table.heading});
-    record.models = plan.models;
+    RunRecord record{plan};
     record.blocks = static_cast<int>(plan.blocks.size());
     record.cells = plan.cells();
     return record;

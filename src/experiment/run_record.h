@@ -21,27 +21,9 @@ enum class RunState {
 /// "unfinished", "finished", "invalid": as run.toml has it.
 [[nodiscard]] std::string_view name(RunState state);
 
-/// A table of a run folder.
-struct RecordedTable {
-    std::string name;     ///< "rows.csv"
-    std::string heading;  ///< the columns, joined by commas
-
-    friend bool operator==(const RecordedTable&, const RecordedTable&) = default;
-};
-
 /// What a run folder says of itself in run.toml: what was asked, and which build and machine
 /// answered. Enough to write its tables from finished blocks without the plan.
-struct RunRecord {
-    std::string name;
-    std::string kind;      ///< "compare", "stress", "animation", "bound", "tune"
-    std::string command;   ///< as the user typed it, less what says where results go
-    std::string identity;  ///< hash of all that rows depend on, the build included
-    std::string build;     ///< version and commit, for messages
-    std::string asked;     ///< a TOML document: every option, method and parameter
-    bool times = true;
-    bool one_place = true;  ///< one size and one number of threads
-    std::vector<RecordedTable> tables;
-    std::vector<ModelFacts> models = {};
+struct RunRecord : RunHead {
     int blocks = 0;  ///< of the whole run
     int cells = 0;
 

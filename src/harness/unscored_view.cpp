@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "core/error.h"
 #include "harness/intersection_scores.h"
+#include "truth/limits.h"
 
 namespace ink::harness {
 namespace {
@@ -66,6 +68,21 @@ std::string emptiness(const ViewTruth& truth) {
     const bool has_crowded = truth.with_crowded && has_truth(*truth.with_crowded);
     const std::string crowded = has_crowded ? crowdedness(truth) : "";
     return crowded.empty() ? "empty: " + reason(truth) : crowded;
+}
+
+ViewTruth trace_scored_view(truth::SceneModel& model,
+                            const std::string& scene,
+                            const scene::View& view,
+                            const TraceOptions& trace) {
+    const std::string where = scene + " " + view.camera.name;
+    try {
+        ViewTruth truth = trace_view(model, view, trace);
+        if (const std::string reason = emptiness(truth); !reason.empty())
+            throw core::Error(where, reason, "scenes, views and a --size that show lines");
+        return truth;
+    } catch (const truth::TooLarge& reason) {
+        throw core::Error(where, reason.what(), "a smaller scene or --size");
+    }
 }
 
 void note_empty(const ViewTruth& truth, std::vector<Evaluation>& evaluations) {

@@ -28,6 +28,13 @@ void fill_crowded(const score::Strokes& strokes,
 /// that is why; "" if one counts.
 [[nodiscard]] std::string emptiness(const ViewTruth& truth);
 
+/// The truth of a view of `scene` that must have a score. Throws core::Error (where = scene and
+/// view) where it is too large to trace, or no true pixel counts.
+[[nodiscard]] ViewTruth trace_scored_view(truth::SceneModel& model,
+                                          const std::string& scene,
+                                          const scene::View& view,
+                                          const TraceOptions& trace);
+
 /// Gives the rows of an empty view that status, before they are scored; rows that failed keep
 /// theirs.
 void note_empty(const ViewTruth& truth, std::vector<Evaluation>& evaluations);

@@ -27,32 +27,6 @@ LineKind kind_of(const truth::Curve& curve) {
     return {curve.line_class, bin_low_deg(curve.deviation_rad)};
 }
 
-double share(std::int64_t part, std::int64_t whole) {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
-}
-
-std::vector<CancellationTotal> add_up(const std::vector<CancellationRow>& rows, bool by_bin) {
-    std::vector<std::string> methods;
-    std::vector<std::map<LineKind, CancellationCount>> counts;
-    for (const CancellationRow& row : rows) {
-        const auto known = std::find(methods.begin(), methods.end(), row.method);
-        const auto index = static_cast<std::size_t>(known - methods.begin());
-        if (known == methods.end()) {
-            methods.push_back(row.method);
-            counts.emplace_back();
-        }
-        LineKind kind = row.kind;
-        if (!by_bin) kind.dihedral_low_deg.reset();
-        counts[index][kind] += row.count;
-    }
-    std::vector<CancellationTotal> totals;
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        for (const auto& [kind, count] : counts[i])
-            totals.push_back({methods[i], kind, count});
-    }
-    return totals;
-}
-
 }  // namespace
 
 std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
@@ -78,30 +52,6 @@ std::vector<KindPixels> sort_by_kind(const truth::Truth& traced,
     return sorted;
 }
 
-CancellationCount& CancellationCount::operator+=(const CancellationCount& other) {
-    n_truth += other.n_truth;
-    predicted_missed += other.predicted_missed;
-    measured_missed += other.measured_missed;
-    predicted_false_negatives += other.predicted_false_negatives;
-    measured_false_negatives += other.measured_false_negatives;
-    both_false_negatives += other.both_false_negatives;
-    return *this;
-}
-
-double CancellationCount::predicted_rate() const {
-    return share(predicted_missed, n_truth);
-}
-
-double CancellationCount::measured_rate() const {
-    return share(measured_missed, n_truth);
-}
-
-double CancellationCount::agreement() const {
-    return 1 -
-           share(predicted_false_negatives + measured_false_negatives - 2 * both_false_negatives,
-                 n_truth);
-}
-
 CancellationCount count_cancellation(const score::PixelList& kind,
                                      CountedInk& predicted,
                                      CountedInk& measured) {
@@ -119,14 +69,6 @@ CancellationCount count_cancellation(const score::PixelList& kind,
         }
     }
     return count;
-}
-
-std::vector<CancellationTotal> cancellation_by_kind(const std::vector<CancellationRow>& rows) {
-    return add_up(rows, true);
-}
-
-std::vector<CancellationTotal> cancellation_by_class(const std::vector<CancellationRow>& rows) {
-    return add_up(rows, false);
 }
 
 }  // namespace ink::linear_code

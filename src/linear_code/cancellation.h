@@ -52,12 +52,6 @@ struct CancellationCount {
     std::int64_t measured_false_negatives = 0;
     std::int64_t both_false_negatives = 0;
 
-    CancellationCount& operator+=(const CancellationCount& other);
-    [[nodiscard]] double predicted_rate() const;  ///< of missed pixels; 0 without any
-    [[nodiscard]] double measured_rate() const;
-    /// The share of pixels of which it was predicted rightly whether they are missing; 1 without
-    /// any.
-    [[nodiscard]] double agreement() const;
     [[nodiscard]] bool operator==(const CancellationCount&) const = default;
 };
 
@@ -101,20 +95,5 @@ struct CancellationRow {
     LineKind kind = {};
     CancellationCount count = {};
 };
-
-/// The counts of a method and a kind over all views.
-struct CancellationTotal {
-    std::string method;
-    LineKind kind = {};
-    CancellationCount count = {};
-};
-
-/// Rows added up by method (in order of first appearance) and kind (ascending).
-[[nodiscard]] std::vector<CancellationTotal> cancellation_by_kind(
-    const std::vector<CancellationRow>& rows);
-
-/// The same with the bins of a class added up: dihedral_low_deg is nothing.
-[[nodiscard]] std::vector<CancellationTotal> cancellation_by_class(
-    const std::vector<CancellationRow>& rows);
 
 }  // namespace ink::linear_code

@@ -32,10 +32,4 @@ double silent_deviation_rad(const method::LinearCode& code, int threshold) {
     return 2 * std::asin(least / seen_twice);
 }
 
-double law_of_misses(double deviation_rad, double silent_rad) {
-    const double deviation = std::sin(deviation_rad / 2);
-    const double silent = std::sin(silent_rad / 2);
-    return silent >= deviation ? 1 : silent / deviation;
-}
-
 }  // namespace ink::linear_code

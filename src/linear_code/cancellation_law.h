@@ -13,13 +13,11 @@ namespace ink::linear_code {
 /// Radians, 0..pi; pi for a code that has no normal in it or a threshold that nothing reaches.
 [[nodiscard]] double silent_deviation_rad(const method::LinearCode& code, int threshold);
 
-/// What one linear sum must miss of creases that bend by `deviation_rad`, if they lie in all
-/// directions alike: sin(silent / 2) / sin(deviation / 2), at most 1. In any direction the change
-/// of the normal has along w is uniform (Archimedes: a sphere's belts of equal height have equal
-/// area), so the share that stays below what the silent dihedral deviation makes at most is the
-/// ratio of the two.
-///
-/// Source: the project's design, sections 6 and 9, there for silent = 10 degrees.
-[[nodiscard]] double law_of_misses(double deviation_rad, double silent_rad);
+// What one linear sum must miss of creases that bend by a deviation, if they lie in all directions
+// alike: sin(silent / 2) / sin(deviation / 2), at most 1. In any direction the change of the normal
+// has along w is uniform (Archimedes: a sphere's belts of equal height have equal area), so the
+// share that stays below what the silent dihedral deviation makes at most is the ratio of the two.
+// The page draws this curve (report/page/sections/cancellation.js).
+// Source: the project's design, sections 6 and 9, there for silent = 10 degrees.
 
 }  // namespace ink::linear_code

@@ -12,7 +12,6 @@
 #include "harness/cell.h"
 #include "harness/unscored_view.h"
 #include "linear_code/channel_planes.h"
-#include "truth/limits.h"
 
 namespace ink::linear_code {
 namespace {
@@ -106,17 +105,8 @@ class Study {
                   truth::SceneModel& model,
                   harness::PreparedMethod& method,
                   Pool& pool) const {
-        harness::ViewTruth truth;
-        try {
-            truth = harness::trace_view(model, view, options_.trace);
-        } catch (const truth::TooLarge& reason) {
-            throw core::Error(pool.name, reason.what(), "a smaller scene or --size");
-        }
-        if (const std::string reason = harness::emptiness(truth); !reason.empty()) {
-            throw core::Error(fmt::format("{} {}", pool.name, view.camera.name),
-                              reason,
-                              "views and a --size that show lines");
-        }
+        const harness::ViewTruth truth =
+            harness::trace_scored_view(model, pool.name, view, options_.trace);
         const int threads = options_.search.threads;
         pool.stencils.add(source.planes(view, truth.traced.layers.triangle, threads),
                           truth.scoring);

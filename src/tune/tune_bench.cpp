@@ -45,18 +45,13 @@ TuneBench::TuneBench(const std::vector<harness::SceneViews>& scenes,
         for (const scene::View& view : scenes[s].views) {
             const std::string name = fmt::format("{} {}", scenes[s].scene.name, view.camera.name);
             progress.report(static_cast<int>(views_.size()), name);
-            try {
-                harness::ViewTruth truth = harness::trace_view(model, view, trace);
-                if (const std::string reason = harness::emptiness(truth); !reason.empty())
-                    throw core::Error(name, reason, "scenes, views and a --size that show lines");
-                hasher.text(name).text(core::image_hash(truth.scoring.labels));
-                hasher.text(core::image_hash(truth.scoring.ignore));
-                score::TruthLists lists = score::list_truth(truth.scoring, options);
-                views_.push_back({s, view, std::move(truth.scoring), std::move(lists)});
-                planes_.add_view(s, view, std::move(truth.traced.layers.triangle));
-            } catch (const truth::TooLarge& reason) {
-                throw core::Error(name, reason.what(), "scenes whose truth can be traced");
-            }
+            harness::ViewTruth truth =
+                harness::trace_scored_view(model, scenes[s].scene.name, view, trace);
+            hasher.text(name).text(core::image_hash(truth.scoring.labels));
+            hasher.text(core::image_hash(truth.scoring.ignore));
+            score::TruthLists lists = score::list_truth(truth.scoring, options);
+            views_.push_back({s, view, std::move(truth.scoring), std::move(lists)});
+            planes_.add_view(s, view, std::move(truth.traced.layers.triangle));
             if (core::is_interrupted()) return;
         }
     }

@@ -44,7 +44,6 @@ class TuneBench {
               int threads);
 
     [[nodiscard]] std::size_t view_count() const { return views_.size(); }
-    [[nodiscard]] std::size_t scene_count() const { return scenes_.size(); }
     /// A hash of what is scored against: names, sizes, truth pixels.
     [[nodiscard]] const std::string& hash() const { return hash_; }
 

@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/hash.h"
-#include "core/provenance.h"
 #include "core/whole_file.h"
+#include "experiment/dictionary.h"
 #include "experiment/experiment_run.h"
 #include "harness/cell.h"
 #include "harness/evaluations.h"
@@ -41,24 +41,16 @@ std::string asked_text(const TuneOptions& options, const TuneSpace& space) {
     return text.str();
 }
 
-std::string heading_of(const harness::TableInfo& table) {
-    std::string columns = harness::heading(table);
-    columns.pop_back();  // its line break
-    return columns;
-}
-
 experiment::RunRecord record_of(const TuneOptions& options, const TuneSpace& space) {
-    const core::Provenance& p = core::provenance();
     experiment::RunRecord record;
     record.name = options.name;
     record.kind = "tune";
     record.command = options.command;
-    record.build = fmt::format("{} {}{}", p.version, p.commit, p.dirty ? ", changed" : "");
     record.asked = asked_text(options, space);
     record.identity =
         core::Hasher().text(record.build).text(record.command).text(record.asked).hex();
-    record.tables = {{"rows.csv", heading_of(harness::rows_table())},
-                     {"evaluations.csv", heading_of(evaluations_table(space))}};
+    record.add_table(harness::rows_table());
+    record.add_table(evaluations_table(space));
     record.blocks = 1;
     record.cells = options.plan.evaluations * (options.random ? 2 : 1);
     return record;
@@ -120,18 +112,10 @@ std::string rows_csv(const TuneResult& result, const TuneOptions& options) {
 }  // namespace
 
 harness::TableInfo evaluations_table(const TuneSpace& space) {
-    harness::TableInfo table{
-        "evaluations.csv",
-        "A line per evaluation of the tuner, in the order in which they were made.",
-        {{"evaluation", "", "its number within the search; the random search counts from 1 again"},
-         {"phase", "", "start, global, local or random"}}};
+    std::vector<std::string> names;
     for (const TunedParameter& parameter : space.parameters())
-        table.columns.push_back(
-            {parameter.param.name, parameter.param.unit, "the parameter's value"});
-    table.columns.push_back({"e_train", "0..1", "what the search lowers, over training views"});
-    table.columns.push_back({"drawn_by", "", "the method itself, or planes made once a view"});
-    table.columns.push_back({"draw_ms", "ms", "median, where there is a time budget", true});
-    return table;
+        names.push_back(parameter.param.name);
+    return experiment::evaluations_table(names);
 }
 
 void begin_folder(const TuneOptions& options,
@@ -139,10 +123,8 @@ void begin_folder(const TuneOptions& options,
                   const std::vector<harness::SceneViews>& scenes) {
     harness::make_out_folder(options.out);
     experiment::RunRecord mine = record_of(options, space);
-    experiment::Plan plan;
     for (const harness::SceneViews& scene_views : scenes)
-        plan.add_model(scene_views.scene);
-    mine.models = std::move(plan.models);
+        mine.add_model(scene_views.scene);
     experiment::take_folder(options.out, mine, options.is_forced);
     experiment::write_record(mine, options.out);
 }

@@ -101,31 +101,15 @@ SettingTable make_table(const std::vector<std::string>& swept) {
 
 /// What of a cell's row holds at every setting too.
 Row place_of_setting(const Row& own) {
-    Row row;
-    row.cell = own.cell;
-    row.method = own.method;
-    row.scene = own.scene;
-    row.view = own.view;
-    row.split = own.split;
-    row.width = own.width;
-    row.height = own.height;
-    row.threads = own.threads;
-    row.seed = own.seed;
-    row.params = own.params;
-    row.skips_off = own.skips_off;
-    row.truth_merged_px = own.truth_merged_px;
-    row.crowded_share = own.crowded_share;
-    row.triangles = own.triangles;
-    row.crease_deg = own.crease_deg;
-    row.weld_epsilon = own.weld_epsilon;
-    row.intersections = own.intersections;
-    row.contour_sky_px = own.contour_sky_px;
-    row.contour_other_px = own.contour_other_px;
-    row.contour_self_px = own.contour_self_px;
-    row.reference_disagreement = own.reference_disagreement;
-    row.crosscheck_px = own.crosscheck_px;
-    row.crosscheck_abstained = own.crosscheck_abstained;
-    row.provenance = own.provenance;
+    Row row = own;
+    clear_scores(row);
+    clear_times(row);
+    row.threshold.reset();
+    row.with_crowded_2px.reset();
+    row.cost.reset();
+    row.skips.reset();
+    row.rounding_px = 0;
+    row.clock = Row().clock;
     return row;
 }
 
