@@ -19,24 +19,6 @@ bool parse_whole(std::string_view text, int& value) {
     return status == std::errc{} && end == text.data() + text.size();
 }
 
-/// Applies a setting to the configurations that it is for and that know it.
-void apply(const std::string& setting, std::vector<harness::MethodConfig>& configs) {
-    const auto equals = setting.find('=');
-    std::string key = setting.substr(0, equals);
-    std::string method;
-    if (const auto dot = key.find('.'); dot != std::string::npos) {
-        method = key.substr(0, dot);
-        key = key.substr(dot + 1);
-    }
-    for (harness::MethodConfig& config : configs) {
-        if (!method.empty() && method != config.info->name) continue;
-        const auto& params = config.info->params;
-        const bool is_known = std::any_of(
-            params.begin(), params.end(), [&](const core::Param& p) { return p.name == key; });
-        if (is_known) config.settings[key] = setting.substr(equals + 1);
-    }
-}
-
 }  // namespace
 
 std::string_view name(ExperimentKind kind) {
@@ -97,8 +79,13 @@ std::vector<harness::MethodConfig> configs_of(const Experiment& experiment) {
                               "names of their own");
         }
     }
-    for (const std::string& setting : experiment.settings)
-        apply(setting, configs);
+    for (const std::string& text : experiment.settings) {
+        const harness::Setting setting = harness::parse_setting(text);
+        for (harness::MethodConfig& config : configs) {
+            if (harness::param_of(setting, config) != nullptr)
+                config.settings[setting.key] = setting.value;
+        }
+    }
     harness::follow_crease(experiment.crease_deg, configs);
     return configs;
 }

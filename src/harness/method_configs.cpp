@@ -16,34 +16,6 @@ namespace {
 
 constexpr double kUsualCrease_deg = 40;  ///< of the truth, and of methods that mean the same
 
-struct Setting {
-    std::string method;  ///< "" means all that know the key
-    std::string key;
-    std::string value;
-    std::string text;
-};
-
-Setting parse_setting(const std::string& text) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw core::Error(
-            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value");
-    }
-    Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
-    const auto dot = setting.key.find('.');
-    if (dot != std::string::npos) {
-        setting.method = setting.key.substr(0, dot);
-        setting.key = setting.key.substr(dot + 1);
-    }
-    return setting;
-}
-
-bool knows(const method::MethodInfo& info, const std::string& key) {
-    return std::any_of(info.params.begin(), info.params.end(), [&](const core::Param& param) {
-        return param.name == key;
-    });
-}
-
 void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
     std::set<std::string> known;
     bool is_used = false;
@@ -51,7 +23,7 @@ void apply_setting(const Setting& setting, std::vector<MethodConfig>& configs) {
         if (!setting.method.empty() && setting.method != config.info->name) continue;
         for (const core::Param& param : config.info->params)
             known.insert(param.name);
-        if (!knows(*config.info, setting.key)) continue;
+        if (param_of(setting, config) == nullptr) continue;
         config.settings[setting.key] = setting.value;
         is_used = true;
     }
@@ -77,6 +49,33 @@ bool is_shipped(const std::string& name) {
 }
 
 }  // namespace
+
+Setting parse_setting(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw core::Error(
+            "--set", fmt::format("'{}' is no setting", text), "key=value or method.key=value");
+    }
+    Setting setting{"", text.substr(0, equals), text.substr(equals + 1), text};
+    const auto dot = setting.key.find('.');
+    if (dot != std::string::npos) {
+        setting.method = setting.key.substr(0, dot);
+        setting.key = setting.key.substr(dot + 1);
+    }
+    return setting;
+}
+
+const core::Param* find_param(const method::MethodInfo& info, std::string_view key) {
+    for (const core::Param& param : info.params) {
+        if (param.name == key) return &param;
+    }
+    return nullptr;
+}
+
+const core::Param* param_of(const Setting& setting, const MethodConfig& config) {
+    if (!setting.method.empty() && setting.method != config.info->name) return nullptr;
+    return find_param(*config.info, setting.key);
+}
 
 std::vector<std::string> split_list(const std::string& text) {
     std::vector<std::string> parts;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/param.h"
@@ -18,6 +19,24 @@ struct MethodConfig {
     std::shared_ptr<const method::MethodInfo> owned = nullptr;
     bool is_outside = false;  ///< its images and times come from elsewhere (OutsideMethod)
 };
+
+/// "key=value" or "method.key=value", as it is written.
+struct Setting {
+    std::string method;  ///< "" means all that know the key
+    std::string key;
+    std::string value;
+    std::string text;
+};
+
+/// Throws core::Error (where = "--set") for other text.
+[[nodiscard]] Setting parse_setting(const std::string& text);
+
+/// The parameter of a method that is called `key`, or null.
+[[nodiscard]] const core::Param* find_param(const method::MethodInfo& info, std::string_view key);
+
+/// The parameter that a setting is for; null if it is for other methods, or of a key that this one
+/// does not know.
+[[nodiscard]] const core::Param* param_of(const Setting& setting, const MethodConfig& config);
 
 /// "a, b,c" as its parts without the blanks round them, empty ones left out.
 [[nodiscard]] std::vector<std::string> split_list(const std::string& text);

@@ -10,12 +10,7 @@
 namespace ink::studies {
 namespace {
 
-const core::Param* find_param(const method::MethodInfo& info, std::string_view name) {
-    for (const core::Param& param : info.params) {
-        if (param.name == name) return &param;
-    }
-    return nullptr;
-}
+using harness::find_param;
 
 double value_of(const core::Param& param, const core::ParamValues& all) {
     return core::parse_param(param, all.at(param.name), "a study");
@@ -40,20 +35,13 @@ std::vector<const core::Param*> code_ranges(const method::MethodInfo& info) {
 }
 
 void apply_text(const std::string& text, harness::MethodConfig& config) {
-    const auto equals = text.find('=');
-    assert(equals != std::string::npos);
-    std::string key = text.substr(0, equals);
-    const std::string value = text.substr(equals + 1);
-    if (const auto dot = key.find('.'); dot != std::string::npos) {
-        if (key.substr(0, dot) != config.info->name) return;
-        key = key.substr(dot + 1);
-    }
-    const core::Param* param = find_param(*config.info, key);
+    const harness::Setting setting = harness::parse_setting(text);
+    const core::Param* param = harness::param_of(setting, config);
     if (param == nullptr) return;
-    const bool is_choice = param->kind == core::ParamKind::choice;
     const auto& known = param->choices;
-    if (is_choice && std::find(known.begin(), known.end(), value) == known.end()) return;
-    config.settings[key] = value;
+    const bool is_unknown = param->kind == core::ParamKind::choice &&
+                            std::find(known.begin(), known.end(), setting.value) == known.end();
+    if (!is_unknown) config.settings[setting.key] = setting.value;
 }
 
 void apply_gain(double gain, harness::MethodConfig& config) {
