@@ -24,21 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 using Texts = std::map<std::string, std::string>;
 
-/// The tables by name, split.
-class Tables {
-  public:
-    Tables(const Texts& texts, const std::string& where) : texts_(texts), where_(where) {}
-
-    [[nodiscard]] bool has(const std::string& name) const { return texts_.contains(name); }
-    [[nodiscard]] harness::CsvTable split(const std::string& name) const {
-        return harness::split_csv(texts_.at(name), (fs::path(where_) / name).string());
-    }
-
-  private:
-    const Texts& texts_;
-    std::string where_;
-};
-
 /// A table as it is, or packed; nothing if there is neither.
 std::optional<std::string> read_table(const fs::path& path) {
     if (auto text = core::read_whole_file(path)) return text;
@@ -49,28 +34,31 @@ std::optional<std::string> read_table(const fs::path& path) {
 }  // namespace
 
 RunTables parse_tables(const Texts& texts, const std::string& where) {
+    const auto table = [&](const std::string& name) -> std::optional<harness::CsvTable> {
+        const auto found = texts.find(name);
+        if (found == texts.end()) return std::nullopt;
+        return harness::split_csv(found->second, (fs::path(where) / name).string());
+    };
     RunTables run;
-    const Tables tables(texts, where);
-    if (!tables.has("rows.csv")) return run;
-    std::vector<harness::RowRecord> records = harness::read_rows(tables.split("rows.csv"));
-    if (tables.has("tolerances.csv"))
-        harness::join_tolerances(tables.split("tolerances.csv"), records);
-    if (tables.has("bins.csv")) harness::join_bins(tables.split("bins.csv"), records);
-    if (tables.has("cost.csv")) harness::join_costs(tables.split("cost.csv"), records);
+    const auto rows = table("rows.csv");
+    if (!rows) return run;
+    std::vector<harness::RowRecord> records = harness::read_rows(*rows);
+    if (const auto csv = table("tolerances.csv")) harness::join_tolerances(*csv, records);
+    if (const auto csv = table("bins.csv")) harness::join_bins(*csv, records);
+    if (const auto csv = table("cost.csv")) harness::join_costs(*csv, records);
     const harness::RowIndex index(records);
-    if (tables.has("curves.csv")) {
-        for (harness::CurveRecord& record : harness::read_curves(tables.split("curves.csv"), index))
+    if (const auto csv = table("curves.csv")) {
+        for (harness::CurveRecord& record : harness::read_curves(*csv, index))
             if (!harness::is_baseline(record.curve.method))
                 run.curves.push_back(std::move(record.curve));
     }
-    if (tables.has("sweep.csv")) run.sweep = harness::read_sweep(tables.split("sweep.csv"), index);
+    if (const auto csv = table("sweep.csv")) run.sweep = harness::read_sweep(*csv, index);
     std::map<std::int64_t, studies::CaseFaults> faults;
-    if (tables.has("stress.csv")) {
-        for (const auto& of : studies::read_faults(tables.split("stress.csv"), index))
+    if (const auto csv = table("stress.csv")) {
+        for (const auto& of : studies::read_faults(*csv, index))
             faults[of.row.cell] = of.faults;
     }
-    if (tables.has("bound.csv"))
-        run.bounds = linear_code::read_bounds(tables.split("bound.csv"), index);
+    if (const auto csv = table("bound.csv")) run.bounds = linear_code::read_bounds(*csv, index);
     for (harness::RowRecord& record : records) {
         if (record.row.value) run.on_axes.push_back({std::move(record.row), faults[record.cell]});
         if (record.study != harness::Study::compare) continue;

@@ -68,15 +68,13 @@ void TuneBench::draw_scene(const harness::MethodConfig& config,
     if (!takes_times_) measure.max_repetitions = 0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
         if (views_[i].scene_index != scene_index) continue;
-        std::vector<edge::EdgeImage> drawn;
-        harness::DrawTimes times =
-            harness::draw_in_turns(std::span(&turn, 1), {views_[i].view}, measure, drawn).front();
-        if (!times.failure.empty())
-            throw core::Error(config.info->name, times.failure, "settings that it can draw with");
-        images[i] = std::move(drawn.front());
-        harness::Row row;
-        harness::fill_times(std::move(times.draw_ns), row);
-        times_ms[i] = 1e-6 * static_cast<double>(row.draw_ns.value_or(0));
+        harness::Evaluation drawn =
+            harness::method_evaluations(std::span(&turn, 1), {views_[i].view}, measure).front();
+        if (!drawn.row.is_ok())
+            throw core::Error(
+                config.info->name, drawn.row.status, "settings that it can draw with");
+        images[i] = std::move(drawn.image);
+        times_ms[i] = 1e-6 * static_cast<double>(drawn.row.draw_ns.value_or(0));
     }
 }
 
