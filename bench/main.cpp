@@ -1,16 +1,17 @@
 #include <benchmark/benchmark.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/bench_scene.h"
 #include "bench/benchmarks.h"
 #include "bench/cores.h"
-#include "bench/options.h"
 #include "bench/results.h"
 #include "core/error.h"
 #include "core/provenance.h"
@@ -19,6 +20,60 @@
 namespace {
 
 using namespace ink;
+
+// What `ink_bench` takes beside Google Benchmark's own flags.
+struct Options {
+    std::string simd;  ///< the instruction set to force; empty: the best
+    int draws = 0;     ///< frames and passes run exactly so often; 0: as the library sees fit
+    std::vector<std::string> models;         ///< model files to time as well
+    std::string format = "console";          ///< of stdout: console, json or csv
+    bool has_json_file = false;              ///< JSON goes to a file as well
+    std::vector<std::string> library_words;  ///< the program's name, our defaults, the user's flags
+};
+
+/// What follows `name` in `word`, if it begins with it.
+std::optional<std::string> value_of(const std::string& word, std::string_view name) {
+    if (word.compare(0, name.size(), name) != 0) return std::nullopt;
+    return word.substr(name.size());
+}
+
+int parse_count(const std::string& text) {
+    int count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size() || count < 1)
+        throw core::Error("--draws", "'" + text + "'", "a whole number from 1 on");
+    return count;
+}
+
+// Splits the command line. Ours: `--simd=NAME`, `--draws=N`, `--model=FILE` (as often as wanted).
+// The library's flags come with defaults before them, which any flag of the user's overrides:
+// 9 repetitions, interleaved at random, 0.1 s each. Throws core::Error for a wrong value of ours.
+Options parse_options(int argc, char** argv) {
+    Options options;
+    options.library_words = {argv[0],
+                             "--benchmark_repetitions=9",
+                             "--benchmark_enable_random_interleaving=true",
+                             "--benchmark_min_time=0.1"};
+    bool is_json = true;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (const auto simd = value_of(word, "--simd=")) {
+            options.simd = *simd;
+        } else if (const auto draws = value_of(word, "--draws=")) {
+            options.draws = parse_count(*draws);
+        } else if (const auto model = value_of(word, "--model=")) {
+            options.models.push_back(*model);
+        } else {
+            options.library_words.push_back(word);
+        }
+        if (const auto format = value_of(word, "--benchmark_format=")) options.format = *format;
+        if (value_of(word, "--benchmark_out=")) options.has_json_file = true;
+        if (const auto format = value_of(word, "--benchmark_out_format="))
+            is_json = *format == "json";
+    }
+    options.has_json_file = options.has_json_file && is_json;
+    return options;
+}
 
 void add_provenance() {
     const auto& p = core::provenance();
@@ -53,7 +108,7 @@ bool start_library(std::vector<std::string>& words) {
 }
 
 int run(int argc, char** argv) {
-    bench::Options options = bench::parse_options(argc, argv);
+    Options options = parse_options(argc, argv);
     bench::pin_to_cores();
     std::optional<core::ForcedSimdTarget> forced;
     if (!options.simd.empty()) forced.emplace(find_target(options.simd));

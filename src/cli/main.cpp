@@ -1,17 +1,116 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/program.h"
+#include "cli/commands/commands.h"
+#include "cli/help_format.h"
+#include "cli/options/options.h"
 #include "core/error.h"
 #include "core/param.h"
+#include "core/provenance.h"
 #include "core/system_reason.h"
 
+namespace ink::cli {
 namespace {
+
+std::string version_text() {
+    const auto& p = core::provenance();
+    std::string text = fmt::format("inkbench {} ({}{}), {}, {}\n",
+                                   p.version,
+                                   p.commit,
+                                   p.dirty ? ", changed" : "",
+                                   p.compiler,
+                                   p.flags);
+    for (const auto& [name, version] : p.libraries)
+        text += fmt::format("{} {}\n", name, version);
+    text.pop_back();
+    return text;
+}
+
+/// "; did you mean --methods?", or "" if no option is near to `wrong`.
+std::string nearest_option(const CLI::App& command, const std::string& wrong) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    }
+    const std::string known = core::known_names(names, wrong.substr(0, wrong.find('=')));
+    const auto hint = known.find("; did you mean");
+    return hint == std::string::npos ? "" : known.substr(hint);
+}
+
+/// The first of the words that belong nowhere that looks like an option, or "".
+std::string unknown_option(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word.starts_with("-") && word != "--") return word;
+    }
+    return "";
+}
+
+/// What is wrong, without the help to see. A misspelt option is told before what is missing without
+/// it.
+std::string what_is_wrong(const CLI::App& command, const CLI::ParseError& error) {
+    const std::vector<std::string> words = command.remaining();
+    const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const std::string option = unknown_option(words);
+    if ((is_extra || is_missing) && !option.empty())
+        return fmt::format("there is no option {}{}", option, nearest_option(command, option));
+    if (is_extra && !words.empty()) return fmt::format("nothing takes '{}'", fmt::join(words, " "));
+    return error.what();
+}
+
+/// The whole command line of inkbench with all its commands, nothing parsed yet.
+std::unique_ptr<CLI::App> make_program() {
+    auto app = std::make_unique<CLI::App>(
+        "Inkbench: which 3D outline method makes the fewest errors on a scene, at a time budget?",
+        "inkbench");
+    app->formatter(std::make_shared<HelpFormatter>());  // commands inherit it
+    app->set_version_flag("--version", version_text, "Print the version, and those of libraries");
+    app->set_help_flag("-h,--help", "Print this help");
+    app->require_subcommand(1);
+    app->footer(
+        "inkbench COMMAND --help says more of each.\n"
+        "Example: inkbench compare --scenes torus,staircase --methods mote4,decaudin\n"
+        "Exit codes: 0 done, 1 a check failed or nothing has a score, 2 bad input, " +
+        std::string(kUnscoredCode) + ", 130 interrupted.");
+    add_compare_command(*app);
+    add_draw_command(*app);
+    add_truth_command(*app);
+    add_score_command(*app);
+    add_explain_command(*app);
+    add_figures_command(*app);
+    add_timedemo_command(*app);
+    add_tune_command(*app);
+    add_stress_command(*app);
+    add_run_command(*app);
+    add_report_command(*app);
+    add_diff_command(*app);
+    add_merge_command(*app);
+    add_bound_command(*app);
+    add_export_command(*app);
+    add_entrant_test_command(*app);
+    add_new_method_command(*app);
+    add_list_command(*app);
+    add_completions_command(*app);
+    add_help_command(*app);
+    return app;
+}
+
+/// What is wrong with a command line, in one line that ends with the help to see: of the command
+/// that was under way, if one was. An option that does not exist comes with the nearest one.
+std::string complaint(const CLI::App& program, const CLI::ParseError& error) {
+    const auto commands = program.get_subcommands();
+    const CLI::App& at = commands.empty() ? program : *commands.back();
+    const std::string command = commands.empty() ? "" : at.get_name() + " ";
+    return fmt::format("{} (see inkbench {}--help)", what_is_wrong(at, error), command);
+}
 
 constexpr int kBadInput = 2;
 
@@ -29,15 +128,17 @@ void check_subcommand(const CLI::App& app, int argc, char** argv) {
     for (const CLI::App* command : app.get_subcommands({}))
         names.push_back(command->get_name());
     if (std::find(names.begin(), names.end(), argv[1]) == names.end()) {
-        throw ink::core::Error(
-            argv[1], "there is no such command", ink::core::known_names(names, argv[1]));
+        throw core::Error(argv[1], "there is no such command", core::known_names(names, argv[1]));
     }
 }
 
 }  // namespace
+}  // namespace ink::cli
 
 int main(int argc, char** argv) {
-    const auto app = ink::cli::make_program();
+    using namespace ink;
+    using namespace ink::cli;
+    const auto app = make_program();
     try {
         check_subcommand(*app, argc, argv);
         app->parse(argc, argv);
@@ -46,11 +147,11 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app->exit(help);
     } catch (const CLI::ParseError& error) {
-        return refuse(ink::cli::complaint(*app, error));
-    } catch (const ink::core::Error& error) {
+        return refuse(complaint(*app, error));
+    } catch (const core::Error& error) {
         return refuse(error.what());
     } catch (const std::filesystem::filesystem_error& error) {
-        return refuse(ink::core::refused_path(error).what());
+        return refuse(core::refused_path(error).what());
     } catch (const std::bad_alloc&) {
         return refuse("there is not enough memory for this");
     }
