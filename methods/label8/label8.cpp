@@ -1,5 +1,5 @@
 // New here: labels of smooth patches in a byte. Those that meet at a border differ, others by
-// chance (surface_codes/patch_phases.h); any difference between a pixel's samples is a line.
+// chance (surface_codes/surface_codes.h); any difference between a pixel's samples is a line.
 
 #include "methods/surface_codes/code_method.h"
 

@@ -2,7 +2,7 @@
 //
 //     D    = the shortest way over the patch from one of its ends; a way costs a step at most, less
 //            where the surface hardly turns                     (surface_codes/surface_distance.h)
-//     code = 2 + fold(floor(D + phase)), to and fro in 0..253 (surface_codes/patch_phases.h) edge
+//     code = 2 + fold(floor(D + phase)), to and fro in 0..253 (surface_codes/surface_codes.h) edge
 //     response = min(255, 64 |difference of codes|) of a pixel's neighbouring samples
 //
 // so that codes differ by a step at most where a smooth surface goes on, and by more across lines.

@@ -3,22 +3,135 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 
+#include "methods/surface_codes/patch_borders.h"
+#include "methods/surface_codes/surface_graph.h"
 #include "scene/animation.h"
 #include "scene/sharing/shared_work.h"
 
 namespace ink::methods {
 namespace {
 
+/// Up and down between 0 and the highest of `count` codes, over and over.
+class Fold {
+  public:
+    explicit Fold(int count) : most_(count - 1) {}
+
+    /// Steps after which it comes again.
+    [[nodiscard]] std::int32_t period() const { return 2 * most_; }
+    [[nodiscard]] std::int32_t wrapped(std::int64_t phase) const {
+        const std::int64_t rest = phase % period();
+        return static_cast<std::int32_t>(rest < 0 ? rest + period() : rest);
+    }
+    [[nodiscard]] std::int32_t code(std::int32_t distance, std::int32_t phase) const {
+        const std::int64_t whole = std::int64_t{period()} * kStep;
+        std::int64_t at = (distance + std::int64_t{phase} * kStep) % whole;
+        if (at > whole / 2) at = whole - at;
+        return static_cast<std::int32_t>(at / kStep);
+    }
+    /// Calls visit(phase) for those at which a distance has a code: on the way up and down.
+    template <class Visit>
+    void for_each_phase(std::int32_t distance, std::int32_t code, Visit visit) const {
+        if (code < 0 || code > most_) return;
+        visit(wrapped(code - distance / kStep));
+        if (code == 0 || code == most_) return;
+        visit(wrapped(-code - (distance + kStep - 1) / kStep));
+    }
+
+  private:
+    std::int32_t most_;
+};
+
+/// What is lost of a patch's borders at each phase.
+class Losses {
+  public:
+    Losses(const Fold& fold, int least_difference)
+        : fold_(fold),
+          reach_(least_difference - 1),
+          lost_(static_cast<std::size_t>(fold.period())) {}
+
+    void start() { std::fill(lost_.begin(), lost_.end(), 0.0); }
+    /// A distance that must not come near a code.
+    void add(std::int32_t distance, std::int32_t code, double length) {
+        for (int d = -reach_; d <= reach_; ++d) {
+            fold_.for_each_phase(distance, code + d, [&](std::int32_t phase) {
+                lost_[static_cast<std::size_t>(phase)] += length;
+            });
+        }
+    }
+    /// Two distances of one patch that must not be folded onto each other: at no end between them.
+    void add_fold(std::int32_t distance0, std::int32_t distance1, double length) {
+        const std::int32_t middle = (distance0 + distance1) / (2 * kStep);
+        for (int d = -reach_; d <= reach_; ++d) {
+            lost_[static_cast<std::size_t>(fold_.wrapped(d - middle))] += length;
+            lost_[static_cast<std::size_t>(fold_.wrapped(d - middle + fold_.period() / 2))] +=
+                length;
+        }
+    }
+    /// The phase that loses least, the first of equals from `start` on.
+    [[nodiscard]] std::int32_t best_from(std::int32_t start, std::int32_t stride) const {
+        std::int32_t best = start;
+        for (std::int32_t i = 0; i < fold_.period(); i += stride) {
+            const std::int32_t phase = fold_.wrapped(start + i);
+            if (lost_[static_cast<std::size_t>(phase)] < lost_[static_cast<std::size_t>(best)])
+                best = phase;
+        }
+        return best;
+    }
+
+  private:
+    const Fold& fold_;
+    int reach_;
+    std::vector<double> lost_;
+};
+
 /// How much longer the steps of a second code are: where both can find a line, the first has, and
 /// what the second adds should be certain. From 1, 2, 3 and 4 on the training scenes.
 constexpr float kSecondLength = 2;
 
 }  // namespace
+
+std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
+                                       std::span<const std::int32_t> distances,
+                                       const CodeRange& range) {
+    const Fold fold(range.highest - range.lowest + 1);
+    const PatchBorders borders(mesh);
+    std::vector<std::int32_t> greatest(mesh.patch_count, 0);
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        greatest[mesh.patch_of[f]] = std::max(greatest[mesh.patch_of[f]], distances[f]);
+    std::vector<std::int32_t> phases(mesh.patch_count, -1);  // -1: not yet
+    Losses losses(fold, range.least_difference);
+    for (const std::uint32_t patch : patches_by_area(mesh)) {
+        // A patch of one code needs no more of them than tell it from others of its kind.
+        const std::int32_t stride = greatest[patch] < kStep ? range.least_difference : 1;
+        const auto starts = static_cast<std::uint32_t>(fold.period() / 2 / stride);
+        // Patches that get one number in one set of codes must not in the other.
+        const std::uint32_t number = range.is_second ? patch * 40503U : patch;
+        const auto start = static_cast<std::int32_t>(scattered(number, starts)) * stride;
+        losses.start();
+        for (const PatchBorders::Side& side : borders.of(patch)) {
+            const std::uint32_t other = mesh.patch_of[side.beyond];
+            const std::int32_t distance = distances[side.face];
+            if (other == patch) {
+                losses.add_fold(distance, distances[side.beyond], side.length);
+            } else if (phases[other] >= 0) {
+                losses.add(distance, fold.code(distances[side.beyond], phases[other]), side.length);
+            }
+        }
+        phases[patch] = losses.best_from(start, stride);
+    }
+    std::vector<std::uint8_t> codes(mesh.face_count());
+    for (std::size_t f = 0; f < codes.size(); ++f) {
+        codes[f] = static_cast<std::uint8_t>(range.lowest +
+                                             fold.code(distances[f], phases[mesh.patch_of[f]]));
+    }
+    return codes;
+}
 
 void SurfaceCodes::prepare(const scene::Scene& scene) {
     if (scene.animation) {

@@ -1,10 +1,77 @@
+#include <algorithm>
+#include <cmath>
+
 #include "buffers/full_buffer_method.h"
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"
 #include "buffers/sample_grid.h"
+#include "edge/roberts.h"
 
 namespace ink::buffers {
+
+PixelRays::PixelRays(const scene::View& view)
+    : center_x_px_(static_cast<float>(view.width_px) / 2),
+      center_y_px_(static_cast<float>(view.height_px) / 2),
+      per_px_(static_cast<float>(1 / scene::Projection(view).focal_px())) {}
+
+InputParams with_distances(InputParams params) {
+    params.depth_encoding = params.interpolation == raster::Interpolation::affine
+                                ? raster::DepthEncoding::inverse
+                                : raster::DepthEncoding::linear;
+    return params;
+}
+
+void facing_ratio(const raster::Tile& tile,
+                  const std::array<TilePlane, 3>& normals,
+                  const PixelRays& rays,
+                  TileFloats& out) {
+    const int halo = tile.halo_px;
+    for (int y = -halo; y < tile.height_px + halo; ++y) {
+        const float ry = rays.y(tile.y0_px + y);
+        const float* nx = normals[0].row(y);
+        const float* ny = normals[1].row(y);
+        const float* nz = normals[2].row(y);
+        float* to = out.row(y);
+        for (int x = -halo; x < tile.width_px + halo; ++x) {
+            const float rx = rays.x(tile.x0_px + x);
+            const float along = nx[x] * rx + ny[x] * ry - nz[x];
+            to[x] = std::abs(along) / std::sqrt(rx * rx + ry * ry + 1);
+        }
+    }
+}
+
+void half_cross(const raster::Tile& tile, const TilePlane& plane, TileFloats& out) {
+    const core::ImageView<const float> from{
+        plane.origin, tile.width_px, tile.height_px, plane.stride};
+    const core::ImageView<float> to{out.row(0), tile.width_px, tile.height_px, TileFloats::kSpan};
+    edge::roberts(from, to);
+    for (int y = 0; y < tile.height_px; ++y) {
+        float* row = out.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            row[x] *= 0.5F;
+    }
+}
+
+void normal_cross(const raster::Tile& tile,
+                  const std::array<TilePlane, 3>& normals,
+                  TileFloats& out) {
+    TileFloats cross;
+    for (std::size_t i = 0; i < 3; ++i) {
+        half_cross(tile, normals[i], cross);
+        for (int y = 0; y < tile.height_px; ++y) {
+            const float* row = cross.row(y);
+            float* to = out.row(y);
+            for (int x = 0; x < tile.width_px; ++x)
+                to[x] = (i == 0 ? 0 : to[x]) + row[x] * row[x];
+        }
+    }
+    for (int y = 0; y < tile.height_px; ++y) {
+        float* to = out.row(y);
+        for (int x = 0; x < tile.width_px; ++x)
+            to[x] = std::sqrt(to[x]);
+    }
+}
 
 raster::SkipCounts FullBufferMethod::draw_lines(const method::Frame& frame, edge::EdgeImage& out) {
     const method::DepthCarrier carrier = pass().see(frame);

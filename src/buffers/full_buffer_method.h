@@ -1,10 +1,102 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "buffers/full_buffers.h"
-#include "buffers/surface_cross.h"
 #include "buffers/surface_method.h"
+#include "edge/edge_image.h"
+#include "method/cost.h"
+#include "scene/camera.h"
 
 namespace ink::buffers {
+
+/// The rays of a view's pixel centres in view space, as multiples of distance along the view
+/// direction: the surface at distance w of pixel (x, y) is at w * (x(x), y(y), -1).
+class PixelRays {
+  public:
+    explicit PixelRays(const scene::View& view);
+
+    [[nodiscard]] float x(int x_px) const {
+        return (static_cast<float>(x_px) + 0.5F - center_x_px_) * per_px_;
+    }
+    [[nodiscard]] float y(int y_px) const {
+        return (center_y_px_ - (static_cast<float>(y_px) + 0.5F)) * per_px_;
+    }
+
+    /// What one pixel is worth: 1 / focal length in px.
+    [[nodiscard]] float per_px() const { return per_px_; }
+
+  private:
+    float center_x_px_;
+    float center_y_px_;
+    float per_px_;
+};
+
+/// `params` with depth as the interpolation carries it, 1/w or w: both tell the distance.
+[[nodiscard]] InputParams with_distances(InputParams params);
+
+/// |n . v| of every pixel and its halo, v the unit direction to the eye: 1 seen face-on, 0 on edge
+/// and where nothing is.
+void facing_ratio(const raster::Tile& tile,
+                  const std::array<TilePlane, 3>& normals,
+                  const PixelRays& rays,
+                  TileFloats& out);
+
+/// Roberts' cross of a plane on a tile's own pixels, half of it: a step's own height where it runs
+/// along rows or columns.
+void half_cross(const raster::Tile& tile, const TilePlane& plane, TileFloats& out);
+
+/// The length of the vector of half crosses of a normal: 2 sin(a / 2) across a crease of angle a, 1
+/// against nothing.
+void normal_cross(const raster::Tile& tile,
+                  const std::array<TilePlane, 3>& normals,
+                  TileFloats& out);
+
+/// The largest and the least of the four pixels of a cross.
+struct CrossRange {
+    float least;
+    float most;
+};
+[[nodiscard]] inline CrossRange cross_range(const float* upper, const float* lower) {
+    const auto lesser = [](float a, float b) { return a < b ? a : b; };
+    const auto larger = [](float a, float b) { return a < b ? b : a; };
+    return {lesser(lesser(upper[0], upper[1]), lesser(lower[0], lower[1])),
+            larger(larger(upper[0], upper[1]), larger(lower[0], lower[1]))};
+}
+
+/// How strong a line is that exceeds its threshold `ratio` times: 0 below once, then 64 a time, up
+/// to 255.
+[[nodiscard]] inline std::uint8_t response_of_ratio(float ratio) {
+    if (!(ratio >= 1)) return 0;
+    return ratio >= 4 ? 255 : static_cast<std::uint8_t>(ratio * 64);
+}
+
+/// Writes a tile's edge responses: the larger of `step_ratio(x, y, range)`, by how much a step
+/// exceeds its threshold where 1/distance has that range, and of the normal's turn over
+/// `normal_step`. Against the sky, which is at no distance and has no plane, a line is full.
+template <class StepRatio>
+void write_cross(const raster::Tile& tile,
+                 const TilePlane& q,
+                 TileFloats& turn,
+                 double normal_step,
+                 const StepRatio& step_ratio,
+                 edge::EdgeImage& out) {
+    const float per_turn = 1 / static_cast<float>(normal_step);
+    for (int y = 0; y < tile.height_px; ++y) {
+        std::uint8_t* to = out.row(tile.y0_px + y) + tile.x0_px;
+        for (int x = 0; x < tile.width_px; ++x) {
+            const CrossRange near = cross_range(q.row(y) + x, q.row(y + 1) + x);
+            if (near.least == 0) {
+                to[x] = near.most > 0 ? 255 : 0;
+                continue;
+            }
+            const float step = step_ratio(x, y, near);
+            const float turned = turn.row(y)[x] * per_turn;
+            to[x] = response_of_ratio(step < turned ? turned : step);
+        }
+    }
+}
 
 /// What a filter over full buffers is told of its frame.
 struct FullBufferFrame {

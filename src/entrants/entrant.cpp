@@ -5,16 +5,200 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "core/error.h"
+#include "core/interrupt.h"
+#include "core/whole_file.h"
 #include "entrants/image_folder.h"
-#include "entrants/outside_program.h"
+#include "entrants/view_buffers.h"
+#include "entrants/view_files.h"
+#include "harness/outside_method.h"
 #include "harness/row.h"
+#include "import/child_process.h"
 
 namespace ink::entrants {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kCrease_rad = 40 * std::numbers::pi / 180;
+constexpr int kThreads = 64;  ///< a program may keep so many busy for its whole time
+constexpr std::uint64_t kOutputBytes = 1 << 20;
+constexpr std::uint64_t kFileBytes = 1ULL << 30;
+constexpr int kNotStarted = 127;  ///< exit code of a child that could not become the program
+
+/// A folder that is gone with it.
+class ScratchFolder {
+  public:
+    ScratchFolder() : path_(made()), ends_with_us_([path = path_] { remove(path); }) {}
+    ~ScratchFolder() { remove(path_); }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+  private:
+    static fs::path made() {
+        std::string name = (fs::temp_directory_path() / "inkbench-entrant-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) {
+            throw core::Error(name, "this folder cannot be made", "a temporary folder with space");
+        }
+        return name;
+    }
+    static void remove(const fs::path& path) {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+
+    fs::path path_;
+    core::CutOffGuard ends_with_us_;
+};
+
+std::string text_of(const import::ChildOutcome& outcome) {
+    return {reinterpret_cast<const char*>(outcome.output.data()), outcome.output.size()};
+}
+
+/// The last line that is not empty, cut to a length that fits a table.
+std::string last_line(std::string_view text) {
+    constexpr std::size_t kLongest = 200;
+    std::string line;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view here = text.substr(0, end);
+        if (here.find_first_not_of(" \t\r") != std::string_view::npos) line = here;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    return line.substr(0, kLongest);
+}
+
+/// The number behind the last "draw_ms" at the beginning of a line.
+std::optional<double> reported_ms(std::string_view text) {
+    constexpr std::string_view kKey = "draw_ms";
+    std::optional<double> found;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (!line.starts_with(kKey)) continue;
+        line.remove_prefix(kKey.size());
+        while (!line.empty() && (line.front() == ' ' || line.front() == '=' || line.front() == ':'))
+            line.remove_prefix(1);
+        double ms = 0;
+        const auto [at, error] = std::from_chars(line.data(), line.data() + line.size(), ms);
+        if (error == std::errc() && std::isfinite(ms) && ms >= 0) found = ms;
+    }
+    return found;
+}
+
+/// Why a call failed, or "".
+std::string failure_of(const import::ChildOutcome& outcome, const EntrantLimits& limits) {
+    const std::string said = last_line(text_of(outcome));
+    const std::string quote = said.empty() ? "" : ": " + said;
+    switch (outcome.end) {
+        case import::ChildEnd::not_started:
+            return fmt::format("it cannot be started: {}", std::strerror(outcome.code));
+        case import::ChildEnd::timed_out:
+            return fmt::format("it took longer than {} s and was ended{}", limits.wall_s, quote);
+        case import::ChildEnd::flooded:
+            return "it printed more than 1 MiB and was ended";
+        case import::ChildEnd::signalled:
+            return fmt::format("it crashed (signal {}){}", outcome.code, quote);
+        case import::ChildEnd::exited:
+            break;
+    }
+    if (outcome.code == kNotStarted) return "it cannot be started" + quote;
+    if (outcome.code != 0) return fmt::format("it ended with exit code {}{}", outcome.code, quote);
+    return "";
+}
+
+/// One scene's files, and the calls for its views.
+class ProgramRunner {
+  public:
+    ProgramRunner(fs::path program, EntrantLimits limits)
+        : program_(std::move(program)), limits_(limits) {}
+
+    harness::OutsideImage draw(const scene::Scene& scene, const scene::View& view) {
+        const std::uint64_t hash = scene::scene_hash(scene);
+        if (!meshes_ || hash != scene_hash_) {
+            meshes_ = write_meshes(scene, scratch_.path() / "scene");
+            scene_hash_ = hash;
+        }
+        const fs::path folder = scratch_.path() / "scene" / "view";
+        write_view(scene, view, *meshes_, kCrease_rad, folder);
+        const fs::path asked = folder / "camera.json";
+        const fs::path image = folder / "out.png";
+        std::error_code ignored;
+        fs::remove(image, ignored);
+
+        const auto start = Clock::now();
+        const import::ChildOutcome outcome =
+            import::run_child(program_,
+                              {asked.string(), image.string()},
+                              {.wall_s = limits_.wall_s,
+                               .memory_bytes = limits_.memory_bytes,
+                               .counts_reserved = false,  // a browser reserves a terabyte
+                               .output_bytes = kOutputBytes,
+                               .file_bytes = kFileBytes,
+                               .keeps_errors = true,
+                               .threads = kThreads,
+                               .leads_group = true});
+        const std::chrono::nanoseconds took = Clock::now() - start;
+        const std::string failure = failure_of(outcome, limits_);
+        if (!failure.empty()) throw core::Error(program_.string(), failure);
+        if (!fs::exists(image))
+            throw core::Error(
+                program_.string(), "it wrote no image", "an image at its second argument");
+        harness::OutsideImage drawn{image_of(image, view)};
+        constexpr double kNsPerMs = 1e6;
+        const auto ms = reported_ms(text_of(outcome));
+        drawn.draw_ns = ms ? std::llround(*ms * kNsPerMs) : took.count();
+        return drawn;
+    }
+
+  private:
+    /// The image that it wrote; what is wrong with it is told as the program's fault.
+    [[nodiscard]] edge::EdgeImage image_of(const fs::path& image, const scene::View& view) const {
+        try {
+            return read_entrant_image(image, view);
+        } catch (const core::Error& error) {
+            throw core::Error(
+                program_.string(), "of its image: " + error.what_happened(), error.accepted());
+        }
+    }
+
+    fs::path program_;
+    EntrantLimits limits_;
+    ScratchFolder scratch_;
+    std::optional<ViewFiles> meshes_;
+    std::uint64_t scene_hash_ = 0;
+};
+
+/// Images that `program` draws, called as `program view.json out.png` in a folder of its own under
+/// the system's temporary folder, removed with the source.
+///
+/// The source throws core::Error (where = the program) that says how a call failed: it could not be
+/// started, hung, crashed, ended with an exit code and what it last said, wrote no image or a wrong
+/// one.
+harness::OutsideSource program_source(const fs::path& program, const EntrantLimits& limits) {
+    // Made with the first view: a configuration that is only asked for its name leaves no folder.
+    auto runner = std::make_shared<std::unique_ptr<ProgramRunner>>();
+    return [runner, program = fs::absolute(program).lexically_normal(), limits](
+               const scene::Scene& scene, const scene::View& view) {
+        if (!*runner) *runner = std::make_unique<ProgramRunner>(program, limits);
+        return (*runner)->draw(scene, view);
+    };
+}
 
 constexpr const char* kWhere = "--entrant";
 constexpr const char* kAccepted = "NAME=FOLDER of images, or NAME=PROGRAM";

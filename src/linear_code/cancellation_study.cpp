@@ -1,18 +1,92 @@
 #include "linear_code/cancellation_study.h"
 
+#include <cassert>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "core/parallel.h"
+#include "edge/edge_image.h"
+#include "edge/laplacian.h"
 #include "edge/thin.h"
 #include "edge/threshold.h"
 #include "harness/cell.h"
+#include "harness/truth_code.h"
 #include "linear_code/cancellation_law.h"
-#include "linear_code/predicted_positives.h"
 #include "score/drawing.h"
 
 namespace ink::linear_code {
 namespace {
+
+/// The codes of a view's pixels, each worked out once: stencils along a line share most of theirs.
+class CodePlane {
+  public:
+    CodePlane(const harness::TruthCode& code, const core::Image<std::uint32_t>& triangle)
+        : code_(code),
+          triangle_(triangle),
+          codes_(triangle.width_px(), triangle.height_px(), kUnknown) {}
+
+    /// 4 codes(x, y) - its four neighbours, which lie on the image.
+    [[nodiscard]] int laplacian(int x, int y) {
+        return 4 * at(x, y) - at(x - 1, y) - at(x + 1, y) - at(x, y - 1) - at(x, y + 1);
+    }
+
+  private:
+    static constexpr int kUnknown = std::numeric_limits<int>::min();
+
+    [[nodiscard]] int at(int x, int y) {
+        int& code = codes_.at(x, y);
+        if (code == kUnknown) code = code_.at(x, y, triangle_.at(x, y)).code;
+        return code;
+    }
+
+    const harness::TruthCode& code_;
+    const core::Image<std::uint32_t>& triangle_;
+    core::Image<int> codes_;
+};
+
+/// The pixels round which a four-neighbour stencil sees a true line (score::sees_line) and that
+/// have four neighbours, row by row: the same for every code.
+std::vector<score::Pixel> line_stencils(const score::TruthStencils& stencils) {
+    const truth::Cracks& cracks = stencils.cracks;
+    std::vector<score::Pixel> seeing;
+    for (int y = 1; y + 1 < stencils.triangle.height_px(); ++y) {
+        const std::uint8_t* right = cracks.right.row(y);
+        const std::uint8_t* above = cracks.below.row(y - 1);
+        const std::uint8_t* below = cracks.below.row(y);
+        for (int x = 1; x + 1 < stencils.triangle.width_px(); ++x) {
+            // Most pixels have no crack round them, which is soon told.
+            if ((right[x - 1] | right[x] | above[x] | below[x]) == 0) continue;
+            if (score::sees_line(stencils, {x, y})) seeing.push_back({x, y});
+        }
+    }
+    return seeing;
+}
+
+/// Which pixels a declared code draws along the true lines of a view: 1 where the four-neighbour
+/// stencil round a pixel sees a line (score::sees_line) and the filter's response to it reaches the
+/// threshold; not thinned, of the view's size.
+///
+/// From the truth's geometry and the declared code alone, never from a method's image. What each
+/// pixel centre sees is the truth's. So a crease has what it has on a real image: one to three
+/// neighbours on its other side, the kink that 1/w has there instead of a jump, and codes that are
+/// rounded. Stencils that the frame cuts, and those that no line crosses, draw nothing.
+///
+/// `triangle` is the truth's layer, `seeing` its line_stencils(); `declared` has a code: the one
+/// that `code` was made of.
+edge::Mask predicted_positives(const harness::TruthCode& code,
+                               const core::Image<std::uint32_t>& triangle,
+                               const std::vector<score::Pixel>& seeing,
+                               const harness::Declaration& declared) {
+    assert(declared.code);
+    CodePlane codes(code, triangle);
+    edge::Mask positives(triangle.width_px(), triangle.height_px());
+    for (const auto& [x, y] : seeing) {
+        const int edge_response = edge::respond(codes.laplacian(x, y), declared.code->response);
+        positives.at(x, y) = edge_response >= declared.threshold ? 1 : 0;
+    }
+    return positives;
+}
 
 /// An evaluation with a code, the code worked out from the truth, and what came of both.
 struct Study {

@@ -81,7 +81,7 @@ void add_training_views(harness::SceneViews& scene_views,
 ///
 /// Truths are traced once, and what a linear code reads of the scenes is rendered once: settings of
 /// such a code are drawn from that, and by the method itself only where they may be the best yet
-/// (tune/tune_planes.h). What other methods draw, they draw anew unless settings differ in the
+/// (TunePlanes). What other methods draw, they draw anew unless settings differ in the
 /// threshold alone. All errors of `defaults`, `tuned` and `random` are the method's own. Everything
 /// but times is the same for every thread count. Finished evaluations are kept in
 /// `out`/evaluations.csv.part, from where the same command goes on after a kill. Throws core::Error
