@@ -14,28 +14,9 @@ namespace {
 
 constexpr const char* kMethod = "mote4";  // unless one is named
 
-experiment::Experiment usual_bound() {
-    experiment::Experiment usual;
-    usual.where = "inkbench bound";
-    usual.name = "bound";
-    usual.kind = experiment::ExperimentKind::bound;
-    return usual;
-}
-
-struct BoundArgs {
-    ExperimentOptions options{usual_bound()};
-    SceneOptions scenes;
-    std::vector<std::string> methods;
-    std::vector<std::string> settings;
-    ViewOptions views;
-    CacheOptions cache;
-    RunFolderOptions folder{.out = "inkbench-out/bound"};
-};
-
-experiment::Experiment experiment_of(const BoundArgs& args) {
-    experiment::Experiment experiment = args.options.read();
-    take_methods({one_method(args.methods, kMethod)}, args.settings, experiment);
-    take_views(args.views, args.scenes, experiment);
+experiment::Experiment experiment_of(MeasureArgs& args) {
+    args.methods = {one_method(args.methods, kMethod)};
+    experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
     return experiment;
 }
@@ -43,7 +24,8 @@ experiment::Experiment experiment_of(const BoundArgs& args) {
 }  // namespace
 
 void add_bound_command(CLI::App& app) {
-    auto args = std::make_shared<BoundArgs>();
+    auto args = std::make_shared<MeasureArgs>("bound", "inkbench-out/bound");
+    args->options.usual().kind = experiment::ExperimentKind::bound;
     auto* command = app.add_subcommand(
         "bound", "Estimate the best score that any four weights of a packed code could have");
     add_scene_options(

@@ -25,23 +25,12 @@ constexpr const char* kDemoMethods =
     "inverted_hull,ids,jump_flood,surface8,id_lookup";
 constexpr const char* kDemoOut = "inkbench-out/demo";
 
-experiment::Experiment usual_comparison() {
-    experiment::Experiment usual;
-    usual.where = "inkbench compare";
-    usual.name = "compare";
-    usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
-    usual.own_sweep_views = 1;
-    return usual;
-}
+struct CompareArgs : MeasureArgs {
+    CompareArgs() : MeasureArgs("compare", "inkbench-out") {
+        options.usual().budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
+        options.usual().own_sweep_views = 1;
+    }
 
-struct CompareArgs {
-    ExperimentOptions options{usual_comparison()};
-    SceneOptions scenes;
-    std::vector<std::string> methods;
-    std::vector<std::string> settings;
-    ViewOptions views;
-    RunFolderOptions folder{.out = "inkbench-out"};
-    CacheOptions cache;
     bool no_sweep = false;
     bool quick = false;
     bool demo = false;
@@ -62,9 +51,7 @@ void apply_demo(CompareArgs& args, const CLI::App& command) {
 }
 
 experiment::Experiment experiment_of(const CompareArgs& args) {
-    experiment::Experiment experiment = args.options.read();
-    take_methods(args.methods, args.settings, experiment);
-    take_views(args.views, args.scenes, experiment);
+    experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = experiment::scenes_called("catalogue");
     if (args.quick && args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     if (args.no_sweep) experiment.own_sweep_views = 0;

@@ -11,8 +11,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "cli/commands/commands.h"
 #include "cli/options/experiment_options.h"
@@ -91,27 +89,17 @@ int run_figures_script(const std::vector<std::string>& arguments) {
 // Between them every class of line, and depth and normals that cancel.
 constexpr const char* kUsualScenes = "figure,staircase,flag,tiles";
 
-experiment::Experiment usual_figures() {
-    experiment::Experiment usual;
-    usual.where = "inkbench figures";
-    usual.name = "figures";
-    usual.repetitions = 5;
-    usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
-    usual.crosscheck = false;
-    usual.images = experiment::KeptImages::all;
-    return usual;
-}
+/// Of the run, if one is made; run folders stand among the scenes.
+struct FiguresArgs : MeasureArgs {
+    FiguresArgs() : MeasureArgs("figures", "inkbench-figures") {
+        experiment::Experiment& usual = options.usual();
+        usual.repetitions = 5;
+        usual.budget_ms = harness::MeasureOptions{}.budget_s * 1e3;
+        usual.crosscheck = false;
+        usual.images = experiment::KeptImages::all;
+    }
 
-struct FiguresArgs {
-    ExperimentOptions options{usual_figures()};  ///< of the run, if one is made
-    SceneOptions scenes;  ///< run folders too, where they stand by themselves
-    std::vector<std::string> methods;
-    std::vector<std::string> settings;
-    ViewOptions views;
-    std::string out = "inkbench-figures";
-    bool is_forced = false;
     bool has_sweep = false;
-    CacheOptions cache;
 
     // Of the script, which reads and checks them.
     std::string formats;
@@ -138,7 +126,7 @@ std::vector<std::string> script_options(const FiguresArgs& args) {
     const auto add = [&words](const char* option, const std::string& value) {
         if (!value.empty()) words.push_back(fmt::format("{}={}", option, value));
     };
-    add("--out", args.out);
+    add("--out", args.folder.out);
     add("--format", args.formats);
     add("--width", args.width);
     add("--font-size", args.font_size);
@@ -201,9 +189,7 @@ void show_runs(const FiguresArgs& args,
 }
 
 experiment::Experiment experiment_of(const FiguresArgs& args) {
-    experiment::Experiment experiment = args.options.read();
-    take_methods(args.methods, args.settings, experiment);
-    take_views(args.views, args.scenes, experiment);
+    experiment::Experiment experiment = args.read();
     if (experiment.scenes.empty()) experiment.scenes = harness::split_list(kUsualScenes);
     if (args.views.views.empty() && args.views.eyes.empty()) experiment.views = 1;
     experiment.own_sweep_views = args.has_sweep ? 1 : 0;
@@ -228,10 +214,11 @@ void make_and_show(const FiguresArgs& args, const CLI::App& command) {
     std::vector<std::string> check = words;
     check.emplace_back("--check");
     run_script(check);
-    const fs::path run = fs::path(args.out) / "run";
+    const fs::path run = fs::path(args.folder.out) / "run";
     int code = 0;
     try {
-        run_to_end(experiment, {.out = run.string(), .is_forced = args.is_forced}, args.cache);
+        run_to_end(
+            experiment, {.out = run.string(), .is_forced = args.folder.is_forced}, args.cache);
     } catch (const CLI::RuntimeError& end) {
         code = end.get_exit_code();
         if (code != 3) throw;  // 3: views without a score, which are left out of figures
@@ -292,7 +279,7 @@ void add_figures_command(CLI::App& app) {
     options.add_to(*command, {"grid.entrants", "measure.entrant_seconds"});
     add_view_options(*command, args->views);
     add_out_folder_option(*command,
-                          args->out,
+                          args->folder.out,
                           "Folder for the figures, figures.md, which lists them, and run/, if one "
                           "is made");
     options.add_to(*command, truth_rows());
@@ -300,7 +287,7 @@ void add_figures_command(CLI::App& app) {
     command->add_flag("--sweep", args->has_sweep, "Sweep the methods' settings in the run too");
     options.add_to(*command, {"seed"}, "Of intervals and random images");
     command->add_flag(
-        "--force", args->is_forced, "Throw away the run that is in the folder's run/");
+        "--force", args->folder.is_forced, "Throw away the run that is in the folder's run/");
     add_cache_options(*command, args->cache);
     add_quiet_option(*command);
     command->footer(

@@ -1,6 +1,4 @@
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "cli/commands/commands.h"
 #include "cli/options/experiment_options.h"
@@ -9,36 +7,10 @@
 #include "cli/options/run_options.h"
 
 namespace ink::cli {
-namespace {
-
-experiment::Experiment usual_stress() {
-    experiment::Experiment usual;
-    usual.where = "inkbench stress";
-    usual.name = "stress";
-    usual.kind = experiment::ExperimentKind::stress;
-    return usual;
-}
-
-struct StressArgs {
-    ExperimentOptions options{usual_stress()};
-    std::vector<std::string> methods;
-    std::vector<std::string> settings;
-    ViewOptions views;
-    CacheOptions cache;
-    RunFolderOptions folder{.out = "inkbench-out/stress"};
-};
-
-experiment::Experiment experiment_of(const StressArgs& args) {
-    experiment::Experiment experiment = args.options.read();
-    take_methods(args.methods, args.settings, experiment);
-    take_views(args.views, {}, experiment);
-    return experiment;
-}
-
-}  // namespace
 
 void add_stress_command(CLI::App& app) {
-    auto args = std::make_shared<StressArgs>();
+    auto args = std::make_shared<MeasureArgs>("stress", "inkbench-out/stress");
+    args->options.usual().kind = experiment::ExperimentKind::stress;
     args->views.size = "480x270";
     auto* command =
         app.add_subcommand("stress", "Sweep one difficulty at a time: error curves per method");
@@ -59,7 +31,7 @@ void add_stress_command(CLI::App& app) {
         "Exit codes: 0 done; 1 a number was not finite, a code overflowed, a cell has no result or "
         "images differ that must not; 2 bad input; 130 interrupted.");
     command->callback([args, command] {
-        experiment::Experiment experiment = experiment_of(*args);
+        experiment::Experiment experiment = args->read();
         experiment.command = run_command_text(*command);
         run_to_end(experiment, args->folder, args->cache);
     });

@@ -7,12 +7,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
 #include <system_error>
 
 #include "cli/options/method_options.h"
 #include "cli/run_result.h"
-#include "core/error.h"
 #include "core/interrupt.h"
 #include "core/progress.h"
 #include "experiment/block_store.h"
@@ -144,22 +142,23 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
     command.add_flag("--json", options.is_json, "Print the result as JSON");
 }
 
-void take_methods(const std::vector<std::string>& methods,
-                  const std::vector<std::string>& settings,
-                  experiment::Experiment& experiment) {
+MeasureArgs::MeasureArgs(const std::string& name, const std::string& out) {
+    options.usual().where = "inkbench " + name;
+    options.usual().name = name;
+    folder.out = out;
+}
+
+experiment::Experiment MeasureArgs::read() const {
+    experiment::Experiment experiment = options.read();
     const std::string names = method_list(methods);
     for (const harness::MethodConfig& config :
          harness::make_configs(names, settings, experiment.presets))
         if (!names.empty() && !config.owned) experiment.methods.push_back(config.info->name);
     experiment.settings = settings;
-}
-
-void take_views(const ViewOptions& views,
-                const SceneOptions& scenes,
-                experiment::Experiment& experiment) {
     experiment.view_request = view_request(views);
     experiment.sizes = {{experiment.view_request.width_px, experiment.view_request.height_px}};
     experiment.scenes = scene_names(scenes);
+    return experiment;
 }
 
 std::string run_command_text(const CLI::App& command) {

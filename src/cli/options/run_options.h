@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/options/experiment_options.h"
 #include "cli/options/options.h"
 #include "cli/options/scene_options.h"
 #include "experiment/experiment.h"
@@ -25,16 +26,23 @@ struct RunFolderOptions {
 /// command.
 void add_run_folder_options(CLI::App& command, RunFolderOptions& options);
 
-/// Puts the methods that a command names, all if none, and their settings into an experiment.
-/// Throws core::Error for one that does not fit the other.
-void take_methods(const std::vector<std::string>& methods,
-                  const std::vector<std::string>& settings,
-                  experiment::Experiment& experiment);
+/// What a command that measures is asked: what, how, and where the run goes.
+struct MeasureArgs {
+    /// Of the command `name`, whose runs go to `out` unless told otherwise.
+    MeasureArgs(const std::string& name, const std::string& out);
 
-/// Puts the scenes that a command names and from where they are seen into an experiment.
-void take_views(const ViewOptions& views,
-                const SceneOptions& scenes,
-                experiment::Experiment& experiment);
+    ExperimentOptions options;
+    SceneOptions scenes;
+    std::vector<std::string> methods;
+    std::vector<std::string> settings;
+    ViewOptions views;
+    CacheOptions cache;
+    RunFolderOptions folder;
+
+    /// The experiment: of all methods if none is named. Throws core::Error for methods and settings
+    /// that do not fit each other.
+    [[nodiscard]] experiment::Experiment read() const;
+};
 
 /// What the user typed after `command`'s name, less what says where results go and how they are
 /// shown: the same for a run, its shards and its continuation.
