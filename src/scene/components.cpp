@@ -19,13 +19,6 @@ struct Tally {
     bool is_bent_inwards = false;
 };
 
-bool runs_forward(const Face& face, const Edge& edge) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
-    }
-    return false;
-}
-
 /// Whether the second face of the edge rises before the first.
 bool is_concave(const Topology& topology, const Edge& edge) {
     const auto faces = topology.faces_of(edge);

@@ -114,13 +114,6 @@ double length_of(const Topology& topology, const Edge& edge) {
     return glm::length(topology.p_world[edge.b] - topology.p_world[edge.a]);
 }
 
-bool runs_forward(const Face& face, const Edge& edge) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
-    }
-    return false;
-}
-
 void add(EdgeTally& tally, double length_world) {
     ++tally.count;
     tally.length_world += length_world;

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "core/disjoint_sets.h"
 #include "scene/precision/rounding.h"
@@ -39,10 +38,6 @@ std::uint32_t corner_at(const Face& face, std::uint32_t vertex) {
     }
     assert(false && "the face does not touch the vertex");
     return 0;
-}
-
-bool runs_forward(const Face& face, const Edge& edge) {
-    return face.vertices[(corner_at(face, edge.a) + 1) % 3] == edge.b;
 }
 
 /// Corner 3f+i of every face, joined across the edges that are smooth: corners of a set share a

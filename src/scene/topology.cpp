@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 
 #include "core/hash.h"
@@ -209,13 +208,6 @@ void weld_faces(const Scene& scene, Moves& moves, Topology& topology) {
     topology.written_rounding_world = written_roundings(scene, topology.p_world);
 }
 
-bool runs_forward(const Face& face, const Edge& edge) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
-    }
-    return false;
-}
-
 void count_edges(Topology& topology) {
     for (const Edge& edge : topology.edges) {
         if (edge.face_count == 1) ++topology.counts.boundary_edges;
@@ -278,6 +270,13 @@ Topology weld_anew(const Scene& scene, const WeldOptions& options) {
 }
 
 }  // namespace
+
+bool runs_forward(const Face& face, const Edge& edge) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (face.vertices[i] == edge.a && face.vertices[(i + 1) % 3] == edge.b) return true;
+    }
+    return false;
+}
 
 Topology weld(const Scene& scene, const WeldOptions& options) {
     return shared(

@@ -79,6 +79,9 @@ struct WeldOptions {
 /// O(n) expected; O(n log n) with an epsilon. An empty scene gives an empty topology.
 [[nodiscard]] Topology weld(const Scene& scene, const WeldOptions& options = {});
 
+/// Whether the face goes round its edge from `a` to `b`.
+[[nodiscard]] bool runs_forward(const Face& face, const Edge& edge);
+
 /// The corner of a face that one of its edges leaves out.
 [[nodiscard]] std::uint32_t opposite_vertex(const Face& face, const Edge& edge);
 
