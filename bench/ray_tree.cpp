@@ -1,7 +1,6 @@
 #include "bench/ray_tree.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <vector>
 

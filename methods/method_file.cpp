@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/error.h"
+#include "methods/shipped_texts.h"
 #include "methods/toml_reader.h"
 
 namespace ink::methods {
@@ -54,6 +55,19 @@ method::Tunable read_tunable(TomlReader& table,
 }
 
 }  // namespace
+
+std::string ShippedFile::where() const {
+    const std::string folder(name);
+    return "methods/" + folder + "/" + folder + ".toml";
+}
+
+std::span<const ShippedFile> method_files() {
+    return kMethodFiles;
+}
+
+std::span<const ShippedFile> shipped_presets() {
+    return kPresetFiles;
+}
 
 method::MethodInfo described(method::MethodInfo info,
                              std::string_view text,

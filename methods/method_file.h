@@ -1,11 +1,28 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "method/method.h"
 
 namespace ink::methods {
+
+/// A file of a method or a preset as the build took it in: the text of
+/// `methods/<name>/<name>.toml`.
+struct ShippedFile {
+    std::string_view name;
+    std::string_view text;
+
+    /// Its path, for messages.
+    [[nodiscard]] std::string where() const;
+};
+
+/// What methods have beside their code, in any order.
+[[nodiscard]] std::span<const ShippedFile> method_files();
+
+/// The presets that come with the program, in the order in which tables show them.
+[[nodiscard]] std::span<const ShippedFile> shipped_presets();
 
 /// `info`, which holds what is code of a method, with what its file says:
 /// `methods/<name>/<name>.toml`

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "methods/method_file.h"
 #include "methods/presets.h"
-#include "methods/shipped_files.h"
 
 // One line for each method, in the order in which tables show them. A static object of its own per
 // method would register itself, and vanish with the object file that no other refers to when this

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "buffers/each_tile.h"
-#include "buffers/id_method.h"
+#include "buffers/id_pass.h"
 #include "core/image.h"
 #include "edge/binomial_blur.h"
 

@@ -7,7 +7,6 @@
 // (edge/decaudin_filter.h), then one p of four.
 
 #include <array>
-#include <vector>
 
 #include "buffers/full_buffer_method.h"
 #include "edge/decaudin_filter.h"

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "buffers/known_edge.h"
+#include "buffers/hidden_lines.h"
 #include "methods/edge_hash/soup_edges.h"
 #include "scene/scene.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "buffers/known_edge.h"
+#include "buffers/hidden_lines.h"
 #include "methods/edge_list/edge_builders.h"
 #include "scene/scene.h"
 

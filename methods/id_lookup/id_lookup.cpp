@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/trigonometric.hpp>
-#include <utility>
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"

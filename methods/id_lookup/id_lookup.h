@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "buffers/constant_pass.h"
 #include "buffers/surface_method.h"
 #include "methods/id_lookup/lookup_mesh.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "core/parallel.h"
 #include "raster/pass/screen_vertex.h"

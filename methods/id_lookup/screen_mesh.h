@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <vector>
 
 #include "methods/id_lookup/lookup_mesh.h"

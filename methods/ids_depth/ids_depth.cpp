@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "buffers/each_tile.h"
-#include "buffers/id_method.h"
+#include "buffers/id_pass.h"
 #include "buffers/packed_sink.h"
 
 namespace ink::methods {

@@ -3,7 +3,6 @@
 // surface grown along its normals, p + length n, its back faces black behind the front faces.
 
 #include <algorithm>
-#include <glm/trigonometric.hpp>
 
 #include "buffers/constant_pass.h"
 #include "buffers/each_tile.h"

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "buffers/each_tile.h"
-#include "buffers/id_method.h"
+#include "buffers/id_pass.h"
 
 namespace ink::methods {
 namespace {

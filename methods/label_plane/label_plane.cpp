@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "buffers/constant_pass.h"
-#include "buffers/layer_images.h"
 #include "buffers/packed_sink.h"
 #include "buffers/surface_method.h"
 #include "buffers/surface_values.h"

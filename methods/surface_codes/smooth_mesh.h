@@ -1,15 +1,20 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "buffers/surface_ids.h"
-#include "methods/surface_codes/touching_boundaries.h"
+#include "buffers/id_pass.h"
 #include "scene/scene.h"
 #include "scene/topology.h"
 
 namespace ink::methods {
+
+/// Two faces at an edge.
+struct FacePair {
+    std::uint32_t face0 = 0;
+    std::uint32_t face1 = 0;
+    std::uint32_t edge = 0;  ///< into Topology::edges
+};
 
 /// A welded scene cut into smooth patches, and each patch's corners into fans.
 ///

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 
-#include "methods/surface_codes/patch_borders.h"
+#include "methods/surface_codes/patch_labels.h"
 #include "methods/surface_codes/surface_graph.h"
 #include "scene/animation.h"
 #include "scene/sharing/shared_work.h"
@@ -94,8 +93,13 @@ class Losses {
 /// what the second adds should be certain. From 1, 2, 3 and 4 on the training scenes.
 constexpr float kSecondLength = 2;
 
-}  // namespace
-
+/// Per face a code from its distance, in units of kStep: the distance and the phase of its patch, a
+/// whole number of steps, to and fro between the ends of the range.
+///
+/// Codes of a patch so change by no more steps than its distances. Phases are found patch by patch,
+/// the largest area first, so that as little as possible of the borders with those before has codes
+/// that belong together; where a patch is free, patches that follow each other in the file get
+/// phases far apart.
 std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
                                        std::span<const std::int32_t> distances,
                                        const CodeRange& range) {
@@ -132,6 +136,8 @@ std::vector<std::uint8_t> phased_codes(const SmoothMesh& mesh,
     }
     return codes;
 }
+
+}  // namespace
 
 void SurfaceCodes::prepare(const scene::Scene& scene) {
     if (scene.animation) {

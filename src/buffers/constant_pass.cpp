@@ -1,7 +1,5 @@
 #include "buffers/constant_pass.h"
 
-#include <utility>
-
 namespace ink::buffers {
 
 void ConstantPass::take(std::vector<std::uint32_t> constants) {

@@ -1,9 +1,69 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "buffers/depth_fill.h"
 #include "buffers/surface_method.h"
-#include "buffers/triangle_edges.h"
+#include "raster/lines/line_pass.h"
 
 namespace ink::buffers {
+
+/// Which edges of triangles a wireframe has.
+enum class WireEdges {
+    all,       ///< of every triangle
+    polygons,  ///< without those that only cut a flat polygon in triangles
+};
+
+/// A scene as wireframe methods draw it: triangles to fill, and their edges as lines.
+///
+/// OpenGL's glPolygonMode draws an edge with each of its triangles, once in either direction; here
+/// it is one line there and back. A polygon's inner edges are those between two triangles of one
+/// object and material that bend by less than scene::kFlat_rad as the scene is posed. Triangles
+/// that are degenerate when it is prepared have no edges.
+class TriangleEdges : public DepthFill {
+  public:
+    explicit TriangleEdges(WireEdges edges,
+                           raster::DepthFormat depth_format = raster::DepthFormat::q32)
+        : DepthFill({.depth_format = depth_format}), edges_(edges) {}
+
+    /// Once per topology.
+    void prepare(const scene::Scene& scene);
+    /// World positions again, if anything moved since; with WireEdges::polygons also the edges, by
+    /// a new weld, for what was flat may have bent.
+    void pose(const scene::Scene& scene);
+
+    /// The corners that lines join.
+    [[nodiscard]] const scene::Surface& surface() const { return inputs().surface(); }
+    /// All of them; they join corners of surface().
+    [[nodiscard]] std::span<const raster::Line> lines() const { return lines_; }
+    /// Those of at least one triangle that the eye sees from its back (`side` < 0) or from its
+    /// front or its rim (`side` >= 0). Valid until the next call.
+    [[nodiscard]] std::span<const raster::Line> lines_of_side(int side, const method::Frame& frame);
+
+  private:
+    /// The triangles of a line: the first runs along it, the second against it. The second is the
+    /// first again where there is only one; an edge of more than two is several lines.
+    struct Faces {
+        std::uint32_t first = 0;
+        std::uint32_t second = 0;
+    };
+
+    struct Lines {
+        std::vector<raster::Line> lines;
+        std::vector<Faces> faces;  ///< one per line
+    };
+    [[nodiscard]] Lines lines_of(const scene::Scene& scene) const;
+    void find_lines(const scene::Scene& scene);
+    void find_sides(const method::Frame& frame);
+
+    WireEdges edges_;
+    std::vector<raster::Line> lines_;
+    std::vector<Faces> faces_;        ///< one per line
+    std::vector<std::int8_t> sides_;  ///< one per triangle, of the last frame
+    std::vector<raster::Line> shown_;
+};
 
 /// The parameters that wireframes under fills share.
 struct WireParams {

@@ -1,7 +1,6 @@
-#include <algorithm>
-#include <cmath>
-
 #include "buffers/full_buffer_method.h"
+
+#include <cmath>
 
 #include "buffers/each_tile.h"
 #include "buffers/packed_sink.h"

@@ -1,13 +1,28 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "buffers/depth_fill.h"
-#include "buffers/known_edge.h"
 #include "buffers/surface_method.h"
 #include "raster/lines/line_pass.h"
 
 namespace ink::buffers {
+
+/// What an edge of a mesh is in one view.
+enum class EdgeKind : std::uint8_t {
+    none,      ///< between faces that run on into each other
+    contour,   ///< what is on one side of it faces away, or is not there
+    crease,    ///< between two faces that bend
+    boundary,  ///< of one face
+};
+
+/// An edge that is a line from where the camera stands, hidden or not.
+struct KnownEdge {
+    glm::dvec3 a_world{0};
+    glm::dvec3 b_world{0};
+    EdgeKind kind = EdgeKind::none;
+};
 
 /// As what an edge of one face is drawn.
 enum class BoundaryEdges { contour, crease, none };

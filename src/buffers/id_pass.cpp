@@ -1,11 +1,72 @@
 #include "buffers/id_pass.h"
 
+#include <algorithm>
+#include <array>
 #include <glm/trigonometric.hpp>
+#include <map>
+#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/hash.h"
+#include "scene/precision/rounding.h"
+#include "scene/surface.h"
+#include "scene/topology.h"
 
 namespace ink::buffers {
 namespace {
+
+using Place = std::array<double, 3>;
+using Places = std::array<Place, 3>;
+
+Places places_of(const std::array<glm::dvec3, 3>& corners) {
+    Places places;
+    for (std::size_t i = 0; i < 3; ++i)
+        places[i] = {corners[i].x, corners[i].y, corners[i].z};
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+/// Joins each triangle that repeats a face with it: equally deep, either may be the one that is
+/// seen.
+void join_duplicates(const scene::Scene& scene,
+                     const scene::Topology& topology,
+                     core::DisjointSets& sets) {
+    std::map<Places, std::uint32_t> face_at;
+    std::vector<bool> is_face(scene::triangle_count(scene));
+    for (const scene::Face& face : topology.faces) {
+        is_face[face.triangle] = true;
+        const auto p = [&](std::size_t i) { return topology.p_world[face.vertices[i]]; };
+        face_at.emplace(places_of({p(0), p(1), p(2)}), face.triangle);
+    }
+    const scene::Surface surface = scene::flatten(scene);
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+        if (is_face[t]) continue;
+        const auto p = [&](std::size_t i) { return surface.p_world[surface.triangles[t][i]]; };
+        const auto found = face_at.find(places_of({p(0), p(1), p(2)}));
+        if (found != face_at.end()) sets.join(t, found->second);
+    }
+}
+
+std::vector<std::uint32_t> patch_ids(const scene::Scene& scene,
+                                     bool over_objects,
+                                     const PatchOptions& options) {
+    const scene::Topology topology = scene::weld(scene, {.epsilon = options.weld_epsilon});
+    core::DisjointSets sets(scene::triangle_count(scene));
+    for (const scene::Edge& edge : topology.edges) {
+        if (edge.face_count != 2) continue;
+        const auto faces = topology.faces_of(edge);
+        const scene::Face& f = topology.faces[faces[0]];
+        const scene::Face& g = topology.faces[faces[1]];
+        if (!over_objects && f.object != g.object) continue;
+        if (scene::is_crease(topology, edge, faces[0], faces[1], options.crease_rad)) continue;
+        sets.join(f.triangle, g.triangle);
+    }
+    if (topology.counts.duplicate > 0) join_duplicates(scene, topology, sets);
+    std::vector<std::uint32_t> ids(scene::triangle_count(scene));
+    for (std::uint32_t t = 0; t < ids.size(); ++t)
+        ids[t] = sets.root(t);
+    return ids;
+}
 
 /// Each byte 64..255, so that every colour stands out from the sky.
 glm::u8vec3 color_of(std::uint32_t id) {
@@ -18,6 +79,24 @@ glm::u8vec3 color_of(std::uint32_t id) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> surface_ids(const scene::Scene& scene,
+                                       IdSource source,
+                                       const PatchOptions& options) {
+    if (source == IdSource::patch || source == IdSource::object_and_patch) {
+        return patch_ids(scene, source == IdSource::patch, options);
+    }
+    std::vector<std::uint32_t> ids(scene::triangle_count(scene));
+    std::iota(ids.begin(), ids.end(), 0U);
+    if (source == IdSource::triangle) return ids;
+    std::size_t first = 0;
+    for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
+        const std::size_t count = scene.meshes[scene.instances[object].mesh].triangles.size();
+        std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(first), count, object);
+        first += count;
+    }
+    return ids;
+}
 
 IdPass::IdPass(const IdParams& params, int halo_px)
     : ConstantPass(constant_inputs(params),

@@ -2,7 +2,6 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "buffers/layer_images.h"
 #include "buffers/surface_values.h"
 
 namespace ink::buffers {

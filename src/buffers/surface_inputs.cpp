@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
-#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace ink::buffers {

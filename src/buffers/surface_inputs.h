@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <memory>
-#include <vector>
 
 #include "buffers/sample_grid.h"
 #include "core/param.h"

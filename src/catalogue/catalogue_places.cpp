@@ -1,5 +1,3 @@
-#include <cmath>
-#include <numbers>
 
 #include "catalogue/catalogue_scenes.h"
 #include "catalogue/catalogue_stage.h"

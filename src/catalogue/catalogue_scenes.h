@@ -47,7 +47,7 @@ namespace ink::catalogue {
 // Machined parts: catalogue_parts.cpp
 [[nodiscard]] scene::Scene make_bracket_scene();
 
-// Thin things: catalogue_thin.cpp
+// Thin things: catalogue_sheets.cpp
 [[nodiscard]] scene::Scene make_truss_scene();
 [[nodiscard]] scene::Scene make_bars_scene();
 

@@ -1,7 +1,6 @@
 #include "catalogue/catalogue_stage.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "cli/json_values.h"
 #include "cli/options/options.h"
@@ -18,7 +17,7 @@
 #include "report/text/verdict.h"
 #include "studies/axis_summary.h"
 #include "summary/summary.h"
-#include "summary/unscored.h"
+#include "summary/summary_csv.h"
 
 namespace ink::cli {
 namespace {

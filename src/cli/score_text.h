@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "draw/score_files.h"
-#include "draw/score_folders.h"
 
 namespace ink::cli {
 

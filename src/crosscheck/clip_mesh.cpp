@@ -159,21 +159,6 @@ std::uint32_t ClipMesh::nearest_on(const scene::Edge& edge, int side) const {
     return nearest;
 }
 
-truth::LineClass ClipMesh::likely_class(std::uint32_t edge) const {
-    switch (kinds_[edge]) {
-        case EdgeKind::boundary:
-            return truth::LineClass::boundary;
-        case EdgeKind::contour:
-            return truth::LineClass::contour;
-        case EdgeKind::crease:
-            return truth::LineClass::crease;
-        case EdgeKind::seam:
-            return truth::LineClass::seam;
-        default:
-            return truth::LineClass::none;
-    }
-}
-
 Across ClipMesh::across(std::uint32_t face, std::size_t side) const {
     const std::uint32_t index = topology_.faces[face].edges[side];
     const scene::Edge& edge = topology_.edges[index];

@@ -59,10 +59,6 @@ class ClipMesh {
         return kinds_[edge] != EdgeKind::flat;
     }
 
-    /// The class of the line that an edge may draw; none for one of three faces and more, which
-    /// depends on the faces that are seen.
-    [[nodiscard]] truth::LineClass likely_class(std::uint32_t edge) const;
-
     [[nodiscard]] LocalFace local_face(std::uint32_t face, const glm::dvec2& p_px) const;
     /// The distance along the view direction at which the face is met from the point it is local
     /// to, made to lie within the face where the point misses it a little. Nothing (0) if it is

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
-#include "crosscheck/line_names.h"
 #include "crosscheck/sample_cells.h"
 
 namespace ink::crosscheck {
@@ -50,5 +48,24 @@ class KnownLines {
     std::vector<std::uint32_t> first_;  ///< of each cell, into the points
     std::vector<SampledPoint> points_;
 };
+
+/// Where found points and counts go.
+struct Crossings {
+    std::vector<CellPoint>& points;
+    SamplingCounts& counts;
+};
+
+/// A way between two samples and the cell that what crosses it belongs to.
+struct CellWay : Way {
+    glm::ivec2 cell{0};
+};
+
+/// Adds a point for each line that crosses one of the ways, way by way: each is halved down to
+/// 1/512 px wherever the ends of a part are not joined, all of them together. A point stands for
+/// `spacing_px` of line, divided by the line's slant. Points outside the image are left out.
+void add_crossings(const SightRays& rays,
+                   std::span<const CellWay> ways,
+                   double spacing_px,
+                   Crossings& found);
 
 }  // namespace ink::crosscheck

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "core/parallel.h"
 #include "crosscheck/line_names.h"
 #include "crosscheck/plain_rays.h"
+#include "scene/precision/weld_tolerance.h"
 
 namespace ink::crosscheck {
 namespace {
@@ -35,6 +37,73 @@ bool sees_line(const PlainRays& rays, const ClaimedPoint& claim, double radius_p
     return false;
 }
 
+constexpr double kClaimed_px = 1.0 / 512;  ///< so well is the place of a claim known
+
+/// How many corners two faces share, and one of them.
+struct Shared {
+    int count = 0;
+    std::uint32_t vertex = 0;
+};
+
+Shared shared_by(const scene::Face& f, const scene::Face& g) {
+    Shared shared;
+    for (const std::uint32_t v : f.vertices) {
+        if (std::find(g.vertices.begin(), g.vertices.end(), v) == g.vertices.end()) continue;
+        ++shared.count;
+        shared.vertex = v;
+    }
+    return shared;
+}
+
+class Places {
+  public:
+    explicit Places(const PlainRays& rays) : rays_(rays), mesh_(rays.mesh()) {}
+
+    [[nodiscard]] bool is_open(const glm::dvec2& p_px) const {
+        if (is_open_at(p_px, p_px)) return true;
+        for (int i = 0; i < kDirections; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kDirections;
+            const glm::dvec2 d(std::cos(angle), std::sin(angle));
+            if (is_open_at(p_px + scene::kUnseen_px * d, p_px)) return true;
+        }
+        return false;
+    }
+
+  private:
+    /// Whether another surface lies on the one that is seen at `at_px`, beside the place.
+    [[nodiscard]] bool is_open_at(const glm::dvec2& at_px, const glm::dvec2& place_px) const {
+        const Sight sight = rays_.look(at_px);
+        if (sight.face == kNothing) return false;
+        const double px_world = sight.w / mesh_.projection().focal_px();
+        const double of_seen = written(sight.face, px_world);
+        if (of_seen < 0) return false;
+        const glm::dvec3 p_world = mesh_.projection().eye_world() +
+                                   sight.w * mesh_.projection().ray_world(at_px.x, at_px.y);
+        const auto& faces = rays_.faces_near(place_px);
+        return std::any_of(faces.begin(), faces.end(), [&](std::uint32_t other) {
+            const double of_other = written(other, px_world);
+            if (other == sight.face || of_other < 0) return false;
+            const double reach = of_seen + of_other + kClaimed_px * px_world;
+            if (!mesh_.is_near(other, p_world, {reach, 0})) return false;
+            const auto& all = mesh_.topology().faces;
+            const Shared shared = shared_by(all[sight.face], all[other]);
+            if (shared.count != 1) return shared.count == 0;
+            return glm::length(mesh_.topology().p_world[shared.vertex] - p_world) > 4 * reach;
+        });
+    }
+    /// How far digits may have moved a face, less than 0 if the image may show it.
+    [[nodiscard]] double written(std::uint32_t face, double px_world) const {
+        const scene::Topology& topology = mesh_.topology();
+        double most = topology.written_rounding_world[topology.faces[face].object];
+        for (const std::uint32_t v : topology.faces[face].vertices)
+            most = std::max(most, topology.rounding_world[v]);
+        return most < scene::kUnseen_px * px_world ? most : -1;
+    }
+
+    const PlainRays& rays_;
+    const ClipMesh& mesh_;
+};
+
 }  // namespace
 
 std::vector<char> see_claimed_lines(const scene::Topology& topology,
@@ -54,6 +123,24 @@ std::vector<char> see_claimed_lines(const scene::Topology& topology,
         });
     });
     return is_seen;
+}
+
+std::vector<char> find_open_places(const scene::Topology& topology,
+                                   const scene::View& view,
+                                   const SamplingOptions& options,
+                                   std::span<const ClaimedPoint> claims) {
+    std::vector<char> is_open(claims.size(), 0);
+    if (claims.empty() || topology.written_rounding_world.empty()) return is_open;
+    const ClipMesh mesh(topology, view, options);
+    std::vector<glm::dvec2> places;
+    for (const ClaimedPoint& claim : claims)
+        places.push_back(claim.p_px);
+    const PlainRays rays(mesh, places);
+    const Places look(rays);
+    core::parallel_for(claims.size(), options.threads, [&](std::size_t i) {
+        is_open[i] = look.is_open(claims[i].p_px);
+    });
+    return is_open;
 }
 
 }  // namespace ink::crosscheck

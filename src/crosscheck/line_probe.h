@@ -26,4 +26,18 @@ struct ClaimedPoint {
                                                   const SamplingOptions& options,
                                                   std::span<const ClaimedPoint> claims);
 
+/// Whether the digits of a file leave open what is seen at each place: two surfaces meet the line
+/// of sight there, or pass it by 1/64 px, no farther from each other than half a unit of the last
+/// decimal place may have moved both (Topology::written_rounding_world), and so little is less than
+/// 1/64 px. Which of them is in front, and what line they make, is then chance: the cross-check has
+/// nothing to say.
+///
+/// By distances from the points that are seen, without Embree. Faces with a common edge are one
+/// surface, and those with a common vertex are near it. One entry per claim, 1 or 0; all 0 where
+/// the scene has no few digits. The same for every thread count.
+[[nodiscard]] std::vector<char> find_open_places(const scene::Topology& topology,
+                                                 const scene::View& view,
+                                                 const SamplingOptions& options,
+                                                 std::span<const ClaimedPoint> claims);
+
 }  // namespace ink::crosscheck

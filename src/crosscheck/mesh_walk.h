@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <glm/vec2.hpp>
 #include <span>
 

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <utility>
 
 #include "core/error.h"
 #include "draw/palette.h"
 #include "edge/thin.h"
-#include "shade/compose.h"
-#include "shade/widen.h"
 
 namespace ink::draw {
 namespace {

@@ -13,7 +13,7 @@
 #include "harness/suite.h"
 #include "method/method.h"
 #include "raster/skips.h"
-#include "shade/dither.h"
+#include "shade/compose.h"
 #include "shade/hand_lines.h"
 #include "shade/shading.h"
 

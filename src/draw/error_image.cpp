@@ -10,7 +10,6 @@
 #include "edge/thin.h"
 #include "score/drawing.h"
 #include "score/pixel_list.h"
-#include "score/score.h"
 #include "truth/line_class.h"
 
 namespace ink::draw {

@@ -1,7 +1,6 @@
 #include "draw/id_agreement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -68,10 +67,61 @@ class SeenSurface {
     }
 
     [[nodiscard]] const scene::Projection& projection() const { return projection_; }
-    [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const;
-    [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const;
-    [[nodiscard]] double q(std::uint32_t triangle, const glm::dvec2& p_px) const;
-    [[nodiscard]] double float_error(std::uint32_t triangle) const;
+    [[nodiscard]] core::Image<std::uint32_t> draw(raster::DepthFormat depth) const {
+        raster::PassFormat format;
+        format.constant = true;
+        format.store = raster::Store::u32;
+        format.depth = depth;
+        std::vector<std::uint32_t> ids(surface_.triangles.size());
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            ids[i] = static_cast<std::uint32_t>(i);
+        raster::PassInput input;
+        input.p_clip = p_clip_;
+        input.triangles = surface_.triangles;
+        input.constants = ids;
+        input.near = view_.camera.near;
+        input.far = view_.camera.far;
+        input.sky_code = {kNobody};
+        IdSink sink(view_.width_px, view_.height_px);
+        raster::draw_pass(format, input, view_.width_px, view_.height_px, 1, sink);
+        return std::move(sink.ids);
+    }
+    [[nodiscard]] bool is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
+        if (triangle == kNobody) return false;
+        const auto& [a, b, c] = surface_.triangles[triangle];
+        return draw::is_near_edge({p_clip_[a], p_clip_[b], p_clip_[c]}, view_.camera.near, p_px);
+    }
+    /// 1/w of the triangle's plane along the pixel's ray.
+    [[nodiscard]] double q(std::uint32_t triangle, const glm::dvec2& p_px) const {
+        const auto& [a, b, c] = surface_.triangles[triangle];
+        const auto& p = surface_.p_world;
+        const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
+        const glm::dvec3 ray = projection_.ray_world(p_px.x, p_px.y);
+        return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
+    }
+    /// About how much of itself the depth of a point of the triangle may be off when it is computed
+    /// in
+    /// floats from corners relative to the eye, as Embree does. Rounding moves corners and products
+    /// by `eps * farthest`, and turns the normal by `eps * longest^2 / |normal|`, which moves the
+    /// plane by `longest` times as much; a ray meets the moved plane 1/cos of the angle farther
+    /// away or nearer.
+    [[nodiscard]] double float_error(std::uint32_t triangle) const {
+        constexpr double kRoundings = 4;
+        glm::dvec3 p_eye[3];
+        for (std::size_t i = 0; i < 3; ++i)
+            p_eye[i] = surface_.p_world[surface_.triangles[triangle][i]] - projection_.eye_world();
+        double farthest = 0;
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            farthest = std::max(farthest, glm::length(p_eye[i]));
+            longest = std::max(longest, glm::length(p_eye[(i + 1) % 3] - p_eye[i]));
+        }
+        const glm::dvec3 normal = glm::cross(p_eye[1] - p_eye[0], p_eye[2] - p_eye[0]);
+        const double area2 = glm::length(normal);
+        const double moved = farthest + longest * longest * longest / area2;
+        return kRoundings * std::numeric_limits<float>::epsilon() * moved * area2 /
+               std::abs(glm::dot(normal, p_eye[0]));
+    }
 
   private:
     const scene::View& view_;
@@ -79,63 +129,6 @@ class SeenSurface {
     scene::Surface surface_;
     std::vector<glm::dvec3> p_clip_;
 };
-
-core::Image<std::uint32_t> SeenSurface::draw(raster::DepthFormat depth) const {
-    raster::PassFormat format;
-    format.constant = true;
-    format.store = raster::Store::u32;
-    format.depth = depth;
-    std::vector<std::uint32_t> ids(surface_.triangles.size());
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        ids[i] = static_cast<std::uint32_t>(i);
-    raster::PassInput input;
-    input.p_clip = p_clip_;
-    input.triangles = surface_.triangles;
-    input.constants = ids;
-    input.near = view_.camera.near;
-    input.far = view_.camera.far;
-    input.sky_code = {kNobody};
-    IdSink sink(view_.width_px, view_.height_px);
-    raster::draw_pass(format, input, view_.width_px, view_.height_px, 1, sink);
-    return std::move(sink.ids);
-}
-
-bool SeenSurface::is_near_edge(std::uint32_t triangle, const glm::dvec2& p_px) const {
-    if (triangle == kNobody) return false;
-    const auto& [a, b, c] = surface_.triangles[triangle];
-    return draw::is_near_edge({p_clip_[a], p_clip_[b], p_clip_[c]}, view_.camera.near, p_px);
-}
-
-/// 1/w of the triangle's plane along the pixel's ray.
-double SeenSurface::q(std::uint32_t triangle, const glm::dvec2& p_px) const {
-    const auto& [a, b, c] = surface_.triangles[triangle];
-    const auto& p = surface_.p_world;
-    const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
-    const glm::dvec3 ray = projection_.ray_world(p_px.x, p_px.y);
-    return glm::dot(normal, ray) / glm::dot(normal, p[a] - projection_.eye_world());
-}
-
-/// About how much of itself the depth of a point of the triangle may be off when it is computed in
-/// floats from corners relative to the eye, as Embree does. Rounding moves corners and products by
-/// `eps * farthest`, and turns the normal by `eps * longest^2 / |normal|`, which moves the plane by
-/// `longest` times as much; a ray meets the moved plane 1/cos of the angle farther away or nearer.
-double SeenSurface::float_error(std::uint32_t triangle) const {
-    constexpr double kRoundings = 4;
-    glm::dvec3 p_eye[3];
-    for (std::size_t i = 0; i < 3; ++i)
-        p_eye[i] = surface_.p_world[surface_.triangles[triangle][i]] - projection_.eye_world();
-    double farthest = 0;
-    double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        farthest = std::max(farthest, glm::length(p_eye[i]));
-        longest = std::max(longest, glm::length(p_eye[(i + 1) % 3] - p_eye[i]));
-    }
-    const glm::dvec3 normal = glm::cross(p_eye[1] - p_eye[0], p_eye[2] - p_eye[0]);
-    const double area2 = glm::length(normal);
-    const double moved = farthest + longest * longest * longest / area2;
-    return kRoundings * std::numeric_limits<float>::epsilon() * moved * area2 /
-           std::abs(glm::dot(normal, p_eye[0]));
-}
 
 /// The size of one step of the depth format at 1/w = q, in 1/w.
 double step_at(raster::DepthFormat depth, double q, const scene::Camera& camera) {

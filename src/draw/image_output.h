@@ -4,7 +4,6 @@
 
 #include "draw/error_image.h"
 #include "edge/edge_image.h"
-#include "truth/truth.h"
 
 namespace ink::draw {
 

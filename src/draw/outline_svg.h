@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "harness/suite.h"
 #include "truth/truth.h"
 
 namespace ink::draw {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <variant>
 
 #include "core/error.h"
@@ -16,7 +18,22 @@
 namespace ink::draw {
 namespace {
 
+namespace fs = std::filesystem;
 using Gray = core::Image<std::uint8_t>;
+
+/// An outline image as edge responses.
+struct Prediction {
+    edge::EdgeImage responses;  ///< 0 no line .. 255 the strongest
+    bool is_inverted = false;   ///< the file has dark lines on light
+};
+
+/// A truth image, and how it wants to be scored against.
+struct TruthLabels {
+    core::Image<std::uint8_t> labels;      ///< 0 no line, every other value a class
+    std::optional<int> ignore_label = {};  ///< that the file names
+    std::optional<int> band_px = {};       ///< that the file names
+    bool has_classes = false;              ///< its values are classes, even a lone 1
+};
 
 /// The channel called `name`, or null.
 const core::Image<std::uint32_t>* find_channel(const image_io::ExrFile& file,
@@ -63,7 +80,6 @@ TruthLabels read_exr_labels(const std::filesystem::path& path, score::Intersecti
     return truth;
 }
 
-namespace fs = std::filesystem;
 std::string size_text(const Gray& image) {
     return fmt::format("{} x {} px", image.width_px(), image.height_px());
 }
@@ -128,8 +144,56 @@ std::vector<std::string> doubts(const fs::path& prediction_path,
     return found;
 }
 
-}  // namespace
+using FilesByName = std::map<std::string, fs::path>;
 
+/// What `inkbench export` writes into the folder of a view.
+constexpr const char* kViewFile = "camera.json";
+constexpr const char* kTruthFile = "truth.exr";
+
+/// The files below `folder` with one of `endings` (all if none is named), by their relative path
+/// without ending. The first of two with one name stays.
+FilesByName files_below(const fs::path& folder, const std::vector<std::string>& endings) {
+    std::error_code failure;
+    std::set<fs::path> sorted;
+    for (auto entry = fs::recursive_directory_iterator(folder, failure);
+         !failure && entry != fs::recursive_directory_iterator();
+         entry.increment(failure)) {
+        if (entry->is_regular_file()) sorted.insert(entry->path());
+    }
+    if (failure) {
+        throw core::Error(folder.string(),
+                          "this folder cannot be read: " + failure.message(),
+                          "a folder of images");
+    }
+    FilesByName files;
+    for (const fs::path& path : sorted) {
+        bool is_asked = endings.empty();
+        for (const std::string& ending : endings)
+            is_asked = is_asked || path.extension() == ending;
+        if (is_asked)
+            files.emplace(path.lexically_relative(folder).replace_extension().string(), path);
+    }
+    return files;
+}
+
+/// The truths below `folder` by their names. Of an exported view that is its truth alone, under the
+/// name of the view's folder, as entrants name their images.
+FilesByName truths_below(const fs::path& folder) {
+    FilesByName truths;
+    // ".exr" sorts before ".png", so it is the one that stays.
+    for (const auto& [name, path] : files_below(folder, {".exr", ".png"})) {
+        const bool is_exported = fs::exists(path.parent_path() / kViewFile);
+        if (!is_exported) {
+            truths.emplace(name, path);
+        } else if (path.filename() == kTruthFile) {
+            truths.emplace(fs::path(name).parent_path().string(), path);
+        }
+    }
+    return truths;
+}
+
+/// Reads an 8-bit image. One that holds a single value has no lines on it, and is taken as it is
+/// where `polarity` is automatic. Throws core::Error as image_io::read_gray does.
 Prediction read_prediction(const std::filesystem::path& path, Polarity polarity) {
     Prediction prediction{image_io::read_gray(path)};
     Gray& image = prediction.responses;
@@ -139,6 +203,12 @@ Prediction read_prediction(const std::filesystem::path& path, Polarity polarity)
     return prediction;
 }
 
+/// Reads a truth: an 8-bit image of classes, or the EXR of `inkbench truth -o` (channel
+/// class.label), which also names its ignore label and band. In an EXR intersections that
+/// `intersections` does not count become the ignore label.
+///
+/// Throws core::Error for a file that cannot be read, an EXR without that channel, and an image in
+/// colour: that is a preview for people, no truth.
 TruthLabels read_truth_labels(const std::filesystem::path& path,
                               score::Intersections intersections) {
     if (path.extension() == ".exr") return read_exr_labels(path, intersections);
@@ -150,6 +220,8 @@ TruthLabels read_truth_labels(const std::filesystem::path& path,
     }
     return {std::move(file.pixels)};
 }
+
+}  // namespace
 
 std::string label_text(int label) {
     for (const truth::LineClass c : truth::kLineClasses) {
@@ -195,6 +267,53 @@ RgbImage picture_of(const FilesScore& scored) {
                                    {.threshold = scored.options.threshold,
                                     .tolerance_px = scored.options.tolerance_px,
                                     .band_px = scored.options.band_px}));
+}
+
+std::vector<FolderScore> score_folders(
+    const fs::path& predictions,
+    const fs::path& truths,
+    const ScoreRequest& request,
+    const std::function<void(const std::string& name, const FilesScore&)>& on_scored) {
+    score::check(request.options);
+    const FilesByName truth_files = truths_below(truths);
+    if (truth_files.empty())
+        throw core::Error(truths.string(), "there is no truth in it", "files of inkbench truth -o");
+    const FilesByName drawn = files_below(predictions, {});
+    std::vector<FolderScore> scores;
+    for (const auto& [name, truth] : truth_files) {
+        FolderScore& result = scores.emplace_back(FolderScore{name});
+        const auto prediction = drawn.find(name);
+        if (prediction == drawn.end()) {
+            result.status = "there is no image of this name in " + predictions.string();
+            continue;
+        }
+        try {
+            const FilesScore scored = score_files(prediction->second, truth, request);
+            if (scored.score.n_truth == 0) {
+                result.status = kNoTruth;
+                continue;
+            }
+            result.score = scored.score;
+            on_scored(name, scored);
+        } catch (const core::Error& error) {
+            result.status = error.what();
+        }
+    }
+    return scores;
+}
+
+score::CurveCount pooled(const std::vector<FolderScore>& scores) {
+    score::CurveCount total;
+    for (const FolderScore& each : scores) {
+        if (each.score) total += {each.score->k, each.score->n_pred, each.score->n_truth};
+    }
+    return total;
+}
+
+std::optional<double> pooled_f(const std::vector<FolderScore>& scores) {
+    const score::CurveCount all = pooled(scores);
+    if (all.n_truth == 0) return std::nullopt;
+    return all.f();
 }
 
 }  // namespace ink::draw

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,33 +20,6 @@ enum class Polarity {
     light_on_dark,  ///< the lighter, the stronger
     dark_on_light   ///< the darker, the stronger
 };
-
-/// An outline image as edge responses.
-struct Prediction {
-    edge::EdgeImage responses;  ///< 0 no line .. 255 the strongest
-    bool is_inverted = false;   ///< the file has dark lines on light
-};
-
-/// Reads an 8-bit image. One that holds a single value has no lines on it, and is taken as it is
-/// where `polarity` is automatic. Throws core::Error as image_io::read_gray does.
-[[nodiscard]] Prediction read_prediction(const std::filesystem::path& path, Polarity polarity);
-
-/// A truth image, and how it wants to be scored against.
-struct TruthLabels {
-    core::Image<std::uint8_t> labels;      ///< 0 no line, every other value a class
-    std::optional<int> ignore_label = {};  ///< that the file names
-    std::optional<int> band_px = {};       ///< that the file names
-    bool has_classes = false;              ///< its values are classes, even a lone 1
-};
-
-/// Reads a truth: an 8-bit image of classes, or the EXR of `inkbench truth -o` (channel
-/// class.label), which also names its ignore label and band. In an EXR intersections that
-/// `intersections` does not count become the ignore label.
-///
-/// Throws core::Error for a file that cannot be read, an EXR without that channel, and an image in
-/// colour: that is a preview for people, no truth.
-[[nodiscard]] TruthLabels read_truth_labels(const std::filesystem::path& path,
-                                            score::Intersections intersections);
 
 /// How image files are scored.
 struct ScoreRequest {
@@ -77,9 +51,9 @@ struct FilesScore {
 
 /// Reads both files and scores them. The truth is taken as it is, never thinned.
 ///
-/// Throws core::Error, before any scoring, for options outside their range, files that are not
-/// what read_prediction and read_truth_labels take, two sizes (both files and sizes are named) or a
-/// band that leaves nothing of the image.
+/// Throws core::Error, before any scoring, for options outside their range, a prediction that is no
+/// 8-bit image, a truth that is neither an 8-bit image of classes nor the EXR of `inkbench truth
+/// -o`, two sizes (both files and sizes are named) or a band that leaves nothing of the image.
 [[nodiscard]] FilesScore score_files(const std::filesystem::path& prediction,
                                      const std::filesystem::path& truth,
                                      const ScoreRequest& request);
@@ -89,5 +63,35 @@ struct FilesScore {
 
 /// "1 contour"; the number alone where this project has no class of it.
 [[nodiscard]] std::string label_text(int label);
+
+/// What came of one truth file of a folder.
+struct FolderScore {
+    std::string name;           ///< its path within the folder, without its ending
+    std::string status = "ok";  ///< or why it has no score
+    std::optional<score::Score> score = {};
+
+    [[nodiscard]] bool is_scored() const { return score.has_value(); }
+};
+
+/// Scores every truth (.png or .exr; .exr where both are there) below `truths` against the image of
+/// the same relative path, whatever its ending, below `predictions`, in alphabetical order. The
+/// truth of an exported view (a folder with camera.json) goes with the image called as that folder;
+/// what else lies there is no truth.
+///
+/// A missing or bad prediction or truth is an entry with its status, and so is a truth without a
+/// pixel that counts (kNoTruth). `on_scored` gets the name and
+/// all of each that came out. Throws core::Error for folders that cannot be read, for one without
+/// any truth, and for options outside their range.
+[[nodiscard]] std::vector<FolderScore> score_folders(
+    const std::filesystem::path& predictions,
+    const std::filesystem::path& truths,
+    const ScoreRequest& request,
+    const std::function<void(const std::string& name, const FilesScore&)>& on_scored);
+
+/// Counts of all that were scored, pooled.
+[[nodiscard]] score::CurveCount pooled(const std::vector<FolderScore>& scores);
+
+/// F of these counts; nothing if nothing was scored.
+[[nodiscard]] std::optional<double> pooled_f(const std::vector<FolderScore>& scores);
 
 }  // namespace ink::draw

@@ -10,16 +10,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <string_view>
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "core/whole_file.h"
 #include "entrants/image_folder.h"
-#include "entrants/view_buffers.h"
 #include "entrants/view_files.h"
 #include "harness/outside_method.h"
 #include "harness/row.h"

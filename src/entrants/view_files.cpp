@@ -3,16 +3,88 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "buffers/id_pass.h"
+#include "core/parallel.h"
 #include "core/whole_file.h"
 #include "entrants/mesh_files.h"
-#include "entrants/view_buffers.h"
 #include "harness/out_folder.h"
+#include "image_io/exr_file.h"
+#include "image_io/image_file.h"
+#include "scene/surface.h"
 
 namespace ink::entrants {
 namespace {
+
+constexpr double kWeldEpsilon = 1e-4;  ///< of patches, as `ids` has it
+
+class IdImageSink : public raster::TileSink {
+  public:
+    explicit IdImageSink(core::Image<std::uint32_t>& image) : image_(image) {}
+
+    void finish(const raster::Tile& tile) override {
+        if (tile.is_empty) return;
+        for (int y = 0; y < tile.height_px; ++y) {
+            const auto* ids = tile.row<std::uint32_t>(0, y);
+            std::copy_n(ids, tile.width_px, image_.row(tile.y0_px + y) + tile.x0_px);
+        }
+    }
+
+  private:
+    core::Image<std::uint32_t>& image_;
+};
+
+core::Image<std::uint32_t> triangle_image(const scene::Scene& scene, const scene::View& view) {
+    core::Image<std::uint32_t> image(view.width_px, view.height_px, buffers::kNoId);
+    buffers::IdParams params;
+    params.of = buffers::IdSource::triangle;
+    buffers::IdPass pass(params, 0);
+    pass.prepare(scene);
+    pass.pose(scene);
+    if (pass.is_empty()) return image;
+    IdImageSink sink(image);
+    (void)pass.draw({view, core::hardware_threads()}, false, sink);
+    return image;
+}
+
+/// The materials of all triangles, by global index.
+std::vector<std::uint32_t> materials_of(const scene::Scene& scene) {
+    std::vector<std::uint32_t> materials;
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[instance.mesh];
+        if (mesh.materials.empty())
+            materials.resize(materials.size() + mesh.triangles.size(), 0);
+        else
+            materials.insert(materials.end(), mesh.materials.begin(), mesh.materials.end());
+    }
+    return materials;
+}
+
+/// A point of a triangle as a pixel sees it.
+struct SeenPoint {
+    double w = 0;
+    glm::dvec3 shares{0};  ///< of the three corners
+};
+
+/// Shares of the corners are determinants of the pixel with two of them in clip space, so that
+/// corners behind the eye do no harm (Olano and Greer 1997).
+SeenPoint seen_point(const std::array<glm::dvec3, 3>& p_clip, double x_px, double y_px) {
+    const glm::dvec3 pixel(x_px, y_px, 1);
+    SeenPoint seen;
+    for (int i = 0; i < 3; ++i) {
+        const auto a = static_cast<std::size_t>((i + 1) % 3);
+        const auto b = static_cast<std::size_t>((i + 2) % 3);
+        seen.shares[i] = glm::dot(pixel, glm::cross(p_clip[a], p_clip[b]));
+    }
+    const double sum = seen.shares.x + seen.shares.y + seen.shares.z;
+    const double det = glm::dot(p_clip[0], glm::cross(p_clip[1], p_clip[2]));
+    seen.w = sum != 0 ? det / sum : 0;
+    seen.shares = sum != 0 ? seen.shares / sum : glm::dvec3(1.0 / 3);
+    return seen;
+}
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -59,7 +131,81 @@ Json clip_matrix(const scene::View& view) {
             {0, 0, -1, 0}};
 }
 
+/// Writes them as multi-layer OpenEXR: `Z`, `N.X N.Y N.Z`, `id.triangle id.object id.patch
+/// id.material`. Throws core::Error if the file cannot be written.
+void write_buffers_exr(const ViewBuffers& buffers, const std::filesystem::path& path) {
+    image_io::ExrFile file;
+    file.channels = {{"Z", buffers.w},
+                     {"N.X", buffers.normal[0]},
+                     {"N.Y", buffers.normal[1]},
+                     {"N.Z", buffers.normal[2]},
+                     {"id.triangle", buffers.triangle},
+                     {"id.object", buffers.object},
+                     {"id.patch", buffers.patch},
+                     {"id.material", buffers.material}};
+    image_io::write_exr(file, path);
+}
+
+/// Writes the object ids as an 8-bit RGB PNG: red + 256 green + 65536 blue is the object id + 1, 0
+/// for the sky. Throws core::Error if the file cannot be written.
+void write_object_ids(const ViewBuffers& buffers, const std::filesystem::path& path) {
+    core::Image<image_io::Rgb> image(buffers.object.width_px(), buffers.object.height_px());
+    std::transform(buffers.object.data(),
+                   buffers.object.data() + buffers.object.size(),
+                   image.data(),
+                   [](std::uint32_t object) {
+                       const std::uint32_t code = object + 1;  // kNoId becomes 0
+                       return image_io::Rgb(code & 0xff, code >> 8 & 0xff, code >> 16 & 0xff);
+                   });
+    image_io::write_png(image, path);
+}
+
 }  // namespace
+
+ViewBuffers view_buffers(const scene::Scene& scene, const scene::View& view, double crease_rad) {
+    const float sky_w = std::numeric_limits<float>::infinity();
+    const auto blank = [&](auto value) {
+        return core::Image<decltype(value)>(view.width_px, view.height_px, value);
+    };
+    ViewBuffers result{triangle_image(scene, view),
+                       blank(buffers::kNoId),
+                       blank(buffers::kNoId),
+                       blank(buffers::kNoId),
+                       blank(sky_w),
+                       {blank(0.0F), blank(0.0F), blank(0.0F)}};
+    const scene::Surface surface = scene::flatten(scene, scene::NormalSource::patch, crease_rad);
+    const std::vector<std::uint32_t> patches =
+        buffers::surface_ids(scene,
+                             buffers::IdSource::object_and_patch,
+                             {.crease_rad = crease_rad, .weld_epsilon = kWeldEpsilon});
+    const std::vector<std::uint32_t> materials = materials_of(scene);
+    const scene::Projection projection(view);
+    for (int y = 0; y < view.height_px; ++y) {
+        for (int x = 0; x < view.width_px; ++x) {
+            const std::uint32_t triangle = result.triangle.at(x, y);
+            if (triangle == buffers::kNoId) continue;
+            result.object.at(x, y) = surface.object[triangle];
+            result.patch.at(x, y) = patches[triangle];
+            result.material.at(x, y) = materials[triangle];
+            std::array<glm::dvec3, 3> p_clip;
+            for (std::size_t i = 0; i < 3; ++i)
+                p_clip[i] = projection.to_clip(surface.p_world[surface.triangles[triangle][i]]);
+            const SeenPoint seen = seen_point(p_clip, x + 0.5, y + 0.5);
+            result.w.at(x, y) = static_cast<float>(seen.w);
+            glm::dvec3 n_world(0);
+            for (int i = 0; i < 3; ++i) {
+                const auto corner = surface.triangles[triangle][static_cast<std::size_t>(i)];
+                n_world += seen.shares[i] * glm::dvec3(surface.n_world[corner]);
+            }
+            const glm::dvec3 n_view = view.camera.view_from_world * n_world;
+            const double length = glm::length(n_view);
+            for (int i = 0; i < 3 && length > 0; ++i)
+                result.normal[static_cast<std::size_t>(i)].at(x, y) =
+                    static_cast<float>(n_view[i] / length);
+        }
+    }
+    return result;
+}
 
 std::string view_json(const scene::Scene& scene, const scene::View& view, const ViewFiles& files) {
     const scene::Camera& camera = view.camera;

@@ -12,7 +12,6 @@
 #include "harness/tables/sweep_table.h"
 #include "harness/view_images.h"
 #include "linear_code/cancellation_study.h"
-#include "linear_code/cancellation_table.h"
 
 namespace ink::experiment {
 namespace {

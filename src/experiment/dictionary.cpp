@@ -8,7 +8,7 @@
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
 #include "linear_code/bound_tables.h"
-#include "linear_code/cancellation_table.h"
+#include "linear_code/cancellation_study.h"
 #include "studies/axis_summary.h"
 #include "studies/axis_tables.h"
 #include "studies/motion_table.h"
@@ -17,7 +17,6 @@
 #include "summary/cost_model.h"
 #include "summary/paired_differences.h"
 #include "summary/summary_csv.h"
-#include "summary/unscored.h"
 
 namespace ink::experiment {
 namespace {

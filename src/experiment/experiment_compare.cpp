@@ -12,7 +12,7 @@
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/score_tables.h"
 #include "harness/tables/sweep_table.h"
-#include "linear_code/cancellation_table.h"
+#include "linear_code/cancellation_study.h"
 #include "studies/scaling_axes.h"
 #include "studies/skip_axes.h"
 

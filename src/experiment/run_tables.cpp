@@ -13,7 +13,6 @@
 #include "summary/cost_model.h"
 #include "summary/paired_differences.h"
 #include "summary/summary_csv.h"
-#include "summary/unscored.h"
 
 namespace ink::experiment {
 namespace {

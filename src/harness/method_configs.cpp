@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/whole_file.h"
+#include "methods/method_file.h"
 #include "methods/presets.h"
-#include "methods/shipped_files.h"
 
 namespace ink::harness {
 namespace {

@@ -8,7 +8,7 @@
 #include "score/intersections.h"
 #include "score/pixel_list.h"
 #include "score/score.h"
-#include "truth/scene_model.h"
+#include "truth/model.h"
 #include "truth/truth.h"
 
 namespace ink::harness {

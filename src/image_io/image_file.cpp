@@ -6,7 +6,6 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <system_error>
 
 #include "core/error.h"

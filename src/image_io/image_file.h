@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
-#include <string>
 #include <vector>
 
 #include "core/image.h"

@@ -15,7 +15,6 @@
 #include "import/child_process.h"
 #include "import/imported_scene.h"
 #include "import/printable.h"
-#include "import/scene_stream.h"
 
 namespace ink::import {
 namespace {

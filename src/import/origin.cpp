@@ -6,7 +6,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "scene/box.h"

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstddef>
 #include <glm/vec3.hpp>
-#include <vector>
 
 #include "import/scene_stream.h"
 #include "scene/scene.h"

@@ -8,6 +8,12 @@
 
 namespace ink::import {
 
+/// How many normals the vertices of MDL and MD2 files choose from.
+inline constexpr std::size_t kQuakeNormals = 162;
+
+/// Normal number `index` (below kQuakeNormals), unit to six digits, in the model's z-up axes.
+[[nodiscard]] glm::vec3 quake_normal(std::size_t index);
+
 /// The scene with all its frames in a Quake model, read by our own readers because Assimp keeps the
 /// first frame only: MDL (IDPO, version 6), MD2 (IDP2, 8), MD3 (IDP3, 15). Nothing for other files.
 ///

@@ -3,8 +3,6 @@
 #include <array>
 #include <type_traits>
 
-#include "core/byte_stream.h"
-
 namespace ink::import {
 namespace {
 

@@ -4,10 +4,15 @@
 
 #include "harness/evaluations.h"
 #include "harness/miss_prediction.h"
+#include "harness/tables/side_table.h"
 #include "harness/tracing.h"
 #include "linear_code/cancellation.h"
 
 namespace ink::linear_code {
+
+/// The columns of cancellation.csv: cell, silent_deg, class, dihedral_low_deg, dihedral_high_deg,
+/// then counts. A boundary's bin is two empty fields.
+[[nodiscard]] const harness::SideTable<CancellationRow>& cancellation_table();
 
 /// For each evaluation of `view` whose method declares a code: what the code must miss
 /// (predicted_positives(), from truth geometry and weights alone), beside what its image missed.

@@ -10,9 +10,7 @@
 #include "core/vocabulary.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"
-#include "experiment/run_data.h"
-#include "report/packed_images.h"
-#include "report/packed_tables.h"
+#include "report/packed_run.h"
 #include "report/page_files.h"
 
 namespace ink::report {

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 
 namespace ink::scene {
 namespace {

@@ -1,7 +1,5 @@
 #include "score/cracks.h"
 
-#include <algorithm>
-
 #include "edge/set_pixels.h"
 #include "score/drawing.h"
 

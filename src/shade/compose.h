@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
@@ -9,6 +10,37 @@ namespace ink::shade {
 
 /// A colour as files hold it.
 using Rgb = glm::u8vec3;
+
+/// What a frame buffer keeps of a colour.
+enum class DitherFormat {
+    none,    ///< all of it
+    rgb565,  ///< 5, 6 and 5 bits
+    rgb332,  ///< 3, 3 and 2 bits
+};
+
+/// Ranks 0..15 of a 4x4 square (Bayer 1973): the order in which its pixels are raised.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kBayer4 = {
+    {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+
+/// Per channel the highest level of a format: 31, 63, 31 or 7, 7, 3; 255 for `none`.
+[[nodiscard]] std::array<int, 3> top_levels(DitherFormat format);
+
+/// Ordered dither, as 1998 saved bits: each channel becomes one of the two levels about it, by
+/// place.
+///
+/// Of value v and top level t, v t / 255 is cut to whole levels, and a level is added where the
+/// rest exceeds (rank + 1/2) / 16. So an even colour keeps its mean over 4x4 pixels within 1/32
+/// level, and a colour that is a level stays as it is. Levels come back as 0..255, rounded.
+[[nodiscard]] core::Image<Rgb> dither(core::Image<Rgb> image, DitherFormat format);
+
+/// Every pixel becomes the strongest one within a disc round it: a line of one pixel becomes
+/// `diameter_px` wide (1 changes nothing).
+///
+/// A disc of odd diameter has its centre on a pixel centre, one of even diameter on the corner
+/// above and left of it; it holds the pixel centres at most diameter/2 away. Outside the image is
+/// nothing. Costs in proportion to the pixels that are not 0 times the disc.
+[[nodiscard]] core::Image<std::uint8_t> widen(const core::Image<std::uint8_t>& edge_responses,
+                                              int diameter_px);
 
 /// Brightness 0 .. 1 as 0 .. 255, rounded and limited; no gamma, as 1998 drew. NaN becomes 0.
 [[nodiscard]] Rgb to_8_bit(const glm::vec3& color);

@@ -16,84 +16,76 @@ constexpr std::array<std::array<int, 2>, 8> kSteps = {
 /// The joints of a mask, taken one by one.
 class ChainTracer {
   public:
-    explicit ChainTracer(const core::Image<std::uint8_t>& mask);
-    std::vector<LineChain> run();
+    explicit ChainTracer(const core::Image<std::uint8_t>& mask)
+        : mask_(mask),
+          degree_(mask.width_px(), mask.height_px()),
+          left_(mask.width_px(), mask.height_px()) {
+        for (int y = 0; y < mask.height_px(); ++y) {
+            for (int x = 0; x < mask.width_px(); ++x) {
+                if (mask.at(x, y) == 0) continue;
+                const unsigned joints = find_joints(x, y);
+                left_.at(x, y) = static_cast<std::uint8_t>(joints);
+                for (std::size_t i = 0; i < kSteps.size(); ++i)
+                    if (((joints >> i) & 1U) != 0) ++degree_.at(x, y);
+            }
+        }
+    }
+    std::vector<LineChain> run() {
+        std::vector<LineChain> chains;
+        for (const bool wants_rings : {false, true}) {
+            for (int y = 0; y < mask_.height_px(); ++y) {
+                for (int x = 0; x < mask_.width_px(); ++x) {
+                    if (!wants_rings && degree_.at(x, y) == 2) continue;
+                    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+                        if ((left_.at(x, y) >> i) & 1U) chains.push_back(follow(x, y, i));
+                    }
+                }
+            }
+        }
+        return chains;
+    }
 
   private:
     [[nodiscard]] bool is_set(int x, int y) const {
         return mask_.contains(x, y) && mask_.at(x, y) != 0;
     }
-    [[nodiscard]] unsigned find_joints(int x, int y) const;
-    LineChain follow(int x, int y, std::size_t step);
+    [[nodiscard]] unsigned find_joints(int x, int y) const {
+        unsigned joints = 0;
+        for (std::size_t i = 0; i < kSteps.size(); ++i) {
+            const auto [dx, dy] = kSteps[i];
+            if (!is_set(x + dx, y + dy)) continue;
+            const bool is_corner = i % 2 == 1;
+            if (is_corner && (is_set(x + dx, y) || is_set(x, y + dy))) continue;
+            joints |= 1U << i;
+        }
+        return joints;
+    }
+    LineChain follow(int x, int y, std::size_t step) {
+        LineChain chain;
+        const int x_first = x;
+        const int y_first = y;
+        chain.points_px.emplace_back(x + 0.5, y + 0.5);
+        while (true) {
+            left_.at(x, y) &= static_cast<std::uint8_t>(~(1U << step));
+            x += kSteps[step][0];
+            y += kSteps[step][1];
+            left_.at(x, y) &= static_cast<std::uint8_t>(~(1U << (step ^ 4U)));
+            if (x == x_first && y == y_first) {
+                chain.is_closed = true;
+                return chain;
+            }
+            chain.points_px.emplace_back(x + 0.5, y + 0.5);
+            if (degree_.at(x, y) != 2) return chain;
+            step = 0;
+            while (((left_.at(x, y) >> step) & 1U) == 0)
+                ++step;
+        }
+    }
 
     const core::Image<std::uint8_t>& mask_;
     core::Image<std::uint8_t> degree_;
     core::Image<std::uint8_t> left_;  ///< joints not yet taken, one bit a step
 };
-
-unsigned ChainTracer::find_joints(int x, int y) const {
-    unsigned joints = 0;
-    for (std::size_t i = 0; i < kSteps.size(); ++i) {
-        const auto [dx, dy] = kSteps[i];
-        if (!is_set(x + dx, y + dy)) continue;
-        const bool is_corner = i % 2 == 1;
-        if (is_corner && (is_set(x + dx, y) || is_set(x, y + dy))) continue;
-        joints |= 1U << i;
-    }
-    return joints;
-}
-
-ChainTracer::ChainTracer(const core::Image<std::uint8_t>& mask)
-    : mask_(mask),
-      degree_(mask.width_px(), mask.height_px()),
-      left_(mask.width_px(), mask.height_px()) {
-    for (int y = 0; y < mask.height_px(); ++y) {
-        for (int x = 0; x < mask.width_px(); ++x) {
-            if (mask.at(x, y) == 0) continue;
-            const unsigned joints = find_joints(x, y);
-            left_.at(x, y) = static_cast<std::uint8_t>(joints);
-            for (std::size_t i = 0; i < kSteps.size(); ++i)
-                if (((joints >> i) & 1U) != 0) ++degree_.at(x, y);
-        }
-    }
-}
-
-LineChain ChainTracer::follow(int x, int y, std::size_t step) {
-    LineChain chain;
-    const int x_first = x;
-    const int y_first = y;
-    chain.points_px.emplace_back(x + 0.5, y + 0.5);
-    while (true) {
-        left_.at(x, y) &= static_cast<std::uint8_t>(~(1U << step));
-        x += kSteps[step][0];
-        y += kSteps[step][1];
-        left_.at(x, y) &= static_cast<std::uint8_t>(~(1U << (step ^ 4U)));
-        if (x == x_first && y == y_first) {
-            chain.is_closed = true;
-            return chain;
-        }
-        chain.points_px.emplace_back(x + 0.5, y + 0.5);
-        if (degree_.at(x, y) != 2) return chain;
-        step = 0;
-        while (((left_.at(x, y) >> step) & 1U) == 0)
-            ++step;
-    }
-}
-
-std::vector<LineChain> ChainTracer::run() {
-    std::vector<LineChain> chains;
-    for (const bool wants_rings : {false, true}) {
-        for (int y = 0; y < mask_.height_px(); ++y) {
-            for (int x = 0; x < mask_.width_px(); ++x) {
-                if (!wants_rings && degree_.at(x, y) == 2) continue;
-                for (std::size_t i = 0; i < kSteps.size(); ++i) {
-                    if ((left_.at(x, y) >> i) & 1U) chains.push_back(follow(x, y, i));
-                }
-            }
-        }
-    }
-    return chains;
-}
 
 /// Cosine of the turn at a point; 1 (straight) near the ends of an open chain.
 double turn_cosine(const LineChain& chain, std::size_t i, std::size_t reach) {

@@ -10,8 +10,7 @@
 #include "core/error.h"
 #include "raster/pass/pass.h"
 #include "scene/camera.h"
-#include "shade/flat_patches.h"
-#include "shade/lamps.h"
+#include "shade/tones.h"
 
 namespace ink::shade {
 namespace {

@@ -11,6 +11,27 @@
 
 namespace ink::shade {
 
+/// How much of a lamp's light arrives at distance `distance`: 1 up to its inner range, then falling
+/// evenly to 0 at its range, where it ends with a bend that can be seen; 1 everywhere for range 0.
+/// Never negative.
+///
+/// As engines of 1998 had it; real light falls with the square and never ends.
+[[nodiscard]] double reach(const scene::OmniLight& lamp, double distance);
+
+/// The light that arrives at a point of a surface: `ambient` plus what each lamp sends, times the
+/// cosine between its direction and the unit normal; a lamp behind the surface sends nothing.
+/// Lambert's law.
+[[nodiscard]] glm::vec3 light_at(const glm::dvec3& p_world,
+                                 const glm::dvec3& n_world,
+                                 std::span<const scene::OmniLight> lamps,
+                                 const glm::vec3& ambient);
+
+/// Three lamps for a scene that has none, hung about `camera`: a bright one over its left shoulder
+/// that reaches everywhere, a bluish one from the right and a reddish one from below that end
+/// inside `bounds`.
+[[nodiscard]] std::vector<scene::OmniLight> studio_lamps(const scene::Camera& camera,
+                                                         const scene::Sphere& bounds);
+
 /// What a shading knows of a point: the light that arrives, and how the key lamp stands to it.
 struct Tone {
     glm::vec3 light{0};  ///< ambient and every lamp's share, 0 .. 1 and beyond
@@ -57,5 +78,22 @@ struct SurfaceTones {
                                       const UniformSpots& spots,
                                       std::span<const scene::OmniLight> lamps,
                                       const glm::vec3& ambient);
+
+/// Faces that bend by less than this at an edge (rad) are in one plane: float corners say no more.
+inline constexpr double kFlat_rad = 1e-3;
+
+/// One spot per triangle: its centroid and normal (+z where it has no area).
+[[nodiscard]] UniformSpots face_spots(const scene::Surface& surface);
+
+/// One spot per flat patch: faces of one plane that hang together over edges, none of which goes on
+/// smoothly beyond (bends by less than `crease_rad`). The caps of a cylinder are flat patches, its
+/// side is none.
+///
+/// The spot is the patch's centroid under its mean normal, both weighted by area. Edges of more
+/// than two faces and between faces of opposite orientation end a patch like a crease. Triangles
+/// that the weld drops (degenerate, duplicate) have none. An empty scene has no patches.
+///
+/// CoRgi's own suggestion against the gradients that shading by vertices lays over flat faces.
+[[nodiscard]] UniformSpots patch_spots(const scene::Scene& scene, double crease_rad);
 
 }  // namespace ink::shade

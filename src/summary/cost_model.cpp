@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string>
 
 #include "harness/tables/csv.h"
 #include "harness/tables/table_of.h"

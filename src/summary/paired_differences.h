@@ -1,14 +1,38 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "harness/row.h"
 #include "harness/tables/table.h"
+#include "score/score.h"
 #include "statistics/spread.h"
 
 namespace ink::summary {
+
+/// Two rows of one view: of two methods, or of two runs.
+struct RowPair {
+    const harness::Row* a = nullptr;
+    const harness::Row* b = nullptr;
+};
+
+/// Counts at 2 px of both sides of row pairs, summed over the views of each scene, in the
+/// alphabetical order of the scenes.
+struct PairedScenes {
+    std::vector<score::CurveCount> a;
+    std::vector<score::CurveCount> b;
+    std::vector<std::string> names;  ///< of the scenes
+
+    [[nodiscard]] bool is_empty() const { return a.empty(); }
+    /// F over all scenes of either side.
+    [[nodiscard]] double f_a() const;
+    [[nodiscard]] double f_b() const;
+};
+
+/// The scenes of the pairs that both sides have a score for; none if no pair has.
+[[nodiscard]] PairedScenes paired_scenes(std::span<const RowPair> pairs);
 
 /// By how much one method's pooled F at 2 px exceeds another's, over the views that both have.
 struct PairedDifference {
@@ -41,7 +65,7 @@ struct PairedDifference {
 /// first: the lines of a matrix. Pairs without a view in common are left out.
 ///
 /// `range` holds by itself, and over many pairs some such leave out 0 by chance; `range_of_all` are
-/// the intervals that hold all together (statistics/simultaneous.h).
+/// the intervals that hold all together (statistics/bootstrap.h).
 [[nodiscard]] std::vector<PairedDifference> all_paired_differences(
     const std::vector<harness::Row>& rows);
 

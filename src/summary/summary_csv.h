@@ -20,4 +20,31 @@ namespace ink::summary {
 [[nodiscard]] std::string summary_csv(const std::vector<harness::Row>& rows,
                                       const std::vector<statistics::CellCurve>& curves);
 
+/// Cells without a score for one and the same reason, on one view.
+struct Unscored {
+    std::string scene;
+    std::string view;
+    std::string method;  ///< "" where no method of the view has a score
+    std::string reason;  ///< the rows' status
+    std::string remedy;  ///< what may help, in a sentence
+};
+
+/// Every view and every cell of `rows` that has no score, in their order: one entry for a view that
+/// has none at all, else one for each method that failed there.
+[[nodiscard]] std::vector<Unscored> unscored_cells(const std::vector<harness::Row>& rows);
+
+/// Whether something went wrong there. A crowded view did not: it has no part in headline numbers,
+/// but every cell of it has its f_2px_with_crowded.
+[[nodiscard]] bool is_failure(const Unscored& cell);
+
+/// Whether not one cell of a method has a score; false where there are none.
+[[nodiscard]] bool is_all_unscored(const std::vector<harness::Row>& rows);
+
+/// unscored.csv: the same as a table of the run folder.
+[[nodiscard]] const harness::TableInfo& unscored_table();
+[[nodiscard]] std::string unscored_csv(const std::vector<Unscored>& cells);
+
+/// For a terminal: a line per entry, its remedy below; "" if all have scores.
+[[nodiscard]] std::string unscored_text(const std::vector<Unscored>& cells);
+
 }  // namespace ink::summary

@@ -1,7 +1,5 @@
 #include "truth/curve_map.h"
 
-#include "truth/curve_walk.h"
-
 namespace ink::truth {
 
 core::Image<std::uint32_t> draw_curve_map(std::span<const Curve> curves,

@@ -1,6 +1,5 @@
 #include "truth/eye_view.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "core/parallel.h"

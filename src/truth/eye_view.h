@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "scene/camera.h"
-#include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
 #include "truth/model.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "edge/thin.h"
-#include "truth/curve_walk.h"
+#include "truth/curve_map.h"
 
 namespace ink::truth {
 namespace {

@@ -7,7 +7,6 @@
 #include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
 #include "truth/crossings/slit_crossings.h"
-#include "truth/truth.h"
 
 namespace ink::truth {
 namespace {

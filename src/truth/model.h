@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "scene/scene.h"
 #include "scene/topology.h"
 #include "truth/crossings/continuation.h"
 #include "truth/crossings/crossings.h"
 #include "truth/line_class.h"
+#include "truth/truth.h"
 
 namespace ink::truth {
 
@@ -50,5 +53,31 @@ struct Model {
 
 /// Welds the scene and finds what no eye changes. An empty scene gives an empty model.
 [[nodiscard]] Model build_model(const scene::Scene& scene, const TruthOptions& options);
+
+/// A scene with its model (model.h), which is built when a view first needs it and kept for the
+/// others: welding is most of the work on a large scene, and a truth read from the cache needs none
+/// of it.
+///
+/// Borrows the scene. Not for two threads at once.
+class SceneModel {
+  public:
+    SceneModel(const scene::Scene& scene, const TruthOptions& options)
+        : scene_(scene), options_(options) {}
+    SceneModel(const SceneModel&) = delete;
+    SceneModel& operator=(const SceneModel&) = delete;
+
+    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+    [[nodiscard]] const TruthOptions& options() const { return options_; }
+    /// Builds it on the first call.
+    [[nodiscard]] const Model& model() {
+        if (!model_) model_ = build_model(scene_, options_);
+        return *model_;
+    }
+
+  private:
+    const scene::Scene& scene_;
+    TruthOptions options_;
+    std::optional<Model> model_;
+};
 
 }  // namespace ink::truth

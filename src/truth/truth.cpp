@@ -1,6 +1,5 @@
 #include "truth/truth.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 
 #include "core/error.h"
 #include "core/hash.h"
@@ -12,11 +11,8 @@
 #include "core/progress.h"
 #include "core/whole_file.h"
 #include "harness/cell.h"
-#include "harness/tables/csv.h"
-#include "methods/preset.h"
+#include "methods/presets.h"
 #include "statistics/ods.h"
-#include "tune/tune_bench.h"
-#include "tune/tune_error.h"
 #include "tune/tune_folder.h"
 #include "tune/tune_report.h"
 

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <utility>
 
-#include "core/error.h"
 #include "core/hash.h"
 #include "core/whole_file.h"
 #include "experiment/dictionary.h"

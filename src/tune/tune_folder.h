@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "experiment/run_record.h"
 #include "harness/tables/table.h"
 #include "tune/tune.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "methods/preset.h"
+#include "methods/presets.h"
 #include "statistics/bootstrap.h"
 #include "summary/paired_differences.h"
 #include "tune/tune_folder.h"

@@ -1,4 +1,4 @@
-#include "buffers/surface_ids.h"
+#include "buffers/id_pass.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "buffers/triangle_edges.h"
+#include "buffers/filled_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "crosscheck/open_places.h"
+#include "crosscheck/line_probe.h"
 
 #include "crosscheck/dense_sampling.h"
 #include "harness/crosscheck/compare_truths.h"

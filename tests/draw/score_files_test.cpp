@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "draw/score_folders.h"
 #include "image_io/exr_file.h"
 #include "image_io/image_file.h"
 #include "tests/core/error_text.h"

@@ -11,7 +11,6 @@
 #include "core/error.h"
 #include "core/whole_file.h"
 #include "entrants/mesh_files.h"
-#include "entrants/view_buffers.h"
 #include "entrants/view_files.h"
 #include "harness/cell.h"
 #include "harness/outside_method.h"

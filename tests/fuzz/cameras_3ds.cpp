@@ -1,11 +1,10 @@
 // Cameras and lights of any .3ds file can be used: cameras have an angle, and keys are in order.
 
-#include "import/camera_3ds.h"
+#include "import/stage_3ds.h"
 
 #include <numbers>
 
 #include "import/chunks_3ds.h"
-#include "import/light_3ds.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/scratch_file.h"
 #include "tests/import/imported_meshes.h"

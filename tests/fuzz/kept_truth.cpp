@@ -8,7 +8,7 @@
 #include "core/kept_file.h"
 #include "harness/crosscheck/crosscheck_cache.h"
 #include "tests/fuzz/fuzz.h"
-#include "truth/truth_file.h"
+#include "truth/truth_cache.h"
 
 namespace ink::fuzz {
 namespace {

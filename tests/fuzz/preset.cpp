@@ -1,7 +1,5 @@
 // Any text is a preset whose method can be made, or an Error.
 
-#include "methods/preset.h"
-
 #include "core/error.h"
 #include "methods/presets.h"
 #include "methods/registry.h"

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "import/assimp/dae_cameras.h"
-#include "import/assimp/fbx_cameras.h"
+#include "import/assimp/fbx.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace ink::fuzz {

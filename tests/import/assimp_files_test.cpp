@@ -7,8 +7,7 @@
 #include <numbers>
 
 #include "import/assimp/dae_cameras.h"
-#include "import/assimp/fbx_axes.h"
-#include "import/assimp/fbx_cameras.h"
+#include "import/assimp/fbx.h"
 #include "scene/animation.h"
 #include "tests/core/error_text.h"
 #include "tests/import/model_files.h"

@@ -1,4 +1,4 @@
-#include "import/camera_3ds.h"
+#include "import/stage_3ds.h"
 
 #include <gtest/gtest.h>
 

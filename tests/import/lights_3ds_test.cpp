@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "import/light_3ds.h"
+#include "import/stage_3ds.h"
 #include "tests/import/files_3ds.h"
 #include "tests/import/model_files.h"
 

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "import/imported_scene.h"
-#include "import/quake_normals.h"
 #include "tests/import/model_files.h"
 #include "tests/import/quake_files.h"
 

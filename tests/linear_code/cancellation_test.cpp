@@ -8,9 +8,7 @@
 #include <tuple>
 
 #include "catalogue/catalogue.h"
-#include "linear_code/cancellation_law.h"
 #include "linear_code/cancellation_study.h"
-#include "linear_code/cancellation_table.h"
 #include "tests/linear_code/crease_fan.h"
 
 namespace ink::linear_code {

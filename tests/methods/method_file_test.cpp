@@ -9,7 +9,6 @@
 
 #include "core/error.h"
 #include "methods/registry.h"
-#include "methods/shipped_files.h"
 
 namespace ink::methods {
 namespace {

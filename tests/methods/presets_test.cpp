@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "methods/method_file.h"
 #include "methods/registry.h"
-#include "methods/shipped_files.h"
 #include "tests/core/error_text.h"
 #include "tests/methods/names.h"
 #include "tests/methods/small_scenes.h"

@@ -1,4 +1,3 @@
-#include "raster/pass/flat_proof.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "raster/mesh/windows.h"
 
 #include <gtest/gtest.h>
 

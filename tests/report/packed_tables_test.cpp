@@ -1,4 +1,4 @@
-#include "report/packed_tables.h"
+#include "report/packed_run.h"
 
 #include <gmock/gmock.h>
 

@@ -13,7 +13,7 @@
 #include "harness/view_images.h"
 #include "image_io/image_file.h"
 #include "methods/registry.h"
-#include "report/packed_images.h"
+#include "report/packed_run.h"
 #include "tests/report/made_up_rows.h"
 
 namespace ink::report {

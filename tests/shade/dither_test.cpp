@@ -1,4 +1,4 @@
-#include "shade/dither.h"
+#include "shade/compose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shade/flat_patches.h"
+#include "shade/tones.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shade/lamps.h"
+#include "shade/tones.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shade/widen.h"
+#include "shade/compose.h"
 
 #include <gtest/gtest.h>
 

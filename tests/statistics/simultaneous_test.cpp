@@ -1,4 +1,4 @@
-#include "statistics/simultaneous.h"
+#include "statistics/bootstrap.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include "core/byte_stream.h"
 #include "core/kept_file.h"
 #include "tests/truth/shapes.h"
-#include "truth/truth_file.h"
 
 namespace ink::truth {
 namespace {

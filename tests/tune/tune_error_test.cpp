@@ -1,4 +1,4 @@
-#include "tune/tune_error.h"
+#include "tune/tune_log.h"
 
 #include <gtest/gtest.h>
 

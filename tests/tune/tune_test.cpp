@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "experiment/run_record.h"
 #include "harness/cell.h"
-#include "methods/preset.h"
 #include "methods/presets.h"
 #include "tune/tune_bench.h"
 #include "tune/tune_report.h"

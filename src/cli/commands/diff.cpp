@@ -5,7 +5,6 @@
 
 #include "cli/commands/commands.h"
 #include "cli/json_values.h"
-#include "cli/options/options.h"
 #include "core/error.h"
 #include "experiment/diff/run_diff.h"
 #include "report/text/diff_text.h"

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
-#include "cli/options/method_options.h"
 #include "core/error.h"
 #include "entrants/entrant.h"
 #include "experiment/experiment.h"

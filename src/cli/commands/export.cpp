@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <numbers>
 
 #include "cli/commands/commands.h"
 #include "cli/options/experiment_options.h"

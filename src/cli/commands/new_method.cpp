@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "cli/commands/commands.h"

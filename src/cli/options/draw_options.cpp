@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "cli/name_list.h"
-#include "cli/options/options.h"
 #include "core/error.h"
 #include "experiment/option_table.h"
 #include "harness/method_configs.h"

@@ -5,7 +5,6 @@
 #include "cli/name_list.h"
 #include "core/error.h"
 #include "methods/registry.h"
-#include "raster/skips.h"
 
 namespace ink::cli {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,7 +8,6 @@
 
 #include "experiment/experiment.h"
 #include "harness/suite.h"
-#include "harness/tracing.h"
 
 namespace ink::cli {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "harness/row.h"
-#include "summary/row_pairs.h"
+#include "summary/paired_differences.h"
 
 namespace ink::experiment {
 

@@ -10,7 +10,6 @@
 
 #include "core/parallel.h"
 #include "crosscheck/line_probe.h"
-#include "crosscheck/open_places.h"
 
 namespace ink::harness {
 namespace {

@@ -86,7 +86,7 @@ struct Agreement {
                                        int threads = 1);
 
 /// Asks the third construction (crosscheck/line_probe.h) about every disagreement, and whether
-/// digits leave the place open (crosscheck/open_places.h). What the one does not confirm, or the
+/// digits leave the place open (crosscheck/line_probe.h). What the one does not confirm, or the
 /// other excuses, is moved to the abstained lengths.
 void judge_disagreements(const scene::Topology& topology,
                          const scene::View& view,

@@ -8,7 +8,7 @@
 
 #include "crosscheck/dense_sampling.h"
 #include "harness/crosscheck/compare_truths.h"
-#include "truth/scene_model.h"
+#include "truth/model.h"
 #include "truth/truth.h"
 
 namespace ink::harness {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "import/scene_stream.h"
 #include "scene/animation.h"
 
 namespace ink::import {
@@ -35,6 +36,15 @@ using NodeNumbers = std::unordered_map<std::string, std::uint32_t>;
 void convert_motion(const aiScene& scene,
                     const std::vector<PlacedNode>& nodes,
                     std::size_t chosen,
+                    scene::Animation& motion);
+
+[[nodiscard]] bool has_triangles(const aiMesh& mesh);
+
+/// Adds an object for each node with triangles, of all its meshes. Nodes with the same meshes share
+/// theirs; what has bones stands in world space, for each node anew.
+void convert_meshes(const aiScene& scene,
+                    const std::vector<PlacedNode>& nodes,
+                    ImportReply& reply,
                     scene::Animation& motion);
 
 }  // namespace ink::import

@@ -14,18 +14,14 @@
 #include <map>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "import/animation_choice.h"
-#include "import/assimp/assimp_meshes.h"
 #include "import/assimp/assimp_nodes.h"
 #include "import/assimp/dae_cameras.h"
-#include "import/assimp/fbx_axes.h"
-#include "import/assimp/fbx_cameras.h"
-#include "import/camera_3ds.h"
-#include "import/light_3ds.h"
-#include "import/meshes/mesh_reply.h"
+#include "import/assimp/fbx.h"
+#include "import/meshes/polygons.h"
 #include "import/model_bytes.h"
+#include "import/stage_3ds.h"
 
 namespace ink::import {
 namespace {

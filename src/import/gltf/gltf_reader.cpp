@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "import/animation_choice.h"
-#include "import/gltf/extensions.h"
-#include "import/gltf/lights.h"
 #include "import/gltf/meshes.h"
 #include "import/gltf/motion.h"
 #include "import/gltf/notes.h"

@@ -169,16 +169,6 @@ std::vector<std::size_t> JsonObject::indices(const char* key, std::size_t size) 
     return all;
 }
 
-std::vector<std::pair<std::string, std::size_t>> JsonObject::named_indices(const char* key,
-                                                                           std::size_t size) const {
-    std::vector<std::pair<std::string, std::size_t>> all;
-    const auto object = find(key);
-    if (!object) return all;
-    for (const auto& [name, value] : object->json_->items())
-        all.emplace_back(name, object->index(name.c_str(), size));
-    return all;
-}
-
 double JsonObject::number(const char* key) const {
     const Json& found = needed(key);
     const double number = found.is_number() ? found.get<double>() : NAN;

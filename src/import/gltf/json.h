@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace ink::import {
@@ -44,9 +43,6 @@ class JsonObject {
     [[nodiscard]] std::size_t index(const char* key, std::size_t size) const;
     [[nodiscard]] std::optional<std::size_t> find_index(const char* key, std::size_t size) const;
     [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t size) const;
-    /// All members of the object under `key`, each the number of one of `size` things.
-    [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> named_indices(
-        const char* key, std::size_t size) const;
 
     [[nodiscard]] double number(const char* key) const;
     /// Finite numbers, `size` of them unless that is 0; nothing if the list is missing.

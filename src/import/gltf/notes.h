@@ -8,7 +8,11 @@
 
 namespace ink::import {
 
-// What of a glTF file does not count, in words for ImportReply::notes.
+/// Throws Refusal, by name, if the file needs an extension that is not read. Notes those that it
+/// uses, could be seen by, and are ignored.
+void check_extensions(const GltfDocument& document, std::vector<std::string>& notes);
+
+// The rest: what of a glTF file does not count, in words for ImportReply::notes.
 
 /// The animations beside the one with number `animation`, and the scenes beside the one shown.
 void note_choices(const GltfDocument& document,

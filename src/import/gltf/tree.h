@@ -3,9 +3,11 @@
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <string>
 #include <vector>
 
 #include "import/gltf/document.h"
+#include "import/scene_stream.h"
 #include "scene/animation.h"
 
 namespace ink::import {
@@ -43,5 +45,12 @@ struct GltfTree {
 /// The tree of a document. Throws Error if it is none: several parents, a cycle, a scene's root
 /// that is none. No recursion: a hostile tree is deep.
 [[nodiscard]] GltfTree read_tree(const GltfDocument& document);
+
+/// The lights of the scene's nodes that are not hidden (KHR_lights_punctual): strengths in candela
+/// or lux, ranges as the file has them, for no node scales a light. Lights of a type that is not
+/// known become a note.
+[[nodiscard]] std::vector<ImportedLight> read_lights(const GltfDocument& document,
+                                                     const GltfTree& tree,
+                                                     std::vector<std::string>& notes);
 
 }  // namespace ink::import

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
-#include "import/meshes/obj_materials.h"
 #include "import/scene_stream.h"
 
 // Our own readers of files of meshes. Each takes a whole file and the name that its object has
@@ -35,6 +35,9 @@ namespace ink::import {
 /// are the same vertex where position and normal are. Surfaces are refused; curves, lines and
 /// points are left out with a note.
 [[nodiscard]] ImportReply read_obj(std::string_view file, const std::string& name);
+/// All of the file of a name beside the model; nothing if there is none.
+using FilesBeside = std::function<std::string(const std::string&)>;
+
 /// With the material libraries in files beside it, of which transparency is noted; one that is
 /// missing is no fault.
 [[nodiscard]] ImportReply read_obj(std::string_view file,

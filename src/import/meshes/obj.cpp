@@ -3,18 +3,40 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
-#include "import/meshes/mesh_reply.h"
 #include "import/meshes/obj_parts.h"
+#include "import/meshes/polygons.h"
 #include "import/refusal.h"
 
 namespace ink::import {
 namespace {
+
+std::optional<double> to_number(std::string_view word) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc{} ? std::optional(value) : std::nullopt;
+}
+
+/// The names of a material library's (MTL) materials that let light through: d below 1, or Tr above
+/// 0. Only names and these are looked at; what is wrong in others is none of ours.
+std::set<std::string> transparent_materials(std::string_view library) {
+    std::set<std::string> names;
+    std::string name;
+    for (LineWords words(library, {.comment = '#'}); words.next_line();) {
+        const std::string_view keyword = words.word();
+        if (keyword == "newmtl") name = words.rest();
+        if (keyword != "d" && keyword != "Tr") continue;
+        const auto value = to_number(words.word());  // none: "d -halo 0.5" fades with the angle
+        if (value && (keyword == "d" ? *value < 1 : *value > 0)) names.insert(name);
+    }
+    return names;
+}
 
 constexpr WordRules kObjRules{.comment = '#', .is_continued = true};
 

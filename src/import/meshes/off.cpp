@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
-#include "import/meshes/mesh_reply.h"
+#include "import/meshes/polygons.h"
 #include "import/refusal.h"
 
 namespace ink::import {

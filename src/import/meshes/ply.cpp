@@ -8,9 +8,8 @@
 #include "core/error.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
-#include "import/meshes/mesh_reply.h"
-#include "import/meshes/ply_body.h"
-#include "import/meshes/ply_header.h"
+#include "import/meshes/ply_parts.h"
+#include "import/meshes/polygons.h"
 
 namespace ink::import {
 namespace {

@@ -3,8 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "import/scene_stream.h"
 #include "scene/mesh.h"
 
 namespace ink::import {
@@ -26,5 +29,15 @@ struct Polygons {
 
 /// How many faces have fewer than three corners.
 [[nodiscard]] std::size_t count_without_area(const Polygons& polygons);
+
+/// The reply for a file that is one object: `mesh` without triangles yet, made of `faces`. Faces
+/// without three corners are left out with a note.
+[[nodiscard]] ImportReply reply_of_mesh(ImportedMesh mesh, const Polygons& faces);
+
+/// What is said of materials that let light through.
+[[nodiscard]] std::string drawn_opaque(std::size_t materials);
+
+/// "1 line", "2 lines".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view what);
 
 }  // namespace ink::import

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "import/meshes/line_words.h"
 #include "import/meshes/mesh_readers.h"
-#include "import/meshes/mesh_reply.h"
 
 namespace ink::import {
 namespace {

@@ -1,6 +1,5 @@
 #include "raster/depth/depth.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 

@@ -1,7 +1,5 @@
 #include "raster/lines/line_stage.h"
 
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,7 +7,6 @@
 #include "core/parallel.h"
 #include "raster/lines/line_vertices.h"
 #include "raster/pass/clip.h"
-#include "raster/pass/screen_vertex.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::raster {

@@ -1,7 +1,6 @@
 #include "raster/mesh/cluster_stage.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "raster/pass/screen_vertex.h"

@@ -5,8 +5,6 @@
 #include "raster/mesh/lane_mesh.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/pass/corner_values.h"
-#include "raster/pass/pass.h"
-#include "raster/pass/setup.h"
 #include "raster/pass/view_transform.h"
 
 namespace ink::raster {

@@ -4,7 +4,6 @@
 
 #include "raster/mesh/cluster_stage.h"
 #include "raster/mesh/lane_mesh.h"
-#include "raster/pass/pass.h"
 #include "raster/pass/setup.h"
 #include "raster/pass/tile_lists.h"
 

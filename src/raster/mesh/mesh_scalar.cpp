@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "raster/mesh/mesh_stage.h"
 #include "scene/predicates.h"

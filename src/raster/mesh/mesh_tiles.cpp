@@ -1,7 +1,6 @@
 #include "raster/mesh/mesh_tiles.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "raster/fragments/fragment_fill.h"
 #include "raster/pass/triangle_fill.h"

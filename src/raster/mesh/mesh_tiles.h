@@ -9,7 +9,6 @@
 #include "raster/mesh/front_depth.h"
 #include "raster/mesh/lane_triangles.h"
 #include "raster/mesh/mesh_stage.h"
-#include "raster/pass/flat_proof.h"
 #include "raster/pass/tile_buffer.h"
 #include "raster/pass/tile_fill.h"
 

@@ -5,43 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/parallel.h"
 
 namespace ink::raster {
-
-std::vector<SolidView> view_solids(const MeshInput& input) {
-    const scene::Camera& camera = input.view.camera;
-    const auto& solids = input.mesh->clusters().solids;
-    std::vector<SolidView> views(solids.size());
-    const auto depth_of = [&](const scene::Sphere& ball) {
-        return -(camera.view_from_world * (ball.center_world - camera.eye_world)).z;
-    };
-    // A near plane fitted to the scene's own ball touches it at most, but for rounding.
-    const bool is_all_uncut =
-        input.bounds.radius > 0 &&
-        depth_of(input.bounds) - input.bounds.radius >= camera.near - 1e-9 * input.bounds.radius;
-    // A front hides the back behind it only if it is drawn, and neither is moved.
-    const bool keeps_order = input.cull != Cull::front && !input.offset.is_any();
-    for (std::size_t i = 0; i < solids.size(); ++i) {
-        const scene::Sphere& ball = solids[i].bounds;
-        const glm::dvec3 way = ball.center_world - camera.eye_world;
-        const double radius = ball.radius * (1 + 1e-6);
-        const double depth = depth_of(ball);
-        const bool is_uncut =
-            is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
-        if (!keeps_order || !is_uncut || !(glm::length(way) > radius)) continue;
-        views[i].hides_backs = solids[i].is_watertight;
-        if (!solids[i].is_watertight_covered) continue;
-        auto windows =
-            find_windows(input.mesh->surface(), input.mesh->clusters(), solids[i], input.view);
-        views[i].hides_backs = windows.has_value();
-        if (windows) views[i].windows = std::move(*windows);
-    }
-    return views;
-}
-
 namespace {
 
 /// Whether no face of a cluster that is turned away is seen.
@@ -86,7 +55,91 @@ void number_places(std::vector<Slice>& slices) {
     }
 }
 
+/// The windows of a solid that is watertight when its holes are covered, of eyes outside its ball:
+/// a covered hole whose fan is turned away lets nothing be seen. Nothing if a hole's ball holds the
+/// eye.
+std::optional<std::vector<Window>> find_windows(const scene::Surface& surface,
+                                                const scene::Clusters& clusters,
+                                                const scene::Solid& solid,
+                                                const scene::View& view) {
+    const glm::dvec3& eye = view.camera.eye_world;
+    const double pixel = 1 / scene::Projection(view).focal_px();
+    std::vector<Window> windows;
+    std::vector<glm::dvec3> rim;
+    for (const scene::Hole& hole :
+         std::span(clusters.holes).subspan(solid.first_hole, solid.hole_count)) {
+        rim.clear();
+        for (std::size_t i = 0; i < hole.corner_count; ++i)
+            rim.push_back(surface.p_world[clusters.rims[hole.first_corner + i]]);
+        if (hole.is_covered && !scene::may_face(hole, rim, eye)) continue;
+        const std::optional<Window> window = Window::of(hole.bounds, eye, pixel);
+        if (!window) return std::nullopt;
+        windows.push_back(*window);
+    }
+    return windows;
+}
+
 }  // namespace
+
+std::vector<SolidView> view_solids(const MeshInput& input) {
+    const scene::Camera& camera = input.view.camera;
+    const auto& solids = input.mesh->clusters().solids;
+    std::vector<SolidView> views(solids.size());
+    const auto depth_of = [&](const scene::Sphere& ball) {
+        return -(camera.view_from_world * (ball.center_world - camera.eye_world)).z;
+    };
+    // A near plane fitted to the scene's own ball touches it at most, but for rounding.
+    const bool is_all_uncut =
+        input.bounds.radius > 0 &&
+        depth_of(input.bounds) - input.bounds.radius >= camera.near - 1e-9 * input.bounds.radius;
+    // A front hides the back behind it only if it is drawn, and neither is moved.
+    const bool keeps_order = input.cull != Cull::front && !input.offset.is_any();
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        const scene::Sphere& ball = solids[i].bounds;
+        const glm::dvec3 way = ball.center_world - camera.eye_world;
+        const double radius = ball.radius * (1 + 1e-6);
+        const double depth = depth_of(ball);
+        const bool is_uncut =
+            is_all_uncut || depth - radius > camera.near || depth + radius < camera.near;
+        if (!keeps_order || !is_uncut || !(glm::length(way) > radius)) continue;
+        views[i].hides_backs = solids[i].is_watertight;
+        if (!solids[i].is_watertight_covered) continue;
+        auto windows =
+            find_windows(input.mesh->surface(), input.mesh->clusters(), solids[i], input.view);
+        views[i].hides_backs = windows.has_value();
+        if (windows) views[i].windows = std::move(*windows);
+    }
+    return views;
+}
+
+std::optional<Window> Window::of(const scene::Sphere& ball,
+                                 const glm::dvec3& eye_world,
+                                 double pixel) {
+    // Snapped vertices move a part of a pixel.
+    constexpr double kWider_px = 2;
+    const glm::dvec3 way = ball.center_world - eye_world;
+    const double distance = glm::length(way);
+    const double radius = ball.radius * (1 + 1e-9) + kWider_px * pixel * distance;
+    if (!(radius < distance)) return std::nullopt;
+    Window window;
+    window.axis_ = way / distance;
+    window.sine_ = radius / distance;
+    window.cosine_ = std::sqrt(1 - window.sine_ * window.sine_);
+    window.nearest_ = distance - radius;
+    return window;
+}
+
+bool Window::may_show(const scene::Sphere& ball, const glm::dvec3& eye_world) const {
+    // Seen from the eye, the two balls are cones of half-angles a (the window's) and b. They meet
+    // unless their axes are more than a + b apart: with d the way to the ball, r its radius,
+    //   axis . d >= |d| cos(a + b) = cos a sqrt(d . d - r r) - sin a r.
+    const glm::dvec3 d = ball.center_world - eye_world;
+    const double square = glm::dot(d, d);
+    const double tangent2 = square - ball.radius * ball.radius;
+    if (!(tangent2 > 0)) return true;  // the eye is in the ball
+    if (std::sqrt(square) + ball.radius < nearest_) return false;
+    return glm::dot(axis_, d) >= cosine_ * std::sqrt(tangent2) - sine_ * ball.radius;
+}
 
 std::size_t slice_count(std::size_t clusters, int threads) {
     constexpr std::size_t kLeast = 1024;

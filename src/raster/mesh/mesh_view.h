@@ -2,13 +2,37 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "raster/mesh/mesh_pass.h"
-#include "raster/mesh/windows.h"
 #include "raster/pass/view_transform.h"
+#include "scene/camera.h"
+#include "scene/clusters.h"
+#include "scene/surface.h"
 
 namespace ink::raster {
+
+/// A hole of a solid that may let its inside be seen, as the eye sees it: the cone round the ball
+/// that the hole's fan lies in, two pixels wider.
+class Window {
+  public:
+    /// `pixel` is what a pixel at the image's centre measures at distance 1. Nothing if the eye is
+    /// in the cone's ball.
+    [[nodiscard]] static std::optional<Window> of(const scene::Sphere& ball,
+                                                  const glm::dvec3& eye_world,
+                                                  double pixel);
+
+    /// Whether a sight line may meet the window, and then something in the ball.
+    [[nodiscard]] bool may_show(const scene::Sphere& ball, const glm::dvec3& eye_world) const;
+
+  private:
+    glm::dvec3 axis_{0};
+    double sine_ = 0;
+    double cosine_ = 1;
+    double nearest_ = 0;  ///< of the hole
+};
 
 /// What a frame decides about each solid before any of its clusters is looked at.
 struct SolidView {

@@ -1,7 +1,5 @@
 #include "raster/pass/bin.h"
 
-#include <algorithm>
-
 #include "core/parallel.h"
 
 namespace ink::raster {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "raster/pass/attribute_planes.h"
 #include "raster/pass/tile_buffer.h"
 #include "raster/pass/triangle_stage.h"
 

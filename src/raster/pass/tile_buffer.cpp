@@ -1,6 +1,5 @@
 #include "raster/pass/tile_buffer.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <utility>

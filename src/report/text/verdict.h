@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "harness/row.h"
-#include "summary/summary.h"
 
 namespace ink::report {
 

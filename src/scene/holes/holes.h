@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
 #include "scene/camera.h"
 #include "scene/surface.h"

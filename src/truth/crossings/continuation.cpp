@@ -8,7 +8,7 @@
 #include "core/parallel.h"
 #include "scene/box.h"
 #include "truth/crossings/pair_tree.h"
-#include "truth/crossings/triangle_distance.h"
+#include "truth/crossings/pierce.h"
 
 namespace ink::truth {
 namespace {

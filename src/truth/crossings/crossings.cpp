@@ -4,14 +4,12 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <tuple>
 
-#include "scene/topology.h"
 #include "truth/crossings/pair_tree.h"
 #include "truth/pilots.h"
 

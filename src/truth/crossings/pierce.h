@@ -5,11 +5,17 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "scene/topology.h"
 
 namespace ink::truth {
+
+/// How far a point is from the nearest point of a closed triangle, world units.
+///
+/// By the region in which its projection falls (Ericson 2005, "Real-Time Collision Detection",
+/// section 5.1.5), so that it needs no normal and holds for needles too.
+[[nodiscard]] double distance_to_triangle(const glm::dvec3& p,
+                                          const std::array<glm::dvec3, 3>& corners);
 
 /// The segment in which two triangles cross, in the interior of both but for its ends.
 struct Crossing {

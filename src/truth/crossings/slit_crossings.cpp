@@ -1,7 +1,6 @@
 #include "truth/crossings/slit_crossings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <utility>

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace ink::import {
+
+/// How an FBX file says its coordinates are meant (GlobalSettings).
+struct FbxAxes {
+    struct Axis {
+        int number = 0;  ///< 0, 1, 2: x, y, z
+        int sign = 1;
+    };
+    Axis up{1, 1};
+    Axis front{2, 1};  ///< towards who looks at it
+    Axis right{0, 1};  ///< called Coord there
+    double cm_per_unit = 1;
+};
+
+/// Turns the file's coordinates so that y is up, as Collada's up_axis does: z up becomes (x, z,
+/// -y), x up (-y, x, z). Left-handed axes are mirrored along the front. Lengths become centimetres.
+[[nodiscard]] glm::dmat4 y_up_from_fbx(const FbxAxes& axes);
+
+/// The names of the nodes of an FBX file, text or binary, whose camera is orthographic. Assimp
+/// takes these for cameras of perspective.
+[[nodiscard]] std::set<std::string> read_fbx_parallel_cameras(std::string_view file);
+
+}  // namespace ink::import

@@ -1,0 +1,256 @@
+#include "report/packed_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "core/image.h"
+#include "core/parallel.h"
+#include "draw/error_image.h"
+#include "harness/tables/csv_table.h"
+#include "harness/view_images.h"
+#include "image_io/image_file.h"
+
+namespace ink::report {
+namespace {
+
+constexpr std::size_t kExactDigits = 15;
+
+/// The field as a JSON value; nothing if it is a text.
+std::optional<std::string> json_value(const std::string& field) {
+    if (field.empty() || field == "nan") return "null";
+    if (field == "true" || field == "false") return field;
+    if (field == "inf" || field == "-inf") return json_text(field);
+    double value = 0;
+    const char* end = field.data() + field.size();
+    const auto [at, error] = std::from_chars(field.data(), end, value);
+    const bool is_number = error == std::errc() && at == end && std::isfinite(value);
+    const bool is_plain = field.find_first_not_of("0123456789") == std::string::npos;
+    // JSON has no numbers that begin with 0 and a digit: these are a code.
+    const std::size_t first = field.front() == '-' ? 1 : 0;
+    const bool is_code = field.size() > first + 1 && field[first] == '0' &&
+                         std::isdigit(static_cast<unsigned char>(field[first + 1])) != 0;
+    if (!is_number || is_code || (is_plain && field.size() > kExactDigits)) return std::nullopt;
+    return field;
+}
+
+template <class Items>
+std::string json_array(const Items& items) {
+    return fmt::format("[{}]", fmt::join(items, ","));
+}
+
+std::string text_column(const std::vector<std::string>& fields) {
+    std::map<std::string, int> index;
+    std::vector<std::string> words;
+    std::vector<int> at;
+    for (const std::string& field : fields) {
+        if (field.empty()) {
+            at.push_back(-1);
+            continue;
+        }
+        const auto [found, is_new] = index.emplace(field, static_cast<int>(words.size()));
+        if (is_new) words.push_back(json_text(field));
+        at.push_back(found->second);
+    }
+    return fmt::format("{{\"words\":{},\"at\":{}}}", json_array(words), json_array(at));
+}
+
+using Codes = core::Image<std::uint8_t>;
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+    constexpr std::string_view kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = bytes.size() - i < 3 ? bytes.size() - i : 3;
+        std::uint32_t group = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+            group = group << 8U | (j < count ? bytes[i + j] : 0U);
+        for (std::size_t digit = 0; digit < 4; ++digit)
+            text += digit <= count ? kDigits[group >> (18U - 6U * digit) & 63U] : '=';
+    }
+    return text;
+}
+
+std::string png_of(const Codes& codes) {
+    return base64(image_io::encode_png(codes));
+}
+
+/// By how much images may be shrunk, the first choice first.
+constexpr std::array kFactors = {1, 2, 4, 8};
+
+/// Something at each of kFactors; empty where nobody wants that.
+using AtFactors = std::array<std::string, kFactors.size()>;
+
+Codes codes_of(const draw::Marks& marks) {
+    Codes codes(marks.width_px(), marks.height_px());
+    std::transform(marks.data(), marks.data() + marks.size(), codes.data(), [](draw::Mark mark) {
+        return static_cast<std::uint8_t>(mark);
+    });
+    return codes;
+}
+
+/// The PNGs of an image, from the factor of index `first` on.
+template <class Picture, class CodesOf>
+AtFactors pngs_of(const Picture& picture, std::size_t first, CodesOf codes_of_picture) {
+    AtFactors pngs;
+    Picture small = draw::shrink(picture, kFactors[first]);
+    for (std::size_t f = first; f < kFactors.size(); ++f) {
+        // What matters most of blocks matters most of the block that they make.
+        if (f > first) small = draw::shrink(small, kFactors[f] / kFactors[f - 1]);
+        pngs[f] = png_of(codes_of_picture(small));
+    }
+    return pngs;
+}
+
+/// A view's entry: its key, and its images as JSON; from the factor of index `first` on.
+AtFactors packed_view(const harness::ShownView& view, std::size_t first) {
+    const draw::ErrorMarker marker(view.labels, {});
+    std::vector<AtFactors> pngs(view.images.size() + 1);
+    core::parallel_for(pngs.size(), core::hardware_threads(), [&](std::size_t i) {
+        if (i == 0) {
+            pngs[i] = pngs_of(view.labels, first, [](const Codes& labels) { return labels; });
+            return;
+        }
+        const harness::MethodImage& image = view.images[i - 1];
+        const draw::Marks marks =
+            marker.mark(image.edge_response, {.threshold = image.threshold, .wrong = image.wrong});
+        pngs[i] = pngs_of(marks, first, codes_of);
+    });
+    AtFactors packed;
+    for (std::size_t f = first; f < kFactors.size(); ++f) {
+        std::string methods;
+        for (std::size_t i = 1; i < pngs.size(); ++i) {
+            methods += fmt::format(
+                "{}{}:\"{}\"", i == 1 ? "" : ",", json_text(view.images[i - 1].method), pngs[i][f]);
+        }
+        packed[f] =
+            fmt::format("{}:{{\"width\":{},\"height\":{},\"truth\":\"{}\",\"methods\":{{{}}}}}",
+                        json_text(view.scene + "\n" + view.view),
+                        view.labels.width_px(),
+                        view.labels.height_px(),
+                        pngs[0][f],
+                        methods);
+    }
+    return packed;
+}
+
+/// One view of a run, of which the run folder may hold images.
+struct ViewPlace {
+    std::size_t run = 0;
+    std::vector<harness::Row> rows;  ///< its methods
+};
+
+/// The views of all runs: the first of every scene, then the second of every scene, and so on.
+/// What comes late is left out first.
+std::vector<ViewPlace> view_places(const std::vector<experiment::RunData>& runs) {
+    std::vector<std::pair<int, ViewPlace>> places;
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        std::map<std::pair<std::string, std::string>, std::size_t> index;
+        std::map<std::string, int> views_of_scene;
+        for (const harness::Row& row : runs[run].tables.rows) {
+            const auto [at, is_new] = index.emplace(std::pair(row.scene, row.view), places.size());
+            if (is_new) places.push_back({views_of_scene[row.scene]++, {run, {}}});
+            places[at->second].second.rows.push_back(row);
+        }
+    }
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+        return a.first < b.first;
+    });
+    std::vector<ViewPlace> ordered;
+    for (auto& [rank, place] : places)
+        ordered.push_back(std::move(place));
+    return ordered;
+}
+
+/// The images of all views at one factor, as far as they are within the budget.
+struct Packed {
+    std::vector<std::string> of_run;
+    std::size_t size_bytes = 0;  ///< with the first view that was too much
+
+    void add(std::size_t run, const std::string& view, std::size_t budget_bytes) {
+        if (size_bytes > budget_bytes) return;
+        size_bytes += view.size();
+        if (size_bytes > budget_bytes) return;
+        of_run[run] += (of_run[run].empty() ? "" : ",") + view;
+    }
+};
+
+}  // namespace
+
+std::string json_text(std::string_view text) {
+    const auto replace = nlohmann::json::error_handler_t::replace;
+    const std::string quoted = nlohmann::json(text).dump(-1, ' ', false, replace);
+    std::string safe;
+    safe.reserve(quoted.size());
+    for (const char c : quoted) {
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+std::string packed_column(const std::vector<std::string>& fields) {
+    std::vector<std::string> values;
+    for (const std::string& field : fields) {
+        std::optional<std::string> value = json_value(field);
+        if (!value) break;
+        values.push_back(std::move(*value));
+    }
+    const bool is_text = values.size() < fields.size();
+    const bool is_constant =
+        fields.size() > 1 && std::equal(fields.begin() + 1, fields.end(), fields.begin());
+    if (is_constant) {
+        return fmt::format("{{\"constant\":{}}}",
+                           is_text ? json_text(fields.front()) : values.front());
+    }
+    return is_text ? text_column(fields) : json_array(values);
+}
+
+std::string packed_table(std::string_view csv, const std::string& where) {
+    const harness::CsvTable table = harness::split_csv(csv, where);
+    std::vector<std::string> columns;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        std::vector<std::string> fields;
+        fields.reserve(table.records.size());
+        for (const std::vector<std::string>& record : table.records)
+            fields.push_back(harness::unquoted(record[i]));
+        columns.push_back(json_text(table.columns[i]) + ":" + packed_column(fields));
+    }
+    return fmt::format(
+        "{{\"lines\":{},\"columns\":{{{}}}}}", table.records.size(), fmt::join(columns, ","));
+}
+
+std::string packed_images(const std::vector<experiment::RunData>& runs, std::size_t budget_bytes) {
+    std::array<Packed, kFactors.size()> packed;
+    packed.fill({std::vector<std::string>(runs.size())});
+    // Each image is read and marked once: what is too much at one factor is there at the next.
+    std::size_t first = 0;
+    for (const ViewPlace& place : view_places(runs)) {
+        const auto view = harness::read_shown_view(runs[place.run].folder, place.rows);
+        if (!view) continue;
+        const AtFactors at_factors = packed_view(*view, first);
+        for (std::size_t f = first; f < kFactors.size(); ++f)
+            packed[f].add(place.run, at_factors[f], budget_bytes);
+        while (first + 1 < kFactors.size() && packed[first].size_bytes > budget_bytes)
+            packed[first++] = {};
+        if (packed[first].size_bytes > budget_bytes) break;
+    }
+    std::string text;
+    for (const std::string& views : packed[first].of_run)
+        text += fmt::format("{}{{{}}}", text.empty() ? "" : ",", views);
+    return "[" + text + "]";
+}
+
+}  // namespace ink::report
