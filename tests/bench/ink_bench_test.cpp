@@ -13,8 +13,8 @@ namespace {
 
 using program::Desk;
 using program::Outcome;
+using program::Words;
 using testing::HasSubstr;
-using Words = std::vector<std::string>;
 
 const std::string kCopy = "--benchmark_filter=^memcpy/u8/1080p$";
 const std::string kFrame = "--benchmark_filter=^frame/mote4/sphere/1080p/threads:1";

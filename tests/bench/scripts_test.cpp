@@ -13,6 +13,7 @@ namespace {
 
 using program::Desk;
 using program::Outcome;
+using program::Words;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -38,7 +39,7 @@ std::string json_of(const Times_us& times) {
     return R"({"context": {"cpu": "made up"}, "benchmarks": [)" + entries + "]}";
 }
 
-Outcome table(const Desk& desk, std::vector<std::string> words) {
+Outcome table(const Desk& desk, Words words) {
     words.insert(words.begin(), INK_SOURCE_DIR "/bench/table.py");
     return desk.run_other("/usr/bin/python3", words);
 }

@@ -17,8 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-using Words = std::vector<std::string>;
-
 class Bootstrap : public testing::Test {
   protected:
     Bootstrap() {
@@ -53,7 +51,7 @@ class Bootstrap : public testing::Test {
         Words all = {"PATH=" + (desk_.work() / "bin").string() + ":/usr/bin:/bin",
                      "bash",
                      (tree() / "bootstrap").string()};
-        all.insert(all.end(), words.begin(), words.end());
+        all += words;
         return desk_.run_other("/usr/bin/env", all);
     }
 

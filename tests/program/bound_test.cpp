@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tests/program/run_program.h"
@@ -11,11 +12,9 @@ using testing::HasSubstr;
 
 TEST(Bound, PrintsItsTableAndWritesTheSame) {
     const Desk desk;
-    const Outcome outcome =
-        desk.run({"bound", "cube", "gem", "tiles", "--size", "160x90", "--out", "bounds"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string out = expect_done(desk, "bound cube gem tiles --size 160x90 --out bounds");
     for (const char* text : {"F upper", "cube", "gem", "tiles", "(training)", "(all)"})
-        EXPECT_THAT(outcome.out, HasSubstr(text));
+        EXPECT_THAT(out, HasSubstr(text));
     const Table rows = table_of_run(desk, "bounds", "bound.csv");
     ASSERT_EQ(rows.size(), 5U) << "a held-out pool of one scene would be that scene again";
     EXPECT_EQ(rows[1].at("scene"), "gem");
@@ -33,41 +32,22 @@ TEST(Bound, PrintsItsTableAndWritesTheSame) {
 TEST(Bound, IsTheSameForEveryThreadCount) {
     const Desk desk;
     for (const char* threads : {"1", "3"}) {
-        const Outcome outcome = desk.run({"bound",
-                                          "gem",
-                                          "--size",
-                                          "160x90",
-                                          "--signed",
-                                          "--boxes",
-                                          "500",
-                                          "--threads",
-                                          threads,
-                                          "--out",
-                                          threads});
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        const char* words = "bound gem --size 160x90 --signed --boxes 500 --threads {0} --out {0}";
+        expect_done(desk, fmt::format(fmt::runtime(words), threads));
     }
     EXPECT_EQ(desk.read("1/bound.csv"), desk.read("3/bound.csv"));
 }
 
 TEST(Bound, RefusesWhatIsNotLinear) {
     const Desk desk;
-    const std::vector<std::vector<std::string>> refused = {
-        {"--method", "decaudin"},
-        {"--method", "mote4,mote16"},
-        {"--set", "overflow=wrap"},
-        {"--set", "sky=5"},
-        {"--gap", "-1"},
-        {"--boxes", "0"},
-        {"--least-threshold", "-1"},
-    };
-    for (const auto& arguments : refused) {
-        std::vector<std::string> all = {"bound", "cube", "--size", "64x48"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        const Outcome outcome = desk.run(all);
-        EXPECT_EQ(outcome.exit_code, 2) << arguments.back();
-        EXPECT_THAT(outcome.err, HasSubstr("accepted")) << arguments.back();
-    }
-    EXPECT_TRUE(desk.inventory().empty());
+    for (const std::string arguments : {"--method decaudin",
+                                        "--method mote4,mote16",
+                                        "--set overflow=wrap",
+                                        "--set sky=5",
+                                        "--gap -1",
+                                        "--boxes 0",
+                                        "--least-threshold -1"})
+        EXPECT_THAT(refusal(desk, "bound cube --size 64x48 " + arguments), HasSubstr("accepted"));
 }
 
 }  // namespace

@@ -11,21 +11,9 @@ namespace {
 
 TEST(CompareCancellation, WritesCountsOfMethodsThatDeclareACodeAndTheSection) {
     const Desk desk;
-    ASSERT_EQ(desk.run({"compare",
-                        "--scenes",
-                        "cube",
-                        "--methods",
-                        "mote4,ids",
-                        "--size",
-                        "160x90",
-                        "--repetitions",
-                        "1",
-                        "--no-sweep",
-                        "--no-crosscheck",
-                        "--out",
-                        "out"})
-                  .exit_code,
-              0);
+    expect_done(desk,
+                "compare --scenes cube --methods mote4,ids --size 160x90 --repetitions 1 "
+                "--no-sweep --no-crosscheck --out out");
     std::set<std::string> classes;
     for (const auto& line : table_of_run(desk, "out", "cancellation.csv")) {
         EXPECT_EQ(line.at("method"), "mote4") << "ids declares no code";

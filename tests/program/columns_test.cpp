@@ -1,20 +1,20 @@
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "run_program.h"
+#include "tests/program/run_program.h"
 
 namespace ink::program {
 namespace {
 
+using testing::HasSubstr;
+
 TEST(ListColumns, AsMarkdownIsTheCommittedDataDictionary) {
     const Desk desk;
-    const Outcome outcome = desk.run({"list", "columns", "--markdown"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::ostringstream committed;
     committed << std::ifstream(INK_SOURCE_DIR "/experiments/columns.md").rdbuf();
-    EXPECT_EQ(committed.str(), outcome.out)
+    EXPECT_EQ(committed.str(), expect_done(desk, "list columns --markdown"))
         << "make it anew: inkbench list columns --markdown >experiments/columns.md";
 }
 
@@ -27,17 +27,14 @@ TEST(ListColumns, OnATerminalHasALineForEveryColumnOfThePage) {
             count += line.starts_with(begin) ? 1 : 0;
         return count;
     };
-    const std::string page = desk.run({"list", "columns", "--markdown"}).out;
+    const std::string page = desk.run("list columns --markdown").out;
     const std::string text = desk.run({"list", "columns"}).out;
     EXPECT_GT(lines_with(page, "| `"), 200);
     EXPECT_EQ(lines_with(text, "    "), lines_with(page, "| `"));
 }
 
 TEST(ListColumns, RefusesMarkdownOfAnythingElse) {
-    const Desk desk;
-    const Outcome outcome = desk.run({"list", "scenes", "--markdown"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("list columns --markdown"), std::string::npos) << outcome.err;
+    EXPECT_THAT(refusal(Desk(), "list scenes --markdown"), HasSubstr("list columns --markdown"));
 }
 
 }  // namespace

@@ -12,8 +12,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-using Words = std::vector<std::string>;
-
 constexpr const char* kPngMagic = "\x89PNG";
 
 /// `n` triangles so thin that each is two lines across the image, apart from each other. At
@@ -30,10 +28,7 @@ std::string needles(int n) {
 
 TEST(SampledLines, TruthPrintsItsTableAndWritesTheImageOfDisagreements) {
     const Desk desk;
-    const Words words = {"truth", "cube", "--size", "160x90", "--crosscheck"};
-    const Outcome outcome = desk.run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out,
+    EXPECT_THAT(expect_done(desk, "truth cube --size 160x90 --crosscheck"),
                 AllOf(HasSubstr("cross-check px"),
                       HasSubstr("disagreement 0.0"),
                       HasSubstr("0 otherwise"),
@@ -43,41 +38,32 @@ TEST(SampledLines, TruthPrintsItsTableAndWritesTheImageOfDisagreements) {
 
 TEST(SampledLines, TheImageGoesWhereItIsToldTo) {
     const Desk desk;
-    const Outcome outcome = desk.run(
-        {"truth", "cube", "--size", "160x90", "--crosscheck", "--disagreement", "apart.png"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("disagreements: apart.png\n"));
+    EXPECT_THAT(expect_done(desk, "truth cube --size 160x90 --crosscheck --disagreement apart.png"),
+                HasSubstr("disagreements: apart.png\n"));
     EXPECT_THAT(desk.read("apart.png"), StartsWith(kPngMagic));
     EXPECT_EQ(desk.inventory().size(), 1U) << "and no folder of its own";
 }
 
 TEST(SampledLines, ABadPlaceForTheImageIsRefused) {
     const Desk desk;
-    const Words words = {"truth", "cube", "--size", "64x36", "--disagreement"};
-    Words text = words, alone = words;
-    text.insert(text.end(), {"x.txt", "--crosscheck"});
-    alone.push_back("x.png");
-    EXPECT_EQ(desk.run(text).exit_code, 2);
-    EXPECT_EQ(desk.run(alone).exit_code, 2) << "there is nothing to disagree without a cross-check";
-    EXPECT_TRUE(desk.inventory().empty());
+    refusal(desk, "truth cube --size 64x36 --disagreement x.txt --crosscheck");
+    // There is nothing to disagree without a cross-check.
+    refusal(desk, "truth cube --size 64x36 --disagreement x.png");
     desk.write("inkbench-out", "a file where the folder would be");
-    const Outcome taken = desk.run({"truth", "cube", "--size", "64x36", "--crosscheck"});
-    EXPECT_EQ(taken.exit_code, 2);
-    EXPECT_EQ(taken.out, "");
-    EXPECT_THAT(taken.err, HasSubstr("inkbench-out/crosscheck"));
+    EXPECT_THAT(refusal(desk, "truth cube --size 64x36 --crosscheck"),
+                HasSubstr("inkbench-out/crosscheck"));
 }
 
 TEST(SampledLines, CompareRecordsItUnlessToldNotTo) {
     const Desk desk;
-    Words words = {"compare", "--scenes", "cube", "--methods", "mote4", "--size", "160x90"};
-    words.insert(words.end(), {"--views", "1", "--repetitions", "1", "--out", "out"});
-    EXPECT_EQ(desk.run(words).exit_code, 0);
+    const Words words =
+        "compare --scenes cube --methods mote4 --size 160x90 --views 1 --repetitions 1 --out out";
+    expect_done(desk, words);
     Table rows = parse_csv(desk.read("out/rows.csv"));
     ASSERT_EQ(rows.size(), 5U);
     for (const auto& row : rows)
         EXPECT_LT(std::stod(row.at("reference_disagreement")), 0.001);
-    words.insert(words.end(), {"--no-crosscheck", "--force"});
-    EXPECT_EQ(desk.run(words).exit_code, 0);
+    expect_done(desk, words + "--no-crosscheck --force");
     rows = parse_csv(desk.read("out/rows.csv"));
     ASSERT_EQ(rows.size(), 5U);
     for (const auto& row : rows)
@@ -88,8 +74,7 @@ TEST(TooLarge, TruthSaysTheCountsAndLeavesNothing) {
     const Desk desk;
     desk.write("needles.obj", needles(6000));
     const auto before = desk.inventory();
-    const Outcome outcome =
-        desk.run({"truth", "needles.obj", "--size", "640x360", "--crosscheck", "-o", "truth.png"});
+    const Outcome outcome = desk.run("truth needles.obj --size 640x360 --crosscheck -o truth.png");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err,
@@ -101,9 +86,8 @@ TEST(TooLarge, TruthSaysTheCountsAndLeavesNothing) {
 TEST(TooLarge, CompareWithoutAnyScoreFails) {
     const Desk desk;
     desk.write("needles.obj", needles(6000));
-    Words words = {"compare", "needles.obj", "--methods", "mote4", "--size", "640x360"};
-    words.insert(words.end(), {"--views", "1", "--repetitions", "1", "--out", "out"});
-    const Outcome outcome = desk.run(words);
+    const Outcome outcome = desk.run(
+        "compare needles.obj --methods mote4 --size 640x360 --views 1 --repetitions 1 --out out");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("not one cell has a score"));
 }
@@ -111,10 +95,9 @@ TEST(TooLarge, CompareWithoutAnyScoreFails) {
 TEST(TooLarge, CompareSaysSoInTheRowAndGoesOn) {
     const Desk desk;
     desk.write("needles.obj", needles(6000));
-    Words words = {"compare", "needles.obj", "--scenes", "cube", "--methods", "mote4"};
-    words.insert(words.end(), {"--size", "640x360", "--views", "1", "--repetitions", "1"});
-    words.insert(words.end(), {"--out", "out"});
-    const Outcome outcome = desk.run(words);
+    const Outcome outcome = desk.run(
+        "compare needles.obj --scenes cube --methods mote4 --size 640x360 --views 1 --repetitions "
+        "1 --out out");
     EXPECT_EQ(outcome.exit_code, 3) << "a view has no score";
     EXPECT_THAT(outcome.err,
                 AllOf(HasSubstr("no score: needles view0: too_large: 18000 lines"),

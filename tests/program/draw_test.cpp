@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <set>
 
 #include "tests/program/run_program.h"
@@ -13,31 +12,15 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 /// Draws a small torus with these options more; the bytes of the file.
 std::string draw(const Desk& desk, const Words& more, const std::string& file = "a.png") {
-    Words words = {"draw", "torus", "--size", "160x90", "-o", file};
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = desk.run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
-    EXPECT_EQ(without_progress(outcome.err), "") << testing::PrintToString(words);
-    EXPECT_EQ(outcome.out, file + "\n");
+    EXPECT_EQ(expect_done(desk, Words("draw torus --size 160x90 -o " + file) + more), file + "\n");
     return desk.read(file);
 }
 
-/// Expects exit 2, one line that names all of `words`, and no file.
-void expect_refused(const Words& more, const Words& words) {
-    const Desk desk;
-    Words all = {"draw", "torus", "--size", "160x90", "-o", "a.png"};
-    all.insert(all.end(), more.begin(), more.end());
-    const Outcome outcome = desk.run(all);
-    SCOPED_TRACE(testing::PrintToString(all));
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const std::string& word : words)
-        EXPECT_THAT(outcome.err, HasSubstr(word));
-    EXPECT_TRUE(desk.inventory().empty());
+/// The same where the options are wrong: one line names all of `parts`.
+void expect_refused(const Words& more, const Words& parts) {
+    expect_refused(Desk(), "draw torus --size 160x90 -o a.png" + more, parts);
 }
 
 TEST(Draw, EveryLookIsAnotherImage) {
@@ -68,7 +51,7 @@ TEST(Draw, EveryLookIsAnotherImage) {
 
 TEST(Draw, TheSameWordsGiveTheSameImage) {
     const Desk desk;
-    const Words words = {"--shading", "strokes", "--hand-drawn", "--seed", "5", "--antialias", "2"};
+    const Words words = "--shading strokes --hand-drawn --seed 5 --antialias 2";
     const std::string one = draw(desk, words);
     Words threaded = words;
     threaded.insert(threaded.end(), {"--threads", "3"});
@@ -107,7 +90,7 @@ TEST(Draw, LayersOfAMethodAreImages) {
 TEST(Draw, ShadingComesWithoutLinesIfAskedFor) {
     const Desk desk;
     const Words gouraud = {"--shading", "gouraud"};
-    const Words alone = {"--shading", "gouraud", "--no-lines"};
+    const Words alone = "--shading gouraud --no-lines";
     const std::string shading = draw(desk, alone);
     EXPECT_NE(shading, draw(desk, gouraud));
     Words other_lines = alone;
@@ -122,25 +105,14 @@ TEST(Draw, TheFilesLightsAreThoseIfItHasAny) {
     const Words gouraud = {"--shading", "gouraud"};
     EXPECT_EQ(draw(desk, {"--shading", "gouraud", "--lights", "file"}), draw(desk, gouraud));
     desk.write("dark.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const Outcome outcome = desk.run(
-        {"draw", "dark.obj", "--shading", "gouraud", "--lights", "file", "-o", "dark.png"});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, AllOf(HasSubstr("--lights"), HasSubstr("no light of its own")));
+    EXPECT_THAT(refusal(desk, "draw dark.obj --shading gouraud --lights file -o dark.png"),
+                AllOf(HasSubstr("--lights"), HasSubstr("no light of its own")));
 }
 
 TEST(Draw, ALayerThatCountsSaysWhat) {
-    const Outcome outcome = Desk().run({"draw",
-                                        "cube",
-                                        "--method",
-                                        "edge_hash",
-                                        "--layer",
-                                        "edges",
-                                        "--size",
-                                        "160x90",
-                                        "-o",
-                                        "a.png"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("a.png\n54 edges: "), HasSubstr(" 0 boundary (red)")));
+    EXPECT_THAT(
+        expect_done(Desk(), "draw cube --method edge_hash --layer edges --size 160x90 -o a.png"),
+        AllOf(HasSubstr("a.png\n54 edges: "), HasSubstr(" 0 boundary (red)")));
 }
 
 TEST(Draw, ALayerThatIsNotThereIsRefusedByName) {
@@ -151,27 +123,15 @@ TEST(Draw, ALayerThatIsNotThereIsRefusedByName) {
 }
 
 TEST(Draw, ShadingsAndTheirParametersAreListed) {
-    const Outcome outcome = Desk().run({"list", "shadings"});
-    EXPECT_EQ(outcome.exit_code, 0);
     for (const char* word : {"gouraud", "toon", "gooch", "strokes", "splash_alpha", "jitter_px"})
-        EXPECT_THAT(outcome.out, HasSubstr(word));
+        EXPECT_THAT(expect_done(Desk(), {"list", "shadings"}), HasSubstr(word));
 }
 
 TEST(Draw, HelpNamesTheLooks) {
     const std::string help = Desk().run({"draw", "--help"}).out;
-    for (const char* option : {"--shading",
-                               "--set-shade",
-                               "--lights",
-                               "--ink",
-                               "--paper",
-                               "--surface",
-                               "--line-width",
-                               "--hand-drawn",
-                               "--set-hand",
-                               "--seed",
-                               "--antialias",
-                               "--dither",
-                               "none|gouraud|toon|gooch|strokes"})
+    for (const std::string& option :
+         Words("--shading --set-shade --lights --ink --paper --surface --line-width --hand-drawn "
+               "--set-hand --seed --antialias --dither none|gouraud|toon|gooch|strokes"))
         EXPECT_THAT(help, HasSubstr(option));
 }
 

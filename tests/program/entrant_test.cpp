@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -41,24 +42,14 @@ TEST(Entrant, TheReadmesTenLinesOfPythonTakePart) {
     const Desk desk;
     if (!has_python(desk)) GTEST_SKIP() << "needs /usr/bin/python3 with numpy and Pillow";
     const std::string program = write_program(desk, "lines.py", readme_program());
-    const Outcome tried = desk.run({"entrant-test", program, "--size", "160x90"});
-    EXPECT_EQ(tried.exit_code, 0) << tried.out << tried.err;
-    EXPECT_THAT(tried.out, HasSubstr("is ready"));
-    const Outcome outcome = desk.run({"compare",
-                                      "--scenes",
-                                      "cube,torus",
-                                      "--methods",
-                                      "ids",
-                                      "--size",
-                                      "160x90",
-                                      "--entrant",
-                                      "mine=" + program,
-                                      "--no-sweep",
-                                      "--no-crosscheck",
-                                      "--out",
-                                      "out"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("mine +"), HasSubstr("by their own clock")));
+    EXPECT_THAT(expect_done(desk, fmt::format("entrant-test {} --size 160x90", program)),
+                HasSubstr("is ready"));
+    EXPECT_THAT(
+        expect_done(desk,
+                    fmt::format("compare --scenes cube,torus --methods ids --size 160x90 --entrant "
+                                "mine={} --no-sweep --no-crosscheck --out out",
+                                program)),
+        AllOf(HasSubstr("mine +"), HasSubstr("by their own clock")));
     for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
         if (row.at("method") != "mine") continue;
         EXPECT_EQ(row.at("status"), "ok");
@@ -74,37 +65,23 @@ TEST(Entrant, AFailureIsARowWithAStatus) {
     const Desk desk;
     const std::string program =
         write_program(desk, "fails", "#!/bin/sh\necho 'no licence' >&2\nexit 7\n");
-    const Outcome tried = desk.run({"entrant-test", program, "--size", "160x90"});
+    const Outcome tried = desk.run(fmt::format("entrant-test {} --size 160x90", program));
     EXPECT_EQ(tried.exit_code, 1);
     EXPECT_THAT(tried.out, HasSubstr("exit code 7: no licence"));
-    const Outcome outcome = desk.run({"compare",
-                                      "--scenes",
-                                      "cube",
-                                      "--methods",
-                                      "ids",
-                                      "--size",
-                                      "96x54",
-                                      "--entrant",
-                                      "mine=" + program,
-                                      "--no-sweep",
-                                      "--no-crosscheck",
-                                      "--out",
-                                      "out"});
+    const Outcome outcome =
+        desk.run(fmt::format("compare --scenes cube --methods ids --size 96x54 --entrant mine={} "
+                             "--no-sweep --no-crosscheck --out out",
+                             program));
     EXPECT_EQ(outcome.exit_code, 3) << "some cells have no score";
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("no licence"), HasSubstr("entrant-test")));
 }
 
 TEST(Export, ImagesDrawnFromItComeBackAsAFolder) {
     const Desk desk;
-    ASSERT_EQ(desk.run({"export", "cube", "teapot", "--size", "96x54", "-o", "views"}).exit_code,
-              0);
-    for (const char* file : {"views.csv",
-                             "cube/mesh.obj",
-                             "cube/mesh.glb",
-                             "cube/front/camera.json",
-                             "cube/front/buffers.exr",
-                             "cube/front/ids.png",
-                             "cube/front/truth.exr"})
+    expect_done(desk, "export cube teapot --size 96x54 -o views");
+    for (const std::string& file :
+         Words("views.csv cube/mesh.obj cube/mesh.glb cube/front/camera.json "
+               "cube/front/buffers.exr cube/front/ids.png cube/front/truth.exr"))
         EXPECT_TRUE(fs::exists(desk.work() / "views" / file)) << file;
     const auto views = parse_csv(desk.read("views/views.csv"));
     EXPECT_GE(views.size(), 4U);
@@ -114,34 +91,15 @@ TEST(Export, ImagesDrawnFromItComeBackAsAFolder) {
             << "held-out scenes keep their truth";
         const std::string image = "mine/" + view.at("scene") + "/" + view.at("view") + ".png";
         fs::create_directories((desk.work() / image).parent_path());
-        ASSERT_EQ(desk.run({"draw",
-                            view.at("scene"),
-                            "--view",
-                            view.at("view"),
-                            "--method",
-                            "ids",
-                            "--size",
-                            "96x54",
-                            "-o",
-                            image})
-                      .exit_code,
-                  0);
+        expect_done(desk,
+                    fmt::format("draw {} --view {} --method ids --size 96x54 -o {}",
+                                view.at("scene"),
+                                view.at("view"),
+                                image));
     }
-    ASSERT_EQ(desk.run({"compare",
-                        "--scenes",
-                        "cube,teapot",
-                        "--methods",
-                        "ids",
-                        "--size",
-                        "96x54",
-                        "--entrant",
-                        "mine=mine",
-                        "--no-sweep",
-                        "--no-crosscheck",
-                        "--out",
-                        "out"})
-                  .exit_code,
-              0);
+    expect_done(desk,
+                "compare --scenes cube,teapot --methods ids --size 96x54 --entrant "
+                "mine=mine --no-sweep --no-crosscheck --out out");
     std::map<std::string, std::string> f;
     for (const auto& row : parse_csv(desk.read("out/rows.csv")))
         f[row.at("method")] += row.at("f_2px") + " ";
@@ -150,12 +108,10 @@ TEST(Export, ImagesDrawnFromItComeBackAsAFolder) {
 
 TEST(Export, ModelsReadBackTheSame) {
     const Desk desk;
-    ASSERT_EQ(desk.run({"export", "blocks", "--size", "96x54", "-o", "views", "--truth", "none"})
-                  .exit_code,
-              0);
+    expect_done(desk, "export blocks --size 96x54 -o views --truth none");
     const auto triangles = [&](const std::string& scene) {
         return nlohmann::json::parse(
-            desk.run({"explain", scene, "--json"}).out)["statistics"]["triangles"];
+            desk.run(fmt::format("explain {} --json", scene)).out)["statistics"]["triangles"];
     };
     EXPECT_EQ(triangles("views/blocks/mesh.obj"), triangles("blocks"));
     EXPECT_EQ(triangles("views/blocks/mesh.glb"), triangles("blocks"));
@@ -163,9 +119,9 @@ TEST(Export, ModelsReadBackTheSame) {
 
 TEST(Export, RefusesWhatItCannotDo) {
     const Desk desk;
-    EXPECT_EQ(desk.run({"export", "-o", "views"}).exit_code, 2);
-    EXPECT_EQ(desk.run({"export", "cube", "--truth", "some", "-o", "views"}).exit_code, 2);
-    EXPECT_EQ(desk.run({"compare", "--scenes", "cube", "--entrant", "mine=nowhere"}).exit_code, 2);
+    refusal(desk, "export -o views");
+    refusal(desk, "export cube --truth some -o views");
+    refusal(desk, "compare --scenes cube --entrant mine=nowhere");
 }
 
 }  // namespace

@@ -16,12 +16,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-std::vector<std::string> figures(const std::vector<std::string>& more) {
-    std::vector<std::string> words = {"figures"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
 /// A setting of the environment for as long as the test lasts.
 class Variable {
   public:
@@ -36,23 +30,9 @@ class Variable {
 
 TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
     const Desk desk;
-    const Outcome outcome = desk.run(figures({"--scenes",
-                                              "cube,torus",
-                                              "--methods",
-                                              "mote4,decaudin,ids",
-                                              "--size",
-                                              "96x54",
-                                              "--repetitions",
-                                              "1",
-                                              "--views",
-                                              "2",
-                                              "--format",
-                                              "pdf,svg",
-                                              "--width",
-                                              "84mm",
-                                              "--out",
-                                              "out"}));
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_done(desk,
+                "figures --scenes cube,torus --methods mote4,decaudin,ids --size 96x54 "
+                "--repetitions 1 --views 2 --format pdf,svg --width 84mm --out out");
     EXPECT_THAT(desk.read("out/figures.md"),
                 AllOf(HasSubstr("## strips"),
                       HasSubstr("`inkbench figures --scenes cube,torus --methods "
@@ -70,47 +50,35 @@ TEST(Figures, OfScenesAndMethodsMakeTheRunFirst) {
         EXPECT_THAT(path, Not(HasSubstr(".part")));
 
     // The run that it made is one like any other.
-    const Outcome again = desk.run(
-        figures({"out/run", "--methods", "mote4,ids", "--only", "strips,f", "--out", "again"}));
-    ASSERT_EQ(again.exit_code, 0) << again.err;
-    EXPECT_THAT(again.out, AllOf(HasSubstr("again/strips.svg"), HasSubstr("again/f.png")));
+    EXPECT_THAT(
+        expect_done(desk, "figures out/run --methods mote4,ids --only strips,f --out again"),
+        AllOf(HasSubstr("again/strips.svg"), HasSubstr("again/f.png")));
     EXPECT_THAT(desk.read("again/strips.svg"),
                 AllOf(HasSubstr(">ids</text>"), Not(HasSubstr(">decaudin</text>"))));
 }
 
 TEST(Figures, BadInputIsRefusedBeforeAnyWork) {
     const Desk desk;
-    const auto refusal = [&](const std::vector<std::string>& more) {
-        const Outcome outcome = desk.run(figures(more));
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        return outcome.err;
-    };
-    EXPECT_THAT(refusal({"--scenes", "nowhere"}), HasSubstr("nowhere"));
-    EXPECT_THAT(refusal({"--repetitions", "0"}), HasSubstr("--repetitions"));
-    EXPECT_THAT(refusal({"cube", "--width", "84"}), AllOf(HasSubstr("--width"), HasSubstr("84mm")));
-    EXPECT_THAT(refusal({"cube", "--format", "eps"}), HasSubstr("pdf, svg, png"));
-    EXPECT_THAT(refusal({"cube", "--window", "1,2,3"}), HasSubstr("--window"));
-    EXPECT_TRUE(desk.inventory().empty()) << "nothing is left behind";
+    const auto refused = [&](const std::string& more) { return refusal(desk, "figures " + more); };
+    EXPECT_THAT(refused("--scenes nowhere"), HasSubstr("nowhere"));
+    EXPECT_THAT(refused("--repetitions 0"), HasSubstr("--repetitions"));
+    EXPECT_THAT(refused("cube --width 84"), AllOf(HasSubstr("--width"), HasSubstr("84mm")));
+    EXPECT_THAT(refused("cube --format eps"), HasSubstr("pdf, svg, png"));
+    EXPECT_THAT(refused("cube --window 1,2,3"), HasSubstr("--window"));
     std::filesystem::create_directories(desk.work() / "empty");
-    EXPECT_THAT(refusal({"empty"}), HasSubstr("empty: it holds no rows.csv"));
-    EXPECT_THAT(refusal({"empty", "--size", "64x36"}),
-                HasSubstr("--size: the run is made already"));
-    EXPECT_THAT(refusal({"empty", "cube"}), HasSubstr("'cube' is no folder"));
-    EXPECT_EQ(desk.inventory().size(), 1U);
+    EXPECT_THAT(refused("empty"), HasSubstr("empty: it holds no rows.csv"));
+    EXPECT_THAT(refused("empty --size 64x36"), HasSubstr("--size: the run is made already"));
+    EXPECT_THAT(refused("empty cube"), HasSubstr("'cube' is no folder"));
 }
 
 TEST(Figures, WithoutPythonSayWhatToInstall) {
     const Desk desk;
     const Variable python("INKBENCH_PYTHON", "/nonexistent");
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"cube", "--size", "64x36"}, std::vector<std::string>{"."}}) {
-        const Outcome outcome = desk.run(figures(words));
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_THAT(outcome.err,
+    for (const char* words : {"figures cube --size 64x36", "figures ."}) {
+        EXPECT_THAT(refusal(desk, words),
                     AllOf(HasSubstr("/nonexistent: it cannot be started"),
                           HasSubstr("apt-get install python3 python3-pandas python3-matplotlib")));
     }
-    EXPECT_TRUE(desk.inventory().empty()) << "no run is made for figures that cannot be";
 }
 
 TEST(Figures, WithoutPandasSayWhatToInstall) {
@@ -120,10 +88,9 @@ TEST(Figures, WithoutPandasSayWhatToInstall) {
     const std::string program = (desk.work() / "python").string();
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     const Variable python("INKBENCH_PYTHON", program.c_str());
-    const Outcome outcome = desk.run(figures({"cube", "--size", "64x36"}));
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("apt-get install python3-pandas python3-matplotlib"));
-    EXPECT_THAT(outcome.err, Not(HasSubstr("Traceback")));
+    const std::string outcome = refusal(desk, "figures cube --size 64x36");
+    EXPECT_THAT(outcome, HasSubstr("apt-get install python3-pandas python3-matplotlib"));
+    EXPECT_THAT(outcome, Not(HasSubstr("Traceback")));
 }
 
 }  // namespace

@@ -15,27 +15,17 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-using Words = std::vector<std::string>;
-
 constexpr const char* kCommands[] = {
     "compare", "draw",         "truth",      "score", "explain",     "figures", "timedemo",
     "tune",    "stress",       "run",        "merge", "bound",       "report",  "diff",
     "export",  "entrant-test", "new-method", "list",  "completions", "help"};
 
 std::string expect_done(const Words& words) {
-    const Outcome outcome = Desk().run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words);
-    EXPECT_EQ(outcome.err, "") << testing::PrintToString(words);
-    return outcome.out;
+    return expect_done(Desk(), words);
 }
 
-/// The one line on stderr of a command line that is refused.
 std::string refused(const Words& words) {
-    const Outcome outcome = Desk().run(words);
-    EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(words);
-    EXPECT_EQ(outcome.out, "") << testing::PrintToString(words);
-    EXPECT_EQ(outcome.err.find('\n') + 1, outcome.err.size()) << outcome.err;
-    return outcome.err;
+    return refusal(Desk(), words);
 }
 
 TEST(Help, OfEveryCommandHasAnExampleAndExitCodesAndFitsATerminal) {
@@ -80,18 +70,8 @@ TEST(Help, ShowsDefaults) {
 
 TEST(Help, NamesTheOptionsThatScriptsRelyOn) {
     const std::string compare = expect_done({"compare", "--help"});
-    for (const char* option : {"--size",
-                               "--out",
-                               "--methods",
-                               "--scenes",
-                               "--set",
-                               "--threads",
-                               "--seed",
-                               "--views",
-                               "--eye",
-                               "--target",
-                               "--up",
-                               "--fov"})
+    for (const std::string& option : Words("--size --out --methods --scenes --set --threads --seed "
+                                           "--views --eye --target --up --fov"))
         EXPECT_THAT(compare, HasSubstr(option));
     EXPECT_THAT(expect_done({"draw", "--help"}), HasSubstr("-o"));
     const std::string score = expect_done({"score", "--help"});

@@ -18,8 +18,6 @@ using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
 
-using Words = std::vector<std::string>;
-
 class Install : public testing::Test {
   protected:
     void SetUp() override {

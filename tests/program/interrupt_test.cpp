@@ -18,7 +18,6 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
-using Words = std::vector<std::string>;
 
 constexpr int kInterrupted = 130;
 /// The program promises two seconds. A machine whose cores are all taken wakes it later, and what
@@ -73,8 +72,7 @@ TEST(CtrlC, EndsACompareOfALargeSceneInTwoSeconds) {
     const auto is_begun = [&] { return std::filesystem::exists(desk.work() / "out/run.toml"); };
     for (const double wait_s : {0.0, 2.0, 6.0}) {
         CtrlC ctrl_c(desk, is_begun, wait_s);
-        const Outcome outcome =
-            ctrl_c.during({"compare", "--scenes", "globe", "--no-cache", "--out", "out"});
+        const Outcome outcome = ctrl_c.during("compare --scenes globe --no-cache --out out");
         ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
         EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("the same command goes on"));
@@ -84,21 +82,9 @@ TEST(CtrlC, EndsACompareOfALargeSceneInTwoSeconds) {
 
 TEST(CtrlC, SavesWhatIsFinishedWhileALargeSceneIsWorkedOn) {
     const Desk desk;
-    const Words words = {"compare",
-                         "--scenes",
-                         "cube,globe",
-                         "--methods",
-                         "mote4",
-                         "--size",
-                         "320x180",
-                         "--lanes",
-                         "2",
-                         "--no-sweep",
-                         "--images",
-                         "none",
-                         "--no-cache",
-                         "--out",
-                         "out"};
+    const Words words =
+        "compare --scenes cube,globe --methods mote4 --size 320x180 --lanes 2 --no-sweep --images "
+        "none --no-cache --out out";
     const auto is_begun = [&] {
         return std::filesystem::exists(desk.work() / "out/blocks/000000/block.toml");
     };
@@ -117,7 +103,7 @@ TEST(CtrlC, SavesWhatIsFinishedWhileALargeSceneIsWorkedOn) {
 TEST(CtrlC, EndsATimeDemoOfALargeSceneInTwoSeconds) {
     const Desk desk;
     CtrlC ctrl_c(desk, is_at_once, 3);
-    const Outcome outcome = ctrl_c.during({"timedemo", "globe", "--methods", "surface8"});
+    const Outcome outcome = ctrl_c.during("timedemo globe --methods surface8");
     ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
     EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
     EXPECT_THAT(outcome.err, EndsWith("inkbench: interrupted; nothing is written\n"));
@@ -128,8 +114,7 @@ TEST(CtrlC, EndsASearchOnALargeSceneInTwoSeconds) {
     const Desk desk;
     const auto is_begun = [&] { return std::filesystem::exists(desk.work() / "out"); };
     CtrlC ctrl_c(desk, is_begun, 1);
-    const Outcome outcome =
-        ctrl_c.during({"tune", "mote4", "--scenes", "scan", "--cache", "cache", "--out", "out"});
+    const Outcome outcome = ctrl_c.during("tune mote4 --scenes scan --cache cache --out out");
     ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
     EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("the same command goes on from there"));
@@ -145,15 +130,8 @@ TEST(CtrlC, EndsAProgramFromOutsideWithWhatItStartedAndItsFolder) {
     std::filesystem::permissions(desk.work() / "slow.sh", std::filesystem::perms::owner_all);
     const auto is_begun = [&] { return desk.read("begun").ends_with("\n"); };
     CtrlC ctrl_c(desk, is_begun, 0);
-    const Outcome outcome = ctrl_c.during({"compare",
-                                           "--scenes",
-                                           "cube",
-                                           "--methods",
-                                           "mote4",
-                                           "--entrant",
-                                           "slow=./slow.sh",
-                                           "--out",
-                                           "out"});
+    const Outcome outcome =
+        ctrl_c.during("compare --scenes cube --methods mote4 --entrant slow=./slow.sh --out out");
     ASSERT_TRUE(ctrl_c.was_sent()) << outcome.err;
     EXPECT_EQ(outcome.exit_code, kInterrupted) << outcome.err;
     EXPECT_LT(ctrl_c.took(), kMost);
@@ -171,8 +149,8 @@ TEST(CtrlC, EndsAProgramFromOutsideWithWhatItStartedAndItsFolder) {
 
 TEST(CtrlC, EndsWhatLeavesNothingBehindAtOnce) {
     const Desk desk;
-    for (const Words& words : {Words{"truth", "globe", "--no-cache", "-o", "truth.png"},
-                               Words{"draw", "globe", "-o", "drawn.png"},
+    for (const Words& words : {Words("truth globe --no-cache -o truth.png"),
+                               Words("draw globe -o drawn.png"),
                                Words{"explain", "globe"}}) {
         CtrlC ctrl_c(desk, is_at_once, 0.5);
         const Outcome outcome = ctrl_c.during(words);

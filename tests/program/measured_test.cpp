@@ -21,7 +21,7 @@ constexpr const char* kAsked =
     "columns: f_2px precision_2px recall_contour\n"
     "-->\n";
 
-Outcome measured(const Desk& desk, std::vector<std::string> words) {
+Outcome measured(const Desk& desk, Words words) {
     words.insert(words.begin(), {"-B", INK_SOURCE_DIR "/methods/measured.py"});
     words.insert(words.end(), {"--program", INK_PROGRAM});
     return desk.run_other("/usr/bin/python3", words);
@@ -44,19 +44,10 @@ TEST(MeasuredTables, AreMadeAgainAndNothingElseIs) {
                       HasSubstr("|\n<!-- /measured -->\nafter\n")));
     EXPECT_EQ(measured(desk, {"page.md", "--check"}).exit_code, 0) << "it is as it was made";
 
-    const Outcome compared = desk.run({"compare",
-                                       "--scenes",
-                                       "cube",
-                                       "--views",
-                                       "1",
-                                       "--size",
-                                       "160x90",
-                                       "--methods",
-                                       "polygon_offset",
-                                       "--no-sweep",
-                                       "--out",
-                                       "out"});
-    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    expect_done(
+        desk,
+        "compare --scenes cube --views 1 --size 160x90 --methods polygon_offset --no-sweep --out "
+        "out");
     const Table rows = parse_csv(desk.read("out/rows.csv"));
     for (const auto& row : rows) {
         if (row.at("method") != "polygon_offset") continue;

@@ -11,10 +11,10 @@ namespace {
 
 TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     const Desk desk;
-    std::vector<std::string> words = {"compare", "--scenes", "cube", "--methods", "mote4"};
-    words.insert(words.end(), {"--size", "64x36", "--repetitions", "1", "--no-sweep"});
-    words.insert(words.end(), {"--no-crosscheck", "--out", "out", "--motion"});
-    ASSERT_EQ(desk.run(words).exit_code, 0);
+    Words words =
+        "compare --scenes cube --methods mote4 --size 64x36 --repetitions 1 --no-sweep "
+        "--no-crosscheck --out out --motion";
+    expect_done(desk, words);
 
     std::set<std::string> scenes;
     for (const auto& line : table_of_run(desk, "out", "motion.csv")) {
@@ -35,7 +35,7 @@ TEST(CompareMotion, WritesItsFilesAndTheSectionAndOnlyIfAsked) {
     EXPECT_GT(page_table(desk.read("out/report.html"), "motion.csv")["lines"], 0);
 
     words.back() = "--force";
-    ASSERT_EQ(desk.run(words).exit_code, 0);
+    expect_done(desk, words);
     for (const char* file : {"out/motion.csv", "out/creases.csv", "out/vanishing.csv"})
         EXPECT_EQ(desk.read(file), "") << "an older one must not pass for this run's";
     EXPECT_TRUE(page_table(desk.read("out/report.html"), "motion.csv").is_null());

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -12,8 +13,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 constexpr const char* kExperiment = R"(name = "tiny"
 kind = "compare"
 [grid]
@@ -23,31 +22,10 @@ methods = ["mote4"]
 sizes = ["64x36"]
 )";
 
-/// A triangle, as a model file.
-constexpr const char* kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
-std::string expect_done(const Desk& desk, const Words& start, const Words& more) {
-    Words words = start;
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = desk.run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words) << outcome.err;
-    return outcome.out;
-}
-
-/// One line on stderr that names all of `parts`.
-void expect_refused(const Desk& desk, const Words& words, const Words& parts) {
-    const Outcome outcome = desk.run(words);
-    SCOPED_TRACE("inkbench " + testing::PrintToString(words));
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_EQ(outcome.err.find('\n') + 1, outcome.err.size()) << outcome.err;
-    for (const std::string& part : parts)
-        EXPECT_THAT(outcome.err, HasSubstr(part));
-}
-
 /// The catalogue's scenes for which `is_wanted`, a,b.
 std::string scenes_that(const Desk& desk,
                         const std::function<bool(const nlohmann::json&)>& is_wanted) {
-    const auto all = nlohmann::json::parse(desk.run({"list", "scenes", "--json"}).out);
+    const auto all = nlohmann::json::parse(desk.run("list scenes --json").out);
     std::string list;
     for (const auto& scene : all.at("scenes"))
         if (is_wanted(scene)) list += scene.at("name").get<std::string>() + ",";
@@ -58,24 +36,24 @@ std::string scenes_that(const Desk& desk,
 TEST(SceneOption, AllSpellingsMeanTheSame) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
-    const Words plan = {"run", "tiny.toml", "--dry-run"};
-    const std::string wanted = expect_done(desk, plan, {"--scenes", "torus,gem"});
+    const Words plan = "run tiny.toml --dry-run";
+    const std::string wanted = expect_done(desk, plan + "--scenes torus,gem");
     EXPECT_THAT(wanted, AllOf(HasSubstr("torus"), HasSubstr("gem")));
     for (const Words& spelling : {Words{"--scenes", " torus , gem "},
-                                  Words{"--scenes", "torus", "--scenes", "gem"},
-                                  Words{"--scene", "torus", "--scene=gem"},
-                                  Words{"--scenes", "torus", "gem"},
-                                  Words{"--scenes", "tor?s", "ge[m]"},
+                                  Words("--scenes torus --scenes gem"),
+                                  Words("--scene torus --scene=gem"),
+                                  Words("--scenes torus gem"),
+                                  Words("--scenes tor?s ge[m]"),
                                   Words{"--scenes", "torus,tor*,gem"},
                                   Words{"torus", "gem"},
                                   Words{"torus, gem"}})
-        EXPECT_EQ(expect_done(desk, plan, spelling), wanted) << testing::PrintToString(spelling);
+        EXPECT_EQ(expect_done(desk, plan + spelling), wanted) << testing::PrintToString(spelling);
 }
 
 TEST(SceneOption, GroupsAndGlobsAreTheCataloguesScenes) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
-    const Words plan = {"run", "tiny.toml", "--dry-run"};
+    const Words plan = "run tiny.toml --dry-run";
     const auto split = [](const char* name) {
         return [name](const nlohmann::json& scene) { return scene.at("split") == name; };
     };
@@ -83,54 +61,42 @@ TEST(SceneOption, GroupsAndGlobsAreTheCataloguesScenes) {
         return scene.at("name").get<std::string>().front() == 'c';
     };
     const auto any = [](const nlohmann::json&) { return true; };
-    EXPECT_EQ(expect_done(desk, plan, {"--scenes", "train"}),
-              expect_done(desk, plan, {"--scenes", scenes_that(desk, split("train"))}));
-    EXPECT_EQ(expect_done(desk, plan, {"heldout"}),
-              expect_done(desk, plan, {scenes_that(desk, split("heldout"))}));
-    EXPECT_EQ(expect_done(desk, plan, {"--scenes", "catalogue"}),
-              expect_done(desk, plan, {"--scenes", scenes_that(desk, any)}));
-    EXPECT_EQ(expect_done(desk, plan, {"--scenes", "c*"}),
-              expect_done(desk, plan, {"--scenes", scenes_that(desk, is_c)}));
+    EXPECT_EQ(expect_done(desk, plan + "--scenes train"),
+              expect_done(desk, plan + "--scenes" + scenes_that(desk, split("train"))));
+    EXPECT_EQ(expect_done(desk, plan + "heldout"),
+              expect_done(desk, plan + scenes_that(desk, split("heldout"))));
+    EXPECT_EQ(expect_done(desk, plan + "--scenes catalogue"),
+              expect_done(desk, plan + "--scenes" + scenes_that(desk, any)));
+    EXPECT_EQ(expect_done(desk, plan + "--scenes c*"),
+              expect_done(desk, plan + "--scenes" + scenes_that(desk, is_c)));
 }
 
 TEST(SceneOption, ModelFilesStandInListsAndGlobsToo) {
     const Desk desk;
     for (const char* name : {"one.obj", "two.obj", "a, b.obj"})
-        desk.write(name, kObj);
-    const Words bound = {"bound", "--size", "64x36", "--views", "1", "--force"};
-    const std::string both = expect_done(desk, bound, {"one.obj", "two.obj"});
+        desk.write(name, kTriangleObj);
+    const Words bound = "bound --size 64x36 --views 1 --force";
+    const std::string both = expect_done(desk, bound + "one.obj two.obj");
     EXPECT_THAT(both, AllOf(HasSubstr("\none "), HasSubstr("\ntwo ")));
-    EXPECT_EQ(expect_done(desk, bound, {"--scenes", "one.obj,two.obj"}), both);
-    EXPECT_EQ(expect_done(desk, bound, {"--scene", "???.obj"}), both);
-    EXPECT_THAT(expect_done(desk, bound, {"a, b.obj"}), HasSubstr("\na, b "));
+    EXPECT_EQ(expect_done(desk, bound + "--scenes one.obj,two.obj"), both);
+    EXPECT_EQ(expect_done(desk, bound + "--scene ???.obj"), both);
+    EXPECT_THAT(expect_done(desk, bound + Words{"a, b.obj"}), HasSubstr("\na, b "));
 }
 
 TEST(SceneOption, EveryCommandTakesBothWays) {
     const Desk desk;
     const std::vector<Words> commands = {
-        {"compare", "--methods", "mote4", "--no-sweep", "--repetitions", "1", "--out", "out"},
-        {"bound"},
-        {"figures",
-         "--methods",
-         "mote4",
-         "--repetitions",
-         "1",
-         "--only",
-         "strips",
-         "--out",
-         "figures"},
-        {"tune", "--method", "mote4", "--evaluations", "2", "--no-random", "--no-bound", "--force"},
-        {"draw", "-o", "a.png"},
-        {"truth", "-o", "b.png"},
-        {"explain", "--method", "mote4"},
-        {"timedemo", "--method", "mote4", "--frames", "2"}};
+        "compare --methods mote4 --no-sweep --repetitions 1 --out out",
+        "bound",
+        "figures --methods mote4 --repetitions 1 --only strips --out figures",
+        "tune --method mote4 --evaluations 2 --no-random --no-bound --force",
+        "draw -o a.png",
+        "truth -o b.png",
+        "explain --method mote4",
+        "timedemo --method mote4 --frames 2"};
     for (const Words& command : commands) {
-        for (const Words& scene :
-             {Words{"cube"}, Words{"--scene", "cube"}, Words{"--scenes=cube"}}) {
-            Words more = {"--size", "64x36"};
-            more.insert(more.end(), scene.begin(), scene.end());
-            (void)expect_done(desk, command, more);
-        }
+        for (const char* scene : {"cube", "--scene cube", "--scenes=cube"})
+            expect_done(desk, command + "--size 64x36" + scene);
     }
 }
 
@@ -149,24 +115,25 @@ TEST(SceneOption, UnknownNamesListWhatThereIs) {
     const Desk desk;
     for (const char* wrong : {"torsu", "cube,torsu", "torsu*"}) {
         expect_refused(desk,
-                       {"compare", "--scenes", wrong, "--out", "out"},
+                       fmt::format("compare --scenes {} --out out", wrong),
                        {"--scenes", "torsu", "staircase", "heldout", "did you mean torus?"});
     }
     expect_refused(desk, {"compare", "--scenes", "", "--out", "out"}, {"--scenes", "no scene"});
     expect_refused(desk, {"compare", "--scenes", " , ", "--out", "out"}, {"--scenes", "no scene"});
-    expect_refused(desk, {"compare", "no/*.obj", "--out", "out"}, {"no/*.obj"});
+    expect_refused(desk, "compare no/*.obj --out out", {"no/*.obj"});
 }
 
 TEST(MethodOption, AllSpellingsMeanTheSame) {
     const Desk desk;
-    const Words explain = {"explain", "cube", "--size", "64x36"};
-    const std::string wanted = expect_done(desk, explain, {"--methods", "mote2,mote4,mote16,ids"});
+    const Words explain = "explain cube --size 64x36";
+    const std::string wanted = expect_done(desk, explain + "--methods mote2,mote4,mote16,ids");
     for (const Words& spelling : {Words{"--method", "mote2, mote4 ,mote16,ids"},
-                                  Words{"--methods", "mote2", "--method", "mote4,mote16,ids"},
-                                  Words{"--methods", "mote?,mote??", "--method=ids"},
-                                  Words{"--methods", "mote[24],mote2", "--methods", "mote16,ids"}})
-        EXPECT_EQ(expect_done(desk, explain, spelling), wanted) << testing::PrintToString(spelling);
-    EXPECT_EQ(expect_done(desk, explain, {"--methods", "all"}), expect_done(desk, explain, {}));
+                                  Words("--methods mote2 --method mote4,mote16,ids"),
+                                  Words("--methods mote?,mote?? --method=ids"),
+                                  Words("--methods mote[24],mote2 --methods mote16,ids")})
+        EXPECT_EQ(expect_done(desk, explain + spelling), wanted)
+            << testing::PrintToString(spelling);
+    EXPECT_EQ(expect_done(desk, explain + "--methods all"), expect_done(desk, explain));
 }
 
 TEST(MethodOption, UnknownNamesListWhatThereIs) {
@@ -177,19 +144,18 @@ TEST(MethodOption, UnknownNamesListWhatThereIs) {
                        {"--method", "sobl", "decaudin", "did you mean sobel?"});
         expect_refused(desk, {command, "--method", "sobl*"}, {"no method fits", "sobel?"});
     }
-    expect_refused(desk, {"draw", "cube", "-o", "a.png", "--method", "mote*"}, {"not one method"});
+    expect_refused(desk, "draw cube -o a.png --method mote*", {"not one method"});
     expect_refused(desk, {"tune", "sobl"}, {"sobl", "did you mean sobel?"});
     expect_refused(desk, {"tune"}, {"tune", "the method is missing"});
-    expect_refused(desk, {"compare", "--methods", "ids,ids"}, {"'ids' is named twice"});
-    expect_refused(desk, {"compare", "--methods", ","}, {"--methods", "names no method"});
+    expect_refused(desk, "compare --methods ids,ids", {"'ids' is named twice"});
+    expect_refused(desk, "compare --methods ,", {"--methods", "names no method"});
 }
 
 TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
     const Desk desk;
-    const std::string plan = expect_done(desk, {"compare", "--demo", "--dry-run"}, {});
+    const std::string plan = expect_done(desk, "compare --demo --dry-run");
     EXPECT_THAT(plan, HasSubstr(" in 12 blocks"));
-    expect_done(
-        desk, {"compare", "--demo"}, {"--scenes", "cube", "--methods", "ids", "--size", "64x36"});
+    expect_done(desk, "compare --demo --scenes cube --methods ids --size 64x36");
     const Table rows = parse_csv(desk.read("inkbench-out/demo/rows.csv"));
     EXPECT_EQ(rows.size(), 5U);  // with four baselines
     EXPECT_EQ(rows.at(0).at("scene"), "cube");
@@ -197,8 +163,8 @@ TEST(DemoOption, IsADozenScenesUnlessOthersAreNamed) {
 
 TEST(OutOption, IsSpeltTwoWaysEverywhere) {
     const Desk desk;
-    (void)expect_done(desk, {"bound", "cube", "--size", "64x36"}, {"--out", "a/b"});
-    (void)expect_done(desk, {"bound", "cube", "--size", "64x36"}, {"-o", "c"});
+    expect_done(desk, "bound cube --size 64x36 --out a/b");
+    expect_done(desk, "bound cube --size 64x36 -o c");
     EXPECT_EQ(desk.read("a/b/bound.csv"), desk.read("c/bound.csv"));
     EXPECT_NE(desk.read("c/bound.csv"), "");
     for (const char* command :
@@ -208,10 +174,9 @@ TEST(OutOption, IsSpeltTwoWaysEverywhere) {
 
 TEST(RecordedCommand, CanBePastedIntoAShell) {
     const Desk desk;
-    (void)expect_done(
-        desk,
-        {"tune", "mote4", "--scenes", "cub*", "--size", "64x36", "--evaluations", "2"},
-        {"--no-random", "--no-bound", "--quiet", "--out", "out"});
+    expect_done(desk,
+                "tune mote4 --scenes cub* --size 64x36 --evaluations 2 --no-random --no-bound "
+                "--quiet --out out");
     EXPECT_THAT(desk.read("out/mote4_tuned.toml"),
                 AllOf(HasSubstr("inkbench tune mote4"),
                       HasSubstr("--scenes 'cub*' --size 64x36"),

@@ -1,10 +1,12 @@
 #include "tests/program/run_program.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -39,7 +41,7 @@ std::string slurp(const fs::path& path) {
     _exit(127);
 }
 
-std::vector<char*> pointers(std::vector<std::string>& texts) {
+std::vector<char*> pointers(Words& texts) {
     std::vector<char*> result;
     for (std::string& text : texts)
         result.push_back(text.data());
@@ -87,6 +89,12 @@ std::vector<std::string> read_record(const std::string& text, std::size_t& at) {
 
 }  // namespace
 
+Words::Words(const std::string& line) {
+    std::istringstream words(line);
+    for (std::string word; words >> word;)
+        push_back(word);
+}
+
 Desk::Desk() {
     std::string name = (fs::temp_directory_path() / "inkbench-test-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
@@ -100,34 +108,30 @@ Desk::~Desk() {
     fs::remove_all(root_, ignored);
 }
 
-Outcome Desk::run(const std::vector<std::string>& arguments) const {
+Outcome Desk::run(const Words& arguments) const {
     return run_until(arguments, nullptr);
 }
 
-Outcome Desk::run_until(const std::vector<std::string>& arguments,
-                        const std::function<bool()>& is_time) const {
+Outcome Desk::run_until(const Words& arguments, const std::function<bool()>& is_time) const {
     return run_with_signal(INK_PROGRAM, arguments, is_time, SIGINT);
 }
 
-Outcome Desk::kill_when(const std::vector<std::string>& arguments,
-                        const std::function<bool()>& is_time) const {
+Outcome Desk::kill_when(const Words& arguments, const std::function<bool()>& is_time) const {
     return run_with_signal(INK_PROGRAM, arguments, is_time, SIGKILL);
 }
 
-Outcome Desk::run_other(const std::string& program,
-                        const std::vector<std::string>& arguments) const {
+Outcome Desk::run_other(const std::string& program, const Words& arguments) const {
     return run_with_signal(program, arguments, nullptr, SIGINT);
 }
 
 Outcome Desk::run_with_signal(const std::string& program,
-                              const std::vector<std::string>& arguments,
+                              const Words& arguments,
                               const std::function<bool()>& is_time,
                               int signal) const {
-    std::vector<std::string> words = {program};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<std::string> settings = {"PATH=/usr/bin:/bin",
-                                         "HOME=" + root_.string(),
-                                         "XDG_CACHE_HOME=" + (root_ / "cache").string()};
+    Words words = Words{program} + arguments;
+    Words settings = {"PATH=/usr/bin:/bin",
+                      "HOME=" + root_.string(),
+                      "XDG_CACHE_HOME=" + (root_ / "cache").string()};
     // Sanitizers take their options from here; and the program, which Python draws figures.
     for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "INKBENCH_PYTHON"}) {
         if (const char* value = std::getenv(name); value != nullptr) {
@@ -173,6 +177,31 @@ std::string without_progress(const std::string& err) {
     for (std::string line; std::getline(lines, line);)
         if (!std::regex_match(line, kProgress)) rest += line + "\n";
     return rest;
+}
+
+std::string expect_done(const Desk& desk, const Words& words) {
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << testing::PrintToString(words) << outcome.err;
+    EXPECT_EQ(without_progress(outcome.err), "") << testing::PrintToString(words);
+    return outcome.out;
+}
+
+std::string refusal(const Desk& desk, const Words& words) {
+    SCOPED_TRACE("inkbench " + testing::PrintToString(words));
+    const auto before = desk.inventory();
+    const Outcome outcome = desk.run(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with('\n')) << "no whole line";
+    EXPECT_EQ(desk.inventory(), before) << "something was left behind";
+    return outcome.err;
+}
+
+void expect_refused(const Desk& desk, const Words& words, const Words& parts) {
+    const std::string line = refusal(desk, words);
+    for (const std::string& part : parts)
+        EXPECT_NE(line.find(part), line.npos) << "no '" << part << "' in: " << line;
 }
 
 Table parse_csv(const std::string& text) {

@@ -8,6 +8,20 @@
 
 namespace ink::program {
 
+/// The words of a command line, one by one or as a user types them, with spaces between.
+class Words : public std::vector<std::string> {
+  public:
+    using std::vector<std::string>::vector;
+    Words(const char* line) : Words(std::string(line)) {}
+    Words(const std::string& line);
+
+    Words& operator+=(const Words& more) {
+        insert(end(), more.begin(), more.end());
+        return *this;
+    }
+    friend Words operator+(Words words, const Words& more) { return words += more; }
+};
+
 /// What a user sees of one run.
 struct Outcome {
     int exit_code = 0;  ///< 128 + signal if it was killed
@@ -27,19 +41,18 @@ class Desk {
     [[nodiscard]] std::filesystem::path work() const { return root_ / "work"; }
 
     /// Runs the built `inkbench` with these arguments and waits. It is killed after five minutes.
-    [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+    [[nodiscard]] Outcome run(const Words& arguments) const;
 
     /// Runs another program (a path) as `run` does, in the same place and surroundings.
-    [[nodiscard]] Outcome run_other(const std::string& program,
-                                    const std::vector<std::string>& arguments) const;
+    [[nodiscard]] Outcome run_other(const std::string& program, const Words& arguments) const;
 
     /// As `run`, but sends SIGINT (Ctrl-C) as soon as `is_time` says so; asked every few
     /// milliseconds.
-    [[nodiscard]] Outcome run_until(const std::vector<std::string>& arguments,
+    [[nodiscard]] Outcome run_until(const Words& arguments,
                                     const std::function<bool()>& is_time) const;
 
     /// As `run`, but sends SIGKILL (kill -9): exit code 137.
-    [[nodiscard]] Outcome kill_when(const std::vector<std::string>& arguments,
+    [[nodiscard]] Outcome kill_when(const Words& arguments,
                                     const std::function<bool()>& is_time) const;
 
     /// Writes a file into `work()`; returns its name.
@@ -52,7 +65,7 @@ class Desk {
 
   private:
     [[nodiscard]] Outcome run_with_signal(const std::string& program,
-                                          const std::vector<std::string>& arguments,
+                                          const Words& arguments,
                                           const std::function<bool()>& is_time,
                                           int signal) const;
 
@@ -62,6 +75,22 @@ class Desk {
 /// `err` without the lines of progress that long work leaves in a log, "compare: 3/9, 8 s left,
 /// ...".
 [[nodiscard]] std::string without_progress(const std::string& err);
+
+/// Runs it and expects success without a word on stderr but progress; what it printed.
+std::string expect_done(const Desk& desk, const Words& words);
+
+/// Runs it and expects what every wrong command line gives: exit code 2, nothing printed, nothing
+/// left behind, and one line on stderr, which is returned.
+std::string refusal(const Desk& desk, const Words& words);
+
+/// The same; the line must name all of `parts`.
+void expect_refused(const Desk& desk, const Words& words, const Words& parts);
+
+/// A cube and a triangle as model files.
+inline constexpr const char* kCubeObj =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
+inline constexpr const char* kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// The rows of a CSV file (RFC 4180), each from column to field.
 using Table = std::vector<std::map<std::string, std::string>>;

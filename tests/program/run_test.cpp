@@ -17,7 +17,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
-using Words = std::vector<std::string>;
 
 constexpr const char* kExperiment = R"(name = "tiny"
 kind = "compare"
@@ -35,18 +34,10 @@ threshold = [3, 6, 12]
 range_depth = [31, 63]
 )";
 
-const std::vector<std::string> kTables = {"rows.csv",
-                                          "curves.csv",
-                                          "bins.csv",
-                                          "tolerances.csv",
-                                          "cancellation.csv",
-                                          "sweep.csv",
-                                          "cost.csv",
-                                          "methods.csv",
-                                          "summary.csv",
-                                          "images/cube/front/truth.png",
-                                          "images/cube/front/mote4.png",
-                                          "images/cube/front/mote4.errors.png"};
+const Words kTables =
+    "rows.csv curves.csv bins.csv tolerances.csv cancellation.csv sweep.csv cost.csv methods.csv "
+    "summary.csv images/cube/front/truth.png images/cube/front/mote4.png "
+    "images/cube/front/mote4.errors.png";
 
 /// All tables of a folder, one behind the other.
 std::string tables_of(const Desk& desk, const std::string& folder) {
@@ -83,7 +74,7 @@ TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
     const auto begin = Clock::now();
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "whole"}).exit_code, 0);
+    expect_done(desk, "run tiny.toml --out whole");
     const auto whole = Clock::now() - begin;
     const std::string expected = tables_of(desk, "whole");
 
@@ -93,7 +84,7 @@ TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
     int finished = 0;
     while (kills < 20) {
         const std::string folder = "run" + std::to_string(finished);
-        const Words words = {"run", "tiny.toml", "--out", folder};
+        const Words words = "run tiny.toml --out " + folder;
         const auto deadline = Clock::now() + whole * share(random);
         const Outcome outcome = desk.kill_when(words, [&] { return Clock::now() >= deadline; });
         if (outcome.exit_code == 128 + 9) {
@@ -105,7 +96,7 @@ TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
         ++finished;
     }
     const std::string folder = "run" + std::to_string(finished);
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", folder}).exit_code, 0);
+    expect_done(desk, "run tiny.toml --out " + folder);
     EXPECT_EQ(tables_of(desk, folder), expected);
     std::set<std::string> left;
     for (const auto& [name, size] : desk.inventory())
@@ -116,20 +107,16 @@ TEST(Run, KilledTwentyTimesAtRandomMomentsGivesTheBytesOfAnUndisturbedRun) {
 TEST(Run, ShardsMergedGiveTheBytesOfOneRun) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "whole"}).exit_code, 0);
-    for (const char* shard : {"3/3", "1/3"}) {
-        const Words words = {
-            "run", "tiny.toml", "--shard", shard, "--out", std::string("part") + shard[0]};
-        const Outcome outcome = desk.run(words);
+    expect_done(desk, "run tiny.toml --out whole");
+    for (const char* part : {"--shard 3/3 --out part3", "--shard 1/3 --out part1"}) {
+        const Outcome outcome = desk.run("run tiny.toml" + Words(part));
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("of 104 cells"));
         EXPECT_THAT(outcome.out, HasSubstr("inkbench merge"));
     }
-    const Outcome early = desk.run({"merge", "part1", "part3", "-o", "merged"});
-    EXPECT_EQ(early.exit_code, 2);
-    EXPECT_THAT(early.err, HasSubstr("blocks are missing"));
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--shard", "2/3", "--out", "part2"}).exit_code, 0);
-    ASSERT_EQ(desk.run({"merge", "part3", "part1", "part2", "-o", "merged"}).exit_code, 0);
+    EXPECT_THAT(refusal(desk, "merge part1 part3 -o merged"), HasSubstr("blocks are missing"));
+    expect_done(desk, "run tiny.toml --shard 2/3 --out part2");
+    expect_done(desk, "merge part3 part1 part2 -o merged");
     EXPECT_EQ(tables_of(desk, "merged"), tables_of(desk, "whole"));
 }
 
@@ -137,7 +124,7 @@ TEST(Run, InterruptedKeepsWhatIsFinishedAndGoesOn) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
     // Blocks end in any order where several scenes are at work.
-    const Outcome outcome = desk.run_until({"run", "tiny.toml", "--out", "a"}, [&] {
+    const Outcome outcome = desk.run_until("run tiny.toml --out a", [&] {
         const std::filesystem::path blocks = desk.work() / "a/blocks";
         if (!std::filesystem::exists(blocks)) return false;
         const auto is_done = [](const auto& entry) {
@@ -154,10 +141,10 @@ TEST(Run, InterruptedKeepsWhatIsFinishedAndGoesOn) {
     EXPECT_EQ(record["state"], "unfinished");
     EXPECT_FALSE(record["missing_blocks"].empty());
     EXPECT_THAT(desk.read("a/run.toml"), HasSubstr("unfinished"));
-    const Outcome next = desk.run({"run", "tiny.toml", "--out", "a"});
+    const Outcome next = desk.run("run tiny.toml --out a");
     EXPECT_EQ(next.exit_code, 0);
     EXPECT_THAT(next.err, HasSubstr("cells done, about"));
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--out", "b"}).exit_code, 0);
+    expect_done(desk, "run tiny.toml --out b");
     EXPECT_EQ(tables_of(desk, "a"), tables_of(desk, "b"));
 }
 
@@ -165,27 +152,19 @@ TEST(Run, RefusesBadInputWithOneLineAndExitTwo) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
     desk.write("bad.toml", "name = \"bad\"\nkind = \"compare\"\n[grid]\nscenes = [\"cubes\"]\n");
-    const auto expect_refusal = [&](const Words& words, const std::string& what) {
-        const Outcome outcome = desk.run(words);
-        EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(words);
-        EXPECT_THAT(outcome.err, HasSubstr(what));
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    };
-    expect_refusal({"run", "bad.toml"}, "bad.toml:4");
-    expect_refusal({"run", "nothing.toml"}, "nothing.toml");
-    expect_refusal({"run", "tiny.toml", "--shard", "4/3"}, "--shard");
-    expect_refusal({"run", "tiny.toml", "--size", "big"}, "--size");
-    expect_refusal({"run", "tiny.toml", "--methods", "mote5"}, "mote5");
-    expect_refusal({"merge", "nowhere", "-o", "merged"}, "nowhere");
+    expect_refused(desk, "run bad.toml", "bad.toml:4");
+    expect_refused(desk, "run nothing.toml", "nothing.toml");
+    expect_refused(desk, "run tiny.toml --shard 4/3", "--shard");
+    expect_refused(desk, "run tiny.toml --size big", "--size");
+    expect_refused(desk, "run tiny.toml --methods mote5", "mote5");
+    expect_refused(desk, "merge nowhere -o merged", "nowhere");
     desk.write("file", "");
-    expect_refusal({"run", "tiny.toml", "--out", "file/x"}, "file/x");
+    expect_refused(desk, "run tiny.toml --out file/x", "file/x");
     EXPECT_FALSE(desk.inventory().contains("inkbench-out"));
 
-    ASSERT_EQ(desk.run({"run", "tiny.toml", "--scenes", "cube", "--views", "1"}).exit_code, 0);
-    expect_refusal({"run", "tiny.toml"}, "another run");
-    EXPECT_EQ(
-        desk.run({"run", "tiny.toml", "--scenes", "tiles", "--views", "1", "--force"}).exit_code,
-        0);
+    expect_done(desk, "run tiny.toml --scenes cube --views 1");
+    expect_refused(desk, "run tiny.toml", {"another run"});
+    expect_done(desk, "run tiny.toml --scenes tiles --views 1 --force");
 }
 
 }  // namespace

@@ -11,10 +11,9 @@ namespace {
 
 TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     const Desk desk;
-    std::vector<std::string> words = {"compare", "--scenes", "cube", "--methods", "mote2"};
-    words.insert(words.end(), {"--size", "64x36", "--repetitions", "1", "--out", "out"});
+    Words words = "compare --scenes cube --methods mote2 --size 64x36 --repetitions 1 --out out";
     words.emplace_back("--scaling");
-    ASSERT_EQ(desk.run(words).exit_code, 0);
+    expect_done(desk, words);
     std::map<std::string, std::set<double>> places;
     for (const auto& row : rows_of_study(desk, "scaling")) {
         EXPECT_EQ(row.at("method"), "mote2");
@@ -32,7 +31,7 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
     EXPECT_EQ(page_table(desk.read("out/report.html"), "axes.csv")["lines"], 3);
 
     words.back() = "--force";
-    ASSERT_EQ(desk.run(words).exit_code, 0);
+    expect_done(desk, words);
     EXPECT_TRUE(rows_of_study(desk, "scaling").empty());
     EXPECT_EQ(desk.read("out/axes.csv"), "") << "an older one must not pass for this run's";
     EXPECT_TRUE(page_table(desk.read("out/report.html"), "axes.csv").is_null());
@@ -40,17 +39,7 @@ TEST(CompareScaling, WritesAFileAndTheSectionAndOnlyIfAsked) {
 
 TEST(CompareCost, IsPredictedForMethodsAndEmptyForBaselines) {
     const Desk desk;
-    ASSERT_EQ(desk.run({"compare",
-                        "--scenes",
-                        "cube,torus",
-                        "--size",
-                        "64x36",
-                        "--repetitions",
-                        "1",
-                        "--out",
-                        "out"})
-                  .exit_code,
-              0);
+    expect_done(desk, "compare --scenes cube,torus --size 64x36 --repetitions 1 --out out");
     std::set<std::string> methods;
     std::size_t cells = 0;
     for (const char* name : {"cost.csv", "sweep.csv"}) {

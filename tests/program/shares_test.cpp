@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <set>
@@ -30,20 +31,16 @@ threshold = [3, 6, 12]
 TEST(Shares, StatusCountsBlocksOfTheRunAndOfEachShare) {
     const Desk desk;
     desk.write("tiny.toml", kExperiment);
-    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
+    EXPECT_THAT(desk.run("run tiny.toml --status --out out").out,
                 HasSubstr("tiny: 0 of 6 blocks are done"));
-    ASSERT_EQ(
-        desk.run({"run", "tiny.toml", "--shard", "2/2", "--out", "out.parts/2-of-2"}).exit_code, 0);
-    const std::string half = desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out;
+    expect_done(desk, "run tiny.toml --shard 2/2 --out out.parts/2-of-2");
+    const std::string half = desk.run("run tiny.toml --status --out out").out;
     EXPECT_THAT(half, AllOf(HasSubstr("of 6 blocks are done"), HasSubstr("out.parts/2-of-2: ")));
-    ASSERT_EQ(
-        desk.run({"run", "tiny.toml", "--shard", "1/2", "--out", "out.parts/1-of-2"}).exit_code, 0);
-    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
+    expect_done(desk, "run tiny.toml --shard 1/2 --out out.parts/1-of-2");
+    EXPECT_THAT(desk.run("run tiny.toml --status --out out").out,
                 HasSubstr("tiny: 6 of 6 blocks are done"));
-    ASSERT_EQ(desk.run({"merge", "out.parts/1-of-2", "out.parts/2-of-2", "--out", "out"}).exit_code,
-              0);
-    EXPECT_THAT(desk.run({"run", "tiny.toml", "--status", "--out", "out"}).out,
-                HasSubstr("tiny: finished"));
+    expect_done(desk, "merge out.parts/1-of-2 out.parts/2-of-2 --out out");
+    EXPECT_THAT(desk.run("run tiny.toml --status --out out").out, HasSubstr("tiny: finished"));
 }
 
 TEST(Shares, PartialTablesHoldWhatIsThereAndNothingElse) {
@@ -51,11 +48,10 @@ TEST(Shares, PartialTablesHoldWhatIsThereAndNothingElse) {
     desk.write("tiny.toml", kExperiment);
     for (const char* share : {"1/2", "2/2"}) {
         const std::string folder = std::string("part") + share[0];
-        ASSERT_EQ(desk.run({"run", "tiny.toml", "--shard", share, "--out", folder}).exit_code, 0);
-        EXPECT_EQ(desk.run({"merge", folder, "--out", "whole" + folder}).exit_code, 2)
-            << "a share is missing";
+        expect_done(desk, fmt::format("run tiny.toml --shard {} --out {}", share, folder));
+        refusal(desk, fmt::format("merge {0} --out whole{0}", folder));  // a share is missing
         const std::string out = "some" + folder;
-        const Outcome outcome = desk.run({"merge", folder, "--partial", "--out", out});
+        const Outcome outcome = desk.run(fmt::format("merge {} --partial --out {}", folder, out));
         EXPECT_THAT(outcome.err, HasSubstr("of 6 parts are missing"));
         std::set<std::string> cells;
         for (const auto& row : parse_csv(desk.read(out + "/rows.csv")))

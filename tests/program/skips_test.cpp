@@ -11,17 +11,12 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-using Words = std::vector<std::string>;
-
 /// The first row of mote4 after `inkbench compare` with these words more.
 std::map<std::string, std::string> compared(const Desk& desk, const Words& more) {
-    Words words = {"compare", "--scenes", "torus", "--methods", "mote4", "--size", "160x90"};
-    words.insert(
-        words.end(),
-        {"--no-sweep", "--no-crosscheck", "--repetitions", "2", "--out", "out", "--force"});
-    words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = desk.run(words);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_done(desk,
+                "compare --scenes torus --methods mote4 --size 160x90 --no-sweep --no-crosscheck "
+                "--repetitions 2 --out out --force" +
+                    more);
     for (const auto& row : parse_csv(desk.read("out/rows.csv"))) {
         if (row.at("method") == "mote4") return row;
     }
@@ -45,29 +40,21 @@ TEST(NoSkip, IsRecordedAndChangesNoImage) {
 
 TEST(NoSkip, DrawsTheSameImage) {
     const Desk desk;
-    const auto draw = [&](const std::string& file, const Words& more) {
-        Words words = {"draw", "torus", "--size", "160x90", "-o", file};
-        words.insert(words.end(), more.begin(), more.end());
-        EXPECT_EQ(desk.run(words).exit_code, 0);
-        return desk.read(file);
-    };
-    EXPECT_EQ(draw("a.png", {}), draw("b.png", {"--no-skip", "all"}));
+    expect_done(desk, "draw torus --size 160x90 -o a.png");
+    expect_done(desk, "draw torus --size 160x90 -o b.png --no-skip all");
+    EXPECT_EQ(desk.read("a.png"), desk.read("b.png"));
 }
 
 TEST(NoSkip, RefusesWhatIsNoSkip) {
     const Desk desk;
-    for (const Words& words :
-         {Words{"compare", "--scenes", "torus", "--no-skip", "oclusion_culling"},
-          Words{"draw", "torus", "-o", "a.png", "--no-skip", "oclusion_culling"}}) {
-        const Outcome outcome = desk.run(words);
-        EXPECT_EQ(outcome.exit_code, 2);
-        EXPECT_THAT(outcome.err, AllOf(HasSubstr("--no-skip"), HasSubstr("temporal_reuse")));
-        EXPECT_THAT(outcome.err, HasSubstr("did you mean occlusion_culling?"));
-    }
-    const Outcome both = desk.run(
-        {"compare", "--scenes", "torus", "--skip-study", "--no-skip", "occlusion_culling"});
-    EXPECT_EQ(both.exit_code, 2);
-    EXPECT_THAT(both.err, HasSubstr("--skip-study"));
+    for (const char* words : {"compare --scenes torus --no-skip oclusion_culling",
+                              "draw torus -o a.png --no-skip oclusion_culling"})
+        EXPECT_THAT(refusal(desk, words),
+                    AllOf(HasSubstr("--no-skip"),
+                          HasSubstr("temporal_reuse"),
+                          HasSubstr("did you mean occlusion_culling?")));
+    EXPECT_THAT(refusal(desk, "compare --scenes torus --skip-study --no-skip occlusion_culling"),
+                HasSubstr("--skip-study"));
 }
 
 TEST(SkipStudy, WritesItsTableAndStandsInTheReport) {

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <set>
@@ -10,26 +11,16 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<std::string> small_run(const std::string& out) {
-    return {"stress",
-            "--axes",
-            "grazing,threads",
-            "--methods",
-            "mote4,edge_list",
-            "--points",
-            "3",
-            "--size",
-            "96x54",
-            "--no-cache",
-            "--out",
-            out};
+Words small_run(const std::string& out) {
+    return fmt::format(
+        "stress --axes grazing,threads --methods mote4,edge_list --points 3 --size 96x54 "
+        "--no-cache --out {}",
+        out);
 }
 
 TEST(Stress, WritesRowsSummaryAxesAndPage) {
     const Desk desk;
-    const Outcome outcome = desk.run(small_run("out"));
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("grazing"));
+    EXPECT_THAT(expect_done(desk, small_run("out")), HasSubstr("grazing"));
     const Table rows = table_of_run(desk, "out", "stress.csv");
     // Three values of three and of four cases, each with four baselines and two methods.
     EXPECT_EQ(rows.size(), 3U * (3 + 4) * 6);
@@ -50,24 +41,18 @@ TEST(Stress, WritesRowsSummaryAxesAndPage) {
 
 TEST(Stress, GivesTheSameBytesAgain) {
     const Desk desk;
-    ASSERT_EQ(desk.run(small_run("a")).exit_code, 0);
-    ASSERT_EQ(desk.run(small_run("b")).exit_code, 0);
+    expect_done(desk, small_run("a"));
+    expect_done(desk, small_run("b"));
     for (const char* file : {"/rows.csv", "/stress.csv", "/axis_summary.csv", "/axes.csv"})
         EXPECT_EQ(desk.read(std::string("a") + file), desk.read(std::string("b") + file)) << file;
 }
 
 TEST(Stress, RefusesWhatItDoesNotKnow) {
     const Desk desk;
-    const auto before = desk.inventory();
-    const Outcome axis = desk.run({"stress", "--axes", "grazin"});
-    EXPECT_EQ(axis.exit_code, 2);
-    EXPECT_THAT(axis.err, HasSubstr("grazing"));
-    EXPECT_EQ(desk.run({"stress", "--axes", "zoom,zoom"}).exit_code, 2);
-    EXPECT_EQ(desk.run({"stress", "--points", "1"}).exit_code, 2);
-    EXPECT_EQ(desk.inventory(), before);
-    const Outcome list = desk.run({"list", "axes"});
-    EXPECT_EQ(list.exit_code, 0);
-    EXPECT_THAT(list.out, HasSubstr("cube_roll"));
+    EXPECT_THAT(refusal(desk, "stress --axes grazin"), HasSubstr("grazing"));
+    refusal(desk, "stress --axes zoom,zoom");
+    refusal(desk, "stress --points 1");
+    EXPECT_THAT(expect_done(desk, {"list", "axes"}), HasSubstr("cube_roll"));
 }
 
 }  // namespace

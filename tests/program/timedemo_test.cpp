@@ -13,17 +13,8 @@ using testing::HasSubstr;
 
 TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
     const Desk desk;
-    const Outcome outcome = desk.run({"timedemo",
-                                      "gear",
-                                      "--methods",
-                                      "mote4",
-                                      "--frames",
-                                      "2",
-                                      "--size",
-                                      "64x48",
-                                      "--out",
-                                      "demo"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string out =
+        expect_done(desk, "timedemo gear --methods mote4 --frames 2 --size 64x48 --out demo");
     for (const char* row : {"plain",
                             "shading",
                             "no edges",
@@ -33,16 +24,14 @@ TEST(Timedemo, PrintsItsTableAndWritesItsFrames) {
                             "orbit, first",
                             "dolly, cached",
                             "own lights"})
-        EXPECT_THAT(outcome.out, HasSubstr(row));
+        EXPECT_THAT(out, HasSubstr(row));
     EXPECT_EQ(parse_csv(desk.read("demo/timedemo.csv")).size(), 3U * 3 * 2)
         << "paths, passes, frames";
 }
 
 TEST(Timedemo, TellsItsRatesAsJson) {
-    const Outcome outcome = Desk().run(
-        {"timedemo", "gear", "--method", "mote4", "--frames", "2", "--size", "64x48", "--json"});
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const auto json = nlohmann::json::parse(outcome.out);
+    const auto json = nlohmann::json::parse(
+        expect_done(Desk(), "timedemo gear --method mote4 --frames 2 --size 64x48 --json"));
     EXPECT_EQ(json.at("scene"), "gear");
     EXPECT_EQ(json.at("lights"), "file");
     ASSERT_EQ(json.at("rates").size(), 3U * 6 * 2) << "paths, kinds of frame, first and cached";
@@ -57,13 +46,10 @@ TEST(Timedemo, TellsItsRatesAsJson) {
 
 TEST(Timedemo, RefusesAMomentAndAbsurdNumbersOfFrames) {
     const Desk desk;
-    EXPECT_EQ(desk.run({"timedemo", "gear", "--time", "1"}).exit_code, 2);
-    for (const char* frames : {"0", "1", "-3", "10001", "many"}) {
-        const Outcome outcome = desk.run({"timedemo", "gear", "--frames", frames, "--out", "demo"});
-        EXPECT_EQ(outcome.exit_code, 2) << frames;
-        EXPECT_THAT(outcome.err, HasSubstr("--frames")) << frames;
-        EXPECT_TRUE(desk.inventory().empty()) << frames;
-    }
+    refusal(desk, "timedemo gear --time 1");
+    for (const std::string frames : {"0", "1", "-3", "10001", "many"})
+        EXPECT_THAT(refusal(desk, "timedemo gear --out demo --frames " + frames),
+                    HasSubstr("--frames"));
 }
 
 }  // namespace

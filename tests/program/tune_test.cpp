@@ -19,21 +19,11 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<std::string> tune_words(const std::string& out) {
-    return {"tune",
-            "mote4",
-            "--scenes",
-            "cube,layers,gem",
-            "--size",
-            "160x90",
-            "--seed",
-            "3",
-            "--cache",
-            "cache",
-            "--out",
-            out,
-            "--evaluations",
-            "40"};
+Words tune_words(const std::string& out) {
+    return fmt::format(
+        "tune mote4 --scenes cube,layers,gem --size 160x90 --seed 3 --cache cache --out {} "
+        "--evaluations 40",
+        out);
 }
 
 long lines_of(const std::filesystem::path& path) {
@@ -42,7 +32,7 @@ long lines_of(const std::filesystem::path& path) {
 }
 
 /// Runs the program and kills it, without a word of warning, when its log has `lines` lines.
-void run_and_kill(const Desk& desk, const std::vector<std::string>& words, long lines) {
+void run_and_kill(const Desk& desk, const Words& words, long lines) {
     const pid_t child = fork();
     if (child == 0) {
         std::vector<char*> arguments = {const_cast<char*>(INK_PROGRAM)};
@@ -62,12 +52,10 @@ void run_and_kill(const Desk& desk, const std::vector<std::string>& words, long 
 
 TEST(TuneProgram, KilledAndStartedAgainItComesToTheSameBytes) {
     const Desk desk;
-    const Outcome whole = desk.run(tune_words("whole"));
-    ASSERT_EQ(whole.exit_code, 0) << whole.err;
+    expect_done(desk, tune_words("whole"));
     for (const long lines : {3, 11, 47})
         run_and_kill(desk, tune_words("killed"), lines);
-    const Outcome last = desk.run(tune_words("killed"));
-    ASSERT_EQ(last.exit_code, 0) << last.err;
+    expect_done(desk, tune_words("killed"));
     for (const char* file : {"/evaluations.csv", "/mote4_tuned.toml"}) {
         EXPECT_EQ(desk.read("killed" + std::string(file)), desk.read("whole" + std::string(file)));
     }
@@ -77,7 +65,7 @@ TEST(TuneProgram, KilledAndStartedAgainItComesToTheSameBytes) {
 
 TEST(TuneProgram, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
     const Desk desk;
-    std::vector<std::string> words = tune_words("out");
+    Words words = tune_words("out");
     words.back() = "100000";
     const auto log = desk.work() / "out" / "evaluations.csv.part";
     const Outcome stopped = desk.run_until(words, [&] { return lines_of(log) > 5; });
@@ -89,10 +77,7 @@ TEST(TuneProgram, CtrlCKeepsWhatIsFinishedAndSaysHowToGoOn) {
 
 TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
     const Desk desk;
-    std::vector<std::string> words = tune_words("out");
-    words.insert(words.end(), {"--name", "mine"});
-    const Outcome tuned = desk.run(words);
-    ASSERT_EQ(tuned.exit_code, 0) << tuned.err;
+    const std::string out = expect_done(desk, tune_words("out") + "--name mine");
     for (const char* word : {"E train",
                              "unseen",
                              "gap",
@@ -100,56 +85,32 @@ TEST(TuneProgram, SaysWhatWasFoundAndItsPresetCanBeUsed) {
                              "random search",
                              "paired difference of mine",
                              "range_depth",
-                             "out/mine.toml"}) {
-        EXPECT_THAT(tuned.out, HasSubstr(word));
-    }
+                             "out/mine.toml"})
+        EXPECT_THAT(out, HasSubstr(word));
     EXPECT_THAT(desk.read("out/mine.toml"),
                 HasSubstr("command = \"inkbench tune mote4 --evaluations 40 --seed 3 --scenes "
                           "cube,layers,gem --size 160x90 --name mine\""));
 
-    const Outcome drawn = desk.run(
-        {"draw", "cube", "--size", "64x36", "--preset", "out/mine.toml", "-o", "cube.png"});
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-    const Outcome compared = desk.run({"compare",
-                                       "--scenes",
-                                       "cube",
-                                       "--size",
-                                       "64x36",
-                                       "--methods",
-                                       "mote4",
-                                       "--preset",
-                                       "out/mine.toml",
-                                       "--no-sweep",
-                                       "--repetitions",
-                                       "1",
-                                       "--out",
-                                       "compared",
-                                       "--cache",
-                                       "cache"});
-    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    expect_done(desk, "draw cube --size 64x36 --preset out/mine.toml -o cube.png");
+    expect_done(desk,
+                "compare --scenes cube --size 64x36 --methods mote4 --preset out/mine.toml "
+                "--no-sweep --repetitions 1 --out compared --cache cache");
     EXPECT_THAT(desk.read("compared/rows.csv"), HasSubstr(",compare,,,mine,cube,"));
 }
 
 TEST(TuneProgram, BadInputIsExplained) {
     const Desk desk;
-    const auto refused = [&](std::vector<std::string> words) {
-        words.insert(words.begin(), "tune");
-        const Outcome outcome = desk.run(words);
-        EXPECT_EQ(outcome.exit_code, 2);
-        return outcome.err;
-    };
-    EXPECT_THAT(refused({"mote5"}), HasSubstr("mote4"));
-    EXPECT_THAT(refused({"mote4", "--objective", "speed"}), HasSubstr("error, scenes, ap"));
-    EXPECT_THAT(refused({"mote4", "--params", "range"}), HasSubstr("range_nx"));
-    EXPECT_THAT(refused({"mote4", "--global", "luck"}), HasSubstr("crs, direct, esch"));
-    EXPECT_THAT(refused({"mote4", "--evaluations", "0"}), HasSubstr("1..1000000"));
-    EXPECT_THAT(refused({"mote4", "--budget-ms", "0"}), HasSubstr("above 0"));
-    EXPECT_THAT(refused({"mote4", "--name", "A b"}), HasSubstr("small letters"));
-    EXPECT_THAT(refused({"mote4", "--scenes", "gem"}), HasSubstr("training"));
+    EXPECT_THAT(refusal(desk, "tune mote5"), HasSubstr("mote4"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --objective speed"), HasSubstr("error, scenes, ap"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --params range"), HasSubstr("range_nx"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --global luck"), HasSubstr("crs, direct, esch"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --evaluations 0"), HasSubstr("1..1000000"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --budget-ms 0"), HasSubstr("above 0"));
+    EXPECT_THAT(refusal(desk, {"tune", "mote4", "--name", "A b"}), HasSubstr("small letters"));
+    EXPECT_THAT(refusal(desk, "tune mote4 --scenes gem"), HasSubstr("training"));
     desk.write("bad.toml", "name = \"x\"\nmethod = \"mote4\"\n[settings]\nthreshold = 0\n");
-    const Outcome bad = desk.run({"draw", "cube", "--preset", "bad.toml", "-o", "a.png"});
-    EXPECT_EQ(bad.exit_code, 2);
-    EXPECT_THAT(bad.err, HasSubstr("bad.toml:4: parameter threshold cannot be '0'"));
+    EXPECT_THAT(refusal(desk, "draw cube --preset bad.toml -o a.png"),
+                HasSubstr("bad.toml:4: parameter threshold cannot be '0'"));
 }
 
 }  // namespace

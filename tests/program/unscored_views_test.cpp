@@ -13,17 +13,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-using Words = std::vector<std::string>;
 
-constexpr const char* kCubeObj =
-    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 1 5 8 4\nf 2 3 7 6\n";
 constexpr const char* kFlatObj = "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\nf 2 3 4\nf 1 2 4\n";
 
-Outcome compared(const Desk& desk, Words more) {
-    more.insert(more.begin(), "compare");
-    more.insert(more.end(), {"--methods", "mote4,ids", "--repetitions", "1", "--out", "out"});
-    return desk.run(more);
+Outcome compared(const Desk& desk, const Words& more) {
+    return desk.run("compare --methods mote4,ids --repetitions 1 --out out" + more);
 }
 
 /// A run in which no view has anything: it fails, and shows no F anywhere.
@@ -59,29 +53,26 @@ void expect_all_empty(const Words& words, const std::string& why) {
 }
 
 TEST(EmptyView, OfTrianglesWithoutAreaHasNoScore) {
-    expect_all_empty({"flat.obj", "--size", "160x90"}, "no triangle has an area");
+    expect_all_empty("flat.obj --size 160x90", "no triangle has an area");
 }
 
 TEST(EmptyView, BehindTheCameraHasNoScore) {
-    expect_all_empty({"thing.obj", "--eye", "0,0,5", "--target", "0,0,10", "--size", "160x90"},
+    expect_all_empty("thing.obj --eye 0,0,5 --target 0,0,10 --size 160x90",
                      "no line of the scene is in the image");
 }
 
 TEST(EmptyView, OfWhichTheBandLeavesNothingHasNoScore) {
-    expect_all_empty({"thing.obj", "--views", "1", "--size", "13x13"}, "");
-    expect_all_empty({"thing.obj", "--views", "1", "--size", "1x4000"}, "");
+    expect_all_empty("thing.obj --views 1 --size 13x13", "");
+    expect_all_empty("thing.obj --views 1 --size 1x4000", "");
 }
 
 TEST(EmptyView, ChangesNoNumberOfTheOthers) {
     const Desk desk;
     desk.write("thing.obj", kCubeObj);
-    const Words good = {"thing.obj", "--eye", "3,2,4", "--target", "0.5,0.5,0.5"};
-    Words words = good;
-    words.insert(words.end(), {"--size", "160x90"});
+    const Words words = "thing.obj --eye 3,2,4 --target 0.5,0.5,0.5 --size 160x90";
     ASSERT_EQ(compared(desk, words).exit_code, 0);
     const Table alone = parse_csv(desk.read("out/summary.csv"));
-    words.insert(words.end(), {"--eye", "0,0,5", "--target", "0,0,10", "--force"});
-    const Outcome outcome = compared(desk, words);
+    const Outcome outcome = compared(desk, words + "--eye 0,0,5 --target 0,0,10 --force");
     EXPECT_EQ(outcome.exit_code, 3) << "a view has no score";
     EXPECT_THAT(outcome.err, HasSubstr("no score: thing eye1: empty: "));
     const Table both = parse_csv(desk.read("out/summary.csv"));
@@ -101,19 +92,15 @@ TEST(EmptyView, ChangesNoNumberOfTheOthers) {
 TEST(EmptyView, IsNothingToSearchOrToBound) {
     const Desk desk;
     desk.write("thing.obj", kCubeObj);
-    const Words view = {"--size", "160x90", "--eye", "0,0,5", "--target", "0,0,10"};
-    for (Words words : {Words{"tune", "mote4", "thing.obj", "--evaluations", "4", "--out", "t"},
-                        Words{"bound", "thing.obj", "--out", "b"}}) {
-        words.insert(words.end(), view.begin(), view.end());
-        const Outcome outcome = desk.run(words);
-        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("thing eye0: empty: no line of the scene"));
-    }
+    for (const std::string words :
+         {"tune mote4 thing.obj --evaluations 4 --out t", "bound thing.obj --out b"})
+        EXPECT_THAT(refusal(desk, words + " --size 160x90 --eye 0,0,5 --target 0,0,10"),
+                    HasSubstr("thing eye0: empty: no line of the scene"));
 }
 
 TEST(CrowdedView, IsSaidAndIsNoFailure) {
     const Desk desk;
-    const Outcome outcome = compared(desk, {"--scenes", "bush,cube", "--size", "240x135"});
+    const Outcome outcome = compared(desk, "--scenes bush,cube --size 240x135");
     EXPECT_EQ(outcome.exit_code, 0) << "as help and guide have it";
     EXPECT_THAT(outcome.err,
                 AllOf(HasSubstr("no score: bush"), HasSubstr("crowded: "), HasSubstr("try: ")));
@@ -133,28 +120,23 @@ TEST(CrowdedView, IsSaidAndIsNoFailure) {
 TEST(EmptyTruth, HasNoF) {
     const Desk desk;
     desk.write("thing.obj", kCubeObj);
-    const Words view = {"--size", "96x54", "--eye", "0,0,5", "--target", "0,0,10"};
-    Words truth = {"truth", "thing.obj", "-o", "truths/a.png"};
-    Words drawn = {"draw", "thing.obj", "--methods", "ids", "-o", "drawn/a.png"};
+    const Words view = "--size 96x54 --eye 0,0,5 --target 0,0,10";
     std::filesystem::create_directories(desk.work() / "truths");
     std::filesystem::create_directories(desk.work() / "drawn");
-    for (Words* words : {&truth, &drawn}) {
-        words->insert(words->end(), view.begin(), view.end());
-        ASSERT_EQ(desk.run(*words).exit_code, 0);
-    }
-    const Outcome table = desk.run({"score", "drawn/a.png", "truths/a.png", "--csv", "a.csv"});
+    expect_done(desk, "truth thing.obj -o truths/a.png" + view);
+    expect_done(desk, "draw thing.obj --methods ids -o drawn/a.png" + view);
+    const Outcome table = desk.run("score drawn/a.png truths/a.png --csv a.csv");
     EXPECT_EQ(table.exit_code, 0) << "it was asked for no F";
     EXPECT_THAT(table.out, HasSubstr("F                -"));
     EXPECT_THAT(table.err, HasSubstr("empty: the truth has no pixel that counts"));
     EXPECT_THAT(desk.read("a.csv"), HasSubstr("a.png,\"empty: the truth"));
-    const auto json =
-        nlohmann::json::parse(desk.run({"score", "drawn/a.png", "truths/a.png", "--json"}).out);
+    const auto json = nlohmann::json::parse(desk.run("score drawn/a.png truths/a.png --json").out);
     EXPECT_TRUE(json["f"].is_null());
     EXPECT_EQ(json["n_truth"], 0);
-    const Outcome asked = desk.run({"score", "drawn/a.png", "truths/a.png", "--fail-under", "0"});
+    const Outcome asked = desk.run("score drawn/a.png truths/a.png --fail-under 0");
     EXPECT_EQ(asked.exit_code, 1);
     EXPECT_THAT(asked.err, HasSubstr("there is no F"));
-    const Outcome folder = desk.run({"score", "drawn", "truths", "--json"});
+    const Outcome folder = desk.run("score drawn truths --json");
     EXPECT_EQ(folder.exit_code, 1) << "no image has a score";
     const auto all = nlohmann::json::parse(folder.out);
     EXPECT_TRUE(all["pooled"]["f"].is_null());
