@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <array>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <random>
 
+#include "tests/import/files_3ds.h"
 #include "tests/models/fetched_model.h"
 #include "tests/program/run_program.h"
 
@@ -16,9 +15,7 @@
 namespace ink::program {
 namespace {
 
-using testing::HasSubstr;
-
-/// The same for one model file, in each command that takes one.
+/// One model file is refused by each command that takes one.
 void expect_model_refused(const Desk& desk, const std::string& model) {
     expect_refused(desk, "compare --out out --size 64x36 " + model, model);
     expect_refused(desk, "draw -o a.png --size 64x36 " + model, model);
@@ -33,47 +30,17 @@ std::string random_bytes(std::size_t count) {
     return bytes;
 }
 
-template <class T>
-std::string bytes_of(const T& value) {
-    std::string bytes(sizeof value, '\0');
-    std::memcpy(bytes.data(), &value, sizeof value);
-    return bytes;
-}
-
 /// A binary STL of one triangle whose first corner is (x, 0, 0).
 std::string stl_triangle(float x) {
     std::string stl(80, ' ');
-    stl += bytes_of<std::uint32_t>(1);
+    stl += import::raw(std::uint32_t{1});
     for (const float number : {0.F, 0.F, 1.F, x, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
-        stl += bytes_of(number);
-    return stl + bytes_of<std::uint16_t>(0);
-}
-
-/// A chunk of a 3DS file.
-std::string chunk(std::uint16_t id, const std::string& content) {
-    return bytes_of(id) + bytes_of(static_cast<std::uint32_t>(content.size() + 6)) + content;
-}
-
-/// A whole 3DS file that holds one triangle.
-std::string small_3ds() {
-    std::string vertices = bytes_of<std::uint16_t>(3);
-    for (const float number : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
-        vertices += bytes_of(number);
-    std::string faces = bytes_of<std::uint16_t>(1);
-    for (const std::uint16_t number : std::array<std::uint16_t, 4>{0, 1, 2, 7})
-        faces += bytes_of(number);
-    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
-    const std::string object = chunk(0x4000, std::string("one\0", 4) + mesh);
-    return chunk(0x4d4d, chunk(0x3d3d, object));
+        stl += import::raw(number);
+    return stl + import::raw(std::uint16_t{0});
 }
 
 TEST(BadModel, Missing) {
     expect_model_refused(Desk(), "missing.obj");
-}
-
-TEST(BadModel, Empty) {
-    const Desk desk;
-    expect_model_refused(desk, desk.write("empty.obj", ""));
 }
 
 TEST(BadModel, AFolder) {
@@ -82,25 +49,25 @@ TEST(BadModel, AFolder) {
     expect_model_refused(desk, "folder.obj");
 }
 
-TEST(BadModel, TextRenamed) {
+TEST(BadModel, OfNoModelNoTriangleOrNumbersThatAreNone) {
     const Desk desk;
-    expect_model_refused(desk,
-                         desk.write("letter.obj", "Dear Anna,\n\nvery long ago, from afar\n"));
-}
-
-TEST(BadModel, RandomBytes) {
-    const Desk desk;
-    expect_model_refused(desk, desk.write("noise.glb", random_bytes(4096)));
-}
-
-TEST(BadModel, UnknownFormat) {
-    const Desk desk;
-    expect_model_refused(desk, desk.write("model.nosuchformat", "Dear Anna,\n"));
+    const std::string letter = "Dear Anna,\n\nvery long ago, from afar\n";
+    for (const auto& [name, content] :
+         {std::pair<const char*, std::string>{"empty.obj", ""},
+          {"letter.obj", letter},
+          {"noise.glb", random_bytes(4096)},
+          {"model.nosuchformat", letter},
+          {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
+          {"none.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"},
+          {"nan.stl", stl_triangle(std::numeric_limits<float>::quiet_NaN())},
+          {"inf.stl", stl_triangle(std::numeric_limits<float>::infinity())},
+          {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"}})
+        expect_model_refused(desk, desk.write(name, content));
 }
 
 TEST(BadModel, CutShort) {
     const Desk desk;
-    const std::string whole = small_3ds();
+    const std::string whole = import::file_3ds(import::triangle_3ds("one"));
     expect_done(desk, {"draw", desk.write("whole.3ds", whole), "-o", "a.png", "--size", "64x36"});
     std::filesystem::remove(desk.work() / "a.png");
     expect_model_refused(desk, desk.write("cut.3ds", whole.substr(0, whole.size() - 20)));
@@ -114,21 +81,6 @@ TEST(BadModel, RealOneCutShort) {
     std::ifstream file(path, std::ios::binary);
     const std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     expect_model_refused(desk, desk.write("cut.ms3d", whole.substr(0, whole.size() / 2)));
-}
-
-TEST(BadModel, NoTriangles) {
-    const Desk desk;
-    expect_model_refused(desk, desk.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"));
-    expect_model_refused(desk, desk.write("none.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"));
-}
-
-TEST(BadModel, NumbersThatAreNone) {
-    const Desk desk;
-    expect_model_refused(
-        desk, desk.write("nan.stl", stl_triangle(std::numeric_limits<float>::quiet_NaN())));
-    expect_model_refused(
-        desk, desk.write("inf.stl", stl_triangle(std::numeric_limits<float>::infinity())));
-    expect_model_refused(desk, desk.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 }
 
 TEST(BadModel, OneAmongGoodOnesCostsNoWork) {
