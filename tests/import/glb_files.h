@@ -1,8 +1,10 @@
 #pragma once
 
-#include <array>
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -104,6 +106,22 @@ inline GlbFile cube_file() {
     return file;
 }
 
+/// Adds an animation of one channel.
+inline void animate(GlbFile& file,
+                    std::size_t node,
+                    const std::string& path,
+                    std::size_t output,
+                    const std::vector<float>& times_s,
+                    const std::string& interpolation = "LINEAR") {
+    file.put("animations",
+             {{"name", path},
+              {"samplers",
+               {{{"input", file.accessor(times_s, "SCALAR")},
+                 {"output", output},
+                 {"interpolation", interpolation}}}},
+              {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}});
+}
+
 /// A box round the triangles of some instances of a scene, in the file's coordinates.
 struct WorldBox {
     glm::dvec3 low{1e300};
@@ -123,6 +141,13 @@ inline WorldBox box_of(const scene::Scene& scene, const std::string& name = {}) 
             }
     }
     return box;
+}
+
+inline void expect_box(const WorldBox& box, const glm::dvec3& low, const glm::dvec3& high) {
+    EXPECT_LT(glm::length(box.low - low), 1e-6)
+        << box.low.x << ' ' << box.low.y << ' ' << box.low.z;
+    EXPECT_LT(glm::length(box.high - high), 1e-6)
+        << box.high.x << ' ' << box.high.y << ' ' << box.high.z;
 }
 
 }  // namespace ink::import

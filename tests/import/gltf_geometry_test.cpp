@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <glm/geometric.hpp>
-
 #include "scene/topology.h"
 #include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
@@ -14,16 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using GltfGeometry = ModelFiles;
-
-void expect_box(const WorldBox& box,
-                const glm::dvec3& low,
-                const glm::dvec3& high,
-                double tolerance = 1e-6) {
-    EXPECT_LT(glm::length(box.low - low), tolerance)
-        << box.low.x << ' ' << box.low.y << ' ' << box.low.z;
-    EXPECT_LT(glm::length(box.high - high), tolerance)
-        << box.high.x << ' ' << box.high.y << ' ' << box.high.z;
-}
 
 /// A cube whose positions are integers, under a node that scales.
 template <class T>

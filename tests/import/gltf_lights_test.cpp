@@ -71,12 +71,7 @@ TEST_F(GltfLights, SunsShineAlongMinusZOfTheirNodesAndSpotsAreNoted) {
 
 TEST_F(GltfLights, GoWithTheirNodes) {
     GlbFile file = lit_cube({{{"type", "point"}}}, {{{"translation", {0, 4, 0}}}});
-    const std::size_t places = file.accessor(std::vector<float>{0, 4, 0, 6, 4, 0}, "VEC3");
-    file.put(
-        "animations",
-        {{"samplers",
-          {{{"input", file.accessor(std::vector<float>{0, 2}, "SCALAR")}, {"output", places}}}},
-         {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}});
+    animate(file, 1, "translation", file.accessor<float>({0, 4, 0, 6, 4, 0}, "VEC3"), {0, 2});
     scene::Scene scene = import_scene(write("moving.glb", file.bytes()));
     ASSERT_EQ(scene.lights.size(), 1U);
     scene::pose_scene(scene, 1);

@@ -17,32 +17,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using GltfMotionFile = ModelFiles;
 
-void expect_box(const WorldBox& box, const glm::dvec3& low, const glm::dvec3& high) {
-    EXPECT_LT(glm::length(box.low - low), 1e-5)
-        << box.low.x << ' ' << box.low.y << ' ' << box.low.z;
-    EXPECT_LT(glm::length(box.high - high), 1e-5)
-        << box.high.x << ' ' << box.high.y << ' ' << box.high.z;
-}
-
 WorldBox box_at(scene::Scene scene, double time_s) {
     scene::pose_scene(scene, time_s);
     return box_of(scene);
-}
-
-/// Adds an animation of one channel.
-void animate(GlbFile& file,
-             std::size_t node,
-             const std::string& path,
-             std::size_t output,
-             const std::vector<float>& times_s,
-             const std::string& interpolation = "LINEAR") {
-    file.put("animations",
-             {{"name", path},
-              {"samplers",
-               {{{"input", file.accessor(times_s, "SCALAR")},
-                 {"output", output},
-                 {"interpolation", interpolation}}}},
-              {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}});
 }
 
 /// A cube that moves along x.
@@ -98,14 +75,18 @@ TEST_F(GltfMotionFile, RotationsMayBeNormalisedIntegers) {
     expect_box(box_at(scene, 0), {0, 0, 0}, {1, 1, 1});
 }
 
-/// A cube whose one target makes it `by` higher.
+/// Gives the file's cube one target, by which it is twice as long along an axis.
+void put_target(GlbFile& file, std::size_t axis) {
+    std::vector<float> longer(24, 0);
+    for (std::size_t v = 0; v < 8; ++v)
+        longer[3 * v + axis] = (v >> axis & 1) != 0 ? 1.0F : 0.0F;
+    file.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", file.accessor(longer, "VEC3")}}};
+}
+
 GlbFile growing_cube() {
     GlbFile file = cube_file();
-    std::vector<float> higher(24, 0);
-    for (std::size_t v = 0; v < 8; ++v)
-        higher[3 * v + 1] = (v & 2) != 0 ? 1.0F : 0.0F;
-    file.json["meshes"][0]["primitives"][0]["targets"] = {
-        {{"POSITION", file.accessor(higher, "VEC3")}}};
+    put_target(file, 1);
     file.put("nodes", {{"mesh", 0}});
     return file;
 }
@@ -152,12 +133,17 @@ TEST_F(GltfMotionFile, WeightsMove) {
     }
 }
 
-TEST_F(GltfMotionFile, MorphedMeshesFarOutStayThere) {
-    GlbFile file = growing_cube();
+/// Moves the file's cube 262144 along an axis.
+void move_far(GlbFile& file, std::size_t axis) {
     std::vector<float> far = cube_corners<float>();
     for (std::size_t v = 0; v < 8; ++v)
-        far[3 * v] += 4096 * 64;
+        far[3 * v + axis] += 4096 * 64;
     file.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = file.accessor(far, "VEC3");
+}
+
+TEST_F(GltfMotionFile, MorphedMeshesFarOutStayThere) {
+    GlbFile file = growing_cube();
+    move_far(file, 0);
     animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
     const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
     EXPECT_NE(scene.origin.x, 0);
@@ -167,10 +153,7 @@ TEST_F(GltfMotionFile, MorphedMeshesFarOutStayThere) {
 
 TEST_F(GltfMotionFile, MovingNodesOfMeshesFarOutStayThere) {
     GlbFile file = moving_cube({0, 0, 0, 4, 0, 0}, "LINEAR");
-    std::vector<float> far = cube_corners<float>();
-    for (std::size_t v = 0; v < 8; ++v)
-        far[3 * v + 1] += 4096 * 64;
-    file.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = file.accessor(far, "VEC3");
+    move_far(file, 1);
     const scene::Scene scene = import_scene(write("far.glb", file.bytes()));
     EXPECT_NE(scene.origin.y, 0);
     expect_box(box_of(scene), {0, 262144, 0}, {1, 262145, 1});
@@ -245,11 +228,7 @@ TEST_F(GltfMotionFile, EachNodeGoesByItsOwnSkin) {
 
 TEST_F(GltfMotionFile, BonesTakeWhatMorphsMade) {
     GlbFile file = skinned_cube<std::uint8_t, float>(1, Json::object());
-    std::vector<float> wider(24, 0);
-    for (std::size_t v = 0; v < 8; ++v)
-        wider[3 * v] = (v & 1) != 0 ? 1.0F : 0.0F;
-    file.json["meshes"][0]["primitives"][0]["targets"] = {
-        {{"POSITION", file.accessor(wider, "VEC3")}}};
+    put_target(file, 0);
     animate(file, 0, "weights", file.accessor<float>({0, 1}, "SCALAR"), {0, 1});
     const scene::Scene scene = import_scene(write("both.glb", file.bytes()));
     expect_box(box_of(scene), {0, 0, 0}, {1, 3, 1});

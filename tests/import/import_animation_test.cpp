@@ -1,6 +1,5 @@
 // Keys and bones on their way from a file through the import into a pose.
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -8,89 +7,35 @@
 
 #include "scene/animation.h"
 #include "tests/import/files_3ds.h"
+#include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
-#include "tests/import/quake_files.h"
 
 namespace ink::import {
 namespace {
 
 using ImportAnimation = ModelFiles;
 
-std::string base64(const std::string& bytes) {
-    constexpr const char* kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            bits =
-                bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : kDigits[bits >> (18 - 6 * k) & 63];
-    }
-    return text;
+/// A file with one mesh, a triangle (0,0,0) (1,0,0) (0,1,0); its nodes, a list, are all shown.
+GlbFile triangle_file(const Json& nodes) {
+    GlbFile file;
+    const std::size_t positions = file.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3");
+    file.put("meshes", {{"primitives", {{{"attributes", {{"POSITION", positions}}}}}}});
+    file.json["nodes"] = nodes;
+    return file;
 }
 
-/// A glTF file under construction: one buffer, an accessor per array.
-class Gltf {
-  public:
-    /// Adds an array and returns its accessor.
-    template <class T>
-    int add(const std::vector<T>& values, const std::string& type, int component, int per_item) {
-        while (buffer_.size() % 4 != 0)
-            buffer_ += '\0';
-        const std::size_t offset = buffer_.size();
-        for (const T value : values)
-            put(buffer_, value);
-        views_ += fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}",
-                              count_ == 0 ? "" : ",",
-                              offset,
-                              buffer_.size() - offset);
-        accessors_ +=
-            fmt::format("{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"}}",
-                        count_ == 0 ? "" : ",",
-                        count_,
-                        component,
-                        values.size() / static_cast<std::size_t>(per_item),
-                        type);
-        return count_++;
-    }
-    int floats(const std::vector<float>& values, const std::string& type, int per_item) {
-        return add(values, type, 5126, per_item);
-    }
-    [[nodiscard]] std::string file(const std::string& rest) const {
-        return "{\"asset\":{\"version\":\"2.0\"},\"scene\":0," + rest + ",\"accessors\":[" +
-               accessors_ + "],\"bufferViews\":[" + views_ +
-               "],\"buffers\":[{\"byteLength\":" + std::to_string(buffer_.size()) +
-               ",\"uri\":\"data:application/octet-stream;base64," + base64(buffer_) + "\"}]}";
-    }
-
-  private:
-    std::string buffer_;
-    std::string views_;
-    std::string accessors_;
-    int count_ = 0;
-};
-
-const std::vector<float> kTriangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
+/// Moves a node by 8 along y in 2 s.
+void lift(GlbFile& file, std::size_t node, float y = 8) {
+    animate(file, node, "translation", file.accessor<float>({0, 0, 0, 0, y, 0}, "VEC3"), {0, 2});
+}
 
 TEST_F(ImportAnimation, GltfNodesMoveByTheirKeys) {
-    Gltf gltf;
-    const int positions = gltf.floats(kTriangle, "VEC3", 3);
-    const int times = gltf.floats({0, 2}, "SCALAR", 1);
-    const int places = gltf.floats({0, 0, 0, 0, 8, 0}, "VEC3", 3);
-    const auto path = write(
-        "moving.gltf",
-        gltf.file(
-            "\"scenes\":[{\"nodes\":[0,2]}],\"nodes\":[{\"name\":\"lift\",\"children\":[1]},"
-            "{\"name\":\"cabin\",\"mesh\":0,\"translation\":[1,0,0]},{\"name\":\"still\",\"mesh\":"
-            "0}],"
-            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
-            std::to_string(positions) +
-            "}}]}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
-            "\"translation\"}}],\"samplers\":[{\"input\":" +
-            std::to_string(times) + ",\"output\":" + std::to_string(places) + "}]}]"));
-    scene::Scene scene = import_scene(path);
+    GlbFile file = triangle_file({{{"name", "lift"}, {"children", {1}}},
+                                  {{"name", "cabin"}, {"mesh", 0}, {"translation", {1, 0, 0}}},
+                                  {{"name", "still"}, {"mesh", 0}}});
+    file.json["scenes"] = {{{"nodes", {0, 2}}}};
+    lift(file, 0);
+    scene::Scene scene = import_scene(write("moving.glb", file.bytes()));
     ASSERT_NE(scene.animation, nullptr);
     EXPECT_NEAR(scene.animation->duration_s, 2, 1e-9);
     ASSERT_EQ(scene.instances.size(), 2U);
@@ -104,34 +49,23 @@ TEST_F(ImportAnimation, GltfNodesMoveByTheirKeys) {
 }
 
 TEST_F(ImportAnimation, GltfSkinsBend) {
-    Gltf gltf;
-    const int positions = gltf.floats(kTriangle, "VEC3", 3);
-    const int joints =
-        gltf.add<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4", 5121, 4);
-    const int weights = gltf.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0}, "VEC4", 4);
-    const int binds = gltf.floats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1,
-                                   1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
-                                  "MAT4",
-                                  16);
-    const int times = gltf.floats({0, 1}, "SCALAR", 1);
-    const int places = gltf.floats({0, 0, 0, 0, 0, 4}, "VEC3", 3);
-    const auto text = [](int n) { return std::to_string(n); };
     // The mesh's own node stands far off, which must not matter.
-    const auto path = write(
-        "skinned.gltf",
-        gltf.file(
-            "\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"name\":\"body\",\"mesh\":0,\"skin\":0,"
-            "\"translation\":[100,0,0]},{\"name\":\"a\",\"children\":[2]},{\"name\":\"b\"}],"
-            "\"skins\":[{\"joints\":[1,2],\"inverseBindMatrices\":" +
-            text(binds) +
-            "}],"
-            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
-            text(positions) + ",\"JOINTS_0\":" + text(joints) + ",\"WEIGHTS_0\":" + text(weights) +
-            "}}]}],"
-            "\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":2,\"path\":"
-            "\"translation\"}}],\"samplers\":[{\"input\":" +
-            text(times) + ",\"output\":" + text(places) + "}]}]"));
-    scene::Scene scene = import_scene(path);
+    GlbFile file =
+        triangle_file({{{"name", "body"}, {"mesh", 0}, {"skin", 0}, {"translation", {100, 0, 0}}},
+                       {{"name", "a"}, {"children", {2}}},
+                       {{"name", "b"}}});
+    file.json["scenes"] = {{{"nodes", {0, 1}}}};
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["JOINTS_0"] =
+        file.accessor<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}, "VEC4");
+    attributes["WEIGHTS_0"] =
+        file.accessor<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0}, "VEC4");
+    std::vector<float> binds;
+    for (int i = 0; i < 32; ++i)
+        binds.push_back(i % 16 % 5 == 0 ? 1.0F : 0.0F);
+    file.put("skins", {{"joints", {1, 2}}, {"inverseBindMatrices", file.accessor(binds, "MAT4")}});
+    animate(file, 2, "translation", file.accessor<float>({0, 0, 0, 0, 0, 4}, "VEC3"), {0, 1});
+    scene::Scene scene = import_scene(write("skinned.glb", file.bytes()));
     ASSERT_NE(scene.animation, nullptr);
     ASSERT_EQ(scene.animation->skins.size(), 1U);
     const auto corner = [&](std::size_t v) {
@@ -145,44 +79,22 @@ TEST_F(ImportAnimation, GltfSkinsBend) {
 }
 
 TEST_F(ImportAnimation, KeysThatAreNotFiniteAreAMessage) {
-    Gltf gltf;
-    const int positions = gltf.floats(kTriangle, "VEC3", 3);
-    const int times = gltf.floats({0, 2}, "SCALAR", 1);
-    const int places = gltf.floats({0, 0, 0, 0, NAN, 0}, "VEC3", 3);
-    const auto path = write(
-        "lost.gltf",
-        gltf.file(
-            "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"n\",\"mesh\":0}],"
-            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
-            std::to_string(positions) +
-            "}}]}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
-            "\"translation\"}}],\"samplers\":[{\"input\":" +
-            std::to_string(times) + ",\"output\":" + std::to_string(places) + "}]}]"));
-    EXPECT_THAT(complaint(path), testing::HasSubstr("is not finite"));
+    GlbFile file = triangle_file({{{"name", "n"}, {"mesh", 0}}});
+    lift(file, 0, NAN);
+    EXPECT_THAT(complaint(write("lost.glb", file.bytes())), testing::HasSubstr("is not finite"));
 }
 
 TEST_F(ImportAnimation, GltfCamerasRideOnTheirNodes) {
-    Gltf gltf;
-    const int positions = gltf.floats(kTriangle, "VEC3", 3);
-    const int times = gltf.floats({0, 2}, "SCALAR", 1);
-    const int places = gltf.floats({0, 0, 0, 0, 8, 0}, "VEC3", 3);
-    const std::string lens =
-        "{\"type\":\"perspective\",\"perspective\":{\"yfov\":0.7,\"znear\":0.1,\"aspectRatio\":1}}";
-    const auto path = write(
-        "ride.gltf",
-        gltf.file(
-            "\"scenes\":[{\"nodes\":[0,2,3]}],\"nodes\":[{\"name\":\"lift\",\"children\":[1]},"
-            "{\"name\":\"rider\",\"camera\":0,\"translation\":[0,0,5]},"
-            "{\"name\":\"still\",\"mesh\":0},"
-            "{\"name\":\"post\",\"camera\":1,\"translation\":[0,0,7]}],"
-            "\"cameras\":[" +
-            lens + "," + lens + "]," +
-            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
-            std::to_string(positions) +
-            "}}]}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
-            "\"translation\"}}],\"samplers\":[{\"input\":" +
-            std::to_string(times) + ",\"output\":" + std::to_string(places) + "}]}]"));
-    scene::Scene scene = import_scene(path);
+    GlbFile file = triangle_file({{{"name", "lift"}, {"children", {1}}},
+                                  {{"name", "rider"}, {"camera", 0}, {"translation", {0, 0, 5}}},
+                                  {{"name", "still"}, {"mesh", 0}},
+                                  {{"name", "post"}, {"camera", 1}, {"translation", {0, 0, 7}}}});
+    file.json["scenes"] = {{{"nodes", {0, 2, 3}}}};
+    const Json lens = {{"type", "perspective"},
+                       {"perspective", {{"yfov", 0.7}, {"znear", 0.1}, {"aspectRatio", 1}}}};
+    file.json["cameras"] = {lens, lens};
+    lift(file, 0);
+    scene::Scene scene = import_scene(write("ride.glb", file.bytes()));
     ASSERT_EQ(scene.cameras.size(), 2U);
     const bool rider_is_first = scene.cameras[0].name == "rider";
     scene::Camera& rider = scene.cameras[rider_is_first ? 0 : 1];

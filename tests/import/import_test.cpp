@@ -12,7 +12,9 @@
 
 #include "scene/topology.h"
 #include "tests/core/error_text.h"
+#include "tests/import/glb_files.h"
 #include "tests/import/model_files.h"
+#include "tests/import/quake_files.h"
 #include "tests/models/fetched_model.h"
 
 namespace ink::import {
@@ -53,17 +55,12 @@ constexpr const char* kTwoMaterialCube =
     "usemtl red\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\n"
     "usemtl blue\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 
-template <class T>
-void append(std::string& bytes, const T& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 std::string binary_stl(const std::vector<std::array<float, 12>>& facets) {
     std::string bytes(80, ' ');
-    append(bytes, static_cast<std::uint32_t>(facets.size()));
+    put(bytes, static_cast<std::uint32_t>(facets.size()));
     for (const auto& facet : facets) {
-        append(bytes, facet);
-        append(bytes, std::uint16_t{0});
+        put(bytes, facet);
+        put(bytes, std::uint16_t{0});
     }
     return bytes;
 }
@@ -246,12 +243,12 @@ TEST_F(ImportRefuses, FilesCutShort) {
         StartsWith("is damaged; the file is cut short: its end mark is missing"));
     // Of formats that Assimp reads, and of parts that our readers do not look at.
     std::string lengths = "MM";
-    append(lengths, std::uint32_t{1234});
+    put(lengths, std::uint32_t{1234});
     EXPECT_THAT(complaint(write("cut.3ds", lengths)),
                 StartsWith("is damaged; the file is cut short: its header promises 1234 bytes, it "
                            "has 6"));
     lengths = "IDP2" + std::string(60, 'x');
-    append(lengths, std::uint32_t{500});
+    put(lengths, std::uint32_t{500});
     EXPECT_THAT(complaint(write("cut.md2", lengths)), HasSubstr("header promises 500 bytes"));
 }
 
@@ -320,20 +317,6 @@ constexpr KnownModel kKnownModels[] = {
     {"wuson.obj", 3732, 1, 1, true, {-.459976, -.000566, -1.622242}, {.459976, 1.515251, 1.622242}},
 };
 
-void expect_box(const scene::Scene& scene, const glm::dvec3& low, const glm::dvec3& high) {
-    glm::dvec3 found_low{1e30};
-    glm::dvec3 found_high{-1e30};
-    for (const scene::Instance& instance : scene.instances) {
-        for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
-            found_low = glm::min(found_low, scene::to_world(instance, p));
-            found_high = glm::max(found_high, scene::to_world(instance, p));
-        }
-    }
-    const double tolerance = 1e-5 * glm::length(high - low);  // the table has six digits
-    EXPECT_LT(glm::length(found_low - low), tolerance);
-    EXPECT_LT(glm::length(found_high - high), tolerance);
-}
-
 class KnownModels : public testing::TestWithParam<KnownModel> {};
 
 TEST_P(KnownModels, HaveWhatTheirFilesHold) {
@@ -345,7 +328,10 @@ TEST_P(KnownModels, HaveWhatTheirFilesHold) {
     EXPECT_EQ(scene.meshes.size(), known.meshes);
     EXPECT_EQ(scene.instances.size(), known.instances);
     EXPECT_EQ(!scene.meshes[0].normals.empty(), known.has_normals);
-    expect_box(scene, known.low, known.high);
+    const WorldBox box = box_of(scene);
+    const double tolerance = 1e-5 * glm::length(known.high - known.low);  // the table has 6 digits
+    EXPECT_LT(glm::length(box.low - known.low), tolerance);
+    EXPECT_LT(glm::length(box.high - known.high), tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Import,

@@ -34,8 +34,12 @@ std::string complaint(ImportReply reply, std::uint64_t most_triangles = kMany) {
     return {};
 }
 
+scene::Scene scene_of(ImportReply reply, bool material_seams = false) {
+    return scene_from_reply(std::move(reply), "dir/cube.obj", kMany, material_seams);
+}
+
 TEST(ImportedScene, SoundReplyIsTaken) {
-    const scene::Scene scene = scene_from_reply(cube_reply(), "dir/cube.obj", kMany);
+    const scene::Scene scene = scene_of(cube_reply());
     EXPECT_EQ(scene.name, "cube");
     EXPECT_EQ(scene::triangle_count(scene), 12U);
 }
@@ -108,26 +112,26 @@ TEST(ImportedScene, CamerasMoveOnlyIfTheirNodesDo) {
     ImportReply lost = reply;
     lost.cameras[1].motion.eye_node = 3;
     EXPECT_EQ(complaint(lost), "animation: a camera hangs on node 3");
-    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const scene::Scene scene = scene_of(reply);
     const auto& cameras = scene.animation->cameras;
     ASSERT_EQ(cameras.size(), 3U) << "the one that cannot be is out of both lists";
     EXPECT_EQ(cameras[0].eye_node, 1U) << "by its parent";
     EXPECT_EQ(cameras[1].eye_node, scene::kNoNode);
     EXPECT_EQ(cameras[2].eye_node, scene::kNoNode);
-    EXPECT_TRUE(scene_from_reply(std::move(still), "cube.obj", kMany).animation->cameras.empty());
+    EXPECT_TRUE(scene_of(still).animation->cameras.empty());
 }
 
 TEST(ImportedScene, MotionThatTakesNoTimeIsNone) {
     ImportReply reply = cube_reply();
     reply.animation = scene::Animation{};
     reply.animation->node_of_instance = {scene::kNoNode};
-    EXPECT_EQ(scene_from_reply(std::move(reply), "cube.obj", kMany).animation, nullptr);
+    EXPECT_EQ(scene_of(reply).animation, nullptr);
 }
 
 TEST(ImportedScene, WrongNumberOfNormalsCountsAsNone) {
     ImportReply reply = cube_reply();
     reply.meshes[0].normals = {{0, 0, 1}};
-    EXPECT_TRUE(scene_from_reply(std::move(reply), "cube.obj", kMany).meshes[0].normals.empty());
+    EXPECT_TRUE(scene_of(reply).meshes[0].normals.empty());
 }
 
 TEST(ImportedScene, KeepsNamesOfAnyScript) {
@@ -136,7 +140,7 @@ TEST(ImportedScene, KeepsNamesOfAnyScript) {
     reply.animation_names = {"\xc3"};
     reply.notes = {"two\nlines"};
     reply.parallel_cameras = {"front"};
-    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const scene::Scene scene = scene_of(reply);
     EXPECT_EQ(scene.instances[0].name, "\u5e73\u9762 Gr\u00f6\u00dfe ?[1m");
     EXPECT_EQ(scene.file.animation_names.at(0), "?");
     EXPECT_EQ(scene.file.notes.at(0), "two lines");
@@ -163,11 +167,10 @@ TEST(ImportedScene, PartsBecomeMaterialsOfTriangles) {
     beyond.meshes[0].parts[1].first_triangle = 13;
     EXPECT_EQ(complaint(backwards), "its reader put the parts of a mesh out of order");
     EXPECT_EQ(complaint(beyond), "its reader put a part of a mesh behind its end");
-    ImportReply apart = reply;
-    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const scene::Scene scene = scene_of(reply);
     EXPECT_EQ(scene.meshes[0].materials.at(9), 4U);
     EXPECT_EQ(scene.meshes[0].materials.at(10), 5U);
-    EXPECT_EQ(scene_from_reply(std::move(apart), "cube.obj", kMany, true).instances.size(), 2U);
+    EXPECT_EQ(scene_of(reply, true).instances.size(), 2U);
 }
 
 TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
@@ -183,7 +186,7 @@ TEST(ImportedScene, KeepsCamerasThatLookSomewhereUnderDistinctNames) {
     ImportedCamera nameless = good;
     nameless.name = "";
     reply.cameras = {good, nowhere, lost, flat, good, nameless};
-    const scene::Scene scene = scene_from_reply(std::move(reply), "cube.obj", kMany);
+    const scene::Scene scene = scene_of(reply);
     ASSERT_EQ(scene.cameras.size(), 3U);
     EXPECT_EQ(scene.cameras[0].name, "a_b");
     EXPECT_EQ(scene.cameras[1].name, "a_b_2");

@@ -34,9 +34,9 @@ TEST(Obj, Cube) {
 
 TEST(Obj, LinesMayEndEitherWayAndGoOn) {
     for (const char* end : {"\r\n", "\r", "  \n\n", " # comment\n", " \\\n \n", "\\\r\n\r\n"})
-        expect_unit_cube(read_one(read_obj, replaced(cube(), "\n", end)));
-    expect_unit_cube(read_one(read_obj, replaced(cube(), " ", " \\\n\t")));
-    expect_unit_cube(read_one(read_obj, replaced(cube(), "f ", "fo ")));
+        expect_unit_cube(read_obj, replaced(cube(), "\n", end));
+    expect_unit_cube(read_obj, replaced(cube(), " ", " \\\n\t"));
+    expect_unit_cube(read_obj, replaced(cube(), "f ", "fo "));
 }
 
 TEST(Obj, CornersMayBeNamedInAllWays) {
@@ -58,9 +58,9 @@ TEST(Obj, CornersMayBeNamedInAllWays) {
 }
 
 TEST(Obj, VerticesMayHaveWeightsAndColours) {
-    expect_unit_cube(read_one(read_obj, cube_corners("v ", " 1\n") + cube_faces("f", 1)));
-    expect_unit_cube(read_one(read_obj, cube_corners("v ", " 1 0 .5\n") + cube_faces("f", 1)));
-    expect_unit_cube(read_one(read_obj, cube_corners("v ", " 1 1 0 .5\n") + cube_faces("f", 1)));
+    expect_unit_cube(read_obj, cube_corners("v ", " 1\n") + cube_faces("f", 1));
+    expect_unit_cube(read_obj, cube_corners("v ", " 1 0 .5\n") + cube_faces("f", 1));
+    expect_unit_cube(read_obj, cube_corners("v ", " 1 1 0 .5\n") + cube_faces("f", 1));
 }
 
 TEST(Obj, DigitsAreKept) {

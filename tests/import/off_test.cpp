@@ -23,21 +23,20 @@ TEST(Off, Cube) {
 }
 
 TEST(Off, CommentsMayStandAnywhere) {
-    expect_unit_cube(
-        read_one(read_off,
-                 cube("# first\nOFF # kind\n\n# counts\n8 # vertices\n 6 12 # the rest\n",
-                      " # a corner\n# between\n",
-                      "# a face\n\n")));
+    expect_unit_cube(read_off,
+                     cube("# first\nOFF # kind\n\n# counts\n8 # vertices\n 6 12 # the rest\n",
+                          " # a corner\n# between\n",
+                          "# a face\n\n"));
 }
 
 TEST(Off, HeadsOfAllKinds) {
-    expect_unit_cube(read_one(read_off, cube("OFF 8 6 12\n")));
-    expect_unit_cube(read_one(read_off, cube("OFF\n8 6\n")));
-    expect_unit_cube(read_one(read_off, cube("# a\nOFF8 6 12\n")));
-    expect_unit_cube(read_one(read_off, cube("8 6 0\n")));  // the word may be missing
-    expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " 255 0 0\n")));
-    expect_unit_cube(read_one(read_off, cube("COFF\n8 6 0\n", " .5 0 0 1\n", " 255 255 255\n")));
-    expect_unit_cube(read_one(read_off, cube("STOFF\n8 6 0\n", " .5 .5\n")));
+    expect_unit_cube(read_off, cube("OFF 8 6 12\n"));
+    expect_unit_cube(read_off, cube("OFF\n8 6\n"));
+    expect_unit_cube(read_off, cube("# a\nOFF8 6 12\n"));
+    expect_unit_cube(read_off, cube("8 6 0\n"));  // the word may be missing
+    expect_unit_cube(read_off, cube("COFF\n8 6 0\n", " 255 0 0\n"));
+    expect_unit_cube(read_off, cube("COFF\n8 6 0\n", " .5 0 0 1\n", " 255 255 255\n"));
+    expect_unit_cube(read_off, cube("STOFF\n8 6 0\n", " .5 .5\n"));
     for (const char* word : {"NOFF", "CNOFF", "NCOFF", "STCNOFF"}) {
         const bool has_more = std::string(word) != "NOFF";
         const ImportedMesh mesh = read_one(
@@ -51,7 +50,7 @@ TEST(Off, HeadsOfAllKinds) {
 
 TEST(Off, LinesMayEndEitherWay) {
     for (const char* end : {"\r\n", "\r"})
-        expect_unit_cube(read_one(read_off, replaced(cube(), "\n", end)));
+        expect_unit_cube(read_off, replaced(cube(), "\n", end));
 }
 
 TEST(Off, IsToldByItsWord) {
@@ -74,17 +73,14 @@ TEST(Off, OtherKindsAreRefusedByName) {
 }
 
 TEST(Off, FaultsAreNamedWithTheirLine) {
-    const auto with = [](const std::string& what, const std::string& by) {
-        return fault(read_off, replaced(cube(), what, by));
-    };
-    EXPECT_THAT(with("8 6 12", "8 six 12"), HasSubstr("line 2: the count of faces is \"six\""));
-    EXPECT_THAT(with("4 1 5 7 3", "4 1 5 8 3"),
-                HasSubstr("line 16: a face has the vertex 8 (0..7)"));
-    EXPECT_THAT(with("4 1 5 7 3", "4 1 5 7"), HasSubstr("line 16: a corner is missing"));
-    EXPECT_THAT(with("1 1 1\n", "1 1\n"), HasSubstr("line 10: a vertex's coordinate is missing"));
-    EXPECT_THAT(with("1 1 1\n", "1 1 1 9 9\n"),
-                HasSubstr("line 10: more numbers than a vertex has"));
-    EXPECT_THAT(with("4 1 5 7 3\n", ""), HasSubstr("cut short: it ends inside its faces"));
+    expect_faults(read_off,
+                  cube(),
+                  {{"8 6 12", "8 six 12", "line 2: the count of faces is \"six\""},
+                   {"4 1 5 7 3", "4 1 5 8 3", "line 16: a face has the vertex 8 (0..7)"},
+                   {"4 1 5 7 3", "4 1 5 7", "line 16: a corner is missing"},
+                   {"1 1 1\n", "1 1\n", "line 10: a vertex's coordinate is missing"},
+                   {"1 1 1\n", "1 1 1 9 9\n", "line 10: more numbers than a vertex has"},
+                   {"4 1 5 7 3\n", "", "cut short: it ends inside its faces"}});
     EXPECT_THAT(fault(read_off, "OFF\n8000000000 1 0\n"), HasSubstr("too many vertices"));
     EXPECT_THAT(fault(read_off, "OFF\n4000000000 4000000000 0\n"), HasSubstr("cut short"));
 }

@@ -37,16 +37,15 @@ TEST(Ply, TextCube) {
 
 TEST(Ply, LinesMayEndEitherWay) {
     for (const char* end : {"\r\n", "\r"})
-        expect_unit_cube(read_one(read_ply, replaced(text_cube(), "\n", end)));
+        expect_unit_cube(read_ply, replaced(text_cube(), "\n", end));
 }
 
 TEST(Ply, HeaderMayHoldRemarks) {
     const std::string remarks = "comment element vertex 99\nobj_info by hand\n\n";
-    expect_unit_cube(
-        read_one(read_ply, replaced(text_cube(), "element face", remarks + "element face")));
+    expect_unit_cube(read_ply, replaced(text_cube(), "element face", remarks + "element face"));
     // As Blender 2.4 wrote it.
-    expect_unit_cube(read_one(
-        read_ply, replaced(text_cube(), "element vertex", "Created by Blender\nelement vertex")));
+    expect_unit_cube(read_ply,
+                     replaced(text_cube(), "element vertex", "Created by Blender\nelement vertex"));
 }
 
 template <class T>
@@ -79,18 +78,16 @@ std::string binary_cube(const std::array<std::string, 5>& types, bool is_big) {
 
 TEST(Ply, AllTypesInBothOrdersByBothNames) {
     for (const bool is_big : {false, true}) {
+        expect_unit_cube(read_ply,
+                         binary_cube<float, double, std::int8_t, std::uint8_t, std::int32_t>(
+                             {"float", "double", "char", "uchar", "int"}, is_big));
         expect_unit_cube(
-            read_one(read_ply,
-                     binary_cube<float, double, std::int8_t, std::uint8_t, std::int32_t>(
-                         {"float", "double", "char", "uchar", "int"}, is_big)));
-        expect_unit_cube(read_one(
             read_ply,
             binary_cube<std::int16_t, std::uint16_t, std::uint32_t, std::uint16_t, std::int16_t>(
-                {"int16", "uint16", "uint32", "uint16", "int16"}, is_big)));
-        expect_unit_cube(
-            read_one(read_ply,
-                     binary_cube<std::int32_t, float, double, std::uint32_t, std::uint8_t>(
-                         {"int32", "float32", "float64", "uint", "uint8"}, is_big)));
+                {"int16", "uint16", "uint32", "uint16", "int16"}, is_big));
+        expect_unit_cube(read_ply,
+                         binary_cube<std::int32_t, float, double, std::uint32_t, std::uint8_t>(
+                             {"int32", "float32", "float64", "uint", "uint8"}, is_big));
     }
 }
 
@@ -169,7 +166,7 @@ TEST(Ply, ElementsAndPropertiesComeInAnyOrder) {
             }
             return vertices;
         }();
-    expect_unit_cube(read_one(read_ply, file));
+    expect_unit_cube(read_ply, file);
 }
 
 TEST(Ply, StripsTurnAsOpenGlTurnsThemAndBeginAnewAtMinusOne) {
@@ -217,36 +214,30 @@ TEST(Ply, ElementsWithoutRowsMayLackAnything) {
 }
 
 TEST(Ply, NumbersBehindTheLastRowAreLeftAlone) {
-    expect_unit_cube(read_one(read_ply, text_cube() + "1 2 3\n"));
+    expect_unit_cube(read_ply, text_cube() + "1 2 3\n");
 }
 
 TEST(Ply, FaultsAreNamedWithTheirLine) {
-    const auto with = [](const std::string& what, const std::string& by) {
-        return fault(read_ply, replaced(text_cube(), what, by));
-    };
-    EXPECT_THAT(with("float y", "float8 y"), HasSubstr("line 5: the type is \"float8\" (char, "));
-    EXPECT_THAT(with("ascii", "utf8"), HasSubstr("line 2: the format is \"utf8\" (ascii, "));
-    EXPECT_THAT(with("1.0", "2.0"), HasSubstr("line 2: the version is \"2.0\" (1.0)"));
-    EXPECT_THAT(with("element face", "elemen face"),
-                HasSubstr("line 7: the header says \"elemen\""));
-    EXPECT_THAT(with("vertex 8", "vertex -8"), HasSubstr("line 3: the element's count is \"-8\""));
-    EXPECT_THAT(with("vertex 8", "vertex 9"), HasSubstr("more numbers than the properties"))
-        << "the first face as a vertex";
-    EXPECT_THAT(with("face 6", "face 7"),
-                HasSubstr("cut short: it ends in element \"face\", row 7"));
-    EXPECT_THAT(with("4 1 5 7 3", "4 1 5 8 3"),
-                HasSubstr("line 23: a face has the vertex 8 (0..7)"));
-    EXPECT_THAT(with("4 1 5 7 3", "4 1 5 -1 3"), HasSubstr("a face has the vertex -1 (0..7)"));
-    EXPECT_THAT(with("1 1 1\n", "1 one 1\n"),
-                HasSubstr("line 17: a number of element \"vertex\" is \"one\" (a number)"));
-    EXPECT_THAT(with("1 1 1\n", "1 1\n"),
-                HasSubstr("line 17: a number of element \"vertex\" is missing"));
-    EXPECT_THAT(with("float z", "float w"), HasSubstr("line 3: vertices lack x, y or z"));
-    EXPECT_THAT(with("vertex_indices", "corners"),
-                HasSubstr("line 7: element \"face\" has no list"));
-    EXPECT_THAT(with("list uchar", "list float"), HasSubstr("the length of a list is a fraction"));
-    EXPECT_THAT(with("end_header", "end"), HasSubstr("line 9: the header says \"end\""));
-    EXPECT_THAT(with("element vertex", "element point"), HasSubstr("no element \"vertex\""));
+    expect_faults(
+        read_ply,
+        text_cube(),
+        {{"float y", "float8 y", "line 5: the type is \"float8\" (char, "},
+         {"ascii", "utf8", "line 2: the format is \"utf8\" (ascii, "},
+         {"1.0", "2.0", "line 2: the version is \"2.0\" (1.0)"},
+         {"element face", "elemen face", "line 7: the header says \"elemen\""},
+         {"vertex 8", "vertex -8", "line 3: the element's count is \"-8\""},
+         // The first face is read as a vertex.
+         {"vertex 8", "vertex 9", "more numbers than the properties"},
+         {"face 6", "face 7", "cut short: it ends in element \"face\", row 7"},
+         {"4 1 5 7 3", "4 1 5 8 3", "line 23: a face has the vertex 8 (0..7)"},
+         {"4 1 5 7 3", "4 1 5 -1 3", "a face has the vertex -1 (0..7)"},
+         {"1 1 1\n", "1 one 1\n", "line 17: a number of element \"vertex\" is \"one\" (a number)"},
+         {"1 1 1\n", "1 1\n", "line 17: a number of element \"vertex\" is missing"},
+         {"float z", "float w", "line 3: vertices lack x, y or z"},
+         {"vertex_indices", "corners", "line 7: element \"face\" has no list"},
+         {"list uchar", "list float", "the length of a list is a fraction"},
+         {"end_header", "end", "line 9: the header says \"end\""},
+         {"element vertex", "element point", "no element \"vertex\""}});
     EXPECT_THAT(fault(read_ply, "ply\nformat ascii 1.0\n"), HasSubstr("ends inside its header"));
     EXPECT_THAT(fault(read_ply, "plough\nend_header\n"), HasSubstr("line 1: the file begins with"));
 }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <string>
 #include <string_view>
@@ -91,11 +90,29 @@ inline void expect_unit_cube(const ImportedMesh& mesh) {
     EXPECT_DOUBLE_EQ(volume(mesh), 1);
     EXPECT_DOUBLE_EQ(area(mesh), 6);
 }
+inline void expect_unit_cube(MeshReader read, const std::string& file) {
+    expect_unit_cube(read_one(read, file));
+}
 
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
     for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
         text.replace(at, what.size(), by);
     return text;
+}
+
+/// What is replaced in a sound file, by what, and a part of what its reader says then.
+struct Fault {
+    const char* what;
+    const char* by;
+    const char* message;
+};
+
+inline void expect_faults(MeshReader read,
+                          const std::string& sound,
+                          const std::vector<Fault>& faults) {
+    for (const auto& [what, by, message] : faults)
+        EXPECT_NE(fault(read, replaced(sound, what, by)).find(message), std::string::npos)
+            << what << " -> " << by << ": " << fault(read, replaced(sound, what, by));
 }
 
 }  // namespace ink::import

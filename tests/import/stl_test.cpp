@@ -76,7 +76,7 @@ TEST(Stl, TextIsToldByMoreThanItsFirstWord) {
                                     replaced(text_cube(), "loop\n", "loop "),
                                     text_cube() + "\n\x1a",
                                     text_cube() + std::string(8, '\0')})
-        expect_unit_cube(read_one(read_stl, file));
+        expect_unit_cube(read_stl, file);
 }
 
 TEST(Stl, BinaryMayBeginWithSolidAndEndWithMore) {
@@ -84,7 +84,7 @@ TEST(Stl, BinaryMayBeginWithSolidAndEndWithMore) {
                                     binary_cube("solid facet normal"),
                                     binary_cube() + "ten bytes.",
                                     binary_cube("solid") + "more"})
-        expect_unit_cube(read_one(read_stl, file));
+        expect_unit_cube(read_stl, file);
 }
 
 TEST(Stl, SolidsOfAFileAreOneObject) {
@@ -118,17 +118,16 @@ TEST(Stl, DigitsAreKept) {
 }
 
 TEST(Stl, FaultsAreNamedWithTheirPlace) {
-    const auto with = [](const std::string& what, const std::string& by) {
-        return fault(read_stl, replaced(text_cube(), what, by));
-    };
-    EXPECT_THAT(with("vertex 1 1 1", "vertex 1 1 one"),
-                HasSubstr("a vertex's coordinate is \"one\" (a number)"));
-    EXPECT_THAT(with("vertex 1 1 1", "vertex 1 1"), HasSubstr("a vertex's coordinate is missing"));
-    EXPECT_THAT(with("    endloop", "vertex 0 0 0\n    endloop"),
-                HasSubstr("line 7: \"vertex\" stands where \"endloop\" belongs"));
-    EXPECT_THAT(with("endsolid box", ""), HasSubstr("cut short: its end mark is missing"));
-    EXPECT_THAT(with("endsolid box", "endsolid box\nsold"),
-                HasSubstr("\"sold\" stands outside of a solid"));
+    expect_faults(
+        read_stl,
+        text_cube(),
+        {{"vertex 1 1 1", "vertex 1 1 one", "a vertex's coordinate is \"one\" (a number)"},
+         {"vertex 1 1 1", "vertex 1 1", "a vertex's coordinate is missing"},
+         {"    endloop",
+          "vertex 0 0 0\n    endloop",
+          "line 7: \"vertex\" stands where \"endloop\" belongs"},
+         {"endsolid box", "", "cut short: its end mark is missing"},
+         {"endsolid box", "endsolid box\nsold", "\"sold\" stands outside of a solid"}});
     EXPECT_THAT(fault(read_stl, "solid a\nfacet normal 0 0 0\nouter"),
                 HasSubstr("cut short: it ends inside a solid"));
     EXPECT_THAT(fault(read_stl, "shape of a cube, made by hand\n"),
