@@ -7,17 +7,6 @@ namespace {
 
 constexpr double kPx = 0.01;  ///< every expected length holds to this
 
-double distance_px(const glm::dvec3& a, const glm::dvec3& b, double distance) {
-    return glm::length(project(a, distance) - project(b, distance));
-}
-
-/// A cube of side 2 about the origin, turned by an instance transform.
-scene::Scene turned_cube(const glm::dmat4& turn) {
-    scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
-    scene.instances[0].world_from_object = turn;
-    return scene;
-}
-
 using Corners = std::array<glm::dvec3, 2>;
 
 /// Expects exactly these edges of the turned cube (object-space corners) in full length.
@@ -30,7 +19,7 @@ void expect_cube_edges(const scene::Scene& scene,
     for (const auto& [a, b] : edges) {
         const auto& m = scene.instances[0].world_from_object;
         const glm::dvec3 a_world(m * glm::dvec4(a, 1)), b_world(m * glm::dvec4(b, 1));
-        const double expected = distance_px(a_world, b_world, 6);
+        const double expected = length_px(view_from(6), a_world, b_world);
         sum += expected;
         EXPECT_NEAR(seen_length(scene, truth, a_world, b_world), expected, kPx);
     }
@@ -130,8 +119,7 @@ TEST(ClosedForm, BallOfNSidesAgainstItsCircle) {
 }
 
 TEST(ClosedForm, QuadHasFourBoundaries) {
-    scene::Mesh mesh;
-    add_quad(mesh, {-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0});
+    const scene::Mesh mesh = quad({-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0});
     const Truth truth = trace(scene_of({mesh}), view_from(4));
     EXPECT_EQ(truth.curves.size(), 4U);
     // 600 / 4 = 150 px a unit: two sides of 300 px and two of 150.
@@ -178,9 +166,8 @@ TEST(ClosedForm, ContourKnowsWhatLiesBehindIt) {
 }
 
 TEST(ClosedForm, TwoCoplanarTilesHaveOneSeamAndSixBoundaries) {
-    scene::Mesh left, right;
-    add_quad(left, {-1, -0.5, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {-1, 0.5, 0});
-    add_quad(right, {0, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {0, 0.5, 0});
+    const scene::Mesh left = quad({-1, -0.5, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {-1, 0.5, 0});
+    const scene::Mesh right = quad({0, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {0, 0.5, 0});
     const Truth truth = trace(scene_of({left, right}), view_from(4));
     EXPECT_EQ(edge_lengths(truth, LineClass::seam).size(), 1U);
     EXPECT_EQ(edge_lengths(truth, LineClass::boundary).size(), 6U);
@@ -293,8 +280,7 @@ TEST(ClosedForm, NearPlaneCutsWithoutALine) {
 }
 
 TEST(ClosedForm, WhatStandsBeforeTheNearPlaneHidesNothing) {
-    scene::Mesh mesh;
-    add_quad(mesh, {-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0});
+    const scene::Mesh mesh = quad({-1, -0.5, 0}, {1, -0.5, 0}, {1, 0.5, 0}, {-1, 0.5, 0});
     scene::Mesh screen;
     add_quad(screen, {-1, -1, 3.5}, {1, -1, 3.5}, {1, 1, 3.5}, {-1, 1, 3.5});
     const scene::Scene scene = scene_of({mesh, screen});
@@ -303,8 +289,7 @@ TEST(ClosedForm, WhatStandsBeforeTheNearPlaneHidesNothing) {
 }
 
 TEST(ClosedForm, LinesEndAtTheFrame) {
-    scene::Mesh mesh;
-    add_quad(mesh, {-100, -0.5, 0}, {100, -0.5, 0}, {100, 0.5, 0}, {-100, 0.5, 0});
+    const scene::Mesh mesh = quad({-100, -0.5, 0}, {100, -0.5, 0}, {100, 0.5, 0}, {-100, 0.5, 0});
     const Truth truth = trace(scene_of({mesh}), view_from(4));
     EXPECT_EQ(truth.curves.size(), 2U);
     EXPECT_NEAR(lengths(truth)[LineClass::boundary], 2.0 * kWidth_px, kPx);

@@ -10,14 +10,10 @@ constexpr double kPx = 0.01;
 
 /// Two upright tiles in one plane; from 6 away a unit is 100 px. They overlap in a unit square.
 scene::Mesh large_tile() {
-    scene::Mesh mesh;
-    add_quad(mesh, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-    return mesh;
+    return quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
 }
 scene::Mesh small_tile() {
-    scene::Mesh mesh;
-    add_quad(mesh, {0, -0.5F, 0}, {2, -0.5F, 0}, {2, 0.5F, 0}, {0, 0.5F, 0});
-    return mesh;
+    return quad({0, -0.5F, 0}, {2, -0.5F, 0}, {2, 0.5F, 0}, {0, 0.5F, 0});
 }
 
 double sampled_f(const Truth& truth) {
@@ -74,8 +70,7 @@ TEST(Coincident, FromBehindItIsTheSame) {
 
 TEST(Coincident, CutByAThirdTheyShowItOnce) {
     // A wall through both: where both are, only its crossing with the first is seen.
-    scene::Mesh wall;
-    add_quad(wall, {-1.5F, 0, 1}, {1.5F, 0, 1}, {1.5F, 0, -1}, {-1.5F, 0, -1});
+    const scene::Mesh wall = quad({-1.5F, 0, 1}, {1.5F, 0, 1}, {1.5F, 0, -1}, {-1.5F, 0, -1});
     const Truth truth =
         trace(scene_of({large_tile(), small_tile(), wall}), view_from({0, 3, 6}, {}));
     const auto expected = project({-1, 0, 0}, 6), end = project({1.5, 0, 0}, 6);
@@ -86,8 +81,7 @@ TEST(Coincident, CutByAThirdTheyShowItOnce) {
 
 /// A floor and a box on it, in either order, from below.
 Truth floor_from_below(bool is_floor_first) {
-    scene::Mesh floor;
-    add_quad(floor, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
+    const scene::Mesh floor = quad({-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
     const scene::Mesh on_it = box({-1, 0, -1}, {1, 1, 1});
     const auto scene = is_floor_first ? scene_of({floor, on_it}) : scene_of({on_it, floor});
     return trace(scene, view_from({0.5, -8, 1}, {0, 0, 0}));
@@ -109,8 +103,7 @@ TEST(Coincident, BottomOfTheLowerBoxIsASeamOnTheFloor) {
 
 TEST(Coincident, BoxLevelWithTheFloorIsASeam) {
     // Sunk so that its top lies in the floor's plane; the one with the lower faces is seen.
-    scene::Mesh floor;
-    add_quad(floor, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
+    const scene::Mesh floor = quad({-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2});
     const scene::Mesh sunk = box({-1, -1, -1}, {1, 0, 1});
     const scene::View view = view_from({0.5, 8, 1}, {0, 0, 0});
     const Truth on_top = trace(scene_of({sunk, floor}), view);

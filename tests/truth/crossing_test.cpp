@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kPx = 0.01;
 
-double projected_length(const glm::dvec3& a, const glm::dvec3& b, double distance) {
-    return glm::length(project(a, distance) - project(b, distance));
-}
-
 double world_length(const Crossings& crossings) {
     double sum = 0;
     for (const Crossing& c : crossings.segments)
@@ -36,8 +32,8 @@ TEST(Crossing, BoxesSunkIntoEachOther) {
     const Truth truth = trace(scene, view_from(8));
     const glm::dvec3 m(move);
     const double expected =
-        projected_length(glm::dvec3(0, 1, 0.5) + m, glm::dvec3(0, 1, 1) + m, 8) +
-        projected_length(glm::dvec3(0, 1, 1) + m, glm::dvec3(0, 0.25, 1) + m, 8);
+        length_px(view_from(8), glm::dvec3(0, 1, 0.5) + m, glm::dvec3(0, 1, 1) + m) +
+        length_px(view_from(8), glm::dvec3(0, 1, 1) + m, glm::dvec3(0, 0.25, 1) + m);
     EXPECT_NEAR(lengths(truth)[LineClass::intersection], expected, kPx);
     EXPECT_EQ(truth.counts.crossings, found.segments.size());
     EXPECT_GT(truth.counts.pairs_tested, found.segments.size());
@@ -70,28 +66,22 @@ TEST(Crossing, AtAnEdgeOfTheStripItIsOneAtAnyAngle) {
 }
 
 TEST(Crossing, AStripThatEndsInAWallGoesOnInIt) {
-    scene::Mesh wall, strip;
-    add_quad(wall, {-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
-    add_quad(strip, {-1, -0.5F, 0.5F}, {0, -0.5F, 0}, {0, 0.5F, 0}, {-1, 0.5F, 0.5F});
+    const scene::Mesh wall = quad({-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
+    const scene::Mesh strip =
+        quad({-1, -0.5F, 0.5F}, {0, -0.5F, 0}, {0, 0.5F, 0}, {-1, 0.5F, 0.5F});
     const Truth truth = trace(scene_of({wall, strip}), view_from(6));
     EXPECT_NEAR(lengths(truth)[LineClass::seam], 100, kPx);
     EXPECT_EQ(lengths(truth)[LineClass::intersection], 0);
 }
 
 TEST(Crossing, BoxSunkInAFloorHasAFootAllRound) {
-    scene::Mesh floor;
-    add_quad(floor, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
+    const scene::Mesh floor = quad({-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
     const scene::Scene scene = scene_of({floor, box({-1, -0.5F, -1}, {1, 2, 1})});
     EXPECT_NEAR(world_length(find_crossings(scene::weld(scene), {})), 8, 1e-9);
     const scene::View view = view_from({3, 4, 12}, {0, 1, 0});
     const Truth truth = trace(scene, view);
-    const scene::Projection projection(view);
-    const auto expected = [&](const glm::dvec3& a, const glm::dvec3& b) {
-        const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
-        return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
-    };
     EXPECT_NEAR(lengths(truth)[LineClass::intersection],
-                expected({-1, 0, 1}, {1, 0, 1}) + expected({1, 0, 1}, {1, 0, -1}),
+                length_px(view, {-1, 0, 1}, {1, 0, 1}) + length_px(view, {1, 0, 1}, {1, 0, -1}),
                 kPx);
     EXPECT_EQ(seen_length(scene, truth, {-1, -0.5, 1}, {1, -0.5, 1}), 0) << "it is below the floor";
     for (const Curve& curve : truth.curves) {
@@ -104,8 +94,7 @@ TEST(Crossing, BoxSunkInAFloorHasAFootAllRound) {
 }
 
 TEST(Crossing, BoxOnAFloorKeepsItsContourAndNothingIsDoubled) {
-    scene::Mesh floor;
-    add_quad(floor, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
+    const scene::Mesh floor = quad({-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
     const scene::Scene scene = scene_of({floor, box({-1, 0, -1}, {1, 2, 1})});
     const Truth truth = trace(scene, view_from({3, 4, 12}, {0, 1, 0}));
     EXPECT_EQ(lengths(truth).count(LineClass::intersection), 0U);
@@ -122,9 +111,8 @@ TEST(Crossing, BoxOnAFloorKeepsItsContourAndNothingIsDoubled) {
 
 /// Walls over the whole image and beyond that cross in the line x = z = 0.
 scene::Mesh wall(float slope) {
-    scene::Mesh mesh;
-    add_quad(
-        mesh, {-8, -8, -8 * slope}, {8, -8, 8 * slope}, {8, 8, 8 * slope}, {-8, 8, -8 * slope});
+    const scene::Mesh mesh =
+        quad({-8, -8, -8 * slope}, {8, -8, 8 * slope}, {8, 8, 8 * slope}, {-8, 8, -8 * slope});
     return mesh;
 }
 
@@ -167,17 +155,14 @@ TEST(Crossing, WallsOfSkewSlopesThroughOneLineShowItOnce) {
 
 TEST(Crossing, LineAlongAMeshEdgeIsDrawnOnce) {
     // The first square's diagonal lies in the second, whose own diagonal crosses it.
-    scene::Mesh level, upright;
-    add_quad(level, {-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0});
-    add_quad(upright, {-1, -1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, -1, 1});
+    const scene::Mesh level = quad({-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0});
+    const scene::Mesh upright = quad({-1, -1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, -1, 1});
     const scene::Scene scene = scene_of({level, upright});
     const scene::View view = view_from({2, -1, 6}, {0, 0, 0});
     const Truth truth = trace(scene, view);
     EXPECT_EQ(truth.counts.crossings, 0U);
     EXPECT_EQ(truth.counts.contacts, 2U) << "the diagonal in both halves of the upright square";
-    const scene::Projection projection(view);
-    const glm::dvec3 p = projection.to_clip({-1, -1, 0}), q = projection.to_clip({1, 1, 0});
-    const double expected = std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+    const double expected = length_px(view, {-1, -1, 0}, {1, 1, 0});
     EXPECT_NEAR(lengths(truth)[LineClass::intersection], expected, kPx);
     EXPECT_NEAR(seen_length(scene, truth, {-2, -2, 0}, {2, 2, 0}), expected, kPx);
     for (const Curve& curve : truth.curves) {

@@ -9,22 +9,9 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-scene::Mesh quad(float half_x, float half_y, float z, bool is_front = true) {
-    scene::Mesh mesh;
-    if (is_front) {
-        add_quad(mesh,
-                 {-half_x, -half_y, z},
-                 {half_x, -half_y, z},
-                 {half_x, half_y, z},
-                 {-half_x, half_y, z});
-    } else {
-        add_quad(mesh,
-                 {-half_x, half_y, z},
-                 {half_x, half_y, z},
-                 {half_x, -half_y, z},
-                 {-half_x, -half_y, z});
-    }
-    return mesh;
+scene::Mesh upright_quad(float x, float y, float z, bool is_front = true) {
+    if (!is_front) y = -y;
+    return quad({-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z});
 }
 
 /// Whether the inside of an outline round the middle of the image lies to the right of a piece,
@@ -38,7 +25,7 @@ bool has_middle_right(const Curve& curve) {
 
 TEST(CurveFacts, QuadBeforeTheSkyHasAnInfiniteGapAndOneFace) {
     for (const bool is_front : {true, false}) {
-        const Truth truth = trace(scene_of({quad(1, 0.5F, 0, is_front)}), view_from(4));
+        const Truth truth = trace(scene_of({upright_quad(1, 0.5F, 0, is_front)}), view_from(4));
         ASSERT_EQ(truth.curves.size(), 4U);
         for (const Curve& curve : truth.curves) {
             EXPECT_EQ(curve.line_class, LineClass::boundary);
@@ -51,7 +38,7 @@ TEST(CurveFacts, QuadBeforeTheSkyHasAnInfiniteGapAndOneFace) {
 }
 
 TEST(CurveFacts, QuadBeforeAWallHasTheGapBetweenThem) {
-    const scene::Scene scene = scene_of({quad(1, 0.5F, 0), quad(50, 50, -3)});
+    const scene::Scene scene = scene_of({upright_quad(1, 0.5F, 0), upright_quad(50, 50, -3)});
     const Truth truth = trace(scene, view_from(4));
     ASSERT_EQ(truth.curves.size(), 4U) << "the wall fills the frame";
     for (const Curve& curve : truth.curves)
@@ -62,9 +49,8 @@ TEST(CurveFacts, GapBeforeASlantedWallIsTakenAlongTheViewDirection) {
     // The wall is the plane z = -3 - x / 2, seen from (0, 0, 4). The line of sight through (x, y,
     // 0) goes on as (x, y, 0) (1 + t) - (0, 0, 4 t): it meets the wall where 4 t = 3 + x (1 + t)
     // / 2.
-    scene::Mesh wall;
-    add_quad(wall, {-4, -50, -1}, {50, -50, -28}, {50, 50, -28}, {-4, 50, -1});
-    const Truth truth = trace(scene_of({quad(0.8F, 0.5F, 0), wall}), view_from(4));
+    const scene::Mesh wall = quad({-4, -50, -1}, {50, -50, -28}, {50, 50, -28}, {-4, 50, -1});
+    const Truth truth = trace(scene_of({upright_quad(0.8F, 0.5F, 0), wall}), view_from(4));
     int upright = 0;
     for (const Curve& curve : truth.curves) {
         if (std::abs(curve.begin.w - 4) > 1e-6) continue;  // the wall's own rim
@@ -80,7 +66,7 @@ TEST(CurveFacts, GapBeforeASlantedWallIsTakenAlongTheViewDirection) {
 TEST(CurveFacts, BoxBeforeAWallHasItsGapFromTheFrontFace) {
     // Seen face-on, the front face's rim at z = 1 is the contour; the wall stands at -3. The own
     // side faces do not count as what lies behind.
-    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), quad(50, 50, -3)});
+    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), upright_quad(50, 50, -3)});
     const Truth truth = trace(scene, view_from(6));
     ASSERT_EQ(truth.curves.size(), 4U);
     const scene::Topology topology = scene::weld(scene);
@@ -98,8 +84,7 @@ TEST(CurveFacts, BoxBeforeAWallHasItsGapFromTheFrontFace) {
 }
 
 TEST(CurveFacts, BoxOnAFloorTouchesItWithoutAGap) {
-    scene::Mesh floor;
-    add_quad(floor, {-50, -1, 50}, {50, -1, 50}, {50, -1, -50}, {-50, -1, -50});
+    const scene::Mesh floor = quad({-50, -1, 50}, {50, -1, 50}, {50, -1, -50}, {-50, -1, -50});
     const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), floor});
     const Truth truth = trace(scene, view_from({0, 1, 8}, {0, 0, 0}));
     int standing = 0;
@@ -119,8 +104,7 @@ TEST(CurveFacts, TurnedCubeHasTheAnglesOfItsFaces) {
     // Turned by half a radian about the vertical: the front face's normal is (-sin, 0, cos) of it,
     // the right face's (cos, 0, sin).
     const double turn = -0.5;
-    scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
-    scene.instances[0].world_from_object = glm::rotate(glm::dmat4(1), turn, glm::dvec3(0, 1, 0));
+    const scene::Scene scene = turned_cube(glm::rotate(glm::dmat4(1), turn, glm::dvec3(0, 1, 0)));
     const Truth truth = trace(scene, view_from(6));
     const auto turned = [&](double x, double z) {
         return glm::dvec3(
@@ -158,9 +142,8 @@ TEST(CurveFacts, TurnedCubeHasTheAnglesOfItsFaces) {
 
 TEST(CurveFacts, FacesOfACreaseAreLeftAndRightOfIt) {
     for (const double turn : {-0.5, 0.5}) {
-        scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
-        scene.instances[0].world_from_object =
-            glm::rotate(glm::dmat4(1), turn, glm::dvec3(0, 1, 0));
+        const scene::Scene scene =
+            turned_cube(glm::rotate(glm::dmat4(1), turn, glm::dvec3(0, 1, 0)));
         const Truth truth = trace(scene, view_from(6));
         const scene::Topology topology = scene::weld(scene);
         int creases = 0;
@@ -205,7 +188,7 @@ TEST(CurveFacts, SeamWithoutSharedVerticesHasTheFaceThatGoesOn) {
 TEST(CurveFacts, TwoViewsOfOneSceneHaveTheirOwnGaps) {
     // The same box before the same wall from two distances: the gap is the scene's, the angle the
     // view's.
-    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), quad(90, 90, -3)});
+    const scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1}), upright_quad(90, 90, -3)});
     for (const double distance : {5.0, 9.0}) {
         const Truth truth = trace(scene, view_from(distance));
         ASSERT_EQ(truth.curves.size(), 4U);

@@ -1,5 +1,4 @@
 
-#include "edge/thin.h"
 #include "score/score.h"
 #include "tests/truth/shapes.h"
 
@@ -8,8 +7,7 @@ namespace {
 
 /// Objects that hide, touch, pierce and abut each other: whatever holds here holds widely.
 scene::Scene crowd() {
-    scene::Mesh floor;
-    add_quad(floor, {-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4});
+    const scene::Mesh floor = quad({-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4});
     scene::Mesh pyramid;
     const glm::vec3 top{0.2F, 1.7F, 0.1F};
     const std::array<glm::vec3, 4> foot = {glm::vec3(-0.9F, 0.1F, 0.8F),
@@ -51,15 +49,7 @@ TEST(Law, ThreadsChangeNothing) {
     const scene::Scene scene = crowd();
     const Truth one = trace(scene, crowd_view(), 1);
     const Truth two = trace(scene, crowd_view(), 2);
-    EXPECT_TRUE(same_curves(one, two));
-    EXPECT_EQ(one.labels, two.labels);
-    EXPECT_EQ(one.sampled, two.sampled);
-    EXPECT_EQ(one.exact_corner, two.exact_corner);
-    EXPECT_EQ(one.layers.triangle, two.layers.triangle);
-    EXPECT_EQ(one.layers.patch, two.layers.patch);
-    EXPECT_EQ(one.layers.n_dot_v, two.layers.n_dot_v);
-    EXPECT_EQ(one.layers.w, two.layers.w);
-    EXPECT_EQ(one.counts.rays, two.counts.rays);
+    expect_same_truth(one, two);
 }
 
 TEST(Law, DuplicatedFacesAreCountedAndChangeNothing) {
@@ -171,41 +161,10 @@ TEST(Sampled, AgreesWithTheLabels) {
     EXPECT_GT(sampled_f(trace(crowd(), crowd_view())), 0.97);
 }
 
-TEST(Sampled, IsDrawnWhereTheLineCrosses) {
-    // 150 px a unit: upright sides at 320 +- 75.3 px, in the pixels 244 and 395, which show the
-    // sky; level ones at 240 +- 74.7 px, in the pixels 165 and 314, which show the quad.
-    const auto x = static_cast<float>(75.3 / 150), y = static_cast<float>(74.7 / 150);
-    scene::Mesh mesh;
-    add_quad(mesh, {-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0});
-    const Truth truth = trace(scene_of({mesh}), view_from(4));
-    for (int row = 0; row < kHeight_px; ++row) {
-        for (int column = 0; column < kWidth_px; ++column) {
-            const bool is_upright = (column == 244 || column == 395) && row >= 165 && row <= 314;
-            const bool is_level = (row == 165 || row == 314) && column >= 245 && column <= 394;
-            EXPECT_EQ(truth.sampled.at(column, row), is_upright || is_level ? 255 : 0)
-                << column << " " << row;
-        }
-    }
-}
-
-TEST(Sampled, PiercingPlanesShowTheirCrossing) {
-    // Two walls that cross at x = 320.3 px, with no edge there: only the depths of both walks tell.
-    scene::Mesh a, b;
-    const auto x = static_cast<float>(0.3 / 100);
-    add_quad(a, {-9 + x, -9, -1}, {9 + x, -9, 1}, {9 + x, 9, 1}, {-9 + x, 9, -1});
-    add_quad(b, {-9 + x, -9, 1}, {9 + x, -9, -1}, {9 + x, 9, -1}, {-9 + x, 9, 1});
-    const Truth truth = trace(scene_of({a, b}), view_from(6));
-    for (int row = 0; row < kHeight_px; ++row) {
-        for (int column = 0; column < kWidth_px; ++column)
-            ASSERT_EQ(truth.sampled.at(column, row), column == 320 ? 255 : 0) << column << row;
-    }
-}
-
 TEST(Sampled, HiddenFeaturesAreNotDrawn) {
     // A box half sunk into a floor: the rim of the floor is seen and the line round the box, the
     // box's bottom is not.
-    scene::Mesh floor;
-    add_quad(floor, {-90, 0, 90}, {90, 0, 90}, {90, 0, -90}, {-90, 0, -90});
+    const scene::Mesh floor = quad({-90, 0, 90}, {90, 0, 90}, {90, 0, -90}, {-90, 0, -90});
     const scene::Scene scene = scene_of({floor, box({-1, -0.5F, -1}, {1, 1, 1})});
     const scene::View view = view_from({2, 6, 8}, {0, 0, 0});
     const Truth truth = trace(scene, view);
@@ -234,12 +193,10 @@ TEST(Sampled, BarsThatNoSampleHitsAreMarkedWhereIdsDiffer) {
     add_quad(mesh, {0.5F, -1, 0}, {2, -1, 0}, {2, y, 0}, {0.5F, y, 0});
     add_quad(mesh, {-2, y, 0}, {0, y, 0}, {0, 1, 0}, {-2, 1, 0});
     add_quad(mesh, {0, y, 0}, {2, y, 0}, {2, 1, 0}, {0, 1, 0});
-    scene::Mesh bar;
-    add_quad(bar,
-             {-1.9F, y - half, 1e-3F},
-             {1.9F, y - half, 1e-3F},
-             {1.9F, y + half, 1e-3F},
-             {-1.9F, y + half, 1e-3F});
+    const scene::Mesh bar = quad({-1.9F, y - half, 1e-3F},
+                                 {1.9F, y - half, 1e-3F},
+                                 {1.9F, y + half, 1e-3F},
+                                 {-1.9F, y + half, 1e-3F});
     const Truth truth = trace(scene_of({mesh, bar}), view_from(6));
     // y = 0.2 px above the middle between rows 239 and 240.
     int drawn = 0;

@@ -7,8 +7,6 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numbers>
-#include <utility>
 #include <vector>
 
 #include "scene/scene.h"
@@ -67,6 +65,12 @@ inline void add_quad(scene::Mesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, g
     add_triangle(mesh, a, c, d);
 }
 
+inline scene::Mesh quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+    scene::Mesh mesh;
+    add_quad(mesh, a, b, c, d);
+    return mesh;
+}
+
 /// An axis-aligned box of twelve triangles, fronts outside.
 inline void add_box(scene::Mesh& mesh, glm::vec3 low, glm::vec3 high) {
     const auto p = [&](int x, int y, int z) {
@@ -94,6 +98,13 @@ inline scene::Mesh box(glm::vec3 low, glm::vec3 high) {
     scene::Mesh mesh;
     add_box(mesh, low, high);
     return mesh;
+}
+
+/// A cube of side 2 about the origin, turned by an instance transform.
+inline scene::Scene turned_cube(const glm::dmat4& turn) {
+    scene::Scene scene = scene_of({box({-1, -1, -1}, {1, 1, 1})});
+    scene.instances[0].world_from_object = turn;
+    return scene;
 }
 
 inline Truth trace(const scene::Scene& scene, const scene::View& view, int threads = 1) {
@@ -139,11 +150,20 @@ inline double seen_length(const scene::Scene& scene,
     return sum;
 }
 
+/// The length on the image of the straight line between two world points.
+inline double length_px(const scene::View& view, const glm::dvec3& a, const glm::dvec3& b) {
+    const scene::Projection projection(view);
+    const glm::dvec3 p = projection.to_clip(a), q = projection.to_clip(b);
+    return std::hypot(p.x / p.z - q.x / q.z, p.y / p.z - q.y / q.z);
+}
+
+template <class T>
+std::size_t drawn_px(const core::Image<T>& image) {
+    return image.size() -
+           static_cast<std::size_t>(std::count(image.data(), image.data() + image.size(), T{0}));
+}
 inline std::size_t drawn_px(const Truth& truth) {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < truth.labels.size(); ++i)
-        n += truth.labels.data()[i] != 0;
-    return n;
+    return drawn_px(truth.labels);
 }
 
 inline bool same_curve(const Curve& a, const Curve& b) {
@@ -156,6 +176,21 @@ inline bool same_curve(const Curve& a, const Curve& b) {
 inline bool same_curves(const Truth& a, const Truth& b) {
     return std::equal(
         a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), same_curve);
+}
+
+/// Everything that a method's image is compared with.
+inline void expect_same_truth(const Truth& a, const Truth& b) {
+    EXPECT_TRUE(same_curves(a, b));
+    EXPECT_EQ(a.labels, b.labels);
+    EXPECT_EQ(a.below_crease, b.below_crease);
+    EXPECT_EQ(a.sampled, b.sampled);
+    EXPECT_EQ(a.exact_corner, b.exact_corner);
+    EXPECT_EQ(a.layers.triangle, b.layers.triangle);
+    EXPECT_EQ(a.layers.patch, b.layers.patch);
+    EXPECT_EQ(a.layers.n_dot_v, b.layers.n_dot_v);
+    EXPECT_EQ(a.layers.w, b.layers.w);
+    EXPECT_EQ(a.counts.rays, b.counts.rays);
+    EXPECT_EQ(a.counts.crowded_share, b.counts.crowded_share);
 }
 
 /// Deterministic noise in [0, 1) (the usual 64-bit linear congruence, Knuth's constants).

@@ -47,12 +47,6 @@ void expect_the_same_in_every_pose(const scene::Scene& scene, const scene::View&
     }
 }
 
-scene::Mesh quad(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
-    scene::Mesh mesh;
-    add_quad(mesh, a, b, c, d);
-    return mesh;
-}
-
 const scene::Mesh kPlate = quad({-2, -1, 0}, {2, -1, 0}, {2, 1, 0}, {-2, 1, 0});
 
 TEST(TouchingParts, ASheetBehindAPlateIsNotSeenThroughIt) {

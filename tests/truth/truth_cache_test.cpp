@@ -55,25 +55,11 @@ class Cache : public testing::Test {
     fs::path folder_;
 };
 
-void expect_equal(const Truth& a, const Truth& b) {
-    EXPECT_EQ(a.labels, b.labels);
-    EXPECT_EQ(a.below_crease, b.below_crease);
-    EXPECT_TRUE(same_curves(a, b));
-    EXPECT_EQ(a.sampled, b.sampled);
-    EXPECT_EQ(a.exact_corner, b.exact_corner);
-    EXPECT_EQ(a.layers.triangle, b.layers.triangle);
-    EXPECT_EQ(a.layers.patch, b.layers.patch);
-    EXPECT_EQ(a.layers.n_dot_v, b.layers.n_dot_v);
-    EXPECT_EQ(a.layers.w, b.layers.w);
-    EXPECT_EQ(a.counts.rays, b.counts.rays);
-    EXPECT_EQ(a.counts.crowded_share, b.counts.crowded_share);
-}
-
 TEST_F(Cache, ComesBackAsItWasTraced) {
     const Truth first = cached();
     EXPECT_TRUE(fs::exists(file()));
     const Truth again = cached();
-    expect_equal(first, again);
+    expect_same_truth(first, again);
     EXPECT_EQ(first.trace_s, again.trace_s) << "it is read, not traced again";
 }
 
