@@ -9,6 +9,7 @@
 #include "raster/pass/screen_vertex.h"
 #include "scene/camera.h"
 #include "tests/raster/gather_sink.h"
+#include "tests/scene/small_meshes.h"
 
 namespace ink::raster {
 namespace {
@@ -71,22 +72,11 @@ TEST(Clip, NeighboursCutTheirEdgeAtTheSameBits) {
 TestMesh box_seen_from(const scene::Camera& camera, const glm::dvec3& half, int size_px) {
     const scene::Projection projection({camera, size_px, size_px});
     TestMesh mesh;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 sign((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1);
-        mesh.p_clip.push_back(projection.to_clip(sign * half));
-    }
-    mesh.triangles = {{0, 1, 3},
-                      {0, 3, 2},
-                      {4, 6, 7},
-                      {4, 7, 5},
-                      {0, 4, 5},
-                      {0, 5, 1},
-                      {2, 3, 7},
-                      {2, 7, 6},
-                      {0, 2, 6},
-                      {0, 6, 4},
-                      {1, 5, 7},
-                      {1, 7, 3}};
+    const scene::Mesh cube = scene::unit_cube();
+    for (const glm::vec3& p : cube.positions)
+        mesh.p_clip.push_back(projection.to_clip(glm::dvec3(p) * half));
+    for (const auto& [a, b, c] : cube.triangles)
+        mesh.triangles.push_back({a, c, b});  // fronts inside
     return mesh;
 }
 

@@ -141,18 +141,6 @@ class Holed {
     std::vector<std::uint32_t> ids_;
 };
 
-/// Without the faces whose middle lies within `radius` of one of the points.
-scene::Mesh without(scene::Mesh mesh, const std::vector<glm::dvec3>& points, double radius) {
-    std::erase_if(mesh.triangles, [&](const scene::Triangle& t) {
-        const glm::dvec3 middle =
-            glm::dvec3(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
-        return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
-            return glm::distance(p, middle) < radius;
-        });
-    });
-    return mesh;
-}
-
 /// A ball, flattened above and in front, with a hole in either flat; a ring with one in its tube,
 /// whose rim is bent, and one that is jagged.
 scene::Scene ball() {
@@ -161,11 +149,11 @@ scene::Scene ball() {
         p.y = std::min(p.y, 0.9F);
         p.z = std::min(p.z, 0.9F);
     }
-    return scene_of(without(mesh, {{0, 0.9, 0}, {0, 0, 0.9}}, 0.3));
+    return scene_of(scene::without(mesh, {{0, 0.9, 0}, {0, 0, 0.9}}, 0.3));
 }
 scene::Scene ring() {
-    return scene_of(
-        without(catalogue::make_torus({1.5, 0.5}, {96, 32}), {{1.5, 0.5, 0}, {0, 0, 1}}, 0.4));
+    return scene_of(scene::without(
+        catalogue::make_torus({1.5, 0.5}, {96, 32}), {{1.5, 0.5, 0}, {0, 0, 1}}, 0.4));
 }
 
 std::vector<glm::dvec3> random_ways(int count) {
@@ -273,7 +261,7 @@ TEST(Windows, OfAScanFromAllRound) {
         p *= 1 + 0.06F * std::sin(7 * p.x + 2 * p.z) * std::cos(5 * p.y);
     const std::vector<glm::dvec3> holes = {
         {0.1, -1, 0.2}, {-0.4, -0.9, 0}, {0.5, -0.8, -0.4}, {-0.9, 0.3, 0.3}, {0.2, 0.4, 0.9}};
-    const Holed scan(scene_of(without(std::move(mesh), holes, 0.12)));
+    const Holed scan(scene_of(scene::without(std::move(mesh), holes, 0.12)));
     ASSERT_EQ(scan.clusters().solids.size(), 1U);
     EXPECT_EQ(scan.clusters().solids[0].hole_count, 5U);
     ASSERT_TRUE(scan.clusters().solids[0].is_watertight_covered);

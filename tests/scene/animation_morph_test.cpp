@@ -51,14 +51,8 @@ TEST(AnimationCourse, CubicOnesLeaveAndReachKeysAlongTheirTangents) {
 
 /// A triangle that two targets lift and widen: the first at rest by half, the second by keys.
 Scene shaped_triangle() {
-    Scene scene;
-    scene.name = "shaped";
-    Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
-    mesh.triangles = {{0, 1, 2}};
-    scene.meshes = {mesh};
-    scene.instances = {{0, glm::dmat4(1), ""}};
+    Scene scene = small_triangles(1);
+    const Mesh& mesh = scene.meshes[0];
     Animation animation;
     animation.duration_s = 2;
     animation.node_of_instance = {kNoNode};

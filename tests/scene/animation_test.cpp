@@ -113,14 +113,7 @@ TEST(Animation, ASceneWithoutOneStaysAsItIs) {
 
 /// A triangle of three frames at 2 a second, and one beside it of two.
 Scene framed_triangles() {
-    Scene scene;
-    scene.name = "framed";
-    Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
-    mesh.triangles = {{0, 1, 2}};
-    scene.meshes = {mesh, mesh};
-    scene.instances = {{0, glm::dmat4(1), ""}, {1, glm::dmat4(1), ""}};
+    Scene scene = small_triangles(2);
     Animation animation;
     animation.duration_s = 1;
     animation.frames_per_s = 2;
@@ -131,7 +124,7 @@ Scene framed_triangles() {
             if (m == 1 && f == 2) continue;
             VertexFrames& frames = animation.vertex_frames[m];
             ++frames.frame_count;
-            for (const glm::vec3& p : mesh.positions) {
+            for (const glm::vec3& p : scene.meshes[m].positions) {
                 frames.positions.push_back(p + glm::vec3(0, 0, 8 * f));
                 frames.normals.push_back(f == 1 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1));
             }
@@ -184,14 +177,10 @@ TEST(AnimationFrames, TheLastStaysHoweverLongItTakes) {
 /// Two bones at x = 0 and x = 2, the second turning by 90 degrees about z; a vertex on each and one
 /// between, bound as they stand.
 Scene bent_strip() {
-    Scene scene;
-    scene.name = "bent";
-    Mesh mesh;
+    Scene scene = small_triangles(1);
+    Mesh& mesh = scene.meshes[0];
     mesh.positions = {{0, 0, 0}, {4, 0, 0}, {3, 0, 0}};
     mesh.normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
-    mesh.triangles = {{0, 1, 2}};
-    scene.meshes = {mesh};
-    scene.instances = {{0, glm::dmat4(1), ""}};
     Animation animation;
     animation.duration_s = 1;
     AnimatedNode shoulder;

@@ -17,15 +17,7 @@ namespace {
 
 /// A ball without its faces whose middle lies within `radius` of one of the points.
 Mesh ball_without(const std::vector<glm::dvec3>& points, double radius, int levels = 4) {
-    Mesh mesh = catalogue::make_icosphere(1, levels);
-    std::erase_if(mesh.triangles, [&](const Triangle& t) {
-        const glm::dvec3 middle =
-            glm::dvec3(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
-        return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
-            return glm::distance(p, middle) < radius;
-        });
-    });
-    return mesh;
+    return without(catalogue::make_icosphere(1, levels), points, radius);
 }
 
 /// Moves what lies within 0.3 of a ball's point opposite to its hole at (0, 1, 0) towards the hole,

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -14,18 +17,10 @@ inline Mesh unit_cube() {
     for (int i = 0; i < 8; ++i) {
         mesh.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
     }
-    mesh.triangles = {{0, 2, 3},
-                      {0, 3, 1},
-                      {4, 5, 7},
-                      {4, 7, 6},
-                      {0, 1, 5},
-                      {0, 5, 4},
-                      {2, 6, 7},
-                      {2, 7, 3},
-                      {0, 4, 6},
-                      {0, 6, 2},
-                      {1, 3, 7},
-                      {1, 7, 5}};
+    const std::uint32_t quads[][4] = {
+        {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (const auto& [a, b, c, d] : quads)
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
     return mesh;
 }
 
@@ -46,6 +41,27 @@ inline Scene scene_of(std::vector<Mesh> meshes) {
         scene.instances.push_back({i, glm::dmat4(1), "object"});
     scene.meshes = std::move(meshes);
     return scene;
+}
+
+/// So many times the triangle (0,0,0) (1,0,0) (0,1,0), with normals along z.
+inline Scene small_triangles(std::size_t count) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    return scene_of(std::vector<Mesh>(count, mesh));
+}
+
+/// Without the faces whose middle lies within `radius` of one of the points.
+inline Mesh without(Mesh mesh, const std::vector<glm::dvec3>& points, double radius) {
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+        const glm::dvec3 middle =
+            glm::dvec3(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
+        return std::any_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
+            return glm::distance(p, middle) < radius;
+        });
+    });
+    return mesh;
 }
 
 /// Every triangle with three vertices of its own, as STL and OBJ arrive.
