@@ -9,22 +9,10 @@
 #include "draw/palette.h"
 #include "score/score.h"
 #include "tests/report/made_up_rows.h"
+#include "tests/score/images.h"
 
 namespace ink::draw {
 namespace {
-
-/// An image from rows of digits; '.' is 0.
-core::Image<std::uint8_t> digits(const std::vector<std::string>& rows, int factor = 1) {
-    core::Image<std::uint8_t> image(static_cast<int>(rows[0].size()),
-                                    static_cast<int>(rows.size()));
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x) {
-            const char c = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-            image.at(x, y) = static_cast<std::uint8_t>(c == '.' ? 0 : (c - '0') * factor);
-        }
-    }
-    return image;
-}
 
 /// A mark as a letter: '.' paper, '-' ignored, 'h' hit, 'f' false, 'm' missing.
 char letter(Mark mark) {
@@ -45,16 +33,16 @@ std::vector<std::string> letters(const Marks& marks) {
 using Letters = std::vector<std::string>;
 
 TEST(MarkErrors, SaysOfEveryPixelWhatItIs) {
-    const auto labels = digits({".....", "11111", ".....", "....7", "33..."});
-    const auto drawn = digits({".....", "222..", ".....", "..2..", "....2"}, 100);
+    const auto labels = image_of({".....", "11111", ".....", "....7", "33..."});
+    const auto drawn = image_of({".....", "222..", ".....", "..2..", "....2"}, 100);
     EXPECT_EQ(
         letters(mark_errors(labels, drawn, {.threshold = 200, .tolerance_px = 1, .band_px = 0})),
         (Letters{".....", "hhh.m", ".....", "..f.-", "mm..-"}));
 }
 
 TEST(MarkErrors, WhatIsWeakerThanTheThresholdIsNotDrawn) {
-    const auto labels = digits({"...", "111", "..."});
-    const auto drawn = digits({"...", "111", "..."}, 100);
+    const auto labels = image_of({"...", "111", "..."});
+    const auto drawn = image_of({"...", "111", "..."}, 100);
     const MarkOptions at_100{.threshold = 100, .tolerance_px = 1, .band_px = 0};
     const MarkOptions at_101{.threshold = 101, .tolerance_px = 1, .band_px = 0};
     EXPECT_EQ(letters(mark_errors(labels, drawn, at_100)), (Letters{"...", "hhh", "..."}));
@@ -77,9 +65,9 @@ TEST(MarkErrors, AWideLineIsWhatItsMiddleIs) {
 
 TEST(MarkErrors, TheBandAtTheFrameIsNeitherWrongNorMissing) {
     const auto labels =
-        digits({"1......", "1......", "1......", "1......", "1......", "1......", "1......"});
-    const auto drawn =
-        digits({"......2", "......2", "......2", "......2", "......2", "......2", "......2"}, 100);
+        image_of({"1......", "1......", "1......", "1......", "1......", "1......", "1......"});
+    const auto drawn = image_of(
+        {"......2", "......2", "......2", "......2", "......2", "......2", "......2"}, 100);
     for (const std::string& row :
          letters(mark_errors(labels, drawn, {.tolerance_px = 1, .band_px = 1}))) {
         EXPECT_EQ(row, "......-");
@@ -107,8 +95,8 @@ TEST(MarkErrors, MissingAndFalsePixelsAreTheScoresOwn) {
 }
 
 TEST(MarkErrors, WrongPixelsHaveTheCausesTheyAreGiven) {
-    const auto labels = digits({".....", "11...", ".....", ".....", "....."});
-    const auto drawn = digits({".....", ".....", ".....", ".....", "..222"}, 100);
+    const auto labels = image_of({".....", "11...", ".....", ".....", "....."});
+    const auto drawn = image_of({".....", ".....", ".....", ".....", "..222"}, 100);
     const std::vector<score::WrongPixel> wrong = {{{2, 4}, score::Cause::one_patch},
                                                   {{4, 4}, score::Cause::frame},
                                                   {{0, 1}, score::Cause::sub_pixel}};
@@ -143,7 +131,7 @@ TEST(ErrorImage, HasAColourPerMark) {
 }
 
 TEST(TruthImage, HasAColourPerClass) {
-    const RgbImage image = truth_image(digits({"0123457"}));
+    const RgbImage image = truth_image(image_of({"0123457"}));
     for (int a = 0; a < 7; ++a) {
         for (int b = 0; b < a; ++b)
             EXPECT_NE(image.at(a, 0), image.at(b, 0)) << a << " and " << b;
@@ -155,8 +143,8 @@ TEST(Shrink, KeepsWhatMattersMost) {
     marks.at(1, 1) = mark_of(score::Cause::cancelled);
     marks.at(2, 0) = Mark::paper;
     EXPECT_EQ(letters(shrink(marks, 2)), (Letters{"mh"}));
-    EXPECT_EQ(shrink(digits({"7300", "0500"}), 2), digits({"30"}));
-    EXPECT_EQ(shrink(digits({"7300"}), 1), digits({"7300"}));
+    EXPECT_EQ(shrink(image_of({"7300", "0500"}), 2), image_of({"30"}));
+    EXPECT_EQ(shrink(image_of({"7300"}), 1), image_of({"7300"}));
 }
 
 }  // namespace

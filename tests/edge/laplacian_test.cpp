@@ -8,27 +8,11 @@
 #include <vector>
 
 #include "edge/edge_image.h"
-#include "random_image.h"
+#include "tests/edge/plain_filters.h"
+#include "tests/edge/random_image.h"
 
 namespace ink::edge {
 namespace {
-
-/// The definition of the header once more, without a thought of speed.
-int plain_response(long laplacian, const LaplacianResponse& r) {
-    const long modulus = 1L << r.code_bits;
-    const long wrapped = ((laplacian % modulus) + modulus) % modulus;
-    if (r.response == Response::wrap) {
-        long v = wrapped - wrapped % (1L << r.clip_bits);
-        v = r.scale_bits >= 0 ? v << r.scale_bits : v >> -r.scale_bits;
-        return static_cast<int>(v % 256);
-    }
-    long v = laplacian;
-    if (r.code_wraps) v = wrapped >= modulus / 2 ? wrapped - modulus : wrapped;
-    v = r.response == Response::absolute ? std::labs(v) : std::max(v, 0L);
-    v -= v % (1L << r.clip_bits);
-    v = r.scale_bits >= 0 ? v << r.scale_bits : v >> -r.scale_bits;
-    return static_cast<int>(std::min(v, 255L));
-}
 
 /// Every combination worth telling apart for codes of `bits` bits.
 std::vector<LaplacianResponse> responses(int bits) {
@@ -58,11 +42,11 @@ TYPED_TEST(LaplacianOf, IsTheDefinitionOnRandomImages) {
         std::vector<std::uint8_t> out(kWidth);
         laplacian({image.row(1) + 1, kWidth, 1, kWidth + 2}, {out.data(), kWidth, 1, kWidth}, r);
         for (int x = 0; x < kWidth; ++x) {
-            const long laplacian = 4L * image.at(x + 1, 1) - image.at(x + 1, 0) -
-                                   image.at(x + 1, 2) - image.at(x, 1) - image.at(x + 2, 1);
-            ASSERT_EQ(out[x], plain_response(laplacian, r))
+            const TypeParam* at = image.row(1) + 1 + x;
+            const int laplacian = plain::laplacian_at(at, kWidth + 2);
+            ASSERT_EQ(out[x], plain::response_at(at, kWidth + 2, r))
                 << "L " << laplacian << " clip " << r.clip_bits << " scale " << r.scale_bits;
-            ASSERT_EQ(respond(static_cast<int>(laplacian), r), out[x]);
+            ASSERT_EQ(respond(laplacian, r), out[x]);
         }
     }
 }

@@ -7,11 +7,11 @@
 #include "score/drawing.h"
 #include "score/pixel_list.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/score/images.h"
 
 namespace ink::fuzz {
 namespace {
 
-using Image = core::Image<std::uint8_t>;
 using score::CurveCount;
 using score::Score;
 using score::ScoreOptions;
@@ -81,15 +81,6 @@ void check_counts(const Score& s) {
     expect(s.classes.empty() || (n_truth == s.n_truth && k >= s.k), "classes add up");
 }
 
-Image turned(const Image& image) {
-    Image result(image.height_px(), image.width_px());
-    for (int y = 0; y < image.height_px(); ++y) {
-        for (int x = 0; x < image.width_px(); ++x)
-            result.at(y, x) = image.at(x, y);
-    }
-    return result;
-}
-
 /// 255 where a label is, 0 elsewhere.
 Image as_drawn(const Image& labels) {
     Image drawn = labels;
@@ -106,7 +97,7 @@ void check_symmetry(const Pair& pair, ScoreOptions options) {
         return score::score(drawn, score::prepare_truth(labels, options, false), options);
     };
     const Score there = scored(pair.drawn, pair.labels);
-    expect(is_same(there, scored(turned(pair.drawn), turned(pair.labels))),
+    expect(is_same(there, scored(transposed(pair.drawn), transposed(pair.labels))),
            "transposed images have the same score");
     Image above = pair.drawn;
     for (std::size_t i = 0; i < above.size(); ++i)

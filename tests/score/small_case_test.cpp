@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <ostream>
 
 #include "score/score.h"
@@ -57,18 +58,15 @@ Image drawn() {
                     28);
 }
 
-/// What the curve is from this threshold on, up to the next entry.
-struct Step {
-    std::size_t from;
-    std::int64_t k;
-    std::int64_t n_pred;
-};
+/// The thresholds at which the curve changes.
+constexpr std::array<std::size_t, 10> kSteps = {1, 11, 22, 33, 44, 55, 66, 77, 88, 99};
 
 struct Expected {
     const char* name;
     ScoreOptions options;  ///< threshold 128
     std::int64_t n_truth;
-    std::vector<Step> curve;
+    std::array<std::int64_t, 10> k;       ///< of the curve from each step on
+    std::array<std::int64_t, 10> n_pred;  ///< the same
     double ap;
     std::int64_t drawn_in_reach;
     std::int64_t truth_in_reach;
@@ -87,9 +85,9 @@ TEST_P(SmallCase, Agrees) {
     const auto curve = ink::score::score_curve(drawn(), truth, e.options);
     std::size_t step = 0;
     for (std::size_t i = 0; i < curve.size(); ++i) {
-        if (step + 1 < e.curve.size() && e.curve[step + 1].from == i + 1) ++step;
-        EXPECT_EQ(curve[i].k, e.curve[step].k) << "threshold " << i + 1;
-        EXPECT_EQ(curve[i].n_pred, e.curve[step].n_pred) << "threshold " << i + 1;
+        if (step + 1 < kSteps.size() && kSteps[step + 1] == i + 1) ++step;
+        EXPECT_EQ(curve[i].k, e.k[step]) << "threshold " << i + 1;
+        EXPECT_EQ(curve[i].n_pred, e.n_pred[step]) << "threshold " << i + 1;
         EXPECT_EQ(curve[i].n_truth, e.n_truth) << "threshold " << i + 1;
     }
     EXPECT_NEAR(ink::score::average_precision(curve), e.ap, 1e-9);
@@ -105,93 +103,54 @@ TEST_P(SmallCase, Agrees) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Score,
-                         SmallCase,
-                         testing::Values(Expected{"OnePixel",
-                                                  {.tolerance_px = 1},
-                                                  90,
-                                                  {{1, 81, 108},
-                                                   {11, 81, 103},
-                                                   {22, 79, 98},
-                                                   {33, 61, 78},
-                                                   {44, 58, 75},
-                                                   {55, 41, 57},
-                                                   {66, 39, 52},
-                                                   {77, 33, 42},
-                                                   {88, 32, 37},
-                                                   {99, 0, 0}},
-                                                  0.7459582923521897,
-                                                  59,
-                                                  65,
-                                                  {{33, 36}, {9, 30}, {17, 17}, {5, 7}}},
-                                         Expected{"TwoPixels",
-                                                  {.tolerance_px = 2},
-                                                  90,
-                                                  {{1, 86, 108},
-                                                   {11, 86, 103},
-                                                   {22, 85, 98},
-                                                   {33, 67, 78},
-                                                   {44, 65, 75},
-                                                   {55, 47, 57},
-                                                   {66, 44, 52},
-                                                   {77, 36, 42},
-                                                   {88, 34, 37},
-                                                   {99, 0, 0}},
-                                                  0.847920984190055,
-                                                  65,
-                                                  78,
-                                                  {{36, 36}, {13, 30}, {17, 17}, {7, 7}}},
-                                         Expected{"Unthinned",
-                                                  {.tolerance_px = 2, .thin = false},
-                                                  90,
-                                                  {{1, 90, 153},
-                                                   {11, 90, 148},
-                                                   {22, 90, 142},
-                                                   {33, 69, 115},
-                                                   {44, 67, 112},
-                                                   {55, 55, 92},
-                                                   {66, 52, 86},
-                                                   {77, 44, 76},
-                                                   {88, 43, 71},
-                                                   {99, 0, 0}},
-                                                  0.6338028169014085,
-                                                  102,
-                                                  78,
-                                                  {{36, 36}, {14, 30}, {17, 17}, {7, 7}}},
-                                         Expected{"Ignore",
-                                                  {.tolerance_px = 2, .ignore_label = 7},
-                                                  83,
-                                                  {{1, 79, 101},
-                                                   {11, 79, 97},
-                                                   {22, 78, 92},
-                                                   {33, 60, 72},
-                                                   {44, 59, 70},
-                                                   {55, 42, 52},
-                                                   {66, 39, 47},
-                                                   {77, 36, 42},
-                                                   {88, 34, 37},
-                                                   {99, 0, 0}},
-                                                  0.8359115373420916,
-                                                  60,
-                                                  71,
-                                                  {{36, 36}, {13, 30}, {17, 17}}},
-                                         Expected{"OneAndAHalfPixelsIgnore",
-                                                  {.tolerance_px = 1.5, .ignore_label = 7},
-                                                  83,
-                                                  {{1, 77, 100},
-                                                   {11, 77, 96},
-                                                   {22, 76, 91},
-                                                   {33, 58, 71},
-                                                   {44, 57, 69},
-                                                   {55, 39, 51},
-                                                   {66, 37, 46},
-                                                   {77, 35, 42},
-                                                   {88, 33, 37},
-                                                   {99, 0, 0}},
-                                                  0.7969470322632974,
-                                                  57,
-                                                  70,
-                                                  {{35, 36}, {10, 30}, {17, 17}}}),
-                         [](const auto& value) { return std::string(value.param.name); });
+const Expected kCases[] = {{"OnePixel",
+                            {.tolerance_px = 1},
+                            90,
+                            {81, 81, 79, 61, 58, 41, 39, 33, 32, 0},
+                            {108, 103, 98, 78, 75, 57, 52, 42, 37, 0},
+                            0.7459582923521897,
+                            59,
+                            65,
+                            {{33, 36}, {9, 30}, {17, 17}, {5, 7}}},
+                           {"TwoPixels",
+                            {.tolerance_px = 2},
+                            90,
+                            {86, 86, 85, 67, 65, 47, 44, 36, 34, 0},
+                            {108, 103, 98, 78, 75, 57, 52, 42, 37, 0},
+                            0.847920984190055,
+                            65,
+                            78,
+                            {{36, 36}, {13, 30}, {17, 17}, {7, 7}}},
+                           {"Unthinned",
+                            {.tolerance_px = 2, .thin = false},
+                            90,
+                            {90, 90, 90, 69, 67, 55, 52, 44, 43, 0},
+                            {153, 148, 142, 115, 112, 92, 86, 76, 71, 0},
+                            0.6338028169014085,
+                            102,
+                            78,
+                            {{36, 36}, {14, 30}, {17, 17}, {7, 7}}},
+                           {"Ignore",
+                            {.tolerance_px = 2, .ignore_label = 7},
+                            83,
+                            {79, 79, 78, 60, 59, 42, 39, 36, 34, 0},
+                            {101, 97, 92, 72, 70, 52, 47, 42, 37, 0},
+                            0.8359115373420916,
+                            60,
+                            71,
+                            {{36, 36}, {13, 30}, {17, 17}}},
+                           {"OneAndAHalfPixelsIgnore",
+                            {.tolerance_px = 1.5, .ignore_label = 7},
+                            83,
+                            {77, 77, 76, 58, 57, 39, 37, 35, 33, 0},
+                            {100, 96, 91, 71, 69, 51, 46, 42, 37, 0},
+                            0.7969470322632974,
+                            57,
+                            70,
+                            {{35, 36}, {10, 30}, {17, 17}}}};
+
+INSTANTIATE_TEST_SUITE_P(Score, SmallCase, testing::ValuesIn(kCases), [](const auto& value) {
+    return std::string(value.param.name);
+});
 
 }  // namespace

@@ -4,18 +4,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
+
+#include "tests/score/images.h"
 
 namespace ink::shade {
 namespace {
 
-core::Image<std::uint8_t> mask_of(const std::vector<std::string>& rows) {
-    core::Image<std::uint8_t> mask(static_cast<int>(rows.front().size()),
-                                   static_cast<int>(rows.size()));
-    for (int y = 0; y < mask.height_px(); ++y) {
-        for (int x = 0; x < mask.width_px(); ++x)
-            mask.at(x, y) = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
-    }
+/// 1 where the text has '#'.
+Image mask_of(const Rows& rows) {
+    Image mask = image_of(rows);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask.data()[i] = mask.data()[i] == 255;
     return mask;
 }
 
