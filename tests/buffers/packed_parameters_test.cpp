@@ -10,19 +10,9 @@
 namespace ink::buffers {
 namespace {
 
-/// A wall that faces the eye at distance 4 and fills the middle half of a 160 x 160 image. With
-/// facet normals it is one code: depth 1/2 of the camera's range, nx = ny = 1/2, nz = 1.
-struct Wall {
-    scene::Scene scene;
-    scene::View view;
-
+/// With facet normals the wall is one code: depth 1/2 of the camera's range, nx = ny = 1/2, nz = 1.
+struct Wall : methods::Wall {
     Wall() {
-        scene::Mesh mesh;
-        mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        scene = methods::scene_of({mesh});
-        view = methods::view_from(scene, {0, 0, 4}, {0, 0, 0}, {160, 160});
-        view.camera.fov_y_rad = 2 * std::atan(0.5);
         view.camera.near = 2;
         view.camera.far = 6;
     }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <sstream>
 
 #include "core/error.h"
 #include "tests/core/error_text.h"
@@ -35,41 +36,12 @@ TEST(RowTable, HoldsWhatScriptsRelyOnOnceEachAndSaysWhatItMeans) {
     }
     EXPECT_EQ(rows_table().info().columns[0].name, "cell");
     EXPECT_EQ(rows_table().info().columns[1].name, "study");
-    for (const char* name : {"method",
-                             "scene",
-                             "view",
-                             "split",
-                             "width",
-                             "height",
-                             "threads",
-                             "seed",
-                             "params",
-                             "status",
-                             "f_2px",
-                             "f_1px",
-                             "precision_2px",
-                             "recall_2px",
-                             "recall_contour",
-                             "recall_crease",
-                             "recall_seam",
-                             "mean_width_px",
-                             "ap",
-                             "prepare_ns",
-                             "draw_ns",
-                             "bytes_per_px",
-                             "image_hash",
-                             "truth_px",
-                             "k_crease",
-                             "offset_sum_px",
-                             "width_sum_sq_px2",
-                             "skip_occlusion_culling",
-                             "skip_occlusion_culling_of",
-                             "commit",
-                             "dirty",
-                             "compiler",
-                             "flags",
-                             "cpu",
-                             "simd"}) {
+    std::istringstream names_of_columns(
+        "method scene view split width height threads seed params status f_2px f_1px precision_2px "
+        "recall_2px recall_contour recall_crease recall_seam mean_width_px ap prepare_ns draw_ns "
+        "bytes_per_px image_hash truth_px k_crease offset_sum_px width_sum_sq_px2 "
+        "skip_occlusion_culling skip_occlusion_culling_of commit dirty compiler flags cpu simd");
+    for (std::string name; names_of_columns >> name;) {
         EXPECT_TRUE(names.contains(name)) << name;
     }
     EXPECT_FALSE(names.contains("predicted_ns")) << "it follows from the whole run";
@@ -103,22 +75,10 @@ TEST(RowTable, LeavesEmptyWhatWasNotMeasured) {
     row.method = "mote4";
     row.status = "failed: out of ink";
     row.k_2px = 7;
-    for (const char* name : {"f_2px",
-                             "k_2px",
-                             "n_pred",
-                             "truth_px",
-                             "draw_ns",
-                             "draw_n",
-                             "ap",
-                             "crack_f",
-                             "offset_px",
-                             "offset_sum_px",
-                             "shift_x_px",
-                             "far_positive_px",
-                             "skip_occlusion_culling",
-                             "false_positives_crack",
-                             "k_random_2px",
-                             "recall_crease"}) {
+    std::istringstream names_of_columns(
+        "f_2px k_2px n_pred truth_px draw_ns draw_n ap crack_f offset_px offset_sum_px shift_x_px "
+        "far_positive_px skip_occlusion_culling false_positives_crack k_random_2px recall_crease");
+    for (std::string name; names_of_columns >> name;) {
         EXPECT_EQ(field(row, name), "") << name;
     }
     row.status = "ok";

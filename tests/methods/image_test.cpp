@@ -10,21 +10,6 @@
 namespace ink::methods {
 namespace {
 
-/// A wall that faces the eye and fills the middle half of a 160 x 160 image: pixels 40..119.
-struct Wall {
-    scene::Scene scene;
-    scene::View view;
-
-    Wall() {
-        scene::Mesh mesh;
-        mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-        scene = scene_of({mesh});
-        view = view_from(scene, {0, 0, 4}, {0, 0, 0}, {160, 160});
-        view.camera.fov_y_rad = 2 * std::atan(0.5);
-    }
-};
-
 /// Where row y of the image has a line: columns of edge response at least 1.
 std::vector<int> line_columns(const edge::EdgeImage& image, int y) {
     std::vector<int> columns;

@@ -1,14 +1,13 @@
 #include "methods/method_file.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "core/error.h"
 #include "methods/registry.h"
+#include "tests/core/error_text.h"
 
 namespace ink::methods {
 namespace {
@@ -52,47 +51,34 @@ TEST(MethodFile, FillsInWhatIsNoCode) {
     EXPECT_EQ(info.tunables[1].range, std::pair(1.0, 64.5));
 }
 
-/// The message about the head and `text` below it.
-std::string refusal(const std::string& text) {
-    try {
-        (void)described(code(), kHead + text, "dots.toml");
-    } catch (const core::Error& error) {
-        return error.what();
-    }
-    return "";
+std::string message_of(const std::string& text) {
+    return core::error_text([&] { return described(code(), text, "dots.toml"); });
 }
 
 TEST(MethodFile, NamesFileAndLineOfWhatItRefuses) {
     const auto says = [](const char* line, const char* what) {
         return AllOf(HasSubstr(std::string("dots.toml:") + line), HasSubstr(what));
     };
-    EXPECT_THAT(refusal("sweeps = []\n"), says("5", "sweep"));
-    EXPECT_THAT(refusal("sweep = 3\n"), says("5", "a list of tables"));
-    EXPECT_THAT(refusal("sweep = [\n{},\n{range = 3}]\n"), says("7", "range_depth"));
-    EXPECT_THAT(refusal("sweep = [\n{},\n{threshold = 999}]\n"), says("7", "1..255"));
-    EXPECT_THAT(refusal("sum_limits = [{params = [\"range\"], limit = 3}]\n"), says("5", "range"));
-    EXPECT_THAT(refusal("sum_limits = [{limit = 3}]\n"), says("5", "this is no limit"));
-    EXPECT_THAT(refusal("tunables = 3\n"), says("5", "[tunables]"));
-    EXPECT_THAT(refusal("[tunables]\nrange = \"all\"\n"), says("6", "range_depth"));
-    EXPECT_THAT(refusal("[tunables]\nthreshold = [0, 64]\n"), says("6", "1..255"));
-    EXPECT_THAT(refusal("[tunables]\nthreshold = [64, 1]\n"), says("6", "'threshold'"));
-    EXPECT_THAT(refusal("[tunables\n"), says("5", "no TOML"));
-    EXPECT_EQ(refusal(""), "") << "settings and tunables may be left out";
+    EXPECT_THAT(message_of(kHead + "sweeps = []\n"), says("5", "sweep"));
+    EXPECT_THAT(message_of(kHead + "sweep = 3\n"), says("5", "a list of tables"));
+    EXPECT_THAT(message_of(kHead + "sweep = [\n{},\n{range = 3}]\n"), says("7", "range_depth"));
+    EXPECT_THAT(message_of(kHead + "sweep = [\n{},\n{threshold = 999}]\n"), says("7", "1..255"));
+    EXPECT_THAT(message_of(kHead + "sum_limits = [{params = [\"range\"], limit = 3}]\n"),
+                says("5", "range"));
+    EXPECT_THAT(message_of(kHead + "sum_limits = [{limit = 3}]\n"), says("5", "this is no limit"));
+    EXPECT_THAT(message_of(kHead + "tunables = 3\n"), says("5", "[tunables]"));
+    EXPECT_THAT(message_of(kHead + "[tunables]\nrange = \"all\"\n"), says("6", "range_depth"));
+    EXPECT_THAT(message_of(kHead + "[tunables]\nthreshold = [0, 64]\n"), says("6", "1..255"));
+    EXPECT_THAT(message_of(kHead + "[tunables]\nthreshold = [64, 1]\n"), says("6", "'threshold'"));
+    EXPECT_THAT(message_of(kHead + "[tunables\n"), says("5", "no TOML"));
+    EXPECT_EQ(message_of(kHead + ""), "") << "settings and tunables may be left out";
 }
 
 TEST(MethodFile, MustSayWhoFamilyAndMarker) {
-    const auto message = [](const std::string& text) {
-        try {
-            (void)described(code(), text, "dots.toml");
-        } catch (const core::Error& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
-    EXPECT_THAT(message("source = \"me\"\n"), HasSubstr("there is no 'summary'"));
-    EXPECT_THAT(message("source = 3\n"),
+    EXPECT_THAT(message_of("source = \"me\"\n"), HasSubstr("there is no 'summary'"));
+    EXPECT_THAT(message_of("source = 3\n"),
                 AllOf(HasSubstr("dots.toml:1"), HasSubstr("a text in quotes")));
-    EXPECT_THAT(message("source = \"a\"\nsummary = \"b\"\nfamily = \"idz\"\n"),
+    EXPECT_THAT(message_of("source = \"a\"\nsummary = \"b\"\nfamily = \"idz\"\n"),
                 AllOf(HasSubstr("dots.toml:3"), HasSubstr("idz"), HasSubstr("ids")));
 }
 

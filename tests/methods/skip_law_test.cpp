@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "catalogue/catalogue.h"
 #include "catalogue/shapes.h"
 #include "tests/catalogue_names.h"
@@ -80,6 +82,16 @@ class Sequence {
     std::vector<Step> steps_;
 };
 
+std::function<void(Step&)> moved(std::size_t instance, const glm::dvec3& by) {
+    return [=](Step& s) { move(s.scene.instances[instance], by); };
+}
+std::function<void(Step&)> sized(int width_px, int height_px) {
+    return [=](Step& s) {
+        s.view.width_px = width_px;
+        s.view.height_px = height_px;
+    };
+}
+
 /// All that may come between two frames, with a fixed camera and without.
 std::vector<Step> eventful_sequence() {
     const scene::Scene first = playground();
@@ -89,36 +101,15 @@ std::vector<Step> eventful_sequence() {
         .then("posed, but nothing moved", [](Step&) {})
         .then("the cube turned", [](Step& s) { turn(s.scene.instances[0], 0.05); })
         .then("the cube turned on", [](Step& s) { turn(s.scene.instances[0], 0.05); })
-        .then("a ball moved within a pixel",
-              [](Step& s) {
-                  move(s.scene.instances[2], {0.001, 0, 0});
-              })
-        .then("a ball jumped across",
-              [](Step& s) {
-                  move(s.scene.instances[2], {-3, 2, -1});
-              })
+        .then("a ball moved within a pixel", moved(2, {0.001, 0, 0}))
+        .then("a ball jumped across", moved(2, {-3, 2, -1}))
         .then("on two threads", [](Step& s) { s.threads = 2; })
         .then("the cube turned, two threads", [](Step& s) { turn(s.scene.instances[0], 0.1); })
-        .then("the cube far away",
-              [](Step& s) {
-                  move(s.scene.instances[0], {40, 0, -60});
-              })
-        .then("the cube back",
-              [](Step& s) {
-                  move(s.scene.instances[0], {-40, 0, 60});
-              })
-        .then("a ball behind the floor",
-              [](Step& s) {
-                  move(s.scene.instances[3], {3, -3, 0});
-              })
-        .then("a ball across the eye",
-              [](Step& s) {
-                  move(s.scene.instances[4], {-2, 0, 11});
-              })
-        .then("the ball back",
-              [](Step& s) {
-                  move(s.scene.instances[4], {2, 0, -11});
-              })
+        .then("the cube far away", moved(0, {40, 0, -60}))
+        .then("the cube back", moved(0, {-40, 0, 60}))
+        .then("a ball behind the floor", moved(3, {3, -3, 0}))
+        .then("a ball across the eye", moved(4, {-2, 0, 11}))
+        .then("the ball back", moved(4, {2, 0, -11}))
         .then("a corner of the floor moved",
               [](Step& s) { s.scene.meshes[1].positions[0] += glm::vec3(0, 0.3F, 0); })
         .then("one thread", [](Step& s) { s.threads = 1; })
@@ -132,21 +123,9 @@ std::vector<Step> eventful_sequence() {
         .then("the near plane moved", [](Step& s) { s.view.camera.near *= 0.5; })
         .then("the far plane moved", [](Step& s) { s.view.camera.far *= 1.5; })
         .then("a wider lens", [](Step& s) { s.view.camera.fov_y_rad = 0.8; })
-        .then("a smaller image",
-              [](Step& s) {
-                  s.view.width_px = 190;
-                  s.view.height_px = 131;
-              })
-        .then("a larger image",
-              [](Step& s) {
-                  s.view.width_px = 330;
-                  s.view.height_px = 200;
-              })
-        .then("an image of as many tiles that lie otherwise",
-              [](Step& s) {
-                  s.view.width_px = 200;
-                  s.view.height_px = 330;
-              })
+        .then("a smaller image", sized(190, 131))
+        .then("a larger image", sized(330, 200))
+        .then("an image of as many tiles that lie otherwise", sized(200, 330))
         .then("all as it was",
               [&](Step& s) {
                   s.view = fixed;

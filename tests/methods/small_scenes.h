@@ -42,6 +42,21 @@ inline scene::View view_from(const scene::Scene& scene,
     return view;
 }
 
+/// A wall that faces the eye and fills the middle half of a 160 x 160 image: pixels 40..119.
+struct Wall {
+    scene::Scene scene;
+    scene::View view;
+
+    Wall() {
+        scene::Mesh mesh;
+        mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+        scene = scene_of({mesh});
+        view = view_from(scene, {0, 0, 4}, {0, 0, 0}, {160, 160});
+        view.camera.fov_y_rad = 2 * std::atan(0.5);
+    }
+};
+
 /// The image of one frame by a new method.
 inline edge::EdgeImage drawn(const std::string& method,
                              const core::ParamValues& values,

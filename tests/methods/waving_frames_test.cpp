@@ -151,6 +151,15 @@ std::set<Side> contours_of(const scene::Scene& scene, const glm::dvec3& eye) {
     return contours;
 }
 
+std::set<Side> listed_contours(const SoupModels& models, const glm::dvec3& eye) {
+    std::set<Side> found;
+    for (const buffers::KnownEdge& edge : models.lines(eye)) {
+        if (edge.kind == buffers::EdgeKind::contour)
+            found.insert(side_between(place(edge.a_world), place(edge.b_world)));
+    }
+    return found;
+}
+
 TEST_F(WavingFrames, ContoursFollowTheEyeFromFrameToFrame) {
     SoupModels models({.epsilon = 0, .most_frames = kFrames, .crease_rad = 0.7});
     models.prepare(frame(0));
@@ -163,11 +172,7 @@ TEST_F(WavingFrames, ContoursFollowTheEyeFromFrameToFrame) {
         const glm::dvec3 eye =
             bounds.center_world +
             2.1 * bounds.radius * glm::dvec3(std::sin(turn_rad), 0.31, std::cos(turn_rad));
-        std::set<Side> found;
-        for (const buffers::KnownEdge& edge : models.lines(eye)) {
-            if (edge.kind != buffers::EdgeKind::contour) continue;
-            found.insert(side_between(place(edge.a_world), place(edge.b_world)));
-        }
+        std::set<Side> found = listed_contours(models, eye);
         EXPECT_EQ(found, contours_of(sheet, eye)) << f;
         EXPECT_GT(found.size(), 100U) << f;
         EXPECT_NE(found, before) << f;
@@ -186,12 +191,7 @@ TEST_F(WavingFrames, ContoursFollowAnEyeThatMovesRoundOneFrame) {
         const glm::dvec3 eye =
             bounds.center_world +
             1.7 * bounds.radius * glm::dvec3(std::sin(turn_rad), 0.47, std::cos(turn_rad));
-        std::set<Side> found;
-        for (const buffers::KnownEdge& edge : models.lines(eye)) {
-            if (edge.kind == buffers::EdgeKind::contour)
-                found.insert(side_between(place(edge.a_world), place(edge.b_world)));
-        }
-        EXPECT_EQ(found, contours_of(sheet, eye)) << step;
+        EXPECT_EQ(listed_contours(models, eye), contours_of(sheet, eye)) << step;
     }
     EXPECT_EQ(models.cache_counts().built, 1U);
 }
