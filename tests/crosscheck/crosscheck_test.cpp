@@ -1,5 +1,7 @@
 #include "crosscheck/dense_sampling.h"
 
+#include <numbers>
+
 #include "tests/truth/shapes.h"
 
 namespace ink::crosscheck {

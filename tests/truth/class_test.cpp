@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 
 #include "scene/materials.h"
 #include "tests/truth/shapes.h"

@@ -1,6 +1,7 @@
 #include "tests/truth/shapes.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace ink::truth {
 namespace {
