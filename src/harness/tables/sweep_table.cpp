@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "harness/cell.h"
 #include "harness/tables/cost_tables.h"
 #include "harness/tables/row_parts.h"
 
@@ -42,37 +43,24 @@ constexpr const char* kNumbers[] = {"f_2px",
                                     "image_hash"};
 
 /// A setting: the row of its cell, with what the setting changes.
-struct Setting : RowRecord {
+struct SettingRow : RowRecord {
     int number = 0;
 };
-using SettingTable = TableOf<Setting>;
-
-std::string value_of(const std::string& params, const std::string& key) {
-    for (const auto& [name, value] : split_params(params)) {
-        if (name == key) return value;
-    }
-    return "";
-}
-
-/// `params` with another value of `key`, if it is among them.
-std::string with_value(const std::string& params,
-                       const std::string& key,
-                       const std::string& value) {
-    std::string changed;
-    for (const auto& [name, own] : split_params(params)) {
-        changed +=
-            fmt::format("{}{}={}", changed.empty() ? "" : ";", name, name == key ? value : own);
-    }
-    return changed;
-}
+using SettingTable = TableOf<SettingRow>;
 
 void add_parameter(SettingTable& table, const std::string& key) {
     table.add(
         {key, "", "the parameter of this name; empty if the method has none"},
-        [key](const Setting& s) { return csv_field(value_of(s.row.params, key)); },
-        [key](const CsvField& field, Setting& s) {
+        [key](const SettingRow& s) {
+            const core::ParamValues params = split_params(s.row.params);
+            const auto own = params.find(key);
+            return own == params.end() ? "" : csv_field(own->second);
+        },
+        [key](const CsvField& field, SettingRow& s) {
             if (field.is_empty()) return;
-            s.row.params = with_value(s.row.params, key, field.text());
+            core::ParamValues params = split_params(s.row.params);
+            if (const auto own = params.find(key); own != params.end()) own->second = field.text();
+            s.row.params = join_params(params);
             if (key == "threshold") field.read(s.row.threshold);
         });
 }
@@ -80,8 +68,8 @@ void add_parameter(SettingTable& table, const std::string& key) {
 SettingTable make_table(const std::vector<std::string>& swept) {
     SettingTable table{std::string(kFile), kDoc};
     table.add({"cell", "", "of rows.csv: this method at its own settings on this view"},
-              &Setting::cell);
-    table.add({"setting", "", "counted from 1 within the cell"}, &Setting::number);
+              &SettingRow::cell);
+    table.add({"setting", "", "counted from 1 within the cell"}, &SettingRow::number);
     table.add_like(rows_table(), "status");
     for (const std::string& key : swept)
         add_parameter(table, key);
@@ -140,7 +128,7 @@ std::vector<Row> read_sweep(const CsvTable& csv, const RowIndex& own) {
     check_columns(csv, table.info());
     std::vector<Row> rows;
     for (std::size_t i = 0; i < csv.records.size(); ++i) {
-        Setting setting;
+        SettingRow setting;
         setting.row = place_of_setting(own.find(CsvField(csv, i, 0)).row);
         table.read_into(csv, i, setting);
         setting.row.truth_px = setting.row.n_truth;
@@ -150,15 +138,14 @@ std::vector<Row> read_sweep(const CsvTable& csv, const RowIndex& own) {
     return rows;
 }
 
-std::vector<std::pair<std::string, std::string>> split_params(const std::string& params) {
-    std::vector<std::pair<std::string, std::string>> pairs;
+core::ParamValues split_params(const std::string& params) {
+    core::ParamValues values;
     std::istringstream stream(params);
     for (std::string part; std::getline(stream, part, ';');) {
         const auto equals = part.find('=');
-        if (equals != std::string::npos)
-            pairs.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+        if (equals != std::string::npos) values[part.substr(0, equals)] = part.substr(equals + 1);
     }
-    return pairs;
+    return values;
 }
 
 }  // namespace ink::harness

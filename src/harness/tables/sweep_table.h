@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/param.h"
 #include "harness/tables/row_table.h"
 
 namespace ink::harness {
@@ -29,8 +30,7 @@ namespace ink::harness {
 /// or a cell that `rows` does not have.
 [[nodiscard]] std::vector<Row> read_sweep(const CsvTable& csv, const RowIndex& own);
 
-/// "key=value;key=value" as pairs, in order.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> split_params(
-    const std::string& params);
+/// What join_params (harness/cell.h) wrote.
+[[nodiscard]] core::ParamValues split_params(const std::string& params);
 
 }  // namespace ink::harness
