@@ -23,11 +23,11 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// How many groups may run at a time. Where times are measured, as many as there are cores: one is
-/// timed at a time. Elsewhere each drawing has cores of its own.
+/// How many groups may run at a time: each drawing has cores of its own. One on many threads needs
+/// those of all others while it is timed.
 int most_lanes(const Plan& plan) {
-    const int threads = plan.times ? 1 : std::max(1, plan.timed_threads);
-    return std::max(1, core::hardware_threads() / threads);
+    if (plan.times && plan.timed_threads > 1) return 1;
+    return std::max(1, core::hardware_threads() / std::max(1, plan.timed_threads));
 }
 
 }  // namespace
@@ -99,23 +99,16 @@ std::vector<BlockWork::Group> BlockWork::missing_groups() const {
     return groups;
 }
 
-/// What the other lanes do while one is timed: they stand still where they would be noticed.
-core::Others BlockWork::others_beside_timed() {
-    if (lanes_ == 1) return core::Others::stand_still;
-    lanes_text_ = fmt::format(" on {} lanes", lanes_);
-    if (!plan_.times) return core::Others::stand_still;
-    // A timed drawing on many threads needs the cores of the others.
-    if (plan_.timed_threads > 1) {
-        lanes_text_ += ", the others still while one is timed";
-        return core::Others::stand_still;
+/// One lane where others would be noticed by what is timed.
+void BlockWork::try_neighbours() {
+    if (lanes_ == 1) return;
+    std::string loop;
+    if (plan_.times) {
+        const double ratio = harness::measure_disturbance(lanes_ - 1);
+        loop = fmt::format(" (a timed loop takes {:.3f} x beside {} others)", ratio, lanes_ - 1);
+        if (ratio > harness::kNoDisturbance) lanes_ = 1;
     }
-    const double ratio = harness::measure_disturbance(lanes_ - 1);
-    const bool goes_on = ratio <= harness::kNoDisturbance;
-    lanes_text_ +=
-        fmt::format(", the others {} while one is timed (a loop takes {:.3f} x beside them)",
-                    goes_on ? "at work" : "still",
-                    ratio);
-    return goes_on ? core::Others::work_on : core::Others::stand_still;
+    lanes_text_ = fmt::format(" on {} lane{}{}", lanes_, lanes_ == 1 ? "" : "s", loop);
 }
 
 bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& say) {
@@ -129,8 +122,8 @@ bool BlockWork::run(int lanes, const std::function<void(const std::string&)>& sa
     lanes_ = std::clamp(lanes_, 1, std::max(1, static_cast<int>(groups.size())));
     next_group_ = 0;
     is_stopped_ = false;
-    core::run_lanes(
-        lanes_, [&](int) { work_through(groups); }, others_beside_timed());
+    try_neighbours();
+    core::run_lanes(lanes_, [&] { work_through(groups); });
     const std::vector<std::size_t> alone = missing_;
     for (const std::size_t i : alone)
         if (is_stopped_ || !compute(i)) return false;
@@ -155,6 +148,7 @@ void BlockWork::work_through(const std::vector<Group>& groups) {
             is_stopped_ = true;
             throw;
         }
+        if (plan_.release) plan_.release(*plan_.blocks[group->front()].group);
         if (goes_on) continue;
         const std::lock_guard lock(mutex_);
         is_stopped_ = true;

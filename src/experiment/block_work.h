@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/parallel.h"
 #include "core/progress.h"
 #include "experiment/block_store.h"
 #include "experiment/experiment_plan.h"
@@ -28,8 +27,8 @@ struct Shard {
 ///
 /// Groups of blocks run beside each other, each on a lane (core::run_lanes): some trace, draw and
 /// score their scenes while others do so with theirs. One lane is timed at a time
-/// (core::run_alone); the others stand still meanwhile unless they were found not to disturb it.
-/// Blocks without a group come last and run alone. Borrows plan and store.
+/// (core::run_alone); where the others were found to disturb it, there is one lane. Blocks without
+/// a group come last and run alone. Borrows plan and store.
 class BlockWork {
   public:
     BlockWork(const Plan& plan, const BlockStore& store, std::vector<std::size_t> wanted);
@@ -41,7 +40,8 @@ class BlockWork {
     /// an end was asked for before all was there. Rethrows what a block throws.
     [[nodiscard]] bool run(int lanes, const std::function<void(const std::string&)>& say);
 
-    /// On how many lanes it ran and what they did beside timed drawings: " on 2 lanes, ...", or "".
+    /// On how many lanes it ran, and why if others would have disturbed what is timed:
+    /// " on 2 lanes (...)"; "" where only one could be.
     [[nodiscard]] const std::string& lanes_text() const { return lanes_text_; }
 
     /// What the blocks that were computed spent their time on.
@@ -55,7 +55,7 @@ class BlockWork {
 
     [[nodiscard]] std::string estimate() const;
     [[nodiscard]] std::vector<Group> missing_groups() const;
-    [[nodiscard]] core::Others others_beside_timed();
+    void try_neighbours();
     [[nodiscard]] double work_of(const Group& group) const;
     void work_through(const std::vector<Group>& groups);
     [[nodiscard]] bool compute(std::size_t block);

@@ -192,6 +192,7 @@ void plan_compare(const Experiment& experiment, const harness::TraceOptions& tra
     add_tables(*bench, swept, plan);
     for (const scene::Scene& scene : bench->scenes())
         plan.add_model(scene);
+    plan.release = [bench](std::size_t scene) { bench->release(scene); };
     plan.timed_threads = *std::max_element(experiment.threads.begin(), experiment.threads.end());
     for (std::size_t s = 0; s < bench->scenes().size(); ++s) {
         for (std::size_t z = 0; z < experiment.sizes.size(); ++z) {

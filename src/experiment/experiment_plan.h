@@ -80,6 +80,8 @@ struct Plan : RunHead {
     int timed_threads = 1;                     ///< the most that a timed drawing of a group uses
     std::map<std::string, std::string> files;  ///< known before any block: methods.csv, axes.csv
     std::vector<Block> blocks;
+    /// Lets go what the blocks of a group shared, when the last of them has run.
+    std::function<void(std::size_t group)> release = {};
     std::int64_t rows = 0;  ///< lines of rows.csv that the blocks so far will have
 
     [[nodiscard]] int cells() const;

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/parallel.h"
-
 namespace ink::experiment {
 namespace {
 
 constexpr std::array<const char*, kStageCount> kNames = {
-    "prepare", "draw", "truth", "score", "causes", "cancellation", "images", "writing", "waiting"};
+    "prepare", "draw", "truth", "score", "causes", "cancellation", "images", "writing"};
 
 }  // namespace
 
@@ -34,19 +32,6 @@ std::string StageTimes::text() const {
             "{}{} {:.0f} %", text.empty() ? "" : ", ", kNames[i], 100 * seconds_[i] / all);
     }
     return text;
-}
-
-StageTimer::StageTimer(StageTimes& times, WorkStage stage)
-    : times_(times),
-      stage_(stage),
-      begin_(std::chrono::steady_clock::now()),
-      waited_before_s_(core::waited_s()) {}
-
-StageTimer::~StageTimer() {
-    const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - begin_;
-    const double waited_s = core::waited_s() - waited_before_s_;
-    times_.add(stage_, lived.count() - waited_s);
-    times_.add(WorkStage::waiting, waited_s);
 }
 
 }  // namespace ink::experiment

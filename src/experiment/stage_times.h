@@ -17,9 +17,8 @@ enum class WorkStage {
     cancellation,  ///< what declared codes must miss
     images,        ///< PNG files
     writing,       ///< tables and images to disk
-    waiting,       ///< for another lane that was timed
 };
-inline constexpr std::size_t kStageCount = 9;
+inline constexpr std::size_t kStageCount = 8;
 
 /// Seconds by stage, of one block or of many.
 class StageTimes {
@@ -36,20 +35,22 @@ class StageTimes {
     std::array<double, kStageCount> seconds_{};
 };
 
-/// Adds to a stage the seconds that it lives, less those in which its lane stood still
-/// (core::waited_s).
+/// Adds to a stage the seconds that it lives. What is timed waits for its turn meanwhile
+/// (core::run_alone): that is part of its stage.
 class StageTimer {
   public:
-    StageTimer(StageTimes& times, WorkStage stage);
-    ~StageTimer();
+    StageTimer(StageTimes& times, WorkStage stage) : times_(times), stage_(stage) {}
+    ~StageTimer() {
+        const std::chrono::duration<double> lived = std::chrono::steady_clock::now() - begin_;
+        times_.add(stage_, lived.count());
+    }
     StageTimer(const StageTimer&) = delete;
     StageTimer& operator=(const StageTimer&) = delete;
 
   private:
     StageTimes& times_;
     WorkStage stage_;
-    std::chrono::steady_clock::time_point begin_;
-    double waited_before_s_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace ink::experiment

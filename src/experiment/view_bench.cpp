@@ -29,8 +29,7 @@ ViewBench::ViewBench(const Experiment& experiment,
     : experiment_(experiment),
       trace_(std::move(trace)),
       configs_(configs_of(experiment)),
-      triangles_at_once_(triangles_at_once),
-      desks_(static_cast<std::size_t>(core::hardware_threads())) {
+      triangles_at_once_(triangles_at_once) {
     trace_.crosscheck = experiment.crosscheck;
     skips_ = harness::without_skips(harness::skips_of_repeated_drawings(), experiment.skips_off);
     for (const ImageSize& size : experiment.sizes) {
@@ -43,6 +42,7 @@ ViewBench::ViewBench(const Experiment& experiment,
             if (scenes_.size() == s) scenes_.push_back(std::move(scenes[s].scene));
         }
     }
+    desks_.resize(scenes_.size());
 }
 
 std::size_t ViewBench::view_count(std::size_t scene, const ImageSize& size) const {
@@ -110,7 +110,6 @@ std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
     auto& left = preparation == Preparation::copied ? desk_of(scene).left : none;
     const auto prepare = [&] {
         for (const harness::MethodConfig& config : configs) {
-            core::pause();
             methods.push_back(std::make_unique<harness::PreparedMethod>(
                 config, scenes_[scene], preparation == Preparation::shared ? methods : left));
             if (left.empty()) continue;
@@ -125,12 +124,10 @@ std::vector<std::unique_ptr<harness::PreparedMethod>> ViewBench::prepared(
 }
 
 ViewBench::Desk& ViewBench::desk_of(std::size_t scene) {
-    Desk& desk = desks_[static_cast<std::size_t>(core::this_lane())];
-    if (desk.model && desk.scene == scene) return desk;
-    desk = Desk{};  // what was there goes before more is made
+    Desk& desk = desks_[scene];
+    if (desk.model) return desk;
     truth::TruthOptions options = trace_.truth;
     options.threads = std::min(options.threads, core::share_of_threads());
-    desk.scene = scene;
     desk.model = std::make_unique<truth::SceneModel>(scenes_[scene], options);
     desk.predictor = std::make_unique<harness::MissPredictor>(scenes_[scene]);
     const std::size_t kept =

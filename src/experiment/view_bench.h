@@ -23,9 +23,9 @@ enum class Preparation {
     shared  ///< those that would prepare the same share it: many settings cost little more than one
 };
 
-/// The scenes of an experiment, and what is kept of the one that a lane (core::run_lanes) works on
-/// from block to block: its model, its methods made ready, the truth of the last view. Several
-/// lanes may use it at a time, each for a scene of its own.
+/// The scenes of an experiment, and what is kept of those that are worked on from block to block:
+/// the model, the methods made ready, the truth of the last view. Several lanes (core::run_lanes)
+/// may use it at a time, each for a scene of its own.
 class ViewBench {
   public:
     /// Loads the scenes of `experiment` at each of its sizes. Throws core::Error as load_scenes
@@ -65,10 +65,12 @@ class ViewBench {
         desk_of(scene).left = std::move(methods);
     }
 
+    /// Lets go what is kept of a scene.
+    void release(std::size_t scene) { desks_[scene] = {}; }
+
   private:
     /// What is kept of one scene.
     struct Desk {
-        std::size_t scene = 0;
         std::unique_ptr<truth::SceneModel> model = {};
         std::unique_ptr<harness::MissPredictor> predictor = {};
         std::unique_ptr<scene::SharedWork> shared = {};
@@ -79,7 +81,7 @@ class ViewBench {
         harness::TracedView traced = {};
     };
 
-    /// The desk of this lane, with the scene on it.
+    /// What is kept of a scene, made if it is not there.
     Desk& desk_of(std::size_t scene);
 
     Experiment experiment_;
@@ -89,7 +91,7 @@ class ViewBench {
     raster::SkipSet skips_;
     std::vector<scene::Scene> scenes_;
     std::map<std::tuple<std::size_t, int, int>, std::vector<scene::View>> views_;
-    std::vector<Desk> desks_;  ///< by lane
+    std::vector<Desk> desks_;  ///< by scene
 };
 
 }  // namespace ink::experiment

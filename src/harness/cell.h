@@ -30,7 +30,7 @@ struct MeasureOptions {
     /// It stops before, after its least repetitions, when its median is known to this share of
     /// itself (is_median_known); 0: never.
     double precision = 0;
-    /// On a lane, no other lane is timed meanwhile, or disturbs what is counted (core::run_alone).
+    /// No other lane is timed meanwhile (core::run_alone).
     bool is_alone = true;
     raster::SkipSet skips = skips_of_repeated_drawings();
 };

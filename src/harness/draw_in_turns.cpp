@@ -50,7 +50,6 @@ class Round {
     /// Each draws its image. Not timed but for what has a clock of its own.
     void begin() {
         for (std::size_t i = 0; i < turns_.size(); ++i) {
-            if (i > 0) core::pause();
             const auto* outside = dynamic_cast<OutsideMethod*>(&turns_[i].method->method());
             if (outside == nullptr) {
                 const Drawing drawing = draw(i, images_[i]);

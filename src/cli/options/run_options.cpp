@@ -128,10 +128,11 @@ void add_run_folder_options(CLI::App& command, RunFolderOptions& options) {
                      options.no_times,
                      "Leave columns of times empty: the same bytes on every run");
     command
-        .add_option("--lanes",
-                    options.lanes,
-                    "Scenes worked on at a time, at most; one is timed at a time, and the others "
-                    "stand still meanwhile where they would disturb it (default: one per core)")
+        .add_option(
+            "--lanes",
+            options.lanes,
+            "Scenes worked on at a time, at most; one is timed at a time, and where the others "
+            "would disturb it there is one (default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     command.add_flag("--dry-run", options.is_dry, "List the blocks and what they may take");
