@@ -12,7 +12,6 @@ between <!-- instructions --> and <!-- /instructions --> in bench/README.md. Nee
 Python.
 """
 
-import argparse
 import json
 import re
 import subprocess
@@ -20,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from table import ROOT, put_in_block
+from table import run_script
 
 WIDTH_PX, HEIGHT_PX = 1920, 1080
 
@@ -162,33 +161,22 @@ def frame_lines(counter, benchmark, with_functions):
             print(f"{cost:14.0f}  {stage_of(name):28}  {name[:120]}", file=sys.stderr)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("--simd", default="AVX2", help="instruction set that kernels run on")
-    parser.add_argument("--mesh", default="bunny")
-    parser.add_argument("--method", default="mote4")
-    parser.add_argument("--functions", action="store_true",
-                        help="which function went to which stage, on stderr")
-    parser.add_argument("--readme", nargs="?", const=ROOT / "bench/README.md", type=Path,
-                        help="replace the block in this file (bench/README.md)")
-    parser.add_argument("--program", type=Path, default=ROOT / "build/release/ink_bench")
-    options = parser.parse_args()
+def add_options(add):
+    add("--simd", default="AVX2", help="instruction set that kernels run on")
+    add("--mesh", default="bunny")
+    add("--method", default="mote4")
+    add("--functions", action="store_true", help="which function went to which stage, on stderr")
+
+
+def lines_of(options):
     frame = f"frame/{options.method}/{options.mesh}/1080p/threads:1"
     lines = [f"| kernel ({options.simd}) | benchmark | per | instructions |", "|---|---|---|--:|"]
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            counter = Counter(options.program, options.simd, folder)
-            lines += filter_lines(counter)
-            lines += frame_lines(counter, frame, options.functions)
-        text = "\n".join(lines)
-        if options.readme:
-            put_in_block("instructions", text, options.readme)
-    except (OSError, ValueError) as error:
-        print(f"callgrind.py: {error}", file=sys.stderr)
-        return 2
-    print(text)
-    return 0
+    with tempfile.TemporaryDirectory() as folder:
+        counter = Counter(options.program, options.simd, folder)
+        lines += filter_lines(counter)
+        lines += frame_lines(counter, frame, options.functions)
+    return "\n".join(lines)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_script(__doc__, "instructions", add_options, lines_of))

@@ -236,24 +236,27 @@ def read(path):
     return Run(data)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
-    parser.add_argument("json", nargs="?", help="what ink_bench wrote; without it, it is run")
+def run_script(page, block, add_options, text_of):
+    """What both scripts do: print what `text_of` makes of the options, and put it in a README."""
+    parser = argparse.ArgumentParser(description=page.split("\n", 1)[0])
+    add_options(parser.add_argument)
     parser.add_argument("--readme", nargs="?", const=ROOT / "bench/README.md", type=Path,
                         help="replace the block in this file (bench/README.md)")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/ink_bench")
     options = parser.parse_args()
     try:
-        run = read(options.json or measure(options.program))
-        text = table(run)
+        text = text_of(options)
         if options.readme:
-            put_in_block("speed", text, options.readme)
+            put_in_block(block, text, options.readme)
     except (OSError, ValueError, KeyError, subprocess.CalledProcessError) as error:
-        print(f"table.py: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {error}", file=sys.stderr)
         return 2
     print(text)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_script(
+        __doc__, "speed",
+        lambda add: add("json", nargs="?", help="what ink_bench wrote; without it, it is run"),
+        lambda options: table(read(options.json or measure(options.program)))))

@@ -14,25 +14,17 @@ the catalogue. Exit code 2: the program refused.
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
 import pandas as pd
 
+from run_tables import pooled_f, print_heads, read, scored, words_of
+
 ANGLES_DEG = (20, 30, 40, 50, 60, 180)
-BASELINES = ("none", "oracle")
 SCORED = {0, 3}  # exit codes of compare: done, and done without a score on some views
 
 
-def pooled_f(folder):
-    """F by method and part of a run folder, in the order of its rows."""
-    rows = pd.read_csv(Path(folder) / "rows.csv")
-    rows = rows[(rows.status == "ok") & ~rows.method.isin(BASELINES)]
-    sums = rows.groupby(["method", "split"], sort=False)[["k_2px", "n_pred", "n_truth"]].sum()
-    return 2 * sums.k_2px / (sums.n_pred + sums.n_truth)
-
-
 def measure(program, methods, scenes, angle_deg, settings):
-    """F by method and part with the truth's creases from `angle_deg` on."""
+    """F by method and part, in the order of rows, with the truth's creases from `angle_deg` on."""
     with tempfile.TemporaryDirectory() as folder:
         words = [program, "compare", *scenes, "--methods", methods,
                  "--crease", str(angle_deg), *settings, "--no-sweep", "--no-crosscheck", "--quiet",
@@ -41,19 +33,17 @@ def measure(program, methods, scenes, angle_deg, settings):
         if ran.returncode not in SCORED:
             print(ran.stderr.strip(), file=sys.stderr)
             raise SystemExit(2)
-        return pooled_f(folder)
+        rows, = read(folder, "rows.csv")
+    groups = scored(rows).groupby(["method", "split"], sort=False)
+    return pooled_f(groups[["k_2px", "n_pred", "n_truth"]].sum())
 
 
 def main():
-    if len(sys.argv) < 3:
-        print(__doc__.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    program, methods, scenes = sys.argv[1], sys.argv[2], sys.argv[3:] or ["catalogue"]
+    program, methods, *scenes = words_of(__doc__, least=2)
     for settings in ([], ["--set", "crease_deg=40"]):
-        print("| method | part | " + " | ".join(f"{angle} deg" for angle in ANGLES_DEG) + " |")
-        print("|---|---|" + "--:|" * len(ANGLES_DEG), flush=True)
-        found = pd.concat([measure(program, methods, scenes, angle, settings) for angle in ANGLES_DEG],
-                          axis=1)
+        print_heads(["method", "part"], [f"{angle} deg" for angle in ANGLES_DEG])
+        found = pd.concat([measure(program, methods, scenes or ["catalogue"], angle, settings)
+                           for angle in ANGLES_DEG], axis=1)
         for (method, part), values in zip(found.index, found.to_numpy()):
             print(f"| `{method}` | {part} | " + " | ".join(f"{value:.3f}" for value in values) + " |")
         print(flush=True)

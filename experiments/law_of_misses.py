@@ -17,6 +17,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from run_tables import print_heads, words_of
+
 BIN_DEG = 10
 FEWEST_PX = 500
 
@@ -47,15 +49,11 @@ def rates(lines, by):
 
 
 def main():
-    if len(sys.argv) < 2:
-        print(__doc__.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    lines = pd.concat([read_creases(folder) for folder in sys.argv[1:]])
+    lines = pd.concat([read_creases(folder) for folder in words_of(__doc__)])
     by_part = rates(lines, ["method", "split"])
     by_scene = rates(lines, ["method", "split", "scene"]).sort_index()
     by_scene = by_scene[by_scene.n_truth >= FEWEST_PX]
-    print("| method | part | measured | code | law | code, worst scene | law, worst scene |")
-    print("|---|---|--:|--:|--:|--:|--:|")
+    print_heads(["method", "part"], ["measured", "code", "law", "code, worst scene", "law, worst scene"])
     for (method, part), row in by_part.iterrows():
         worst = []
         for name in ("code", "law"):

@@ -20,7 +20,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-BASELINES = ("none", "oracle")
+from run_tables import print_heads, read, scored
+
 SCORED = {0, 1, 3}  # exit codes of compare: done, and done without a score on all or some views
 
 
@@ -51,9 +52,8 @@ def compare(program, mesh, camera, size, folder):
     run([program, "compare", mesh, f"--eye={triple(camera['eye'])}", f"--target={triple(camera['target'])}",
          f"--up={triple(camera['up'])}", f"--fov={camera['fov_y_deg']!r}", "--size", size, "--no-sweep", "--no-times",
          "--no-crosscheck", "--no-cache", "--images", "none", "--quiet", "--out", folder, "--force"], SCORED)
-    rows = pd.read_csv(Path(folder) / "rows.csv")
-    rows = rows[(rows.status == "ok") & ~rows.method.isin(BASELINES)]
-    return rows.set_index("method")[["k_2px", "n_pred", "n_truth"]]
+    rows, = read(folder, "rows.csv")
+    return scored(rows).set_index("method")[["k_2px", "n_pred", "n_truth"]]
 
 
 def both_sides(program, scene, size, folder):
@@ -97,8 +97,7 @@ def main():
             print(f"{scene}: done", file=sys.stderr)
     all_counts = pd.concat(found)
     random = np.random.default_rng(0)
-    print("| method | views | largest | deviation | pooled | half interval | with mirroring |")
-    print("|---|--:|--:|--:|--:|--:|--:|")
+    print_heads(["method"], ["views", "largest", "deviation", "pooled", "half interval", "with mirroring"])
     for method, counts in all_counts.groupby("method", sort=False):
         counts = counts.drop(columns=["method", "scene"])
         change = f(counts, "_mirrored") - f(counts)

@@ -8,26 +8,22 @@ median time of a frame, then settings of methods that were swept. `least` is the
 part `real`. Crowded views do not count. Exit code 2: a folder is no such run.
 """
 
-import sys
 from pathlib import Path
 
 import pandas as pd
 
+from run_tables import print_heads, read, scored, words_of
+
 PARTS = ("train", "heldout", "real")
 COUNTS = ["k_2px", "n_pred", "n_truth"]
-HIDDEN = {"none", "oracle"}
 
 
 def read_run(folder):
     """The scored rows of a run folder, and its sweep with what the rows say of each cell."""
-    try:
-        rows = pd.read_csv(Path(folder) / "rows.csv")
-        swept = Path(folder) / "sweep.csv"
-        sweep = pd.read_csv(swept) if swept.exists() else pd.DataFrame(columns=["cell", "status"])
-    except (OSError, ValueError) as reason:
-        print(f"{folder}: {reason} (accepted: a folder that inkbench run wrote)", file=sys.stderr)
-        raise SystemExit(2) from None
-    rows = rows[(rows.status == "ok") & ~rows.method.isin(HIDDEN)]
+    has_sweep = (Path(folder) / "sweep.csv").exists()
+    rows, *swept = read(folder, *["rows.csv", "sweep.csv"][:1 + has_sweep], by="run")
+    sweep = swept[0] if swept else pd.DataFrame(columns=["cell", "status"])
+    rows = scored(rows)
     facts = rows[["cell", "method", "scene", "split"]]
     return rows, sweep[sweep.status == "ok"].merge(facts, on="cell")
 
@@ -52,17 +48,14 @@ def print_table(heads, lines):
     """A table in Markdown; `lines` are pairs of its first cells and of the lines to score."""
     parts = [part for part in PARTS if any(part in set(scored.split) for _, scored in lines)]
     columns = list(parts) + (["least"] if "real" in parts else [])
-    print(f"| {' | '.join(heads + columns)} |\n|{'---|' * len(heads)}{'--:|' * len(columns)}")
+    print_heads(heads, columns)
     for cells, scored in lines:
         print(f"| {' | '.join(cells)} | {scores(scored, parts)} |")
     print()
 
 
 def main():
-    if len(sys.argv) < 2:
-        print(__doc__.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    runs = [read_run(folder) for folder in sys.argv[1:]]
+    runs = [read_run(folder) for folder in words_of(__doc__)]
     rows, sweep = (pd.concat(tables, ignore_index=True) for tables in zip(*runs))
 
     def of_method(method, of):

@@ -9,26 +9,18 @@ and limit, and one for a rule that knows the truth (the best threshold of each i
 F at 2 px to the method's own threshold, on each part of the suite that the runs have. Exit code 2: a folder is no such run.
 """
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pandas as pd
 
+from run_tables import BASELINES, print_heads, read, scored, words_of
+
 LIMITS = (0.05, 0.1, 0.15, 0.2, 0.3, 0.4)
-BASELINES = {"none", "sampled", "exact_corner", "oracle"}
 
 
 def read_curves(folder):
     """All lines of curves.csv with method, part and own threshold of their cells."""
-    try:
-        rows = pd.read_csv(Path(folder) / "rows.csv")
-        curves = pd.read_csv(Path(folder) / "curves.csv")
-    except (OSError, ValueError) as reason:
-        print(f"{folder}: {reason} (accepted: a folder that inkbench compare wrote)", file=sys.stderr)
-        raise SystemExit(2) from None
-    rows = rows[(rows.status == "ok") & ~rows.method.isin(BASELINES)]
-    facts = rows[["cell", "method", "split", "threshold"]].rename(columns={"threshold": "own"})
+    rows, curves = read(folder, "rows.csv", "curves.csv")
+    facts = scored(rows, BASELINES)[["cell", "method", "split", "threshold"]].rename(columns={"threshold": "own"})
     return curves.merge(facts, on="cell").assign(run=str(folder))
 
 
@@ -66,7 +58,7 @@ def table(curves):
     rules = {f"limit {limit:g}": lambda curve, limit=limit: level_line(curve, limit) for limit in LIMITS}
     rules["best of each image"] = best_line
     parts = [part for part in ("train", "heldout", "real") if part in set(curves.split)]
-    print("| method | rule | " + " | ".join(parts) + " |\n|---|---|" + "--:|" * len(parts))
+    print_heads(["method", "rule"], parts)
     for method, of_method in curves.groupby("method"):
         cells = [curve.sort_values("threshold") for _, curve in of_method.groupby(["run", "cell"])]
         own = [curve.iloc[own_line(curve)] for curve in cells]
@@ -81,10 +73,7 @@ def table(curves):
 
 
 def main():
-    if len(sys.argv) < 2:
-        print(__doc__.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    table(pd.concat([read_curves(folder) for folder in sys.argv[1:]], ignore_index=True))
+    table(pd.concat([read_curves(folder) for folder in words_of(__doc__)], ignore_index=True))
 
 
 if __name__ == "__main__":

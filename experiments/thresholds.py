@@ -11,13 +11,9 @@ scenes resampled 2000 times. Shipped thresholds are found so; one stays as long 
 the folder is no such run.
 """
 
-import sys
-from pathlib import Path
-
 import numpy as np
-import pandas as pd
 
-BASELINES = {"none", "sampled", "exact_corner", "oracle"}
+from run_tables import BASELINES, print_heads, read, scored, words_of
 
 
 def roots(lines):
@@ -35,18 +31,10 @@ def gain_interval(own, best):
 
 
 def main():
-    if len(sys.argv) != 2:
-        print(__doc__.strip(), file=sys.stderr)
-        raise SystemExit(2)
-    folder = Path(sys.argv[1])
-    try:
-        rows, curves = (pd.read_csv(folder / name) for name in ("rows.csv", "curves.csv"))
-    except (OSError, ValueError) as reason:
-        print(f"{folder}: {reason} (accepted: a folder that inkbench compare wrote)", file=sys.stderr)
-        raise SystemExit(2) from None
-    rows = rows[(rows.status == "ok") & (rows.split == "train") & ~rows.method.isin(BASELINES)]
-    facts = rows[["cell", "method", "scene", "threshold"]].rename(columns={"threshold": "own"})
-    print("| method | own | its error | best | its error | gain |\n|---|--:|--:|--:|--:|--:|")
+    rows, curves = read(*words_of(__doc__, most=1), "rows.csv", "curves.csv")
+    rows = scored(rows, BASELINES)
+    facts = rows[rows.split == "train"][["cell", "method", "scene", "threshold"]].rename(columns={"threshold": "own"})
+    print_heads(["method"], ["own", "its error", "best", "its error", "gain"])
     for method, of in curves.merge(facts, on="cell").groupby("method"):
         by_threshold = of.groupby("threshold").apply(roots)
         # Line i of a curve is of an edge response of i percent of 255, rounded up.

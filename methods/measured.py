@@ -37,7 +37,7 @@ SCORED = {0, 3}  # exit codes of compare: done, and done without a score on some
 
 
 class BadPage(Exception):
-    """What a page asks for cannot be measured: where, what is wrong, what is accepted."""
+    """What a page asks for cannot be had: where, what is wrong, what is accepted."""
 
     def __init__(self, where, what, accepted):
         super().__init__(f"{where}: {what} (accepted: {accepted})")

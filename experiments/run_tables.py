@@ -1,0 +1,41 @@
+"""What the scripts beside this file share: their words, and the tables of run folders."""
+
+import sys
+from pathlib import Path
+
+import pandas as pd
+
+BASELINES = {"none", "sampled", "exact_corner", "oracle"}
+
+
+def words_of(page, least=1, most=None):
+    """The words of the command line; exit code 2 and the page where they are too few or too many."""
+    words = sys.argv[1:]
+    if not least <= len(words) <= (most or len(words)):
+        print(page.strip(), file=sys.stderr)
+        raise SystemExit(2)
+    return words
+
+
+def read(folder, *names, by="compare"):
+    """These tables of a run folder that `inkbench BY` wrote; exit code 2 where it has them not."""
+    try:
+        return [pd.read_csv(Path(folder) / name) for name in names]
+    except (OSError, ValueError) as reason:
+        print(f"{folder}: {reason} (accepted: a folder that inkbench {by} wrote)", file=sys.stderr)
+        raise SystemExit(2) from None
+
+
+def scored(rows, without=("none", "oracle")):
+    """The rows that have a score, but for some methods."""
+    return rows[(rows.status == "ok") & ~rows.method.isin(without)]
+
+
+def pooled_f(counts, k="k_2px"):
+    """F at 2 px of summed counts: a number, or one a line."""
+    return 2 * counts[k] / (counts.n_pred + counts.n_truth)
+
+
+def print_heads(texts, numbers):
+    """The two lines above a table in Markdown."""
+    print(f"| {' | '.join([*texts, *numbers])} |\n|{'---|' * len(texts)}{'--:|' * len(numbers)}", flush=True)
