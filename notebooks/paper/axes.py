@@ -88,8 +88,7 @@ def curves(runs, style):
                                 alpha=0.1, linewidth=0)
             ax.plot(own["value"], own["f"], **{**look, "markersize": 2.4 * style.scale,
                                                "linewidth": 0.9 * style.scale})
-            own_ends.append((own["value"].iloc[-1], own["f"].iloc[-1], method,
-                             style.text_colour(method)))
+            own_ends.append((own["value"].iloc[-1], own["f"].iloc[-1], method))
         for method, most in one_sample[one_sample["axis"] == name].groupby("method"):
             most = most.sort_values("value")
             ax.plot(most["value"], most["f"], color=INK, linestyle=ONE_SAMPLE[method][1],
@@ -155,8 +154,7 @@ def _by_family(style, frame, names, y, label, scale, only_own=False):
                 if f"{y}_lo" in own and own[f"{y}_lo"].notna().any():
                     ax.fill_between(own["value"], own[f"{y}_lo"], own[f"{y}_hi"],
                                     color=look["color"], alpha=0.12, linewidth=0)
-                own_ends.append((own["value"].iloc[-1], own[y].iloc[-1], method,
-                                 style.text_colour(method)))
+                own_ends.append((own["value"].iloc[-1], own[y].iloc[-1], method))
             scale(ax, along["value"])
             ax.set_xlabel(label(name))
             if k == 0:
@@ -187,9 +185,7 @@ _GROWTH = {"triangles": ("triangles", 1), "pixels": ("megapixels", 1e-6),
 
 
 def _log_scale(ax, _):
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    layout.plain_ticks(ax)
+    layout.log_axes(ax)
 
 
 def scaling(runs, style):

@@ -145,11 +145,8 @@ def settings(runs, style):
             steps = own[own["error"] == own["best_so_far"]]
             ax.step(steps["ms"], steps["error"], where="post",
                     **{**look, "markersize": 3.2 * style.scale, "linewidth": 0.9 * style.scale})
-            own_ends.append((steps["ms"].iloc[-1], steps["error"].iloc[-1], method,
-                             style.text_colour(method)))
-        ax.set_xscale("log")
-        ax.set_yscale("log")
-        layout.plain_ticks(ax)
+            own_ends.append((steps["ms"].iloc[-1], steps["error"].iloc[-1], method))
+        layout.log_axes(ax)
         ends.append((ax, own_ends))
     figure.supxlabel("time of a frame, ms")
     figure.supylabel("error 1 − F at 2 px")
@@ -192,11 +189,8 @@ def sizes(runs, style):
                     **look, "linestyle": dash, "markersize": 3 * style.scale,
                     "markerfacecolor": look["markerfacecolor"] if is_first else PAPER})
                 if is_first:
-                    own_ends.append((points.index[-1], points.values[-1], method,
-                                     style.text_colour(method)))
-        ax.set_xscale("log")
-        ax.set_yscale("log")
-        layout.plain_ticks(ax)
+                    own_ends.append((points.index[-1], points.values[-1], method))
+        layout.log_axes(ax)
         ends.append((ax, own_ends))
     figure.supxlabel("megapixels")
     figure.supylabel("time of a frame, ms")

@@ -59,17 +59,29 @@ def key(figure, style, entries):
     legend.set_bbox_to_anchor((0.005, 1 - 2 * _PT / (old + grown)))
 
 
-def method_axis(ax, style, methods):
-    """Methods from top to bottom as ticks in their colour, a rule between families."""
-    ax.set_yticks(range(len(methods)), methods, fontsize=style.small_pt)
-    ax.set_ylim(len(methods) - 0.4, -0.6)
+def name_axis(ax, style, names):
+    """Names from top to bottom as ticks."""
+    ax.set_yticks(range(len(names)), names, fontsize=style.small_pt)
+    ax.set_ylim(len(names) - 0.4, -0.6)
     ax.grid(axis="y", visible=False)
     ax.tick_params(axis="y", length=0)
+
+
+def method_axis(ax, style, methods):
+    """Methods from top to bottom as ticks in their colour, a rule between families."""
+    name_axis(ax, style, methods)
     for label, method in zip(ax.get_yticklabels(), methods):
         label.set_color(INK if style.family(method) == OTHERS else style.text_colour(method))
     for i in range(1, len(methods)):
         if style.family(methods[i]) != style.family(methods[i - 1]):
             ax.axhline(i - 0.5, color=MIST, linewidth=0.6)
+
+
+def log_axes(ax):
+    """Both axes logarithmic, with plain numbers at their ticks."""
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    plain_ticks(ax)
 
 
 def plain_ticks(ax, x=True, y=True):
@@ -107,16 +119,16 @@ def paper_box():
 def label_ends(figure, style, panels):
     """Texts to the right of lines, moved apart where they would touch, with a line to their end.
 
-    panels: (axes, [(x, y, text, colour), ...]) each. Lines that end in one point get one text. Call
+    panels: (axes, [(x, y, method), ...]) each. Lines that end in one point get one text. Call
     it last, when limits and legends stand: the layout makes room at the right.
     """
     figure.draw_without_rendering()
     height = style.small_pt * figure.dpi / 72 * 1.12
     for ax, ends in panels:
         merged = {}
-        for x, y, text, tone in ends:
+        for x, y, method in ends:
             spot = (round(float(x), 12), round(float(y), 9))
-            merged.setdefault(spot, (x, y, [], tone))[2].append(text)
+            merged.setdefault(spot, (x, y, [], style.text_colour(method)))[2].append(method)
         placed = sorted(((ax.transData.transform((x, y)), ", ".join(texts), tone)
                          for x, y, texts, tone in merged.values()), key=lambda end: end[0][1])
         ys = _moved_apart([at[1] for at, _, _ in placed], height, ax.get_window_extent())

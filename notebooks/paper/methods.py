@@ -4,7 +4,7 @@ import pandas as pd
 
 from paper import layout
 from paper.chart import Chart, Nothing
-from paper.runs import (BASELINES, CLASSES, ONE_SAMPLE, RECALL_GROUPS, counted, extent,
+from paper.runs import (CLASSES, ONE_SAMPLE, RECALL_GROUPS, counted, extent,
                         pooled)
 from paper.sheet import GRID_DPI, text_width_px
 from paper.style import CLASS_COLOURS, FAINT, FALSE_CAUSES, INK, MISSING_CAUSES, MIST
@@ -118,8 +118,7 @@ def heat_map(style, table, label, methods=None, digits=3, is_loss=False):
 
 def classes(runs, style):
     """Recall of each method on each class of line that the scenes have."""
-    rows = runs.table("rows.csv")
-    rows = rows[~rows["method"].isin(BASELINES)]
+    rows = runs.table_of_methods("rows.csv")
     methods = style.by_family(rows["method"])
     if not methods:
         raise Nothing("the run has no method beside the baselines")
@@ -142,8 +141,7 @@ def classes(runs, style):
 
 def scenes_by_methods(runs, style):
     """F of each method on each scene."""
-    rows = runs.table("rows.csv")
-    rows = rows[~rows["method"].isin(BASELINES)]
+    rows = runs.table_of_methods("rows.csv")
     methods = style.by_family(rows["method"])
     if not methods:
         raise Nothing("the run has no method beside the baselines")
@@ -163,8 +161,7 @@ def scenes_by_methods(runs, style):
 
 def causes(runs, style):
     """Why pixels are wrong: missing lines to the left, false ones to the right."""
-    rows = runs.table("rows.csv")
-    rows = rows[~rows["method"].isin(BASELINES)]
+    rows = runs.table_of_methods("rows.csv")
     columns = list(MISSING_CAUSES) + list(FALSE_CAUSES)
     if rows[columns].isna().all().all():
         raise Nothing("the run asked for no causes (full_scores = false)")
@@ -210,8 +207,7 @@ def panels_by_family(style, groups, height_in, most=2, **keywords):
 
 def tolerances(runs, style):
     """Error over the tolerance within which a match counts."""
-    frame = runs.table("tolerances.csv")
-    frame = frame[~frame["method"].isin(BASELINES)]
+    frame = runs.table_of_methods("tolerances.csv")
     points = pooled(frame, ["method", "tolerance_px"], k="k")
     groups = style.families_of(points["method"])
     figure, axes = panels_by_family(style, groups, 2.0, sharey=True, sharex=True)
@@ -222,8 +218,7 @@ def tolerances(runs, style):
             own = points[points["method"] == method].sort_values("tolerance_px")
             ax.plot(own["tolerance_px"], own["error"], **{**style.look(method, True),
                                                           "markersize": 3 * style.scale})
-            ends.append((own["tolerance_px"].iloc[-1], own["error"].iloc[-1], method,
-                         style.text_colour(method)))
+            ends.append((own["tolerance_px"].iloc[-1], own["error"].iloc[-1], method))
         ax.set_yscale("log")
         layout.plain_ticks(ax, x=False)
         ax.set_xlim(0.9, 4.1)

@@ -3,7 +3,7 @@
 from paper import layout
 from paper.chart import Chart, Nothing
 from paper.methods import panels_by_family
-from paper.runs import BASELINES, counted
+from paper.runs import counted
 from paper.style import (BLUE, FAINT, GREEN, INK, MARKERS, MISSING, ORANGE, PURPLE, SKY, VERMILION,
                          mixed)
 
@@ -14,8 +14,7 @@ _PATH_TONES = [INK, BLUE, VERMILION, GREEN, PURPLE, mixed(ORANGE, INK, 0.2), mix
 
 def flicker(runs, style):
     """Flicker and pops of each method on each path of the camera."""
-    motion = runs.table("motion.csv", _ADVICE)
-    motion = motion[~motion["method"].isin(BASELINES)]
+    motion = runs.table_of_methods("motion.csv", _ADVICE)
     methods = style.by_family(motion["method"])
     paths = list(dict.fromkeys(motion["view"]))
     sums = motion.groupby(["method", "view"])[_COUNTS].sum().reset_index()
@@ -74,14 +73,11 @@ def lives(runs, style):
             ax.step(living.index, living.values, where="post",
                     **{**style.look(method, True), "markersize": 3 * style.scale,
                        "linewidth": 0.9 * style.scale})
-            own_ends.append((living.index[-1], living.values[-1], method,
-                             style.text_colour(method)))
+            own_ends.append((living.index[-1], living.values[-1], method))
             total = int(counts.sum())
             facts.append(f"{method}: {counted(total, 'false line')}, "
                          f"{counts.get(1, 0) / total:.0%} of them for one frame")
-        ax.set_xscale("log")
-        ax.set_yscale("log")
-        layout.plain_ticks(ax)
+        layout.log_axes(ax)
         ends.append((ax, own_ends))
     figure.supylabel("false lines with this life or longer")
     figure.supxlabel("life, frames")

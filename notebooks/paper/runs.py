@@ -213,6 +213,11 @@ class Runs:
             raise Nothing(f"{name} has no line with a score of what was asked for")
         return frame.reset_index(drop=True)
 
+    def table_of_methods(self, name, advice=""):
+        """The same without baselines."""
+        frame = self.table(name, advice)
+        return frame[~frame["method"].isin(BASELINES)]
+
     def table_if_any(self, name):
         """The same, or None."""
         try:

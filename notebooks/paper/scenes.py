@@ -26,10 +26,7 @@ def _views(runs):
 
 
 def _scene_axis(ax, style, scenes, splits):
-    ax.set_yticks(range(len(scenes)), scenes, fontsize=style.small_pt)
-    ax.set_ylim(len(scenes) - 0.4, -0.6)
-    ax.grid(axis="y", visible=False)
-    ax.tick_params(axis="y", length=0)
+    layout.name_axis(ax, style, scenes)
     for i in range(1, len(scenes)):
         if splits[scenes[i]] != splits[scenes[i - 1]]:
             ax.axhline(i - 0.5, color=FAINT, linewidth=0.8)
