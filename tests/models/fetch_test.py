@@ -48,15 +48,14 @@ class Desk:
 
     def __init__(self):
         self.folder = Path(tempfile.mkdtemp())
-        self.bin = self.folder / "bin"
-        self.store = self.folder / "store"
+        self.bin, self.store = self.folder / "bin", self.folder / "store"
         self.bin.mkdir()
         self.store.mkdir()
         self.entries = []
-        for name, last in (("npm", "$2"), ("apt-get", "$2")):
+        for name in ("npm", "apt-get"):
             script = self.bin / name
             script.write_text(f"#!/bin/sh\necho \"{name} $*\" >> {self.folder}/calls\n"
-                              f"cp {self.store}/\"$(echo {last} | tr -d / | cut -d= -f1)\"/* . "
+                              f"cp {self.store}/\"$(echo $2 | tr -d / | cut -d= -f1)\"/* . "
                               f"2>/dev/null || {{ echo E: no such package >&2; exit 1; }}\n")
             script.chmod(0o755)
 
@@ -110,16 +109,20 @@ class Fetch(unittest.TestCase):
         self.desk = Desk()
         self.addCleanup(shutil.rmtree, self.desk.folder)
 
+    def expect_got(self, calls, *names):
+        """All is got by these calls of clients, and these models are the triangle."""
+        done = self.desk.fetch()
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for name in names:
+            self.assertEqual(self.desk.made(name), TRIANGLE)
+        self.assertEqual(self.desk.calls(), calls)
+
     def test_gets_checks_and_converts(self):
         packed = gzip.compress(TRIANGLE, mtime=0)
         self.desk.npm("tiny", "1.0.0", {"a.obj.gz": packed, "index.js": JSON_MESH})
         self.desk.list("npm", "tiny", "1.0.0", ("a", "a.obj.gz", packed, "gunzip"),
                        ("b", "index.js", JSON_MESH, "json_mesh"))
-        done = self.desk.fetch()
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(self.desk.made("a"), TRIANGLE)
-        self.assertEqual(self.desk.made("b"), TRIANGLE)
-        self.assertEqual(self.desk.calls(), ["npm pack tiny@1.0.0 --silent"])
+        self.expect_got(["npm pack tiny@1.0.0 --silent"], "a", "b")
         self.assertIn("a, b: tiny 1.0.0 (npm), none",
                       (self.desk.folder / "out" / "LICENCES.txt").read_text())
 
@@ -131,11 +134,7 @@ class Fetch(unittest.TestCase):
         self.desk.debian("tiny", "2-1", {"usr/share/t.obj": TRIANGLE, "usr/p.pk3": pack.getvalue()})
         self.desk.list("debian", "tiny", "2-1", ("t", "usr/share/t.obj", TRIANGLE, "copy"),
                        ("m", "usr/p.pk3/maps/m.obj", TRIANGLE, "copy"))
-        done = self.desk.fetch()
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(self.desk.made("t"), TRIANGLE)
-        self.assertEqual(self.desk.made("m"), TRIANGLE)
-        self.assertEqual(self.desk.calls(), ["apt-get download tiny=2-1"])
+        self.expect_got(["apt-get download tiny=2-1"], "t", "m")
 
     def test_says_what_it_could_not_get_and_why(self):
         self.desk.npm("tiny", "1.0.0", {"a.obj": TRIANGLE})

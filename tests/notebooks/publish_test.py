@@ -19,13 +19,13 @@ sys.path[:0] = [str(SOURCE / "notebooks"), str(Path(__file__).parent)]
 import tiny_runs  # noqa: E402
 from paper.runs import RunFolder  # noqa: E402
 
+SCRIPT = SOURCE / "experiments/publish"
 PACK_ABOVE_KIB = 8
 DESK = tempfile.TemporaryDirectory(prefix="inkbench-publish-")
 
 
-def call(*arguments):
-    return subprocess.run([str(SOURCE / "experiments/publish"), *map(str, arguments)], capture_output=True, text=True,
-                          check=False)
+def call(*words):
+    return subprocess.run([*map(str, words)], capture_output=True, text=True, check=False)
 
 
 class Publish(unittest.TestCase):
@@ -33,10 +33,14 @@ class Publish(unittest.TestCase):
     def setUpClass(cls):
         cls.run_folder = Path(tiny_runs.make("compare", DESK.name))
         cls.out = Path(DESK.name) / "published"
-        done = call(cls.run_folder, "-o", cls.out, "--name", "tiny", "--date", "2026-01-02",
-                    "--pack-above", str(PACK_ABOVE_KIB))
+        done = cls.publish(cls.out)
         assert done.returncode == 0, done.stderr
         cls.croissant = json.loads((cls.out / "croissant.json").read_text(encoding="utf-8"))
+
+    @classmethod
+    def publish(cls, out):
+        return call(SCRIPT, cls.run_folder, "-o", out, "--name", "tiny", "--date", "2026-01-02",
+                    "--pack-above", PACK_ABOVE_KIB)
 
     @staticmethod
     def bytes_of(path):
@@ -92,14 +96,12 @@ class Publish(unittest.TestCase):
 
     def test_the_same_run_gives_the_same_bytes(self):
         again = Path(DESK.name) / "again"
-        self.assertEqual(call(self.run_folder, "-o", again, "--name", "tiny", "--date", "2026-01-02",
-                    "--pack-above", str(PACK_ABOVE_KIB)).returncode, 0)
+        self.assertEqual(self.publish(again).returncode, 0)
         for path in self.out.iterdir():
             self.assertEqual(path.read_bytes(), (again / path.name).read_bytes(), path.name)
 
     def test_program_and_figures_read_it_as_they_read_the_run(self):
-        done = subprocess.run([tiny_runs.PROGRAM, "diff", str(self.run_folder), str(self.out), "--json"],
-                              capture_output=True, text=True, check=False)
+        done = call(tiny_runs.PROGRAM, "diff", self.run_folder, self.out, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         told = json.loads(done.stdout)
         self.assertTrue(all(method["changed_images"] == method["changed_scores"] == 0 for method in told["methods"]))
@@ -109,13 +111,13 @@ class Publish(unittest.TestCase):
 
     def test_what_is_no_finished_run_is_refused_and_nothing_is_written(self):
         nowhere = Path(DESK.name) / "nowhere"
-        done = call(Path(DESK.name) / "missing", "-o", nowhere)
+        done = call(SCRIPT, Path(DESK.name) / "missing", "-o", nowhere)
         self.assertEqual((done.returncode, nowhere.exists()), (2, False))
         self.assertIn("run.toml", done.stderr)
         other = Path(DESK.name) / "other"
         other.mkdir()
         (other / "thesis.tex").write_text("mine", encoding="utf-8")
-        self.assertEqual(call(self.run_folder, "-o", other).returncode, 2)
+        self.assertEqual(call(SCRIPT, self.run_folder, "-o", other).returncode, 2)
         self.assertEqual([path.name for path in other.iterdir()], ["thesis.tex"])
 
     def test_a_packed_table_that_is_cut_short_is_told(self):
@@ -123,8 +125,7 @@ class Publish(unittest.TestCase):
         shutil.copytree(self.out, cut)
         packed = next(path for path in cut.glob("*.csv.gz"))
         packed.write_bytes(packed.read_bytes()[:-9])
-        done = subprocess.run([tiny_runs.PROGRAM, "diff", str(cut), str(cut)], capture_output=True, text=True,
-                              check=False)
+        done = call(tiny_runs.PROGRAM, "diff", cut, cut)
         self.assertEqual(done.returncode, 2)
         self.assertIn(packed.name, done.stderr)
 

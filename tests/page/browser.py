@@ -74,11 +74,13 @@ class BrowserTest(unittest.TestCase):
         """What a class opens, in its folder; `before/report.html` unless it says otherwise."""
         raise NotImplementedError
 
-    def open(self, file=None, address=""):
+    def open(self, file=None, address="", part=None):
+        """Opens a page, and gives one of its parts as `show` does."""
         self.browser.get("about:blank")
         self.browser.get_log("browser")
         self.browser.get((file or self.folder / "before" / "report.html").as_uri() + address)
         self.wait(lambda: self.script("return document.documentElement.dataset.ready === '1'"))
+        return self.show(part) if part else None
 
     @contextlib.contextmanager
     def window(self, width, height=844):

@@ -63,6 +63,10 @@ class ControlsTest(BrowserTest):
                     "part.node.scrollIntoView()", part)
         settle(self.browser)
 
+    def open_pictures(self, *words, **more):
+        self.open(*words, **more)
+        self.unfold("pictures")
+
     def check(self, what, root):
         """All pictures below `root` hold drawn pixels, no attribute lacks a number, and no observer
         or timer has outlived what it is for."""
@@ -141,8 +145,7 @@ class ControlsTest(BrowserTest):
         return next(box for box in self.check(what, "#pictures") if box["kind"] == "stage")
 
     def test_keys_wheel_and_pointer_leave_the_viewer_drawn(self):
-        self.open()
-        self.unfold("pictures")
+        self.open_pictures()
         canvas = self.find("canvas.stage")
         canvas.click()
         before = self.stage("a click")
@@ -162,16 +165,14 @@ class ControlsTest(BrowserTest):
         self.assertLess(self.stage("moving the divider")["cut"], 0.4)
 
     def test_only_runs_with_images_of_a_view_stand_on_the_right(self):
-        self.open(self.three, "#scene=cube&rightRun=2")
-        self.unfold("pictures")
+        self.open_pictures(self.three, "#scene=cube&rightRun=2")
         self.stage("a run without images")
         options = [option.text for option in self.find_all("#pictures select[aria-label='Right of run'] option")]
         self.assertEqual(options, ["before", "after"])
         self.work_all("#pictures", "#pictures")
 
     def test_what_was_enlarged_of_one_scene_is_not_of_the_next(self):
-        self.open(address="#scene=cube")
-        self.unfold("pictures")
+        self.open_pictures(address="#scene=cube")
         for _ in range(6):
             self.find("#nearer").click()
         self.script("state.set({scene: 'tiles'})")
@@ -180,8 +181,7 @@ class ControlsTest(BrowserTest):
         self.assertEqual(self.stage("Fit"), enlarged)
 
     def test_two_choices_in_a_row_leave_one_viewer_at_work(self):
-        self.open()
-        self.unfold("pictures")
+        self.open_pictures()
         self.script("state.set({right: 'sobel'}); state.set({right: 'mote4'})")
         self.stage("two choices")
         self.find("#blink").click()

@@ -70,8 +70,7 @@ class PageTest(BrowserTest):
     # ---- Filters and state ----------------------------------------------------------------
 
     def test_filter_leaves_out_a_method_and_stands_in_the_address(self):
-        self.open()
-        self.show("verdict")
+        self.open(part="verdict")
         self.assertIn("edge_hash", self.column("verdict", 0))
         self.assertEqual(self.address(), "")
         self.find('details.picker[data-name="methods"] summary').click()
@@ -79,15 +78,13 @@ class PageTest(BrowserTest):
         self.show("verdict")
         self.wait(lambda: "edge_hash" not in self.column("verdict", 0))
         self.assertEqual(self.address(), "#methods=mote4,ids")
-        self.open(address="#methods=mote4,ids")
-        self.show("verdict")
+        self.open(address="#methods=mote4,ids", part="verdict")
         self.assertNotIn("edge_hash", self.column("verdict", 0))
         self.find("#reset").click()
         self.wait(lambda: self.address() == "")
 
     def test_measure_and_scene_change_the_numbers(self):
-        self.open(address="#scenes=cube&measure=crease")
-        self.show("verdict")
+        self.open(address="#scenes=cube&measure=crease", part="verdict")
         expected = self.script(
             "const rows = runs[0].rows.filter(r => r.method === 'mote4' && r.scene === 'cube');"
             "return d3.sum(rows, r => r.k_crease) / d3.sum(rows, r => r.truth_px_crease)")
@@ -103,8 +100,7 @@ class PageTest(BrowserTest):
         self.assertIn(fastest["method"], self.find("h1").text)
 
     def test_table_sorts_both_ways_and_keeps_it_in_the_address(self):
-        self.open()
-        self.show("verdict")
+        self.open(part="verdict")
         head = "#verdict thead tr:last-child th:nth-child(2) button"
         numbers = lambda: [float(v) for v in self.column("verdict", 1)]
         self.assertEqual(numbers(), sorted(numbers(), reverse=True))
@@ -119,8 +115,7 @@ class PageTest(BrowserTest):
         webdriver.ActionChains(self.browser).move_to_element(element).perform()
 
     def test_pointer_on_a_point_shows_its_image_and_a_click_blinks_the_truth(self):
-        self.open()
-        self.show("time")
+        self.open(part="time")
         point = self.find('#time .point[data-method="ids"]')
         self.hover(point)
         self.wait(lambda: self.script("return card.node && !card.node.hidden"))
@@ -135,14 +130,12 @@ class PageTest(BrowserTest):
         self.wait(lambda: "right=ids" in self.address())
 
     def test_pointer_on_a_cell_shows_its_image(self):
-        self.open()
-        self.show("scenes")
+        self.open(part="scenes")
         self.hover(self.find("#scenes tbody td.answers:last-child"))
         self.wait(lambda: self.script("return card.node && !card.node.hidden"))
 
     def test_slider_moves_the_divider(self):
-        self.open()
-        self.show("pictures")
+        self.open(part="pictures")
         self.wait(lambda: self.find("canvas.stage").get_attribute("data-drawn"))
         self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.500")
         slider = self.find("#divider")
@@ -151,8 +144,7 @@ class PageTest(BrowserTest):
         self.assertEqual(self.find("canvas.stage").get_attribute("data-cut"), "0.490")
 
     def test_viewer_shows_errors_in_colour(self):
-        self.open(address="#right=mote4&scene=cube")
-        self.show("pictures")
+        self.open(address="#right=mote4&scene=cube", part="pictures")
         self.wait(lambda: "mote4" in (self.find("canvas.stage").get_attribute("data-drawn") or ""))
         wrong = self.script(
             "const row = runs[0].rows.find(r => r.method === 'mote4' && r.scene === 'cube');"
@@ -168,8 +160,7 @@ class PageTest(BrowserTest):
             self.assertGreater(done[2], 0)
 
     def test_chart_toggles_its_axis(self):
-        self.open()
-        self.show("time")
+        self.open(part="time")
         ticks = lambda: self.script(
             "return [...document.querySelectorAll('#chart-error-time .axis:first-of-type .tick')].map(t => t.textContent)")
         before = ticks()
@@ -180,8 +171,7 @@ class PageTest(BrowserTest):
         self.assertEqual(self.address(), "#time.xlog=0")
 
     def test_chart_leaves_as_svg_and_csv(self):
-        self.open()
-        self.show("time")
+        self.open(part="time")
         self.script("window.saved = []; saveFile = (name, type, text) => window.saved.push([name, type, text])")
         for button in self.find_all("#chart-error-time .chart-head button.quiet"):
             button.click()
@@ -196,8 +186,7 @@ class PageTest(BrowserTest):
     # ---- Two runs --------------------------------------------------------------------------
 
     def test_two_runs_show_the_changed_threshold(self):
-        self.open(self.page)
-        section = self.show("runs")
+        section = self.open(self.page, part="runs")
         self.assertIn("mote4.threshold", section.text)
         self.assertIn("40", section.text)
         first = self.column("runs", 0)

@@ -66,6 +66,12 @@ def plain_primitive(glb, kind="f4", normalised=False):
     return primitive, meant(raw, normalised)
 
 
+def put_mesh(glb, primitive, **node):
+    """A mesh of one primitive, and a node that has it."""
+    glb.put("meshes", {"primitives": [primitive]})
+    glb.put("nodes", {"mesh": 0, **PLACE, **node})
+
+
 def of_indices(points, mode=4):
     return points[triangles(INDICES[mode], mode)]
 
@@ -92,8 +98,7 @@ def make_positions():
             primitive["indices"] = glb.accessor(np.array(corners, index).reshape(-1, 1))
         if mode == 4 and index == "u2":
             del primitive["mode"]
-        glb.put("meshes", {"primitives": [primitive]})
-        glb.put("nodes", {"mesh": 0, **PLACE})
+        put_mesh(glb, primitive)
         points = moved(meant(raw, normalised), matrix)
         name = f"pos_{kind}{'n' * normalised}_{sparse or 'plain'}_{mode}{index or 'none'}"
         finish(glb, name, points[triangles(corners, mode)],
@@ -173,8 +178,7 @@ def make_skins():
             ("u1", "u2"), ("f4", "u1", "u2"), (True, False), (1, 2), ("f4", "i2")):
         glb = Glb()
         primitive, points = plain_primitive(glb, kind, kind != "f4")
-        glb.put("meshes", {"primitives": [primitive]})
-        glb.put("nodes", {"mesh": 0, "skin": 0, **PLACE})
+        put_mesh(glb, primitive, skin=0)
         skinned = add_skin(glb, primitive, joint_kind, weight_kind, binds, sets)
         finish(glb, f"skin_{joint_kind}_{weight_kind}_{'bound' if binds else 'unbound'}_{sets}_"
                f"{kind}", of_indices(skinned(points)), scenes=[{"nodes": [0, 1, 3]}],
@@ -265,8 +269,7 @@ def make_animations():
             else:
                 place[path] = value
             add_animation(glb, {path: sampler})
-            glb.put("meshes", {"primitives": [primitive]})
-            glb.put("nodes", {"mesh": 0, **PLACE})
+            put_mesh(glb, primitive)
             finish(glb, f"anim_{path}_{kind}_{interpolation}",
                    of_indices(moved(points, place_matrix(**place))))
 
@@ -293,8 +296,7 @@ def make_mixed():
         for path in KEYS:
             channels[path], values[path] = add_sampler(glb, path, "f4", interpolation)
         add_animation(glb, channels)
-        glb.put("meshes", {"primitives": [primitive]})
-        glb.put("nodes", {"mesh": 0, **PLACE})
+        put_mesh(glb, primitive)
         weights = values.pop("weights")
         points = points + weights[0] * deltas[0] + weights[1] * deltas[1]
         finish(glb, f"mixed_all_{interpolation}",
@@ -307,9 +309,7 @@ def make_mixed():
             "TRANSLATION": glb.accessor(stored(KEYS["translation"][:3], "f4")),
             "ROTATION": glb.accessor(turns, True),
             "SCALE": glb.accessor(stored(KEYS["scale"][1:], "f4"))}
-        glb.put("meshes", {"primitives": [primitive]})
-        glb.put("nodes", {"mesh": 0, **PLACE, "extensions": {
-            "EXT_mesh_gpu_instancing": {"attributes": attributes}}})
+        put_mesh(glb, primitive, extensions={"EXT_mesh_gpu_instancing": {"attributes": attributes}})
         soups = [of_indices(moved(points, place_matrix(**PLACE) @ place_matrix(
             KEYS["translation"][i], unit(meant(turns, True)[i]), KEYS["scale"][i + 1])))
                  for i in range(3)]
