@@ -268,28 +268,20 @@ scene::Scene make_octopus_scene() {
     const auto eye = stage.mesh("eye", make_sphere(0.11, 24, 14));
     for (const double side : {-1.0, 1.0})
         stage.place(eye, "eye", Pose{{side * 0.24, 0.72, 0.36}, {0, 24 * side, 0}, {1, 1.25, .8}});
-    stage.view(Shot{"front", 0, 10});
-    stage.view(Shot{"three_quarter", 34, 28});
-    stage.view(EyeShot{"close", {2.25, 0.75, 2.75}, {0, 0.625, 0}, 40});
-    return stage.finish();
+    return stage.finish({{"front", 0, 10}, {"three_quarter", 34, 28}},
+                        {{"close", {2.25, 0.75, 2.75}, {0, 0.625, 0}, 40}});
 }
 
 scene::Scene make_hand_scene() {
     Stage stage;
     stage.add("hand", subdivided(hand_cage(), 3));
-    stage.view(Shot{"front", 8, 4});
-    stage.view(Shot{"three_quarter", 46, 16});
-    stage.view(Shot{"above", -30, 58});
-    return stage.finish();
+    return stage.finish({{"front", 8, 4}, {"three_quarter", 46, 16}, {"above", -30, 58}});
 }
 
 scene::Scene make_scan_scene() {
     Stage stage;
     stage.add("bear", scanned(subdivided(bear_cage(), 5)));
-    stage.view(Shot{"front", 0, 8});
-    stage.view(Shot{"three_quarter", 40, 18});
-    stage.view(Shot{"behind", -128, 30});
-    return stage.finish();
+    return stage.finish({{"front", 0, 8}, {"three_quarter", 40, 18}, {"behind", -128, 30}});
 }
 
 }  // namespace ink::catalogue

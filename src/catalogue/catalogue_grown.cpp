@@ -106,10 +106,8 @@ scene::Scene make_figure_scene() {
     person.stand(placed({{-1.1875, 0, -0.125}, {0, 34, 0}}));
     person.stand(placed({{0, 0, 0.125}, {0, -8, 0}}));
     person.stand(placed({{1.1875, 0, -0.125}, {0, -62, 0}}));
-    stage.view(Shot{"front", 0, 2});
-    stage.view(Shot{"three_quarter", 24, 14});
-    stage.view(EyeShot{"close", {0.5625, 1.4375, 1.875}, {0, 1.25, 0}, 44});
-    return stage.finish();
+    return stage.finish({{"front", 0, 2}, {"three_quarter", 24, 14}},
+                        {{"close", {0.5625, 1.4375, 1.875}, {0, 1.25, 0}, 44}});
 }
 
 scene::Scene make_tree_scene() {
@@ -134,10 +132,8 @@ scene::Scene make_tree_scene() {
     for (int i = 0; i < 6; ++i) {
         stage.place(root_mesh, "root", Pose{{}, {0, 60.0 * i + 11, 0}});
     }
-    stage.view(Shot{"front", 0, 2});
-    stage.view(Shot{"three_quarter", 40, 20});
-    stage.view(EyeShot{"trunk", {1.75, 1.125, 3.25}, {0, 1.75, 0}, 50});
-    return stage.finish();
+    return stage.finish({{"front", 0, 2}, {"three_quarter", 40, 20}},
+                        {{"trunk", {1.75, 1.125, 3.25}, {0, 1.75, 0}, 50}});
 }
 
 scene::Scene make_bush_scene() {
@@ -169,9 +165,8 @@ scene::Scene make_bush_scene() {
             }
         }
     }
-    stage.view(Shot{"three_quarter", 40, 30});
-    stage.view(EyeShot{"close", {1.125, 1.25, 2}, {0.125, 0.75, 0}, 44});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 40, 30}},
+                        {{"close", {1.125, 1.25, 2}, {0.125, 0.75, 0}, 44}});
 }
 
 }  // namespace ink::catalogue

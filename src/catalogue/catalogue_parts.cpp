@@ -111,10 +111,7 @@ scene::Scene make_bracket_scene() {
     Stage stage;
     stage.add("flange", flange(), {{-1.1, 0, 0}, {0, 14, 0}});
     stage.add("angle", angle(), {{1.25, 0, 0.2}, {0, -22, 0}});
-    stage.view(Shot{"front", 0, 16});
-    stage.view(Shot{"three_quarter", 32, 32});
-    stage.view(Shot{"behind", 150, 24});
-    return stage.finish();
+    return stage.finish({{"front", 0, 16}, {"three_quarter", 32, 32}, {"behind", 150, 24}});
 }
 
 }  // namespace ink::catalogue

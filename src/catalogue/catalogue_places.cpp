@@ -154,10 +154,10 @@ scene::Scene make_horizon_scene() {
             stage.place(cube, "cube", Pose{{2.5 * column, 0, -2.5 * row}});
         }
     }
-    stage.view(EyeShot{"front", {1.25, 1.75, 5}, {1.25, 1, 0}, 50});
-    stage.view(EyeShot{"three_quarter", {12, 7, 10}, {-2, 0, -12}, 45});
-    stage.view(EyeShot{"grazing", {3.125, 0.625, 4.5}, {-1, 0.5, -12}, 50});
-    return stage.finish();
+    return stage.finish({},
+                        {{"front", {1.25, 1.75, 5}, {1.25, 1, 0}, 50},
+                         {"three_quarter", {12, 7, 10}, {-2, 0, -12}, 45},
+                         {"grazing", {3.125, 0.625, 4.5}, {-1, 0.5, -12}, 50}});
 }
 
 scene::Scene make_staircase_scene() {
@@ -167,12 +167,10 @@ scene::Scene make_staircase_scene() {
     stage.add("pillar", make_box({5.25, 0, -0.375}, {5.75, 2.734375, 0.375}));
     const glm::dvec2 parapet[] = {{0, 0}, {0.375, 0}, {4.5, 2.75}, {4.5, 3.75}, {0, 0.75}};
     stage.add("parapet", extrude(parapet, {-1.265625, -1.015625}));
-    stage.view(Shot{"front", -72, 18});
-    stage.view(Shot{"three_quarter", -42, 24});
     // From this height some treads are seen edge-on, those below from above, those above not at
     // all.
-    stage.view(EyeShot{"grazing", {-3, 1.5, 4.5}, {2.625, 1.625, -0.5}, 42});
-    return stage.finish();
+    return stage.finish({{"front", -72, 18}, {"three_quarter", -42, 24}},
+                        {{"grazing", {-3, 1.5, 4.5}, {2.625, 1.625, -0.5}, 42}});
 }
 
 scene::Scene make_spiral_scene() {
@@ -190,10 +188,8 @@ scene::Scene make_spiral_scene() {
         rail.push_back({glm::dvec3(pose * glm::dvec4(2.1, 0.85, 0, 1)), 0.05});
     }
     stage.add("rail", make_tube(smoothed(rail, 4), 12));
-    stage.view(Shot{"front", 0, 6});
-    stage.view(Shot{"three_quarter", 50, 28});
-    stage.view(EyeShot{"below", {3.25, 0.5, 2.75}, {0, 1.75, 0}, 58});
-    return stage.finish();
+    return stage.finish({{"front", 0, 6}, {"three_quarter", 50, 28}},
+                        {{"below", {3.25, 0.5, 2.75}, {0, 1.75, 0}, 58}});
 }
 
 scene::Scene make_fence_scene() {
@@ -212,10 +208,8 @@ scene::Scene make_fence_scene() {
         for (const double x : {-2.0, 0.0, 2.0})
             stage.place(post, "post", run * placed({{x, 0, 0}}));
     }
-    stage.view(Shot{"front", -8, 6});
-    stage.view(Shot{"three_quarter", 42, 16});
-    stage.view(EyeShot{"grazing", {-4.75, 1, 1.125}, {-1.25, 0.625, -0.25}, 46});
-    return stage.finish();
+    return stage.finish({{"front", -8, 6}, {"three_quarter", 42, 16}},
+                        {{"grazing", {-4.75, 1, 1.125}, {-1.25, 0.625, -0.25}, 46}});
 }
 
 scene::Scene make_room_scene() {
@@ -235,11 +229,11 @@ scene::Scene make_room_scene() {
     stage.light({{0, 1.7, -0.6}, {1, 0.9375F, 0.75F}, 8});
     stage.light({{-3000, 9000, -1000}, glm::vec3(0.75F), 0});
     // The nearest line lies a hand's breadth from the eye, the farthest 16 km away.
-    stage.view(
-        EyeShot{"window", {-0.1875, 0.984375, 0.0625}, {0.015625, 0.984375, -1.5}, 56, 0.01});
-    stage.view(EyeShot{"inside", {1.375, 1.75, 2.25}, {-0.4375, 0.9375, -1.25}, 62, 0.01});
-    stage.view(EyeShot{"corner", {-2, 1.75, -2.25}, {0.5, 0.75, 0.25}, 62, 0.01});
-    return stage.finish();
+    return stage.finish(
+        {},
+        {{"window", {-0.1875, 0.984375, 0.0625}, {0.015625, 0.984375, -1.5}, 56, 0.01},
+         {"inside", {1.375, 1.75, 2.25}, {-0.4375, 0.9375, -1.25}, 62, 0.01},
+         {"corner", {-2, 1.75, -2.25}, {0.5, 0.75, 0.25}, 62, 0.01}});
 }
 
 }  // namespace ink::catalogue

@@ -148,10 +148,8 @@ scene::Scene make_tiles_scene() {
             stage.place(tile, "tile", Pose{{column - 3.0, height, row - 2.0}});
         }
     }
-    stage.view(Shot{"three_quarter", 28, 38});
-    stage.view(Shot{"above", 0, 84});
-    stage.view(EyeShot{"grazing", {-2.75, 0.75, 4}, {0.125, -0.25, 0}, 40});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 28, 38}, {"above", 0, 84}},
+                        {{"grazing", {-2.75, 0.75, 4}, {0.125, -0.25, 0}, 40}});
 }
 
 scene::Scene make_layers_scene() {
@@ -165,10 +163,8 @@ scene::Scene make_layers_scene() {
         stage.place(low, "low", Pose{at});
         stage.place(high, "high", Pose{at + glm::dvec3(0, gap, 0), {0, 9.0 + 10 * i, 0}});
     }
-    stage.view(Shot{"three_quarter", 24, 40});
-    stage.view(Shot{"above", 0, 76});
-    stage.view(EyeShot{"grazing", {-1.75, 0.5, 2.5}, {-0.125, -0.125, 0}, 42});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 24, 40}, {"above", 0, 76}},
+                        {{"grazing", {-1.75, 0.5, 2.5}, {-0.125, -0.125, 0}, 42}});
 }
 
 scene::Scene make_hills_scene() {
@@ -183,10 +179,8 @@ scene::Scene make_hills_scene() {
                   const double z = 7 * u - 3.5;
                   return glm::dvec3(x, height(x, z), z);
               }));
-    stage.view(Shot{"three_quarter", 22, 26});
-    stage.view(Shot{"grazing", -24, 12});
-    stage.view(EyeShot{"valley", {-1.5, 1.625, 2.875}, {0.75, 0.25, -1.5}, 60});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 22, 26}, {"grazing", -24, 12}},
+                        {{"valley", {-1.5, 1.625, 2.875}, {0.75, 0.25, -1.5}, 60}});
 }
 
 scene::Scene make_soup_scene() {
@@ -197,10 +191,7 @@ scene::Scene make_soup_scene() {
     for (std::size_t piece = 0; piece < 20; ++piece) {
         stage.add("piece", ball_piece(ball, piece, 0.125), {{1.75, 0, 0}, {14, 9, 0}});
     }
-    stage.view(Shot{"front", 0, 5});
-    stage.view(Shot{"three_quarter", 26, 28});
-    stage.view(Shot{"behind", 160, -18});
-    return stage.finish();
+    return stage.finish({{"front", 0, 5}, {"three_quarter", 26, 28}, {"behind", 160, -18}});
 }
 
 scene::Scene make_flag_scene() {
@@ -214,10 +205,7 @@ scene::Scene make_flag_scene() {
         return glm::dvec3(0.1 + 3.25 * u + back, 2 * v - 0.35 * u * u, wave);
     };
     stage.add("cloth", sheet_of({160, 40}, cloth));
-    stage.view(Shot{"front", 0, 3});
-    stage.view(Shot{"three_quarter", 36, 18});
-    stage.view(Shot{"below", -48, -20});
-    return stage.finish();
+    return stage.finish({{"front", 0, 3}, {"three_quarter", 36, 18}, {"below", -48, -20}});
 }
 
 scene::Scene make_drapery_scene() {
@@ -258,18 +246,15 @@ scene::Scene make_drapery_scene() {
     rings.push_back({{0, 0, 0}});
     Stage stage;
     stage.add("cloth", loft(rings));
-    stage.view(Shot{"front", 0, 12});
-    stage.view(Shot{"three_quarter", 28, 36});
-    stage.view(EyeShot{"close", {0.875, 0.125, 3.5}, {0.25, -0.5, 0.75}, 34});
-    return stage.finish();
+    return stage.finish({{"front", 0, 12}, {"three_quarter", 28, 36}},
+                        {{"close", {0.875, 0.125, 3.5}, {0.25, -0.5, 0.75}, 34}});
 }
 
 scene::Scene make_truss_scene() {
     Stage stage;
     SpaceFrame(stage, {4, 3}).build();
-    stage.view(Shot{"three_quarter", 34, 34});
-    stage.view(EyeShot{"below", {-2.5, -1.75, 2.5}, {0, -0.375, 0}, 42});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 34, 34}},
+                        {{"below", {-2.5, -1.75, 2.5}, {0, -0.375, 0}, 42}});
 }
 
 scene::Scene make_bars_scene() {
@@ -290,8 +275,7 @@ scene::Scene make_bars_scene() {
         stage.add("level", make_box({left, y, -width}, {left + 3, y + width, 0}));
     }
     stage.view(EyeShot{"front", {0, 0, kDistance}, {0, 0, 0}, kFov_deg});
-    stage.view(Shot{"three_quarter", 24, 14});
-    return stage.finish();
+    return stage.finish({{"three_quarter", 24, 14}});
 }
 
 }  // namespace ink::catalogue

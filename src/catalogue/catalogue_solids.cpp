@@ -63,19 +63,15 @@ scene::Mesh crystal(double radius, double height) {
 scene::Scene make_sphere_scene() {
     Stage stage;
     stage.add("sphere", make_sphere(1, 64, 32));
-    stage.view(Shot{"front", 8, 0});
-    stage.view(Shot{"three_quarter", 35, 25});
     // Far from the axis of a wide lens the outline is an ellipse.
-    stage.view(EyeShot{"corner", {0, 0, 2.5}, {-1.375, -0.375, 0}, 80});
-    return stage.finish();
+    return stage.finish({{"front", 8, 0}, {"three_quarter", 35, 25}},
+                        {{"corner", {0, 0, 2.5}, {-1.375, -0.375, 0}, 80}});
 }
 
 scene::Scene make_globe_scene() {
     Stage stage;
     stage.add("globe", make_sphere(1, 1024, 490), {{0, 0, 0}, {23.5, 0, 0}});
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", 35, 40});
-    return stage.finish();
+    return stage.finish({{"front", 0, 0}, {"three_quarter", 35, 40}});
 }
 
 scene::Scene make_balls_scene() {
@@ -92,20 +88,15 @@ scene::Scene make_balls_scene() {
             stage.place(ball, "ball", Pose{at, {10.0 * i, 25.0 * i, 0}});
         }
     }
-    stage.view(Shot{"front", 12, 8});
-    stage.view(Shot{"three_quarter", 38, 28});
-    stage.view(EyeShot{"close", {3.25, 3, 4.25}, {0, 1.125, 0}, 38});
-    return stage.finish();
+    return stage.finish({{"front", 12, 8}, {"three_quarter", 38, 28}},
+                        {{"close", {3.25, 3, 4.25}, {0, 1.125, 0}, 38}});
 }
 
 scene::Scene make_torus_scene() {
     Stage stage;
     stage.add("torus", make_torus({1, 0.4}, {96, 40}));
     // As low as this, the contours of the hole end inside the surface.
-    stage.view(Shot{"front", 20, 16});
-    stage.view(Shot{"three_quarter", 35, 34});
-    stage.view(Shot{"above", 50, 66});
-    return stage.finish();
+    return stage.finish({{"front", 20, 16}, {"three_quarter", 35, 34}, {"above", 50, 66}});
 }
 
 scene::Scene make_cube_scene() {
@@ -114,10 +105,7 @@ scene::Scene make_cube_scene() {
     stage.place(cube, "on_its_edge", Pose{{-2.5, 0, 0}, {0, 30, 45}});
     stage.place(cube, "on_its_face", Pose{{0, 0, 0}});
     stage.place(cube, "on_its_corner", Pose{{2.5, 0, 0}, {35.264, 0, 45}});
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", 32, 24});
-    stage.view(Shot{"grazing", 0.5, 28, 20});
-    return stage.finish();
+    return stage.finish({{"front", 0, 0}, {"three_quarter", 32, 24}, {"grazing", 0.5, 28, 20}});
 }
 
 scene::Scene make_cylinder_scene() {
@@ -127,10 +115,7 @@ scene::Scene make_cylinder_scene() {
     stage.add("hexagonal", make_cylinder(0.7, 1.6, 6), {{-2, -1, 0.2}, {0, 14, 0}});
     const glm::dvec2 washer[] = {{0.5, 0}, {0.9, 0}, {0.9, 0.5}, {0.5, 0.5}, {0.5, 0}};
     stage.add("washer", revolve(washer, 56), {{2.1, -0.6, -0.3}, {62, -20, 0}});
-    stage.view(Shot{"front", 0, 6});
-    stage.view(Shot{"three_quarter", 24, 26});
-    stage.view(Shot{"grazing", -38, 54});
-    return stage.finish();
+    return stage.finish({{"front", 0, 6}, {"three_quarter", 24, 26}, {"grazing", -38, 54}});
 }
 
 scene::Scene make_cone_scene() {
@@ -140,11 +125,8 @@ scene::Scene make_cone_scene() {
     stage.add("lying", make_cone(0.6, 2.2, 32), {{1.9, -0.5, 1.1}, {0, 60, 100}});
     const glm::dvec2 frustum[] = {{0, 0}, {0.8, 0}, {0.4, 1.2}, {0, 1.2}};
     stage.add("frustum", revolve(frustum, 24), {{2, -1, -0.6}});
-    stage.view(Shot{"front", 0, 4});
-    stage.view(Shot{"three_quarter", 28, 24});
     // From above the tips: the whole mantle is seen, and its contour is the base alone.
-    stage.view(Shot{"above", -20, 68});
-    return stage.finish();
+    return stage.finish({{"front", 0, 4}, {"three_quarter", 28, 24}, {"above", -20, 68}});
 }
 
 scene::Scene make_blocks_scene() {
@@ -158,10 +140,7 @@ scene::Scene make_blocks_scene() {
     stage.add(
         "corner", make_box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}), {{0.85, 0.8, 0.75}, {33, 41, 12}});
     stage.add("wedge", make_cylinder(0.55, 3.5, 3), {{1.6, 1.1, -1.4}, {52, 27, 61}});
-    stage.view(Shot{"front", 0, 8});
-    stage.view(Shot{"three_quarter", 36, 26});
-    stage.view(Shot{"behind", 205, -14});
-    return stage.finish();
+    return stage.finish({{"front", 0, 8}, {"three_quarter", 36, 26}, {"behind", 205, -14}});
 }
 
 scene::Scene make_gem_scene() {
@@ -169,10 +148,7 @@ scene::Scene make_gem_scene() {
     stage.add("brilliant", brilliant(), {{0, 0, 0}, {14, 9, 0}, {1.2, 1.2, 1.2}});
     stage.add("emerald", emerald(), {{-2.4, 0, 0.3}, {22, 24, 0}, {1.1, 1.1, 1.1}});
     stage.add("icosahedron", make_icosphere(0.9, 0), {{2.3, -0.1, 0.2}, {10, 18, 4}});
-    stage.view(Shot{"front", 0, 6});
-    stage.view(Shot{"three_quarter", 30, 38});
-    stage.view(Shot{"below", -18, -32});
-    return stage.finish();
+    return stage.finish({{"front", 0, 6}, {"three_quarter", 30, 38}, {"below", -18, -32}});
 }
 
 scene::Scene make_crystals_scene() {
@@ -187,10 +163,7 @@ scene::Scene make_crystals_scene() {
         const Pose pose{{0.05, -0.2, 0.03}, {lean_deg, 137.508 * i + 20, 7.0 * i}};
         stage.place(meshes[i % 3], "crystal", pose);
     }
-    stage.view(Shot{"front", 0, 12});
-    stage.view(Shot{"three_quarter", 48, 30});
-    stage.view(Shot{"above", 20, 64});
-    return stage.finish();
+    return stage.finish({{"front", 0, 12}, {"three_quarter", 48, 30}, {"above", 20, 64}});
 }
 
 }  // namespace ink::catalogue

@@ -82,7 +82,12 @@ void Stage::view(const EyeShot& shot) {
     nears_.push_back(shot.near);
 }
 
-scene::Scene Stage::finish() {
+scene::Scene Stage::finish(std::initializer_list<Shot> shots,
+                           std::initializer_list<EyeShot> eye_shots) {
+    for (const Shot& shot : shots)
+        view(shot);
+    for (const EyeShot& shot : eye_shots)
+        view(shot);
     const scene::Sphere bounds = scene::bounding_sphere(scene_);
     for (std::size_t i = 0; i < scene_.cameras.size(); ++i) {
         scene::fit_clip_range(scene_.cameras[i], bounds);

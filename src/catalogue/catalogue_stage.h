@@ -2,6 +2,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <initializer_list>
 #include <string>
 
 #include "scene/scene.h"
@@ -35,7 +36,7 @@ struct EyeShot {
     double near = 0;  ///< replaces the fitted near plane if above 0
 };
 
-/// Builds one scene of the catalogue: meshes, instances, then views, then `finish`.
+/// Builds one scene of the catalogue: meshes and instances, then `finish` with the views.
 class Stage {
   public:
     /// Takes a mesh and returns its number, for `place`.
@@ -45,17 +46,19 @@ class Stage {
     /// A mesh that is placed once.
     void add(std::string name, scene::Mesh mesh, const Pose& pose = {});
 
-    /// A 16:9 view from `evaluation`'s side, as near as the scene fits with a margin of 4 % on
-    /// either side. Everything must have been placed.
-    void view(const Shot& shot);
+    /// A view that comes before those of `finish`.
     void view(const EyeShot& shot);
     void light(const scene::OmniLight& light) { scene_.lights.push_back(light); }
 
-    /// The scene with its cameras' near and far fitted and, if none were given, two lights: a white
-    /// one from the upper left, and a warm one from the right that ends inside the scene.
-    [[nodiscard]] scene::Scene finish();
+    /// The scene with its views, their near and far fitted and, if none were given, two lights: a
+    /// white one from the upper left, and a warm one from the right that ends inside the scene.
+    [[nodiscard]] scene::Scene finish(std::initializer_list<Shot> shots,
+                                      std::initializer_list<EyeShot> eye_shots = {});
 
   private:
+    /// A 16:9 view from a side, as near as the scene fits with a margin of 4 % on either side.
+    void view(const Shot& shot);
+
     scene::Scene scene_;
     std::vector<double> nears_;  ///< per camera, 0: fitted
 };

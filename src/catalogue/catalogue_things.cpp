@@ -167,10 +167,8 @@ scene::Scene make_gear_scene() {
     stage.place(
         stage.mesh("axle", make_cylinder(0.25, 2, 32)), "axle", pinion * placed({{0, -0.75, 0}}));
     place_bolts(stage, wheel, 1.04, 0.5);
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", 34, 24});
-    stage.view(EyeShot{"mesh", {1.5, 1, 3}, {0.25, -0.05, 0.25}, 36});
-    scene::Scene scene = stage.finish();
+    scene::Scene scene = stage.finish({{"front", 0, 0}, {"three_quarter", 34, 24}},
+                                      {{"mesh", {1.5, 1, 3}, {0.25, -0.05, 0.25}, 36}});
     turn_gears(wheel, pinion_axle, scene);
     return scene;
 }
@@ -182,10 +180,7 @@ scene::Scene make_teapot_scene() {
     stage.add("lid", std::move(teapot.lid));
     stage.add("handle", std::move(teapot.handle));
     stage.add("spout", std::move(teapot.spout));
-    stage.view(Shot{"front", 0, 6});
-    stage.view(Shot{"three_quarter", 28, 26});
-    stage.view(Shot{"above", -140, 52});
-    return stage.finish();
+    return stage.finish({{"front", 0, 6}, {"three_quarter", 28, 26}, {"above", -140, 52}});
 }
 
 scene::Scene make_rocket_scene() {
@@ -199,10 +194,7 @@ scene::Scene make_rocket_scene() {
     for (int i = 0; i < 3; ++i) {
         stage.place(fin_mesh, "fin", flight * placed({{}, {0, 50.0 + 120 * i, 0}}));
     }
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", -38, 18});
-    stage.view(Shot{"behind", -105, -24});
-    return stage.finish();
+    return stage.finish({{"front", 0, 0}, {"three_quarter", -38, 18}, {"behind", -105, -24}});
 }
 
 scene::Scene make_letters_scene() {
@@ -244,10 +236,7 @@ scene::Scene make_letters_scene() {
     stage.add("i", extrude(i, {-0.3, 0.3}), {{-2.4, 0, 0}, {0, 6, 0}});
     stage.add("n", extrude(n, {-0.3, 0.3}), {{-0.8, 0, 0.1}, {0, -5, 2}});
     stage.add("k", extrude(k, {-0.3, 0.3}), {{1.1, 0, 0}, {0, 8, -3}});
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", -32, 20});
-    stage.view(Shot{"grazing", 62, 12});
-    return stage.finish();
+    return stage.finish({{"front", 0, 0}, {"three_quarter", -32, 20}, {"grazing", 62, 12}});
 }
 
 scene::Scene make_knot_scene() {
@@ -261,10 +250,7 @@ scene::Scene make_knot_scene() {
     }
     Stage stage;
     stage.add("knot", make_closed_tube(path, 24));
-    stage.view(Shot{"front", 0, 0});
-    stage.view(Shot{"three_quarter", 40, 24});
-    stage.view(Shot{"edge_on", 84, 8});
-    return stage.finish();
+    return stage.finish({{"front", 0, 0}, {"three_quarter", 40, 24}, {"edge_on", 84, 8}});
 }
 
 scene::Scene make_chess_scene() {
@@ -291,10 +277,8 @@ scene::Scene make_chess_scene() {
     stand(bishops, "bishop", 2, 5);
     stand(bishops, "bishop", 3, 3);
     stand(bishops, "bishop", 1, 0);
-    stage.view(Shot{"front", 0, 20});
-    stage.view(Shot{"three_quarter", 32, 30});
-    stage.view(EyeShot{"close", {-2.25, 1.375, 4.5}, {0.25, 0.4375, 0}, 45});
-    return stage.finish();
+    return stage.finish({{"front", 0, 20}, {"three_quarter", 32, 30}},
+                        {{"close", {-2.25, 1.375, 4.5}, {0.25, 0.4375, 0}, 45}});
 }
 
 }  // namespace ink::catalogue
