@@ -1,8 +1,8 @@
 #include "truth/model.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/parallel.h"
 #include "scene/precision/rounding.h"
 #include "scene/precision/weld_tolerance.h"
@@ -12,15 +12,6 @@ namespace ink::truth {
 namespace {
 
 constexpr std::size_t kChunk = 4096;  ///< edges a task
-
-std::int8_t run_of(const scene::Face& face, const scene::Edge& edge) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == edge.a) {
-            return face.vertices[(i + 1) % 3] == edge.b ? std::int8_t{1} : std::int8_t{-1};
-        }
-    }
-    return 0;
-}
 
 void classify_edges(Model& model, int threads) {
     const scene::Topology& topology = model.topology;
@@ -32,22 +23,15 @@ void classify_edges(Model& model, int threads) {
         for (std::size_t e = chunk * kChunk; e < end; ++e) {
             const scene::Edge& edge = topology.edges[e];
             const auto faces = topology.faces_of(edge);
-            for (std::size_t i = 0; i < faces.size(); ++i)
-                model.runs[edge.first_face + i] = run_of(topology.faces[faces[i]], edge);
+            for (std::size_t i = 0; i < faces.size(); ++i) {
+                const bool is_forward = runs_forward(topology.faces[faces[i]], edge);
+                model.runs[edge.first_face + i] = is_forward ? std::int8_t{1} : std::int8_t{-1};
+            }
             if (faces.size() == 2) {
                 model.flat_class[e] = model.class_across(edge, faces[0], faces[1]);
             }
         }
     });
-}
-
-/// The representative of a face's patch; halves the path as it goes (Tarjan and van Leeuwen 1984).
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t f) {
-    while (parent[f] != f) {
-        parent[f] = parent[parent[f]];
-        f = parent[f];
-    }
-    return f;
 }
 
 /// Whether a patch goes on over the edge.
@@ -57,20 +41,17 @@ bool is_smooth_edge(const Model& model, std::size_t e) {
 
 void join_patches(Model& model) {
     const scene::Topology& topology = model.topology;
-    std::vector<std::uint32_t> parent(topology.faces.size());
-    std::iota(parent.begin(), parent.end(), 0U);
+    core::DisjointSets patches(topology.faces.size());
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
         if (!is_smooth_edge(model, e)) continue;
         const auto faces = topology.faces_of(topology.edges[e]);
-        const auto [low, high] =
-            std::minmax({root_of(parent, faces[0]), root_of(parent, faces[1])});
-        parent[high] = low;
+        patches.join(faces[0], faces[1]);
     }
     // The lowest face is the root, so numbers are given before they are asked for.
     model.patch.resize(topology.faces.size());
     std::uint32_t count = 0;
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
-        const std::uint32_t root = root_of(parent, f);
+        const std::uint32_t root = patches.root(f);
         model.patch[f] = root == f ? count++ : model.patch[root];
     }
 }

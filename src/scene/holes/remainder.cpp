@@ -3,37 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <vector>
+
+#include "core/disjoint_sets.h"
 
 namespace ink::scene {
 namespace {
-
-/// Places of a solid, each in one of the groups that have been joined so far.
-class Groups {
-  public:
-    explicit Groups(std::vector<std::uint32_t> places) : places_(std::move(places)) {
-        std::sort(places_.begin(), places_.end());
-        places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
-        parents_.resize(places_.size());
-        std::iota(parents_.begin(), parents_.end(), 0U);
-    }
-    [[nodiscard]] const std::vector<std::uint32_t>& places() const { return places_; }
-    [[nodiscard]] std::uint32_t index_of(std::uint32_t place) const {
-        const auto at = std::lower_bound(places_.begin(), places_.end(), place);
-        return static_cast<std::uint32_t>(at - places_.begin());
-    }
-    std::uint32_t group_of(std::uint32_t index) {
-        while (parents_[index] != index)
-            index = parents_[index] = parents_[parents_[index]];
-        return index;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parents_[group_of(a)] = group_of(b); }
-
-  private:
-    std::vector<std::uint32_t> places_;
-    std::vector<std::uint32_t> parents_;
-};
 
 double square_of(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -59,12 +34,7 @@ double square_to(const std::array<glm::dvec3, 3>& c, const glm::dvec3& p) {
 }  // namespace
 
 std::span<const Cluster> clusters_of(const Clusters& clusters, std::uint32_t solid) {
-    const auto& all = clusters.clusters;
-    const auto first = std::partition_point(
-        all.begin(), all.end(), [&](const Cluster& cluster) { return cluster.solid < solid; });
-    const auto end = std::partition_point(
-        first, all.end(), [&](const Cluster& cluster) { return cluster.solid == solid; });
-    return {first, end};
+    return std::ranges::equal_range(clusters.clusters, solid, {}, &Cluster::solid);
 }
 
 bool hangs_together_outside(const Surface& moved,
@@ -75,12 +45,18 @@ bool hangs_together_outside(const Surface& moved,
     const std::span<const Cluster> parts = clusters_of(clusters, solid);
     if (parts.empty()) return false;
     const auto first = clusters.places.begin();
-    Groups groups({first + parts.front().first_vertex,
-                   first + parts.back().first_vertex + parts.back().vertex_count});
+    std::vector<std::uint32_t> places(
+        first + parts.front().first_vertex,
+        first + parts.back().first_vertex + parts.back().vertex_count);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    core::DisjointSets groups(places.size());
     for (const Cluster& cluster : parts) {
         std::array<std::uint32_t, kMaxClusterVertices> indices;
         for (std::size_t v = 0; v < cluster.vertex_count; ++v)
-            indices[v] = groups.index_of(clusters.places[cluster.first_vertex + v]);
+            indices[v] = static_cast<std::uint32_t>(
+                std::ranges::lower_bound(places, clusters.places[cluster.first_vertex + v]) -
+                places.begin());
         const bool is_near = std::any_of(balls.begin(), balls.end(), [&](const Sphere& ball) {
             const double reach = (ball.radius + cluster.bounds.radius) * kOutwards;
             return square_of(cluster.bounds.center_world - ball.center_world) <= reach * reach;
@@ -100,14 +76,14 @@ bool hangs_together_outside(const Surface& moved,
         }
     }
     std::uint32_t outside = ~0U;
-    for (std::uint32_t i = 0; i < groups.places().size(); ++i) {
-        const glm::dvec3& p = moved.p_world[groups.places()[i]];
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+        const glm::dvec3& p = moved.p_world[places[i]];
         const bool is_inside = std::any_of(balls.begin(), balls.end(), [&](const Sphere& ball) {
             return square_of(p - ball.center_world) < ball.radius * ball.radius / kOutwards;
         });
         if (is_inside) continue;
-        if (outside != ~0U && groups.group_of(i) != outside) return false;
-        outside = groups.group_of(i);
+        if (outside != ~0U && groups.root(i) != outside) return false;
+        outside = groups.root(i);
     }
     return outside != ~0U;
 }
