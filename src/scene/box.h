@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <span>
 
 namespace ink::scene {
 
@@ -29,5 +31,17 @@ struct Box {
                low.z <= o.high.z && o.low.z <= high.z;
     }
 };
+
+/// The box round some points.
+[[nodiscard]] inline Box box_of(std::span<const glm::dvec3> points) {
+    Box box;
+    for (const glm::dvec3& p : points)
+        box.add(p);
+    return box;
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 }  // namespace ink::scene

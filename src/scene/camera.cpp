@@ -6,13 +6,10 @@
 #include <glm/matrix.hpp>
 
 #include "core/error.h"
+#include "scene/box.h"
 
 namespace ink::scene {
 namespace {
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// The axis least aligned with `direction`: a stand-in for an up vector that says nothing.
 glm::dvec3 least_aligned_axis(const glm::dvec3& direction) {

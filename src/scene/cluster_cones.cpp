@@ -80,10 +80,7 @@ void aim_cone(const Patch& patch, Cluster& cluster) {
 
 void bound(const Patch& patch, Cluster& cluster) {
     const std::span points(patch.p_world.data(), cluster.vertex_count);
-    Box box;
-    for (const glm::dvec3& p : points)
-        box.add(p);
-    const glm::dvec3 center = box.center();
+    const glm::dvec3 center = box_of(points).center();
     double square = 0;
     for (const glm::dvec3& p : points)
         square = std::max(square, glm::dot(p - center, p - center));

@@ -16,21 +16,15 @@
 namespace ink::scene {
 namespace {
 
-bool is_finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void check_mesh(const Mesh& mesh, const std::string& where) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        if (!is_finite(mesh.positions[i])) {
-            throw core::Error(where, fmt::format("vertex {} is not finite", i), "finite numbers");
+    const auto check_finite = [&](const std::vector<glm::vec3>& vectors, const char* what) {
+        for (std::size_t i = 0; i < vectors.size(); ++i) {
+            if (is_finite(vectors[i])) continue;
+            throw core::Error(where, fmt::format("{} {} is not finite", what, i), "finite numbers");
         }
-    }
-    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        if (!is_finite(mesh.normals[i])) {
-            throw core::Error(where, fmt::format("normal {} is not finite", i), "finite numbers");
-        }
-    }
+    };
+    check_finite(mesh.positions, "vertex");
+    check_finite(mesh.normals, "normal");
     if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
         throw core::Error(
             where,

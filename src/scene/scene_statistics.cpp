@@ -87,9 +87,8 @@ NearSheets find_near_sheets(const Topology& topology, const Components& componen
         sheets.push_back(sheet_of(topology, topology.faces[f]));
         sheets.back().component = components.component_of[f];
     }
-    std::sort(sheets.begin(), sheets.end(), [](const Sheet& a, const Sheet& b) {
-        return std::tie(a.direction, a.offset, a.face) < std::tie(b.direction, b.offset, b.face);
-    });
+    std::ranges::sort(
+        sheets, {}, [](const Sheet& a) { return std::tie(a.direction, a.offset, a.face); });
     NearSheets found;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -176,13 +175,10 @@ std::size_t count_cracked_corners(const Topology& topology) {
         }
     }
     if (corners.empty()) return 0;
-    Box box;
-    for (const glm::dvec3& p : corners)
-        box.add(p);
     std::vector<std::uint32_t> all(corners.size());
     std::iota(all.begin(), all.end(), 0U);
     NearPoints near(corners);
-    near.add(all, kCrackShare * box.diagonal());
+    near.add(all, kCrackShare * box_of(corners).diagonal());
     std::vector<glm::dvec3> places = near.representatives();
     // Both sides of a crack count: all but those that stayed alone at their place.
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {

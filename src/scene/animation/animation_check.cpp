@@ -8,9 +8,12 @@
 #include "core/error.h"
 #include "scene/animation.h"
 #include "scene/animation/animation_reach.h"
+#include "scene/box.h"
 
 namespace ink::scene {
 namespace {
+
+using scene::is_finite;
 
 // Positions are floats, and products of three of them are formed in double.
 constexpr double kMostReach = 1e30;
@@ -27,10 +30,6 @@ class Complaint {
   private:
     std::string where_;
 };
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Finite, with the last row 0 0 0 1: any other would scale what stands to its left in a product.
 bool is_affine(const glm::dmat4& m) {

@@ -67,13 +67,6 @@ bool walk_rings(std::span<RimSide> sides, const FaceGraph& graph, Clusters& clus
     return true;
 }
 
-Box box_of(const Corners& c) {
-    Box box;
-    for (const glm::dvec3& p : c)
-        box.add(p);
-    return box;
-}
-
 /// Whether a segment meets a triangle, exactly. One that lies in its plane does not count.
 bool crosses(const glm::dvec3& p, const glm::dvec3& q, const Corners& c) {
     const int side_p = orient3d(c[0], c[1], c[2], p);

@@ -69,10 +69,7 @@ double written_rounding(const Mesh& mesh) {
 }
 
 std::vector<double> written_roundings(const Scene& scene, std::span<const glm::dvec3> p_world) {
-    Box box;
-    for (const glm::dvec3& p : p_world)
-        box.add(p);
-    const double most = kMostWritten * box.diagonal();
+    const double most = kMostWritten * box_of(p_world).diagonal();
     std::vector<double> of_mesh(scene.meshes.size());
     std::transform(scene.meshes.begin(), scene.meshes.end(), of_mesh.begin(), written_rounding);
     std::vector<double> of_object;

@@ -8,6 +8,7 @@
 
 #include "buffers/full_buffers.h"
 #include "raster/pass/pass.h"
+#include "scene/box.h"
 #include "scene/surface.h"
 
 namespace ink::studies {
@@ -15,10 +16,6 @@ namespace {
 
 // A float's rounding, many times over: what is beyond it was not rounded but lost.
 constexpr float kSlack = 1e-4F;
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Looks at every pixel of a full buffer that something was drawn to.
 class PlaneCheck : public raster::TileSink {
@@ -39,7 +36,7 @@ class PlaneCheck : public raster::TileSink {
                 const float d = depth.row(y)[x];
                 if (d == kSky) continue;
                 const glm::vec3 n{normals[0].row(y)[x], normals[1].row(y)[x], normals[2].row(y)[x]};
-                bad += std::isfinite(d) && is_finite(n) ? 0 : 1;
+                bad += std::isfinite(d) && scene::is_finite(n) ? 0 : 1;
                 beyond += d < -kSlack || d > 1 + kSlack ? 1 : 0;
             }
         }
@@ -103,11 +100,11 @@ CaseFaults count_inputs(const scene::Scene& scene, const scene::View& view) {
     const scene::Surface surface =
         scene::flatten(scene, scene::NormalSource::patch, truth::TruthOptions{}.crease_rad);
     for (const glm::dvec3& p_world : surface.p_world) {
-        counts.non_finite += is_finite(p_world) ? 0 : 1;
-        counts.non_finite += is_finite(projection.to_clip(p_world)) ? 0 : 1;
+        counts.non_finite += scene::is_finite(p_world) ? 0 : 1;
+        counts.non_finite += scene::is_finite(projection.to_clip(p_world)) ? 0 : 1;
     }
     for (const glm::vec3& n : surface.n_world)
-        counts.non_finite += is_finite(n) ? 0 : 1;
+        counts.non_finite += scene::is_finite(n) ? 0 : 1;
     using enum raster::DepthEncoding;
     for (const auto encoding : {inverse, linear, log, zbuffer24, zbuffer16, reversed_float})
         counts.add(count_planes(scene, view, encoding));
@@ -118,7 +115,7 @@ std::int64_t count_non_finite(const truth::Truth& truth) {
     std::int64_t count = 0;
     for (const truth::Curve& curve : truth.curves) {
         for (const truth::CurvePoint* point : {&curve.begin, &curve.end})
-            count += is_finite({point->x_px, point->y_px, point->w}) ? 0 : 1;
+            count += scene::is_finite({point->x_px, point->y_px, point->w}) ? 0 : 1;
         count += std::isfinite(curve.deviation_rad) && std::isfinite(curve.view_angle_rad) ? 0 : 1;
         count += std::isnan(curve.gap) ? 1 : 0;
     }

@@ -198,9 +198,7 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
         const std::size_t end = std::min(topology.faces.size(), (chunk + 1) * kChunk);
         for (std::size_t f = chunk * kChunk; f < end; ++f) {
             const Triangle triangle = triangle_of(topology, topology.faces[f]);
-            scene::Box box;
-            for (const glm::dvec3& p : triangle.p)
-                box.add(p);
+            const scene::Box box = scene::box_of(triangle.p);
             tree.for_each_near(box, [&](std::uint32_t i) {
                 if (borders[i].face == f || !boxes[i].touches(box)) return;
                 auto c = continuation(borders[i], triangle, options);
@@ -214,22 +212,13 @@ std::vector<Continuation> find_continuations(const scene::Topology& topology,
     std::vector<Continuation> all;
     for (const auto& part : found)
         all.insert(all.end(), part.begin(), part.end());
-    std::sort(all.begin(), all.end(), [](const Continuation& x, const Continuation& y) {
-        return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
-    });
+    std::ranges::sort(all, {}, [](const auto& x) { return std::tie(x.edge, x.t_begin, x.face); });
     return without_contacts(topology, all, options.tolerances);
 }
 
 std::span<const Continuation> continuations_of(std::span<const Continuation> all,
                                                std::uint32_t edge) {
-    const auto begin =
-        std::lower_bound(all.begin(), all.end(), edge, [](const Continuation& c, std::uint32_t e) {
-            return c.edge < e;
-        });
-    auto end = begin;
-    while (end != all.end() && end->edge == edge)
-        ++end;
-    return {begin, end};
+    return std::ranges::equal_range(all, edge, {}, &Continuation::edge);
 }
 
 }  // namespace ink::truth

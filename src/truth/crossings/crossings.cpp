@@ -246,47 +246,29 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 /// Both faces of an edge find the same contact of it with a third; one of the two is enough.
 void sort_and_merge(Crossings& all) {
-    std::sort(all.segments.begin(), all.segments.end(), [](const Crossing& x, const Crossing& y) {
-        return std::tie(x.face0, x.face1) < std::tie(y.face0, y.face1);
-    });
-    std::sort(
-        all.coplanar.begin(), all.coplanar.end(), [](const CoplanarPair& x, const CoplanarPair& y) {
-            return std::tie(x.face, x.lower_face) < std::tie(y.face, y.lower_face);
-        });
+    std::ranges::sort(all.segments, {}, [](const auto& x) { return std::tie(x.face0, x.face1); });
+    std::ranges::sort(
+        all.coplanar, {}, [](const auto& x) { return std::tie(x.face, x.lower_face); });
     auto& contacts = all.contacts;
-    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
-        return std::tie(x.edge, x.face, x.t_begin, x.t_end) <
-               std::tie(y.edge, y.face, y.t_begin, y.t_end);
+    std::ranges::sort(contacts, {}, [](const Contact& x) {
+        return std::tie(x.edge, x.face, x.t_begin, x.t_end);
     });
     const auto is_same = [](const Contact& x, const Contact& y) {
         return x.edge == y.edge && x.face == y.face;
     };
     contacts.erase(std::unique(contacts.begin(), contacts.end(), is_same), contacts.end());
-    std::sort(contacts.begin(), contacts.end(), [](const Contact& x, const Contact& y) {
-        return std::tie(x.edge, x.t_begin, x.face) < std::tie(y.edge, y.t_begin, y.face);
-    });
-}
-
-/// Those of `things`, which are sorted by it, whose `key` is `wanted`.
-template <class T>
-std::span<const T> with_key(const std::vector<T>& things,
-                            std::uint32_t T::*key,
-                            std::uint32_t wanted) {
-    const auto begin = std::partition_point(
-        things.begin(), things.end(), [&](const T& thing) { return thing.*key < wanted; });
-    const auto end = std::partition_point(
-        begin, things.end(), [&](const T& thing) { return thing.*key == wanted; });
-    return {begin, end};
+    std::ranges::sort(
+        contacts, {}, [](const Contact& x) { return std::tie(x.edge, x.t_begin, x.face); });
 }
 
 }  // namespace
 
 std::span<const Contact> Crossings::contacts_of(std::uint32_t edge) const {
-    return with_key(contacts, &Contact::edge, edge);
+    return std::ranges::equal_range(contacts, edge, {}, &Contact::edge);
 }
 
 std::span<const CoplanarPair> Crossings::coplanar_with(std::uint32_t face) const {
-    return with_key(coplanar, &CoplanarPair::face, face);
+    return std::ranges::equal_range(coplanar, face, {}, &CoplanarPair::face);
 }
 
 Crossings find_crossings(const scene::Topology& topology, const CrossingOptions& options) {

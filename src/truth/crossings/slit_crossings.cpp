@@ -78,9 +78,7 @@ double parameter_of(const Crossing& crossing,
 
 /// The longest of some stretches, joined where they leave less than `gap` between them.
 Part longest_of(std::vector<Part> stretches, double gap) {
-    std::sort(stretches.begin(), stretches.end(), [](const Part& a, const Part& b) {
-        return a.t_begin < b.t_begin;
-    });
+    std::ranges::sort(stretches, {}, &Part::t_begin);
     Part longest, run;
     for (const Part& next : stretches) {
         if (run.length() > 0 && next.t_begin - run.t_end < gap) {
