@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
-#include "core/error.h"
 #include "truth/embree.h"
 
 namespace ink::crosscheck {
@@ -130,16 +128,6 @@ void keep(const RTCFilterFunctionNArguments* args) {
     }
 }
 
-float* new_vertices(RTCGeometry geometry, std::size_t count) {
-    return static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), count));
-}
-
-std::uint32_t* new_indices(RTCGeometry geometry, std::size_t count) {
-    return static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), count));
-}
-
 }  // namespace
 
 void Foremost::add(const ClipMesh& mesh, const Sight& sight) {
@@ -158,42 +146,13 @@ void Foremost::add(const ClipMesh& mesh, const Sight& sight) {
 EmbreeRays::EmbreeRays(const ClipMesh& mesh, int threads)
     : SightRays(mesh, kReach_px), handles_(std::make_unique<Handles>()) {
     const scene::Topology& topology = mesh.topology();
-    handles_->device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
-    if (handles_->device == nullptr) {
-        throw core::Error("crosscheck", "Embree could not start", "a CPU with at least SSE2");
-    }
-    handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(handles_->scene, truth::embree::kSceneFlags);
-
     double largest = 0;
     for (const glm::dvec3& p : topology.p_world)
         largest = std::max(largest, glm::length(mesh.projection().to_view(p)));
     scale_ = largest > 0 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
-
-    if (!topology.faces.empty()) {
-        RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        float* vertices = new_vertices(geometry, topology.p_world.size());
-        std::uint32_t* indices = new_indices(geometry, topology.faces.size());
-        if (vertices == nullptr || indices == nullptr) {
-            rtcReleaseGeometry(geometry);
-            throw core::Error(
-                "crosscheck", "Embree found no memory for the scene", "a smaller scene");
-        }
-        for (const glm::dvec3& p : topology.p_world) {
-            const glm::dvec3 p_view = mesh.projection().to_view(p) * scale_;
-            for (int i = 0; i < 3; ++i)
-                *vertices++ = static_cast<float>(p_view[i]);
-        }
-        for (const scene::Face& face : topology.faces)
-            indices = std::copy(face.vertices.begin(), face.vertices.end(), indices);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(handles_->scene, geometry);
-        rtcReleaseGeometry(geometry);
-    }
-    rtcCommitScene(handles_->scene);
-    if (rtcGetDeviceError(handles_->device) != RTC_ERROR_NONE) {
-        throw core::Error("crosscheck", "Embree could not build the scene", "a smaller scene");
-    }
+    truth::embree::build(*handles_, topology, threads, "crosscheck", [&](const glm::dvec3& p) {
+        return mesh.projection().to_view(p) * scale_;
+    });
 }
 
 EmbreeRays::~EmbreeRays() = default;

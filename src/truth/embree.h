@@ -13,6 +13,13 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "core/error.h"
+#include "scene/topology.h"
+
 namespace ink::truth::embree {
 
 /// A device and a scene on it, released together.
@@ -128,5 +135,46 @@ inline void intersect_16(const int* valid,
 }
 
 #endif
+
+/// Builds the tree of a mesh's faces, with each vertex where `place(p_world)` puts it, which is
+/// rounded to floats. Throws core::Error in the name of `who`.
+template <class Place>
+void build(
+    Handles& handles, const scene::Topology& topology, int threads, const char* who, Place place) {
+    handles.device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
+    if (handles.device == nullptr) {
+        throw core::Error(who, "Embree could not start", "a CPU with at least SSE2");
+    }
+    handles.scene = rtcNewScene(handles.device);
+    rtcSetSceneFlags(handles.scene, kSceneFlags);
+    if (!topology.faces.empty()) {
+        RTCGeometry geometry = rtcNewGeometry(handles.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        const auto buffer = [&](RTCBufferType type, RTCFormat format, std::size_t count) {
+            return rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(float), count);
+        };
+        auto* vertices = static_cast<float*>(
+            buffer(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, topology.p_world.size()));
+        auto* indices = static_cast<std::uint32_t*>(
+            buffer(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, topology.faces.size()));
+        if (vertices == nullptr || indices == nullptr) {
+            rtcReleaseGeometry(geometry);
+            throw core::Error(who, "Embree found no memory for the scene", "a smaller scene");
+        }
+        for (const glm::dvec3& p_world : topology.p_world) {
+            const glm::dvec3 p = place(p_world);
+            for (int axis = 0; axis < 3; ++axis)
+                *vertices++ = static_cast<float>(p[axis]);
+        }
+        for (const scene::Face& face : topology.faces)
+            indices = std::copy(face.vertices.begin(), face.vertices.end(), indices);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(handles.scene, geometry);
+        rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(handles.scene);
+    if (rtcGetDeviceError(handles.device) != RTC_ERROR_NONE) {
+        throw core::Error(who, "Embree could not build the scene", "a smaller scene");
+    }
+}
 
 }  // namespace ink::truth::embree

@@ -5,10 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <string>
-#include <vector>
 
-#include "core/error.h"
 #include "truth/embree.h"
 
 namespace ink::truth {
@@ -17,17 +14,16 @@ struct EyeScene::Handles : embree::Handles {};
 
 /// What a filter knows of the query that called it; Embree hands the context back by its address.
 struct EyeSceneQuery {
-    embree::Context context;  // first: the filter casts its address back
+    explicit EyeSceneQuery(EyeScene::Callback confirm_) : confirm(confirm_) {
+        embree::init_context(context);
+    }
+    embree::Context context{};  // first: the filter casts its address back
     EyeScene::Callback confirm;
     float best_t = std::numeric_limits<float>::infinity();
     std::uint32_t best_face = RTC_INVALID_GEOMETRY_ID;
 };
 
 namespace {
-
-struct Float3 {
-    float x, y, z;
-};
 
 /// The power of two that scales the farthest vertex to below 1.
 double unit_scale(const scene::Topology& topology, const glm::dvec3& eye_world) {
@@ -37,31 +33,6 @@ double unit_scale(const scene::Topology& topology, const glm::dvec3& eye_world) 
         farthest = std::max({farthest, d.x, d.y, d.z});
     }
     return farthest > 0 ? std::ldexp(1.0, -std::ilogb(farthest) - 1) : 1.0;
-}
-
-void* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
-    void* data = rtcSetNewGeometryBuffer(geometry, type, 0, format, 3 * sizeof(float), count);
-    if (data == nullptr && count > 0) {
-        throw core::Error("truth", "Embree found no memory for the scene", "a smaller scene");
-    }
-    return data;
-}
-
-void attach_triangles(RTCDevice device,
-                      RTCScene rtc_scene,
-                      const scene::Topology& topology,
-                      const std::vector<Float3>& p_eye) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<Float3*>(
-        new_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, p_eye.size()));
-    std::copy(p_eye.begin(), p_eye.end(), vertices);
-    auto* indices = static_cast<std::uint32_t*>(
-        new_buffer(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, topology.faces.size()));
-    for (const scene::Face& face : topology.faces)
-        indices = std::copy(face.vertices.begin(), face.vertices.end(), indices);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(rtc_scene, geometry);
-    rtcReleaseGeometry(geometry);
 }
 
 RTCRay make_ray(const EyeRay& ray, double scale) {
@@ -132,35 +103,15 @@ void keep_lowest_first(const RTCFilterFunctionNArguments* args) {
 
 EyeScene::EyeScene(const scene::Topology& topology, const glm::dvec3& eye_world, int threads)
     : handles_(std::make_unique<Handles>()), scale_(unit_scale(topology, eye_world)) {
-    const std::string config = "threads=" + std::to_string(threads);
-    handles_->device = rtcNewDevice(config.c_str());
-    if (handles_->device == nullptr) {
-        throw core::Error("truth", "Embree could not start", "a CPU with at least SSE2");
-    }
-    handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(handles_->scene, embree::kSceneFlags);
-    std::vector<Float3> p_eye;
-    p_eye.reserve(topology.p_world.size());
-    for (const glm::dvec3& p : topology.p_world) {
-        const glm::dvec3 d = (p - eye_world) * scale_;
-        p_eye.push_back(
-            {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)});
-    }
-    if (!topology.faces.empty()) {
-        attach_triangles(handles_->device, handles_->scene, topology, p_eye);
-    }
-    rtcCommitScene(handles_->scene);
-    if (rtcGetDeviceError(handles_->device) != RTC_ERROR_NONE) {
-        throw core::Error("truth", "Embree could not build the scene", "a smaller scene");
-    }
+    embree::build(*handles_, topology, threads, "truth", [&](const glm::dvec3& p_world) {
+        return (p_world - eye_world) * scale_;
+    });
 }
 
 EyeScene::~EyeScene() = default;
 
 bool EyeScene::any_of(const EyeRay& ray, Callback confirm) const {
-    EyeSceneQuery query{};
-    embree::init_context(query.context);
-    query.confirm = confirm;
+    EyeSceneQuery query(confirm);
     RTCRay rtc_ray = make_ray(ray, scale_);
     embree::occluded(handles_->scene, query.context, &confirm_any, rtc_ray);
     return rtc_ray.tfar < 0;
@@ -169,9 +120,7 @@ bool EyeScene::any_of(const EyeRay& ray, Callback confirm) const {
 bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
                              const RayRange& range,
                              Callback confirm) const {
-    EyeSceneQuery query{};
-    embree::init_context(query.context);
-    query.confirm = confirm;
+    EyeSceneQuery query(confirm);
     RTCRay4 packet{};
     for (std::size_t i = 0; i < 4; ++i) {
         const RTCRay ray = make_ray({directions_world[i], range.t_near, range.t_far}, scale_);
@@ -187,9 +136,7 @@ bool EyeScene::any_of_packet(const std::array<glm::dvec3, 4>& directions_world,
 }
 
 std::optional<EyeScene::Hit> EyeScene::first_of(const EyeRay& ray, Callback confirm) const {
-    EyeSceneQuery query{};
-    embree::init_context(query.context);
-    query.confirm = confirm;
+    EyeSceneQuery query(confirm);
     RTCRayHit rtc_ray{};
     rtc_ray.ray = make_ray(ray, scale_);
     rtc_ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
