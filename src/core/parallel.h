@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -12,6 +13,16 @@ namespace ink::core {
 /// exception that a body throws is rethrown here. `threads` < 1 is a caller's bug. No more threads
 /// are used than share_of_threads().
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+/// The same, `chunk` of the i at a time: for bodies that are short.
+template <class Body>
+void parallel_for_chunks(std::size_t count, std::size_t chunk, int threads, const Body& body) {
+    parallel_for((count + chunk - 1) / chunk, threads, [&](std::size_t part) {
+        const std::size_t end = std::min(count, (part + 1) * chunk);
+        for (std::size_t i = part * chunk; i < end; ++i)
+            body(i);
+    });
+}
 
 /// The number of hardware threads, at least 1: the default of every `--threads`.
 [[nodiscard]] int hardware_threads();

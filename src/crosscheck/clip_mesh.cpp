@@ -37,12 +37,8 @@ ClipMesh::ClipMesh(const scene::Topology& topology,
       p_clip_(topology.p_world.size()),
       orientation_(topology.faces.size()),
       kinds_(topology.edges.size()) {
-    const auto in_chunks = [&](std::size_t count, auto&& body) {
-        core::parallel_for((count + kChunk - 1) / kChunk, options.threads, [&](std::size_t chunk) {
-            const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-            for (std::size_t i = chunk * kChunk; i < end; ++i)
-                body(i);
-        });
+    const auto in_chunks = [&](std::size_t count, const auto& body) {
+        core::parallel_for_chunks(count, kChunk, options.threads, body);
     };
     in_chunks(p_clip_.size(),
               [&](std::size_t i) { p_clip_[i] = projection_.to_clip(topology.p_world[i]); });
@@ -188,9 +184,8 @@ Across ClipMesh::across(std::uint32_t face, std::size_t side) const {
 
 double ClipMesh::deviation_between(std::uint32_t face0, std::uint32_t face1) const {
     const auto to_eye = [&](std::uint32_t face) {
-        const auto& v = topology_.faces[face].vertices;
-        const glm::dvec3 a = topology_.p_world[v[0]];
-        const glm::dvec3 n = glm::cross(topology_.p_world[v[1]] - a, topology_.p_world[v[2]] - a);
+        const glm::dvec3 a = topology_.p_world[topology_.faces[face].vertices[0]];
+        const glm::dvec3 n = topology_.area_vector(face);
         return glm::dot(n, projection_.eye_world() - a) < 0 ? -n : n;
     };
     return angle_between(to_eye(face0), to_eye(face1));

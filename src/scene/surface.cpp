@@ -16,8 +16,18 @@
 namespace ink::scene {
 namespace {
 
-/// Calls `visit(object, instance, mesh, t, triangle)` per placed triangle, corners swapped if
-/// mirrored.
+/// A triangle of an instance, corners swapped if mirrored.
+struct PlacedTriangle {
+    std::uint32_t object;
+    const Instance& instance;
+    const Mesh& mesh;
+    Triangle vertices;
+
+    [[nodiscard]] glm::dvec3 corner(std::size_t i) const {
+        return to_world(instance, mesh.positions[vertices[i]]);
+    }
+};
+
 template <class Visit>
 void for_each_triangle(const Scene& scene, Visit visit) {
     for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
@@ -27,7 +37,7 @@ void for_each_triangle(const Scene& scene, Visit visit) {
         for (const Triangle& stored : mesh.triangles) {
             Triangle triangle = stored;
             if (mirrored) std::swap(triangle[1], triangle[2]);
-            visit(object, instance, mesh, triangle);
+            visit(PlacedTriangle{object, instance, mesh, triangle});
         }
     }
 }
@@ -58,12 +68,6 @@ core::DisjointSets join_smooth_corners(const Topology& topology, double crease_r
     return sets;
 }
 
-glm::dvec3 area_vector(const Topology& topology, const Face& face) {
-    const glm::dvec3 a = topology.p_world[face.vertices[0]];
-    return glm::cross(topology.p_world[face.vertices[1]] - a,
-                      topology.p_world[face.vertices[2]] - a);
-}
-
 double corner_angle_rad(const Topology& topology, const Face& face, std::size_t corner) {
     const glm::dvec3 p = topology.p_world[face.vertices[corner]];
     const glm::dvec3 u = topology.p_world[face.vertices[(corner + 1) % 3]] - p;
@@ -83,7 +87,7 @@ Surface patch_surface(const Scene& scene, double crease_rad) {
     std::vector<glm::dvec3> sums(topology.faces.size() * 3, glm::dvec3(0));
     for (std::uint32_t f = 0; f < topology.faces.size(); ++f) {
         const Face& face = topology.faces[f];
-        const glm::dvec3 normal = glm::dvec3(area_vector(topology, face));
+        const glm::dvec3 normal = topology.area_vector(f);
         const glm::dvec3 unit = normal / std::max(glm::length(normal), 1e-300);
         for (std::uint32_t i = 0; i < 3; ++i) {
             sums[sets.root(3 * f + i)] += unit * corner_angle_rad(topology, face, i);
@@ -100,56 +104,43 @@ Surface patch_surface(const Scene& scene, double crease_rad) {
         surface.n_world.push_back(n);
         return static_cast<std::uint32_t>(surface.p_world.size() - 1);
     };
-    for_each_triangle(scene,
-                      [&](std::uint32_t object,
-                          const Instance& instance,
-                          const Mesh& mesh,
-                          const Triangle& triangle) {
-                          Triangle drawn{};
-                          const bool kept = f < topology.faces.size() &&
-                                            topology.faces[f].triangle == triangle_index;
-                          std::array<glm::dvec3, 3> p;
-                          for (std::size_t i = 0; i < 3; ++i)
-                              p[i] = to_world(instance, mesh.positions[triangle[i]]);
-                          const glm::vec3 facet = unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0]));
-                          for (std::uint32_t i = 0; i < 3; ++i) {
-                              if (!kept) {
-                                  drawn[i] = add_vertex(p[i], facet);
-                                  continue;
-                              }
-                              const std::uint32_t set = sets.root(3 * f + i);
-                              if (vertex_of_set[set] == 0xffffffffU) {
-                                  vertex_of_set[set] = add_vertex(p[i], unit_or_z(sums[set]));
-                              }
-                              drawn[i] = vertex_of_set[set];
-                          }
-                          if (kept) ++f;
-                          ++triangle_index;
-                          surface.triangles.push_back(drawn);
-                          surface.object.push_back(object);
-                      });
+    for_each_triangle(scene, [&](const PlacedTriangle& at) {
+        Triangle drawn{};
+        const bool kept = f < topology.faces.size() && topology.faces[f].triangle == triangle_index;
+        const std::array<glm::dvec3, 3> p = {at.corner(0), at.corner(1), at.corner(2)};
+        const glm::vec3 facet = unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0]));
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            if (!kept) {
+                drawn[i] = add_vertex(p[i], facet);
+                continue;
+            }
+            const std::uint32_t set = sets.root(3 * f + i);
+            if (vertex_of_set[set] == 0xffffffffU) {
+                vertex_of_set[set] = add_vertex(p[i], unit_or_z(sums[set]));
+            }
+            drawn[i] = vertex_of_set[set];
+        }
+        if (kept) ++f;
+        ++triangle_index;
+        surface.triangles.push_back(drawn);
+        surface.object.push_back(at.object);
+    });
     return surface;
 }
 
 /// One corner per triangle and vertex, each with the triangle's own normal.
 Surface facet_surface(const Scene& scene) {
     Surface surface;
-    for_each_triangle(scene,
-                      [&](std::uint32_t object,
-                          const Instance& instance,
-                          const Mesh& mesh,
-                          const Triangle& triangle) {
-                          const auto first = static_cast<std::uint32_t>(surface.p_world.size());
-                          for (const std::uint32_t v : triangle) {
-                              surface.p_world.push_back(to_world(instance, mesh.positions[v]));
-                          }
-                          const glm::dvec3* p = surface.p_world.data() + first;
-                          surface.n_world.insert(surface.n_world.end(),
-                                                 3,
-                                                 unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0])));
-                          surface.triangles.push_back({first, first + 1, first + 2});
-                          surface.object.push_back(object);
-                      });
+    for_each_triangle(scene, [&](const PlacedTriangle& at) {
+        const auto first = static_cast<std::uint32_t>(surface.p_world.size());
+        for (std::size_t i = 0; i < 3; ++i)
+            surface.p_world.push_back(at.corner(i));
+        const glm::dvec3* p = surface.p_world.data() + first;
+        surface.n_world.insert(
+            surface.n_world.end(), 3, unit_or_z(glm::cross(p[1] - p[0], p[2] - p[0])));
+        surface.triangles.push_back({first, first + 1, first + 2});
+        surface.object.push_back(at.object);
+    });
     return surface;
 }
 
@@ -178,13 +169,12 @@ Surface mesh_surface(const Scene& scene, bool with_normals) {
             surface.n_world.push_back(unit_or_z(turn * glm::dvec3(n)));
         }
     }
-    for_each_triangle(
-        scene, [&](std::uint32_t object, const Instance&, const Mesh&, const Triangle& triangle) {
-            const std::uint32_t first = first_vertex[object];
-            surface.triangles.push_back(
-                {first + triangle[0], first + triangle[1], first + triangle[2]});
-            surface.object.push_back(object);
-        });
+    for_each_triangle(scene, [&](const PlacedTriangle& at) {
+        const std::uint32_t first = first_vertex[at.object];
+        const auto& [a, b, c] = at.vertices;
+        surface.triangles.push_back({first + a, first + b, first + c});
+        surface.object.push_back(at.object);
+    });
     return surface;
 }
 
@@ -199,18 +189,17 @@ Surface file_surface(const Scene& scene, double crease_rad) {
 
     Surface surface = patch_surface(scene, crease_rad);
     std::uint32_t triangle_index = 0;
-    for_each_triangle(
-        scene,
-        [&](std::uint32_t, const Instance& instance, const Mesh& mesh, const Triangle& triangle) {
-            Triangle& drawn = surface.triangles[triangle_index++];
-            if (mesh.normals.empty()) return;
-            const glm::dmat3 turn = normal_transform(instance);
-            for (std::size_t i = 0; i < 3; ++i) {
-                surface.p_world.push_back(surface.p_world[drawn[i]]);
-                surface.n_world.push_back(unit_or_z(turn * glm::dvec3(mesh.normals[triangle[i]])));
-                drawn[i] = static_cast<std::uint32_t>(surface.p_world.size() - 1);
-            }
-        });
+    for_each_triangle(scene, [&](const PlacedTriangle& at) {
+        Triangle& drawn = surface.triangles[triangle_index++];
+        if (at.mesh.normals.empty()) return;
+        const glm::dmat3 turn = normal_transform(at.instance);
+        for (std::size_t i = 0; i < 3; ++i) {
+            surface.p_world.push_back(surface.p_world[drawn[i]]);
+            const glm::dvec3 n(at.mesh.normals[at.vertices[i]]);
+            surface.n_world.push_back(unit_or_z(turn * n));
+            drawn[i] = static_cast<std::uint32_t>(surface.p_world.size() - 1);
+        }
+    });
     return surface;
 }
 

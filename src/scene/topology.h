@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -57,6 +58,11 @@ struct Topology {
 
     [[nodiscard]] std::span<const std::uint32_t> faces_of(const Edge& edge) const {
         return {edge_faces.data() + edge.first_face, edge.face_count};
+    }
+    /// Orthogonal to a face, towards where it runs counter-clockwise; of twice its area's length.
+    [[nodiscard]] glm::dvec3 area_vector(std::uint32_t face) const {
+        const auto& [a, b, c] = faces[face].vertices;
+        return glm::cross(p_world[b] - p_world[a], p_world[c] - p_world[a]);
     }
 };
 

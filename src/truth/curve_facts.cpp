@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kChunk = 64;  ///< curves a task
 
-glm::dvec3 normal_of(const scene::Topology& topology, std::uint32_t f) {
-    const auto& [a, b, c] = topology.faces[f].vertices;
-    const auto& p = topology.p_world;
-    return glm::cross(p[b] - p[a], p[c] - p[a]);
-}
-
 /// The middle of a piece on the image, in space: 1/w is linear along it.
 glm::dvec3 middle_of(const EyeView& eye, const Curve& curve, double& w) {
     w = 2 * curve.begin.w * curve.end.w / (curve.begin.w + curve.end.w);
@@ -57,7 +51,7 @@ std::uint32_t lowest_other(std::span<const std::uint32_t> faces, std::uint32_t f
 
 /// The angle between a line of sight and a face's normal, 0..pi/2.
 float view_angle_rad(const EyeView& eye, std::uint32_t face, const glm::dvec3& to_point) {
-    const glm::dvec3 normal = normal_of(eye.model.topology, face);
+    const glm::dvec3 normal = eye.model.topology.area_vector(face);
     return static_cast<float>(std::atan2(glm::length(glm::cross(normal, to_point)),
                                          std::abs(glm::dot(normal, to_point))));
 }
@@ -65,7 +59,7 @@ float view_angle_rad(const EyeView& eye, std::uint32_t face, const glm::dvec3& t
 /// How far behind the point a face meets the line of sight, along the view direction.
 float gap_to(const EyeView& eye, const EyeScene::Hit& hit, const LinePoint& point) {
     const scene::Topology& topology = eye.model.topology;
-    const glm::dvec3 normal = normal_of(topology, hit.face);
+    const glm::dvec3 normal = topology.area_vector(hit.face);
     const glm::dvec3& on_face = topology.p_world[topology.faces[hit.face].vertices[0]];
     // From the point, not from the eye: what touches the line is 0 behind it, not a rounding.
     const double beyond = glm::dot(normal, on_face - point.p_world);

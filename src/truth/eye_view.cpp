@@ -13,15 +13,6 @@ namespace {
 constexpr std::size_t kChunk = 4096;  ///< vertices, faces or edges a task
 constexpr double kShortestSlit = 4;   ///< weld tolerances
 
-template <class Body>
-void for_all(std::size_t count, int threads, Body&& body) {
-    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i)
-            body(i);
-    });
-}
-
 /// Of two faces on the same side of an edge, whether the first hides the second there. Where
 /// rounding leaves open which is nearer they lie on each other.
 bool hides(const EyeView& eye, const scene::Edge& edge, std::uint32_t f0, std::uint32_t f1) {
@@ -111,17 +102,17 @@ EyeView::EyeView(const Model& model_, const scene::View& view, int threads)
       near(view.camera.near) {
     const scene::Topology& topology = model.topology;
     p_clip.resize(topology.p_world.size());
-    for_all(p_clip.size(), threads, [&](std::size_t v) {
+    core::parallel_for_chunks(p_clip.size(), kChunk, threads, [&](std::size_t v) {
         p_clip[v] = projection.to_clip(topology.p_world[v]);
     });
     facing.resize(topology.faces.size());
-    for_all(facing.size(), threads, [&](std::size_t f) {
+    core::parallel_for_chunks(facing.size(), kChunk, threads, [&](std::size_t f) {
         const auto& [a, b, c] = topology.faces[f].vertices;
         const auto& p = topology.p_world;
         facing[f] = static_cast<std::int8_t>(scene::facing(p[a], p[b], p[c], eye_world()));
     });
     edge_class.resize(topology.edges.size());
-    for_all(edge_class.size(), threads, [&](std::size_t e) {
+    core::parallel_for_chunks(edge_class.size(), kChunk, threads, [&](std::size_t e) {
         edge_class[e] = class_of(*this, static_cast<std::uint32_t>(e));
     });
 }

@@ -18,19 +18,14 @@ void classify_edges(Model& model, int threads) {
     const std::size_t count = topology.edges.size();
     model.runs.resize(topology.edge_faces.size());
     model.flat_class.assign(count, LineClass::none);
-    core::parallel_for((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
-        for (std::size_t e = chunk * kChunk; e < end; ++e) {
-            const scene::Edge& edge = topology.edges[e];
-            const auto faces = topology.faces_of(edge);
-            for (std::size_t i = 0; i < faces.size(); ++i) {
-                const bool is_forward = runs_forward(topology.faces[faces[i]], edge);
-                model.runs[edge.first_face + i] = is_forward ? std::int8_t{1} : std::int8_t{-1};
-            }
-            if (faces.size() == 2) {
-                model.flat_class[e] = model.class_across(edge, faces[0], faces[1]);
-            }
+    core::parallel_for_chunks(count, kChunk, threads, [&](std::size_t e) {
+        const scene::Edge& edge = topology.edges[e];
+        const auto faces = topology.faces_of(edge);
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            const bool is_forward = runs_forward(topology.faces[faces[i]], edge);
+            model.runs[edge.first_face + i] = is_forward ? std::int8_t{1} : std::int8_t{-1};
         }
+        if (faces.size() == 2) model.flat_class[e] = model.class_across(edge, faces[0], faces[1]);
     });
 }
 

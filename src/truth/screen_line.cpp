@@ -30,11 +30,10 @@ double doubt_of(const scene::Topology& topology, const Crossing& crossing) {
     double rounding = 0;
     const auto normal_of = [&](std::uint32_t f) {
         const auto& v = topology.faces[f].vertices;
-        const auto& p = topology.p_world;
         rounding += std::max({topology.rounding_world[v[0]],
                               topology.rounding_world[v[1]],
                               topology.rounding_world[v[2]]});
-        return glm::normalize(glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]));
+        return glm::normalize(topology.area_vector(f));
     };
     const glm::dvec3 n0 = normal_of(crossing.face0), n1 = normal_of(crossing.face1);
     const double sine = glm::length(glm::cross(n0, n1));

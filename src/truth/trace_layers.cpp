@@ -15,14 +15,15 @@ namespace {
 /// The distance at which the ray direction meets the face's plane, in double, and the cosine there.
 void set_depth(
     const EyeView& eye, const glm::dvec3& ray, std::uint32_t f, float& w, float& cosine) {
-    const auto& [a, b, c] = eye.model.topology.faces[f].vertices;
-    const auto& p = eye.model.topology.p_world;
-    const glm::dvec3 normal = glm::cross(p[b] - p[a], p[c] - p[a]);
+    const scene::Topology& topology = eye.model.topology;
+    const glm::dvec3 normal = topology.area_vector(f);
     const double along = glm::dot(normal, ray);
     // A triangle seen exactly edge-on, or thinner than its normal can tell, keeps what the ray
     // found.
     if (along == 0) return;
-    w = static_cast<float>(glm::dot(normal, p[a] - eye.eye_world()) / along);
+    w = static_cast<float>(
+        glm::dot(normal, topology.p_world[topology.faces[f].vertices[0]] - eye.eye_world()) /
+        along);
     cosine = static_cast<float>(std::abs(along) / (glm::length(normal) * glm::length(ray)));
 }
 

@@ -158,11 +158,8 @@ class LineTracer {
     /// is the angle between the normals that face the eye.
     [[nodiscard]] float deviation_of_crossing() const {
         const Crossing& crossing = *line_->segment.crossing;
-        const auto& p = eye_.model.topology.p_world;
         const auto normal_of = [&](std::uint32_t f) {
-            const auto& v = eye_.model.topology.faces[f].vertices;
-            return glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]) *
-                   static_cast<double>(eye_.facing[f]);
+            return eye_.model.topology.area_vector(f) * static_cast<double>(eye_.facing[f]);
         };
         const glm::dvec3 n0 = normal_of(crossing.face0), n1 = normal_of(crossing.face1);
         return static_cast<float>(std::atan2(glm::length(glm::cross(n0, n1)), glm::dot(n0, n1)));

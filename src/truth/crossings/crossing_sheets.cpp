@@ -63,8 +63,7 @@ bool Visibility::covers(std::uint32_t f, const LinePoint& point) const {
     const glm::dvec3 beside = glm::cross(crossing.end_world - crossing.begin_world, sight);
     // How much nearer the plane comes for each step to that side; on the other it recedes so.
     const auto nearing = [&](std::uint32_t face) {
-        const auto& v = eye_.model.topology.faces[face].vertices;
-        const glm::dvec3 normal = glm::cross(p[v[1]] - p[v[0]], p[v[2]] - p[v[0]]);
+        const glm::dvec3 normal = eye_.model.topology.area_vector(face);
         return glm::dot(normal, beside) / glm::dot(normal, sight);
     };
     std::uint32_t low = crossing.face0, high = crossing.face1;
