@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/image.h"
+
 namespace ink::edge {
 
 /// Calls `visit(x)` for each of the `width_px` bytes at `row` that is not 0, from left to right.
@@ -23,6 +25,13 @@ void visit_set_pixels(const std::uint8_t* row, int width_px, Visit visit) {
     for (; x < width_px; ++x) {
         if (row[x] != 0) visit(x);
     }
+}
+
+/// Calls `visit(x, y)` for each pixel of an image that is not 0, row by row.
+template <class Visit>
+void visit_set_pixels(const core::Image<std::uint8_t>& image, Visit visit) {
+    for (int y = 0; y < image.height_px(); ++y)
+        visit_set_pixels(image.row(y), image.width_px(), [&](int x) { visit(x, y); });
 }
 
 }  // namespace ink::edge

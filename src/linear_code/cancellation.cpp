@@ -81,15 +81,13 @@ CancellationCount count_cancellation(const score::PixelList& kind,
     count.n_truth = static_cast<std::int64_t>(kind.size());
     count.predicted_missed = count.n_truth - predicted.match(kind);
     count.measured_missed = count.n_truth - measured.match(kind);
-    for (int y = 0; y < kind.height_px(); ++y) {
-        for (std::size_t i = kind.row_begin(y); i < kind.row_begin(y + 1); ++i) {
-            const bool is_predicted = predicted.is_near(kind.x(i), y);
-            const bool is_measured = measured.is_near(kind.x(i), y);
-            count.predicted_false_negatives += is_predicted ? 0 : 1;
-            count.measured_false_negatives += is_measured ? 0 : 1;
-            count.both_false_negatives += is_predicted || is_measured ? 0 : 1;
-        }
-    }
+    kind.visit([&](int x, int y) {
+        const bool is_predicted = predicted.is_near(x, y);
+        const bool is_measured = measured.is_near(x, y);
+        count.predicted_false_negatives += is_predicted ? 0 : 1;
+        count.measured_false_negatives += is_measured ? 0 : 1;
+        count.both_false_negatives += is_predicted || is_measured ? 0 : 1;
+    });
     return count;
 }
 

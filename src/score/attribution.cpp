@@ -14,11 +14,9 @@ namespace {
 /// The pixels of `from` that are not in a mask.
 std::vector<Pixel> outside(const PixelList& from, const edge::BitMask& mask) {
     std::vector<Pixel> pixels;
-    for (int y = 0; y < from.height_px(); ++y) {
-        for (std::size_t i = from.row_begin(y); i < from.row_begin(y + 1); ++i) {
-            if (!mask.is_set(from.x(i), y)) pixels.push_back({from.x(i), y});
-        }
-    }
+    from.visit([&](int x, int y) {
+        if (!mask.is_set(x, y)) pixels.push_back({x, y});
+    });
     return pixels;
 }
 
@@ -138,7 +136,6 @@ WrongPixels wrong_pixels(const edge::EdgeImage& prediction,
                          const ScoringTruth& truth,
                          const ScoreOptions& options) {
     check(options);
-    check_same_size(prediction, truth.labels);
     return wrong_pixels(make_strokes(prediction, options.threshold, options), truth, options);
 }
 

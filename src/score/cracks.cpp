@@ -40,15 +40,11 @@ void list_cracks(const core::Image<std::uint8_t>& labels,
                  const edge::Mask& counts,
                  std::uint32_t step,
                  std::vector<CrackTruth::Crack>& out) {
-    for (int y = 0; y < labels.height_px(); ++y) {
-        const auto row =
-            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(labels.width_px());
-        edge::visit_set_pixels(labels.row(y), labels.width_px(), [&](int x) {
-            const std::uint32_t pixel = row + static_cast<std::uint32_t>(x);
-            if (counts.data()[pixel] == 0 || counts.data()[pixel + step] == 0) return;
-            out.push_back({pixel, pixel + step, labels.at(x, y)});
-        });
-    }
+    edge::visit_set_pixels(labels, [&](int x, int y) {
+        const auto pixel = static_cast<std::uint32_t>(y * labels.width_px() + x);
+        if (counts.data()[pixel] == 0 || counts.data()[pixel + step] == 0) return;
+        out.push_back({pixel, pixel + step, labels.at(x, y)});
+    });
 }
 
 }  // namespace
@@ -95,13 +91,11 @@ CrackTruth prepare_cracks(const truth::Cracks& cracks,
 CrackScore score_cracks(const edge::Mask& drawn, const CrackTruth& truth) {
     check_same_size(drawn, truth.verdict);
     CrackScore score;
-    for (int y = 0; y < drawn.height_px(); ++y) {
-        const std::uint8_t* verdict = truth.verdict.row(y);
-        edge::visit_set_pixels(drawn.row(y), drawn.width_px(), [&](int x) {
-            score.n_drawn += verdict[x] != CrackTruth::kLeftOut;
-            score.n_beside += verdict[x] == CrackTruth::kBeside;
-        });
-    }
+    edge::visit_set_pixels(drawn, [&](int x, int y) {
+        const std::uint8_t verdict = truth.verdict.at(x, y);
+        score.n_drawn += verdict != CrackTruth::kLeftOut;
+        score.n_beside += verdict == CrackTruth::kBeside;
+    });
     for (const CrackTruth::Crack& crack : truth.cracks) {
         const bool is_found = drawn.data()[crack.pixel] != 0 || drawn.data()[crack.other] != 0;
         CrackCount& of_class = score.classes[crack.label & 7U];

@@ -26,14 +26,14 @@ class ByResponse {
     };
 
     explicit ByResponse(const edge::EdgeImage& image) {
-        visit(image,
-              [&](int edge_response, Place) { ++count_[static_cast<std::size_t>(edge_response)]; });
+        edge::visit_set_pixels(image,
+                               [&](int x, int y) { ++count_[std::size_t{image.row(y)[x]}]; });
         for (std::size_t s = 255; s > 0; --s)
             count_[s] += count_[s + 1];
         places_.resize(count_[1]);
         std::array<std::size_t, 257> next = count_;
-        visit(image, [&](int edge_response, Place place) {
-            places_[next[static_cast<std::size_t>(edge_response) + 1]++] = place;
+        edge::visit_set_pixels(image, [&](int x, int y) {
+            places_[next[std::size_t{image.row(y)[x]} + 1]++] = {x, y};
         });
     }
 
@@ -44,16 +44,6 @@ class ByResponse {
     [[nodiscard]] const Place& at(std::size_t i) const { return places_[i]; }
 
   private:
-    template <class Visit>
-    static void visit(const edge::EdgeImage& image, Visit visit) {
-        for (int y = 0; y < image.height_px(); ++y) {
-            const std::uint8_t* row = image.row(y);
-            edge::visit_set_pixels(row, image.width_px(), [&](int x) {
-                visit(int{row[x]}, Place{x, y});
-            });
-        }
-    }
-
     std::array<std::size_t, 257> count_{};
     std::vector<Place> places_;
 };
@@ -152,7 +142,6 @@ std::vector<CurveCount> score_tolerance_sweep(const edge::EdgeImage& prediction,
     ScoreOptions first = options;
     first.tolerance_px = tolerances_px.front();
     check(first);
-    check_same_size(prediction, truth.labels);
     return tolerance_sweep_of_strokes(
         make_strokes(prediction, options.threshold, options), truth, options, tolerances_px);
 }

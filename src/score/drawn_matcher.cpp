@@ -13,15 +13,9 @@ DrawnMatcher::DrawnMatcher(const PixelList& drawn, const Disk& disk, int width_p
 
 std::int64_t DrawnMatcher::match(const PixelList& truth) {
     if (truth.is_empty() || is_empty_) return 0;
-    const auto for_each = [&](auto visit) {
-        for (int y = 0; y < truth.height_px(); ++y) {
-            for (std::size_t i = truth.row_begin(y); i < truth.row_begin(y + 1); ++i)
-                visit(truth.x(i), y);
-        }
-    };
-    for_each([&](int x, int y) { truth_.set(x, y); });
+    truth.visit([&](int x, int y) { truth_.set(x, y); });
     matcher_.set_left(truth_.words());
-    for_each([&](int x, int y) { truth_.clear(x, y); });
+    truth.visit([&](int x, int y) { truth_.clear(x, y); });
     return matcher_.match();
 }
 

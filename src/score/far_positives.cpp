@@ -16,17 +16,15 @@ void mark_disks(const PixelList& pixels,
                 std::uint8_t value,
                 core::Image<std::uint8_t>& image) {
     const int radius = disk.radius_px();
-    for (int y = 0; y < pixels.height_px(); ++y) {
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i) {
-            const int last_row = std::min(image.height_px() - 1, y + radius);
-            for (int v = std::max(0, y - radius); v <= last_row; ++v) {
-                const int half_width = disk.half_width_px(v - y);
-                const int first = std::max(0, pixels.x(i) - half_width);
-                const int last = std::min(image.width_px() - 1, pixels.x(i) + half_width);
-                std::fill(image.row(v) + first, image.row(v) + last + 1, value);
-            }
+    pixels.visit([&](int x, int y) {
+        const int last_row = std::min(image.height_px() - 1, y + radius);
+        for (int v = std::max(0, y - radius); v <= last_row; ++v) {
+            const int half_width = disk.half_width_px(v - y);
+            const int first = std::max(0, x - half_width);
+            const int last = std::min(image.width_px() - 1, x + half_width);
+            std::fill(image.row(v) + first, image.row(v) + last + 1, value);
         }
-    }
+    });
 }
 
 }  // namespace
@@ -46,13 +44,11 @@ PositiveTruth prepare_positives(const ScoringTruth& truth, const ScoreOptions& o
 PositiveCount count_positives(const edge::Mask& drawn, const PositiveTruth& truth) {
     check_same_size(drawn, truth.verdict);
     PositiveCount count;
-    for (int y = 0; y < drawn.height_px(); ++y) {
-        const std::uint8_t* verdict = truth.verdict.row(y);
-        edge::visit_set_pixels(drawn.row(y), drawn.width_px(), [&](int x) {
-            count.n_drawn += verdict[x] != PositiveTruth::kLeftOut;
-            count.n_false += verdict[x] == PositiveTruth::kFalse;
-        });
-    }
+    edge::visit_set_pixels(drawn, [&](int x, int y) {
+        const std::uint8_t verdict = truth.verdict.at(x, y);
+        count.n_drawn += verdict != PositiveTruth::kLeftOut;
+        count.n_false += verdict == PositiveTruth::kFalse;
+    });
     return count;
 }
 

@@ -176,15 +176,13 @@ NearestCurves find_nearest_curves(std::span<const truth::Curve> curves,
 Offsets measure_offsets(const PixelList& drawn, const NearestCurves& curves) {
     Offsets offsets;
     ShiftSums shift;
-    for (int y = 0; y < drawn.height_px(); ++y) {
-        for (std::size_t i = drawn.row_begin(y); i < drawn.row_begin(y + 1); ++i) {
-            const CurveOffset* found = curves.find(drawn.x(i), y);
-            if (found == nullptr || found->is_beyond_end) continue;
-            offsets.all.add(found->offset_px);
-            offsets.classes[found->label & 7U].add(found->offset_px);
-            shift.add(*found);
-        }
-    }
+    drawn.visit([&](int x, int y) {
+        const CurveOffset* found = curves.find(x, y);
+        if (found == nullptr || found->is_beyond_end) return;
+        offsets.all.add(found->offset_px);
+        offsets.classes[found->label & 7U].add(found->offset_px);
+        shift.add(*found);
+    });
     offsets.shift = shift.solve();
     return offsets;
 }

@@ -34,6 +34,15 @@ class PixelList {
     /// Column of pixel `i`.
     [[nodiscard]] int x(std::size_t i) const { return x_[i]; }
 
+    /// Calls `visit(x, y)` for each pixel, in order.
+    template <class Visit>
+    void visit(Visit visit) const {
+        for (int y = 0; y < height_px(); ++y) {
+            for (std::size_t i = row_begin(y); i < row_begin(y + 1); ++i)
+                visit(x(i), y);
+        }
+    }
+
     /// Takes out the pixels whose entry in `is_dropped` (one per pixel) is not 0.
     void drop(const std::vector<std::uint8_t>& is_dropped);
 

@@ -24,10 +24,7 @@ void set_run(std::uint64_t* row, int first, int end) {
 
 edge::BitMask mask_of(const PixelList& pixels, int width_px) {
     edge::BitMask mask(width_px, pixels.height_px());
-    for (int y = 0; y < pixels.height_px(); ++y) {
-        for (std::size_t i = pixels.row_begin(y); i < pixels.row_begin(y + 1); ++i)
-            mask.set(pixels.x(i), y);
-    }
+    pixels.visit([&](int x, int y) { mask.set(x, y); });
     return mask;
 }
 

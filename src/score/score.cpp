@@ -149,7 +149,6 @@ Score score(const edge::EdgeImage& prediction,
             const ScoringTruth& truth,
             const ScoreOptions& options) {
     check(options);
-    check_same_size(prediction, truth.labels);
     return score_strokes(make_strokes(prediction, options.threshold, options), truth, options);
 }
 
