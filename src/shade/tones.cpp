@@ -9,20 +9,12 @@
 namespace ink::shade {
 namespace {
 
-/// Whether the face runs from `from` to `to` at one of its edges.
-bool runs(const scene::Face& face, std::uint32_t from, std::uint32_t to) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (face.vertices[i] == from && face.vertices[(i + 1) % 3] == to) return true;
-    }
-    return false;
-}
-
 /// Two faces that run through the edge in opposite directions: what a surface goes on over.
 bool goes_on(const scene::Topology& topology, const scene::Edge& edge) {
     if (edge.face_count != 2) return false;
     const auto faces = topology.faces_of(edge);
-    return runs(topology.faces[faces[0]], edge.a, edge.b) !=
-           runs(topology.faces[faces[1]], edge.a, edge.b);
+    return runs_forward(topology.faces[faces[0]], edge) !=
+           runs_forward(topology.faces[faces[1]], edge);
 }
 
 /// Sums weighted by area: of what a spot is made.

@@ -8,11 +8,6 @@ namespace {
 
 constexpr std::int64_t kHalf = kSubpixels / 2;
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) {
-    const std::int64_t quotient = a / b;
-    return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
-}
-
 }  // namespace
 
 LineSteps::LineSteps(const ScreenVertex& a,

@@ -9,6 +9,12 @@ namespace ink::raster {
 inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixels = 1 << kSubpixelBits;
 
+/// a / b rounded down.
+[[nodiscard]] inline std::int64_t floor_div(std::int64_t a, std::int64_t b) {
+    const std::int64_t quotient = a / b;
+    return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+
 /// The guard band: triangles are cut at |x|, |y| = 2^20 px. Snapped coordinates then fit 29 bits
 /// with sign, an edge function 60 bits: everything below is exact in 64-bit integers.
 inline constexpr double kGuardBand_px = 1 << 20;

@@ -38,11 +38,6 @@ EdgeFunction edge_function(const ScreenVertex& a, const ScreenVertex& b) {
     return e;
 }
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) {
-    const std::int64_t quotient = a / b;
-    return quotient - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
-}
-
 /// Whether row y holds a centre inside all three edges.
 bool row_has_sample(const SetupTriangle& t, int y) {
     std::int64_t first = t.bounds.x0;
